@@ -1,0 +1,4 @@
+//! The command line of Sieben.
+#![forbid(unsafe_code)]
+
+fn main() {}

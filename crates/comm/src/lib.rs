@@ -1,0 +1,2 @@
+//! Protocol servers (none yet).
+#![forbid(unsafe_code)]

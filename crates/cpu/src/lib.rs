@@ -1,0 +1,2 @@
+//! The controller: cycle, organization blocks, process image, system functions.
+#![forbid(unsafe_code)]

@@ -1,0 +1,71 @@
+//! What can go wrong while a program runs, with the codes of the real CPU.
+
+use sieben_model::address::Width;
+use sieben_model::block::BlockId;
+
+/// The statement that caused something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Place {
+    /// The block.
+    pub block: BlockId,
+    /// The statement, counted from 0 in the block.
+    pub statement: u32,
+}
+
+/// A synchronous error of a statement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// Programming error, OB 121.
+    Programming {
+        /// OB121_SW_FLT: 16#21 BCD, 22/23 area length, 24/25 area code, 26/27 timer/counter number, 28/29 alignment,
+        /// 30/31 write protection, 32..35 block number, 3A/3C/3E/3D/3F block not loaded.
+        code: u8,
+        /// OB121_FLT_REG: byte address, illegal area code, number, or 0 for ACCU 1.
+        register: u16,
+        /// OB121_RESERVED_1: access (bits 7 to 4) and area (bits 3 to 0) of an area length or alignment error.
+        access: u8,
+    },
+    /// I/O access error, OB 122.
+    IoAccess {
+        /// Write (16#43) or read (16#42).
+        write: bool,
+        /// Width of the access.
+        width: Width,
+        /// Byte address.
+        byte: u32,
+    },
+    /// The block cannot go on: OB 88 or STOP.
+    Abort(Abort),
+}
+
+/// Errors that end the processing of a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Abort {
+    /// More than seven open brackets, or a closing one too many.
+    NestingStack,
+    /// More than eight MCR zones, or a closing one too many.
+    McrStack,
+    /// Too many nested calls.
+    BlockStack,
+    /// The local data of the priority class do not suffice.
+    LocalData,
+}
+
+impl Fault {
+    /// The event ID of the error itself: 16#25xx, 16#2942/2943, 16#357x.
+    pub fn event(&self) -> u16 {
+        match self {
+            Self::Programming { code, .. } => 0x2500 | u16::from(*code),
+            Self::IoAccess { write: false, .. } => 0x2942,
+            Self::IoAccess { write: true, .. } => 0x2943,
+            Self::Abort(Abort::NestingStack) => 0x3571,
+            Self::Abort(Abort::McrStack) => 0x3572,
+            Self::Abort(Abort::BlockStack) => 0x3575,
+            Self::Abort(Abort::LocalData) => 0x3576,
+        }
+    }
+    /// A programming error with FLT_REG.
+    pub(crate) fn programming(code: u8, register: u16) -> Self {
+        Self::Programming { code, register, access: 0 }
+    }
+}

@@ -1,0 +1,150 @@
+//! Instructions of the IR.
+//!
+//! A variable is a CPU register or a temporary. Temporaries live inside one statement; a call, or a
+//! load that may fail, keeps only registers and its own result. Whatever may fail comes before the
+//! first register that the statement changes, so that a failed statement counts as NOP.
+
+use sieben_model::address::{Area, Width};
+use sieben_model::block::{BlockId, BlockKind};
+
+use super::ops::Op;
+use crate::intrinsics::Intrinsic;
+use crate::machine::Register;
+
+/// A register or a temporary.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Var(pub u8);
+
+impl Var {
+    /// The `n`th temporary.
+    pub fn temporary(n: usize) -> Option<Self> {
+        u8::try_from(Register::COUNT + n).ok().map(Self)
+    }
+    /// The register, if it is one.
+    pub fn register(self) -> Option<Register> {
+        Register::ALL.get(usize::from(self.0)).copied()
+    }
+}
+
+impl From<Register> for Var {
+    fn from(register: Register) -> Self {
+        Self(register as u8)
+    }
+}
+
+/// A statement of the same block, by its index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Target(pub u32);
+
+/// The two data block registers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum DataRegister {
+    /// DB: the shared data block.
+    Shared,
+    /// DI: the instance data block.
+    Instance,
+}
+
+/// Where a load or store goes. Positions are in bits: byte × 8 + bit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Place {
+    /// A constant address; DB and DI mean the open block.
+    Fixed {
+        /// Which area.
+        area: Area,
+        /// The position.
+        position: u32,
+    },
+    /// An address computed at run time in a known area: `MW[MD 4]`, `MW[AR1,P#2.0]`, a variable of an instance (`DIX[AR2,P#n]`).
+    Indirect {
+        /// Which area.
+        area: Area,
+        /// Holds an area-internal pointer; its area part is ignored.
+        pointer: Var,
+        /// Added to the pointer.
+        offset: u32,
+    },
+    /// An address whose area is in the pointer too: `W[AR1,P#2.0]`, a parameter of an FC.
+    Crossing {
+        /// Holds an area-crossing pointer.
+        pointer: Var,
+        /// Added to the pointer.
+        offset: u32,
+    },
+}
+
+/// What a failed load does after the Host let it go on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum OnFault {
+    /// The whole statement counts as NOP.
+    SkipStatement,
+    /// The load counts as done, with 0 or the Host's value.
+    DeliverZero,
+}
+
+/// The block that a call enters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Callee {
+    /// Known when the program is compiled.
+    Block(BlockId),
+    /// Kind known, number computed: `UC FC [MW 10]`.
+    Number(BlockKind, Var),
+}
+
+/// One instruction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs)] // The fields are named in the sentence of each variant.
+pub enum Inst {
+    /// `dst := value`.
+    Constant { dst: Var, value: u64 },
+    /// `dst := op(args)`; only the first `op.arity()` arguments count.
+    Compute { op: Op, dst: Var, args: [Var; 4] },
+    /// `dst := memory`, zero-extended.
+    Load { dst: Var, place: Place, width: Width, on_fault: OnFault },
+    /// `memory := src`, its low bits.
+    Store { place: Place, width: Width, src: Var },
+    /// `dst := pointer` that the caller gave for parameter `index` of an FC.
+    Parameter { dst: Var, index: u16 },
+    /// Gives the pointer of the next parameter to the call that follows.
+    PassParameter { src: Var },
+    /// `dst := result` of a function over the machine (0 if it has none).
+    Intrinsic { dst: Var, intrinsic: Intrinsic, args: [Var; 4] },
+    /// Fails with programming error `code` (FLT_REG = `register`) unless the condition holds.
+    Require { condition: Var, code: u8, register: Var },
+    /// Aborts the block unless the condition holds.
+    RequireStack { condition: Var, abort: crate::fault::Abort },
+    /// Opens the data block with this number; 0 closes the register.
+    Open { register: DataRegister, number: Var },
+    /// Goes on at the statement.
+    Jump { to: Target },
+    /// Goes on at the statement if the condition is 1.
+    Branch { condition: Var, to: Target },
+    /// Goes on at `tables[first + index]`, or at `otherwise` if `index >= count`.
+    JumpTable { index: Var, first: u32, count: u32, otherwise: Target },
+    /// Enters a block with the parameters passed before; goes on behind this instruction when it ends.
+    Call { callee: Callee, parameters: u16 },
+    /// Ends the block. Behind the call OS = 0, OR = 0, STA = 1, /FC = 0; DB, DI, MA and the nesting stack are the caller's.
+    Return,
+}
+
+/// The code of one block.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Code {
+    /// The instructions of all statements, one after another.
+    pub insts: Vec<Inst>,
+    /// The first instruction of each statement; a last entry marks the end.
+    pub statements: Vec<u32>,
+    /// Targets of all jump tables.
+    pub tables: Vec<Target>,
+}
+
+impl Code {
+    /// Number of statements.
+    pub fn statement_count(&self) -> usize {
+        self.statements.len().saturating_sub(1)
+    }
+    /// The instructions of a statement.
+    pub fn statement(&self, index: usize) -> &[Inst] {
+        &self.insts[self.statements[index] as usize..self.statements[index + 1] as usize]
+    }
+}

@@ -1,0 +1,10 @@
+//! The intermediate representation: one typed three-address code for every language.
+
+pub mod builder;
+pub mod code;
+pub mod ops;
+pub mod text;
+
+pub use builder::Builder;
+pub use code::{Callee, Code, DataRegister, Inst, OnFault, Place, Target, Var};
+pub use ops::Op;

@@ -1,0 +1,18 @@
+//! What code means: the IR, its operations, the machine they work on, and the interpreter.
+#![forbid(unsafe_code)]
+
+pub mod fault;
+pub mod host;
+pub mod interpreter;
+pub mod intrinsics;
+pub mod ir;
+pub mod machine;
+pub mod program;
+pub mod tracer;
+
+pub use fault::{Abort, Fault, Place as FaultPlace};
+pub use host::{Context, Engine, Entry, Exit, Host, Reaction, StopReason};
+pub use interpreter::Interpreter;
+pub use machine::{Layout, Machine};
+pub use program::{CodeBlock, Program};
+pub use tracer::{StatementEvent, Tracer};

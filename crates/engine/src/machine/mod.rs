@@ -1,0 +1,90 @@
+//! All state that a program can touch, as plain data.
+
+pub mod counters;
+pub mod layout;
+pub mod memory;
+pub mod registers;
+pub mod timers;
+
+use std::sync::Arc;
+
+use sieben_model::block::BlockId;
+
+pub use counters::Counter;
+pub use layout::Layout;
+pub use memory::Memory;
+pub use registers::{Register, Registers, StatusWord};
+pub use timers::{Timer, TimerKind};
+
+/// One CPU's state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Machine {
+    /// The CPU registers.
+    pub registers: Registers,
+    /// All areas and data blocks.
+    pub memory: Memory,
+    /// The S5 timers.
+    pub timers: Vec<Timer>,
+    /// The S5 counters.
+    pub counters: Vec<Counter>,
+    /// Blocks that are being executed, outermost first.
+    pub frames: Vec<Frame>,
+    /// Parameter pointers of those blocks.
+    pub parameters: Vec<u32>,
+    /// Time that the CPU has spent in STARTUP and RUN, in microseconds: what timers count by.
+    pub clock_us: u64,
+    /// Safe points until the Host is asked again.
+    pub budget: i64,
+}
+
+/// A block being executed, with what its end restores.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// The block.
+    pub block: BlockId,
+    /// Where it goes on: an index into the engine's own code.
+    pub resume: u32,
+    /// First byte of its local data in the local data of the priority class.
+    pub local_base: u32,
+    /// Bytes of its local data.
+    pub local_size: u32,
+    /// First of its parameters.
+    pub parameters: u32,
+    /// Why it was entered, with what its end restores.
+    pub origin: Origin,
+}
+
+/// How a block was entered.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Origin {
+    /// By the CPU, as an organization block of a fresh priority class.
+    Start,
+    /// By a call; the end of the block restores DB, DI, MA and the nesting stack.
+    Call {
+        /// Registers of the caller.
+        registers: Box<Registers>,
+    },
+    /// By a fault or interrupt between two statements or inside one; the end restores everything.
+    Interrupt {
+        /// All registers of the interrupted block.
+        registers: Box<Registers>,
+        /// A temporary that receives a replacement value on return: variable and value.
+        deliver: Option<(u8, u32)>,
+    },
+}
+
+impl Machine {
+    /// A machine with cleared memory in this layout.
+    pub fn new(layout: Arc<Layout>) -> Self {
+        Self {
+            registers: Registers::fresh(),
+            timers: vec![Timer::default(); usize::from(layout.timers)],
+            counters: vec![Counter::default(); usize::from(layout.counters)],
+            memory: Memory::new(layout),
+            frames: Vec::new(),
+            parameters: Vec::new(),
+            clock_us: 0,
+            budget: 0,
+        }
+    }
+}

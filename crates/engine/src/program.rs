@@ -1,0 +1,32 @@
+//! A compiled program: code blocks in IR and data blocks.
+
+use std::collections::BTreeMap;
+
+use sieben_model::block::BlockId;
+use sieben_model::interface::Interface;
+use sieben_model::program::DataBlock;
+use sieben_model::source::Span;
+
+use crate::ir::Code;
+
+/// One code block, compiled.
+#[derive(Clone, Debug, Default)]
+pub struct CodeBlock {
+    /// Its IR, the complete form.
+    pub code: Code,
+    /// Its declared variables.
+    pub interface: Interface,
+    /// Bytes of local data it needs, even: declared, hidden and addressed ones; an OB's include the start information.
+    pub local_size: u32,
+    /// Where each statement of the code comes from.
+    pub spans: Vec<Span>,
+}
+
+/// Everything that is loaded into a CPU.
+#[derive(Clone, Debug, Default)]
+pub struct Program {
+    /// OBs, FCs and FBs.
+    pub code: BTreeMap<BlockId, CodeBlock>,
+    /// Data blocks by number.
+    pub data: BTreeMap<u16, DataBlock>,
+}

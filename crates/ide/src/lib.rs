@@ -1,0 +1,2 @@
+//! Editor services as plain data (none yet).
+#![forbid(unsafe_code)]

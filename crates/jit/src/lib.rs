@@ -1,0 +1,1 @@
+//! The same IR as machine code (empty until the native engine exists).

@@ -1,0 +1,7 @@
+//! Text → checked program → IR.
+#![forbid(unsafe_code)]
+
+pub mod project;
+pub mod stl;
+
+pub use project::{Compiled, Options, SystemBlock, compile};

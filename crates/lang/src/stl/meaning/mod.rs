@@ -1,0 +1,1 @@
+//! What each instruction does, by the chapters of the manual.

@@ -1,0 +1,101 @@
+//! CPU types: areas, accumulators, limits.
+
+/// What a CPU type has and allows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CpuType {
+    /// The name that `--cpu` takes.
+    pub name: &'static str,
+    /// 2 (S7-300) or 4 (S7-400) accumulators.
+    pub accumulators: u8,
+    /// Bytes of the process image of the inputs, and of the outputs.
+    pub process_image: u32,
+    /// Bytes of peripheral addresses, inputs and outputs each.
+    pub peripheral: u32,
+    /// Bytes of bit memory.
+    pub bit_memory: u32,
+    /// Number of S5 timers.
+    pub timers: u16,
+    /// Number of S5 counters.
+    pub counters: u16,
+    /// Bytes of local data per priority class.
+    pub local_data: u32,
+    /// Bytes of local data per block.
+    pub local_data_block: u32,
+    /// Greatest number of a data block.
+    pub db_number_max: u16,
+    /// Greatest number of an FC or FB.
+    pub fc_number_max: u16,
+    /// Bytes a block may have.
+    pub block_size_max: u32,
+    /// Nested block calls per priority class.
+    pub nesting_depth: u8,
+    /// Additional nested block calls inside a synchronous-error OB.
+    pub nesting_depth_error: u8,
+    /// Whether OB 88 exists; without it a processing abort is STOP 16#457x.
+    pub has_ob88: bool,
+    /// `L STW` and `T STW` move all nine status bits (S7-400) or not /FC, STA and OR (S7-300).
+    pub status_word_whole: bool,
+    /// Entries of the diagnostic buffer.
+    pub diagnostic_buffer: u16,
+}
+
+const S7_300: CpuType = CpuType {
+    name: "315-2PN/DP",
+    accumulators: 2,
+    process_image: 2048,
+    peripheral: 2048,
+    bit_memory: 2048,
+    timers: 256,
+    counters: 256,
+    local_data: 32 * 1024,
+    local_data_block: 2048,
+    db_number_max: 16_000,
+    fc_number_max: 7999,
+    block_size_max: 65_536,
+    nesting_depth: 16,
+    nesting_depth_error: 4,
+    has_ob88: false,
+    status_word_whole: false,
+    diagnostic_buffer: 100,
+};
+const S7_400: CpuType = CpuType {
+    name: "416-3",
+    accumulators: 4,
+    process_image: 16_384,
+    peripheral: 16_384,
+    bit_memory: 16_384,
+    timers: 2048,
+    counters: 2048,
+    local_data: 32 * 1024,
+    local_data_block: 65_536,
+    nesting_depth: 24,
+    nesting_depth_error: 2,
+    has_ob88: true,
+    status_word_whole: true,
+    diagnostic_buffer: 500,
+    ..S7_300
+};
+
+impl CpuType {
+    /// All CPU types, the default first. Figures of the data sheets; those of the 315 V3 and 416/417 V7 are
+    /// from knowledge of the data sheets without the text at hand, see docs/decisions.
+    pub const ALL: &[Self] = &[
+        S7_300,
+        CpuType { name: "317-2PN/DP", process_image: 8192, peripheral: 8192, bit_memory: 4096, timers: 512, counters: 512, ..S7_300 },
+        CpuType { name: "319-3PN/DP", process_image: 8192, peripheral: 8192, bit_memory: 8192, timers: 2048, counters: 2048, ..S7_300 },
+        S7_400,
+        CpuType { name: "417-4", local_data: 64 * 1024, ..S7_400 },
+    ];
+
+    /// The CPU type with this name, without regard to case and blanks.
+    pub fn by_name(name: &str) -> Option<&'static Self> {
+        let plain = |text: &str| text.chars().filter(|c| c.is_ascii_alphanumeric()).collect::<String>().to_ascii_lowercase();
+        Self::ALL.iter().find(|cpu| plain(cpu.name) == plain(name))
+    }
+}
+
+impl Default for CpuType {
+    fn default() -> Self {
+        Self::ALL[0]
+    }
+}

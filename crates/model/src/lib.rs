@@ -1,0 +1,15 @@
+//! What a PLC program is: nouns, no behaviour.
+#![forbid(unsafe_code)]
+
+pub mod address;
+pub mod block;
+pub mod cpu_type;
+pub mod diagnostic;
+pub mod interface;
+pub mod literal;
+pub mod mnemonics;
+pub mod problems;
+pub mod program;
+pub mod source;
+pub mod symbols;
+pub mod types;

@@ -1,0 +1,57 @@
+//! The table of problem codes: code, severity, what is wrong, what to do.
+//!
+//! 1xxx characters and words, 2xxx syntax, 3xxx names, 4xxx types and ranges, 5xxx limits of the
+//! CPU type, 6xxx files and projects, 7xxx command line, 8xxx run time. A code is never reused.
+
+use crate::diagnostic::Severity;
+
+macro_rules! problems {
+    ($( $Code:ident $Severity:ident $title:literal $help:literal; )*) => {
+        /// A problem that a source, a project or a command line can have.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Problem { $( #[doc = $title] $Code, )* }
+
+        impl Problem {
+            /// All problems, by code.
+            pub const ALL: &[Self] = &[$(Self::$Code),*];
+            /// The code, `P2001`.
+            pub fn code(self) -> &'static str { match self { $(Self::$Code => stringify!($Code)),* } }
+            /// Error or warning.
+            pub fn severity(self) -> Severity { match self { $(Self::$Code => Severity::$Severity),* } }
+            /// What is wrong, in one sentence.
+            pub fn title(self) -> &'static str { match self { $(Self::$Code => $title),* } }
+            /// What to do about it.
+            pub fn help(self) -> &'static str { match self { $(Self::$Code => $help),* } }
+            /// The problem with this code, without regard to case.
+            pub fn from_code(code: &str) -> Option<Self> {
+                Self::ALL.iter().copied().find(|problem| problem.code().eq_ignore_ascii_case(code))
+            }
+        }
+    };
+}
+
+problems! {
+    // 1xxx characters and words
+    P1001 Error "a character that does not belong here" "Remove it, or put it into a comment or a string.";
+
+    // 2xxx syntax
+    P2001 Error "a word where a statement should begin is not an instruction" "Use an instruction of the mnemonic language of the file.";
+
+    // 3xxx names
+    P3001 Error "a name that is not declared" "Declare it in the symbol table or in the VAR sections of the block.";
+
+    // 4xxx types and ranges
+    P4001 Error "a constant outside its range" "Use a value inside the range.";
+
+    // 5xxx limits of the CPU type
+    P5001 Warning "an address beyond the areas of the CPU type" "Use an address that the CPU type has, or choose a larger CPU type.";
+
+    // 6xxx files and projects
+    P6001 Error "a file that cannot be read" "Check the path and the permissions.";
+
+    // 7xxx command line
+    P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";
+
+    // 8xxx run time
+    P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";
+}

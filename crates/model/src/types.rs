@@ -1,0 +1,177 @@
+//! Data types and their layout in data blocks and local data.
+
+use std::sync::Arc;
+
+use crate::block::BlockId;
+use crate::literal::Value;
+
+/// A data type of STEP 7.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // The variants are the manual's own names.
+pub enum DataType {
+    Bool,
+    Byte,
+    Char,
+    Word,
+    Int,
+    DoubleWord,
+    DoubleInt,
+    Real,
+    Date,
+    TimeOfDay,
+    Time,
+    S5Time,
+    DateAndTime,
+    /// STRING with its maximum length.
+    String(u8),
+    /// ARRAY with its bounds, first dimension first.
+    Array {
+        bounds: Vec<(i32, i32)>,
+        element: Box<DataType>,
+    },
+    /// STRUCT or a UDT (then with its name).
+    Struct(Arc<Structure>),
+    /// An instance of a function block inside another one.
+    Instance {
+        block: BlockId,
+        structure: Arc<Structure>,
+    },
+    Pointer,
+    Any,
+    Timer,
+    Counter,
+    BlockFunction,
+    BlockFunctionBlock,
+    BlockData,
+    BlockSystemData,
+    Void,
+}
+
+/// The fields of a STRUCT, UDT or instance, laid out.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Structure {
+    /// `UDT 7` or its symbol, if the structure has a name.
+    pub name: Option<String>,
+    /// The fields in declaration order.
+    pub fields: Vec<Field>,
+    /// Length in bytes, always even.
+    pub size: u32,
+}
+
+/// One field of a structure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// The name as declared.
+    pub name: String,
+    /// Its type.
+    pub data_type: DataType,
+    /// Offset from the start of the structure, in bits.
+    pub offset: u32,
+    /// Initial values: none, one, or one per array element in order (fewer than elements is allowed).
+    pub initial: Vec<Value>,
+    /// The comment behind the declaration.
+    pub comment: String,
+}
+
+impl Structure {
+    /// The field with this name, without regard to case.
+    pub fn field(&self, name: &str) -> Option<&Field> {
+        self.fields.iter().find(|field| field.name.eq_ignore_ascii_case(name))
+    }
+}
+
+impl DataType {
+    /// Length in bits: 1 for BOOL, a multiple of 8 for all else; padded to words for complex types.
+    pub fn bits(&self) -> u64 {
+        match self {
+            Self::Void => 0,
+            Self::Bool => 1,
+            Self::Byte | Self::Char => 8,
+            Self::Word | Self::Int | Self::Date | Self::S5Time => 16,
+            Self::Timer | Self::Counter => 16,
+            Self::BlockFunction | Self::BlockFunctionBlock | Self::BlockData | Self::BlockSystemData => 16,
+            Self::DoubleWord | Self::DoubleInt | Self::Real | Self::TimeOfDay | Self::Time => 32,
+            Self::DateAndTime => 64,
+            Self::Pointer => 48,
+            Self::Any => 80,
+            Self::String(length) => (u64::from(*length) + 2).next_multiple_of(2) * 8,
+            Self::Array { .. } => array_bits(self).next_multiple_of(16),
+            Self::Struct(structure) | Self::Instance { structure, .. } => u64::from(structure.size) * 8,
+        }
+    }
+
+    /// Whether a value starts at an even byte.
+    pub fn word_aligned(&self) -> bool {
+        !matches!(self, Self::Bool | Self::Byte | Self::Char)
+    }
+
+    /// Whether the type fits ACCU 1: at most 32 bits and not a structure.
+    pub fn is_elementary(&self) -> bool {
+        matches!(
+            self,
+            Self::Bool
+                | Self::Byte
+                | Self::Char
+                | Self::Word
+                | Self::Int
+                | Self::DoubleWord
+                | Self::DoubleInt
+                | Self::Real
+                | Self::Date
+                | Self::TimeOfDay
+                | Self::Time
+                | Self::S5Time
+        )
+    }
+
+    /// Number of elements of an array (1 for all else), saturating.
+    pub fn elements(&self) -> u64 {
+        match self {
+            Self::Array { bounds, .. } => bounds
+                .iter()
+                .map(|&(low, high)| u64::try_from(i64::from(high) - i64::from(low) + 1).unwrap_or(0))
+                .fold(1, u64::saturating_mul),
+            _ => 1,
+        }
+    }
+
+    /// Offset in bits of the array element with this index (counted from 0 over all dimensions, last index fastest).
+    pub fn element_offset(&self, flat: u64) -> u64 {
+        let Self::Array { bounds, element } = self else { return 0 };
+        let step = element_step(element);
+        let inner = bounds.last().map_or(1, |&(low, high)| u64::try_from(i64::from(high) - i64::from(low) + 1).unwrap_or(1)).max(1);
+        if bounds.len() < 2 || element.word_aligned() {
+            return flat.saturating_mul(step);
+        }
+        // The innermost dimension of BOOL, BYTE and CHAR is padded to a word when there are several dimensions.
+        let row = inner.saturating_mul(step).next_multiple_of(16);
+        (flat / inner).saturating_mul(row).saturating_add((flat % inner) * step)
+    }
+}
+
+/// Distance of two neighbouring array elements, in bits.
+fn element_step(element: &DataType) -> u64 {
+    match element {
+        DataType::Bool => 1,
+        _ => element.bits(),
+    }
+}
+
+fn array_bits(array: &DataType) -> u64 {
+    let DataType::Array { element, .. } = array else { return 0 };
+    let count = array.elements();
+    if count == 0 {
+        return 0;
+    }
+    array.element_offset(count - 1).saturating_add(element_step(element))
+}
+
+/// Where the next variable of a type goes, and the cursor behind it; both in bits.
+pub fn place(cursor: u64, data_type: &DataType) -> (u64, u64) {
+    let start = match data_type {
+        DataType::Bool => cursor,
+        DataType::Byte | DataType::Char => cursor.next_multiple_of(8),
+        _ => cursor.next_multiple_of(16),
+    };
+    (start, start.saturating_add(data_type.bits()))
+}

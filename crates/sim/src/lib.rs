@@ -1,0 +1,2 @@
+//! The plant: simulated devices, scenarios.
+#![forbid(unsafe_code)]

@@ -1,0 +1,2 @@
+//! The web page (not built yet).
+#![forbid(unsafe_code)]
