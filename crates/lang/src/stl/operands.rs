@@ -34,6 +34,8 @@ pub enum Operand {
     Block(BlockOperand),
     /// A call with parameters.
     Call(Box<Call>),
+    /// `P##name` of a parameter of a function: the pointer that the caller gave (all other `P##name` are constants).
+    ParameterAddress(u16),
 }
 
 /// A memory access.
@@ -98,6 +100,13 @@ pub enum Location {
     Instance {
         /// The position in the instance.
         position: u32,
+    },
+    /// Inside a complex VAR_IN_OUT of a function block: through the POINTER that lies in the instance.
+    InstancePointer {
+        /// The position of the POINTER in the instance.
+        position: u32,
+        /// The position of the element behind what it points to.
+        offset: u32,
     },
 }
 
