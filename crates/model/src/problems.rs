@@ -42,6 +42,11 @@ problems! {
 
     // 4xxx types and ranges
     P4001 Error "a constant outside its range" "Use a value inside the range.";
+    P4201 Error "a constant outside the range of its notation" "Use a value inside the range that the message names, or a notation with more bits, such as L# or DW#16#.";
+    P4202 Error "a constant whose prefix is known, but not what follows it" "Write it the way the message shows.";
+    P4203 Error "a date that the calendar does not have" "Check the month and the day; February has 29 days only in leap years.";
+    P4204 Error "a character that does not fit into one byte" "Use characters of the code pages 1252, 1250 or 1251, or write the byte as `$` and two hex digits.";
+    P4205 Error "a word that is no constant" "Use a constant such as 5, L#5, 1.5, W#16#00FF, 2#1010, C#20, S5T#2S, T#1H, D#2024-02-29, P#M 10.0, 'A' or TRUE.";
 
     // 5xxx limits of the CPU type
     P5001 Warning "an address beyond the areas of the CPU type" "Use an address that the CPU type has, or choose a larger CPU type.";
