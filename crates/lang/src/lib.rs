@@ -1,6 +1,7 @@
 //! Text → checked program → IR.
 #![forbid(unsafe_code)]
 
+pub mod encoding;
 pub mod project;
 pub mod stl;
 

@@ -33,6 +33,10 @@ macro_rules! problems {
 problems! {
     // 1xxx characters and words
     P1001 Error "a character that does not belong here" "Remove it, or put it into a comment or a string.";
+    P1101 Error "a binary file instead of a source text" "Name the source (.awl, .stl, .csv, .sdf), not a block, an archive or a project database.";
+    P1102 Warning "bytes that mean nothing in the encoding of the file" "Choose another encoding, or save the file as UTF-8.";
+    P1103 Error "a character that the encoding of the file does not have" "Save the file as UTF-8, or replace the character.";
+    P1104 Error "a source larger than 64 MiB" "Split it, or check whether the file is a source at all.";
 
     // 2xxx syntax
     P2001 Error "a word where a statement should begin is not an instruction" "Use an instruction of the mnemonic language of the file.";
