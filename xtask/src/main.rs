@@ -1,2 +1,44 @@
-//! Tasks of the project: `cargo xtask`.
-fn main() {}
+//! Tasks of the project: `cargo xtask TASK`.
+#![forbid(unsafe_code)]
+#![allow(clippy::print_stdout)] // A task talks to the person who started it.
+
+use std::process::ExitCode;
+
+use xtask::{fuzz, generate, test, tidy};
+
+const USAGE: &str = "usage: cargo xtask TASK
+
+  test [ARGUMENTS]      build everything and run all tests (arguments go to the test runner)
+  tidy                  check the house rules: arrows, pages, links, words
+  generate              write the generated pages again
+  fuzz --seconds N      run all fuzz targets for N seconds together
+       [--target NAME]  only this one
+       [--seed N]       other inputs than the last time
+  fuzz --replay TARGET FILE
+                        run one target on one input";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let (task, rest) = match arguments.split_first() {
+        Some((task, rest)) => (task.as_str(), rest),
+        None => ("help", [].as_slice()),
+    };
+    let outcome = match task {
+        "test" => test::run(rest),
+        "tidy" => tidy::run(),
+        "generate" => generate::run(),
+        "fuzz" => fuzz::run(rest),
+        "help" | "--help" | "-h" => {
+            println!("{USAGE}");
+            Ok(())
+        }
+        unknown => Err(format!("`{unknown}` is no task\n\n{USAGE}")),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! Tasks of the project as a library, so that tests can run them too.
+#![forbid(unsafe_code)]
+#![allow(clippy::print_stdout)] // A task talks to the person who started it.
+
+pub mod fuzz;
+pub mod generate;
+pub mod markdown;
+pub mod test;
+pub mod tidy;
+pub mod workspace;

@@ -1,0 +1,143 @@
+//! Documents: links and paths lead somewhere, every problem has its page, every decision its own number.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use sieben_model::problems::Problem;
+
+use super::Finding;
+use crate::markdown;
+use crate::workspace::TextFile;
+
+/// Where the pages of the problem codes lie.
+pub const PROBLEM_PAGES: &str = "docs/problems/";
+
+/// Code in a sentence that begins so is a path, and exists.
+const PATH_STARTS: &[&str] = &["crates/", "docs/", "spec/", "xtask/", "examples/", "library/", ".ci/", ".cargo/"];
+
+/// Checks all documents.
+pub fn check(root: &Path, files: &[TextFile]) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for file in files.iter().filter(|file| file.path.ends_with(".md")) {
+        findings.extend(document(root, file, files));
+    }
+    findings.extend(problem_pages(files));
+    findings.extend(decisions(files));
+    findings
+}
+
+fn document(root: &Path, file: &TextFile, files: &[TextFile]) -> Vec<Finding> {
+    let page = markdown::read(&file.text);
+    let mut findings = Vec::new();
+    for (link, line) in &page.links {
+        if link.contains("://") || link.starts_with("mailto:") {
+            continue;
+        }
+        let (path, anchor) = link.split_once('#').unwrap_or((link, ""));
+        let target = if path.is_empty() { file.path.clone() } else { join(&file.path, path) };
+        if !root.join(&target).exists() {
+            findings.push(Finding::line(&file.path, *line, format!("the link `{link}` leads nowhere")));
+        } else if !anchor.is_empty()
+            && let Some(other) = files.iter().find(|other| other.path == target)
+            && !markdown::read(&other.text).anchors.iter().any(|known| known == anchor)
+        {
+            findings.push(Finding::line(&file.path, *line, format!("`{target}` has no heading `#{anchor}`")));
+        }
+    }
+    for (code, line) in &page.spans {
+        let is_path =
+            PATH_STARTS.iter().any(|start| code.starts_with(start)) && !code.contains(['<', '*', '{', ' ', '…']) && !code.contains("NNN");
+        let path = code.split([':', '#']).next().unwrap_or(code);
+        if is_path && !root.join(path).exists() {
+            findings.push(Finding::line(&file.path, *line, format!("`{code}` does not exist")));
+        }
+    }
+    findings
+}
+
+/// A relative link from a file, as a path from the root.
+fn join(from: &str, link: &str) -> String {
+    let mut parts: Vec<&str> = from.split('/').collect();
+    parts.pop();
+    for part in link.split('/') {
+        match part {
+            "" | "." => {}
+            ".." => {
+                parts.pop();
+            }
+            part => parts.push(part),
+        }
+    }
+    parts.join("/")
+}
+
+fn problem_pages(files: &[TextFile]) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let pages = files.iter().filter_map(|file| {
+        let name = file.path.strip_prefix(PROBLEM_PAGES)?.strip_suffix(".md")?;
+        Some((name, file))
+    });
+    for (name, file) in pages {
+        if Problem::from_code(name).is_none() {
+            findings.push(Finding::file(&file.path, format!("`{name}` is no code of crates/model/src/problems.rs")));
+            continue;
+        }
+        let shown = markdown::read(&file.text).fences.iter().any(|fence| !fence.language.is_empty());
+        if !shown && !file.text.contains("## How it arises") {
+            findings.push(Finding::file(&file.path, "shows a source that produces it, or says so under `## How it arises`"));
+        }
+    }
+    for pair in Problem::ALL.windows(2).filter(|pair| pair[0].code() >= pair[1].code()) {
+        findings.push(Finding::file(
+            "crates/model/src/problems.rs",
+            format!("`{}` stands before `{}`: sorted by code", pair[0].code(), pair[1].code()),
+        ));
+    }
+    for problem in Problem::ALL {
+        let (title, help) = (problem.title(), problem.help());
+        let code = problem.code();
+        let message = if title.is_empty()
+            || title.ends_with('.')
+            || title.chars().next().is_some_and(char::is_uppercase) && !title.starts_with("CPU")
+        {
+            "the title is a phrase: lower-case, no full stop"
+        } else if !help.ends_with(['.', '?', '!']) {
+            "the help is a sentence with a full stop"
+        } else {
+            continue;
+        };
+        findings.push(Finding::file("crates/model/src/problems.rs", format!("`{code}`: {message}")));
+    }
+    findings
+}
+
+fn decisions(files: &[TextFile]) -> Vec<Finding> {
+    let mut numbers: BTreeMap<&str, &str> = BTreeMap::new();
+    let mut findings = Vec::new();
+    for file in files {
+        let Some(name) = file.path.strip_prefix("docs/decisions/").and_then(|name| name.strip_suffix(".md")) else { continue };
+        let Some((number, _)) =
+            name.split_once('-').filter(|(number, _)| number.len() == 3 && number.bytes().all(|digit| digit.is_ascii_digit()))
+        else {
+            if name != "README" {
+                findings.push(Finding::file(&file.path, "a decision is named NNN-title.md"));
+            }
+            continue;
+        };
+        if let Some(other) = numbers.insert(number, name) {
+            findings.push(Finding::file(&file.path, format!("the number {number} is taken by {other}.md")));
+        }
+    }
+    findings
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_link_is_resolved_from_its_file() {
+        assert_eq!(join("docs/start/a.md", "../how-to/b.md"), "docs/how-to/b.md");
+        assert_eq!(join("README.md", "./docs/"), "docs");
+    }
+}
