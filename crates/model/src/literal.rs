@@ -45,6 +45,22 @@ pub enum Value {
     Any([u8; 10]),
 }
 
+impl Value {
+    /// What ACCU 1 holds after `L` with this constant; `None` if it does not fit an accumulator or is not loaded.
+    pub fn accumulator(&self) -> Option<u32> {
+        Some(match self {
+            Self::Int(value) => u32::from(*value as u16),
+            Self::DoubleInt(value) | Self::Time(value) => *value as u32,
+            Self::Real(value) => value.to_bits(),
+            Self::Byte(value) => u32::from(*value),
+            Self::Word(value) | Self::S5Time(value) | Self::Counter(value) | Self::Date(value) => u32::from(*value),
+            Self::DoubleWord(value) | Self::TimeOfDay(value) | Self::Pointer(value) => *value,
+            Self::Characters(text) if text.len() <= 4 => text.iter().fold(0, |word, &byte| word << 8 | u32::from(byte)),
+            Self::Bool(_) | Self::Characters(_) | Self::DateAndTime(_) | Self::DataPointer { .. } | Self::Any(_) => return None,
+        })
+    }
+}
+
 /// Why a text is not a constant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LiteralError {

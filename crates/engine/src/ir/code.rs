@@ -78,6 +78,8 @@ pub enum Place {
 pub enum OnFault {
     /// The whole statement counts as NOP.
     SkipStatement,
+    /// The same, and the load is part of a write: it fails with the codes of a write.
+    SkipWrite,
     /// The load counts as done, with 0 or the Host's value.
     DeliverZero,
 }

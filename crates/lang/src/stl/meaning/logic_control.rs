@@ -1,0 +1,497 @@
+//! Block calls and block ends.
+
+use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Op, Place, Var};
+use sieben_engine::machine::Register;
+use sieben_model::address::{Area, Width};
+use sieben_model::interface::Section;
+use sieben_model::literal::Value;
+use sieben_model::types::DataType;
+
+use super::WRONG_OPERAND;
+use super::data_blocks::REGISTER_PAIRS;
+use crate::stl::lower::Lowering;
+use crate::stl::operands::{Access, Actual, BlockOperand, Call, CallInstance, CallParameter, Location, NumberOperand, Operand};
+
+/// Where the parameters of a called block see the local data of its caller: area V.
+const CALLER_LOCAL: u32 = 0x8700_0000;
+/// What AR2 holds in a function block called with its own instance: P#DBX 0.0.
+const INSTANCE_START: u64 = 0x8400_0000;
+
+/// `UC`.
+pub(crate) fn unconditional(l: &mut Lowering<'_>, operand: &Operand) {
+    let Operand::Block(block) = operand else { unreachable!("{WRONG_OPERAND}") };
+    let callee = callee(l, block);
+    l.b.push(Inst::Call { callee, parameters: 0 });
+}
+
+/// `CC`: the status changes, called or not.
+pub(crate) fn conditional(l: &mut Lowering<'_>, operand: &Operand) {
+    let Operand::Block(block) = operand else { unreachable!("{WRONG_OPERAND}") };
+    let callee = callee(l, block);
+    let skip = l.b.compute(Op::Not, &[Register::Rlo.into()]);
+    l.b.set(Register::Os, 0);
+    l.b.set(Register::Or, 0);
+    l.b.set(Register::Sta, 1);
+    l.b.set(Register::Rlo, 1);
+    l.b.set(Register::Fc, 0);
+    let to = l.b.next();
+    l.b.push(Inst::Branch { condition: skip, to });
+    l.b.push(Inst::Call { callee, parameters: 0 });
+}
+
+fn callee(l: &mut Lowering<'_>, block: &BlockOperand) -> Callee {
+    match block.number {
+        NumberOperand::Fixed(number) => Callee::Block(sieben_model::block::BlockId::new(block.kind, number)),
+        _ => Callee::Number(block.kind, l.number(&block.number)),
+    }
+}
+
+/// `BEC`: the status of a taken block end is that of the return.
+pub(crate) fn block_end_conditional(l: &mut Lowering<'_>) {
+    let end = l.end();
+    l.b.push(Inst::Branch { condition: Register::Rlo.into(), to: end });
+    l.b.set(Register::Or, 0);
+    l.b.set(Register::Sta, 1);
+    l.b.set(Register::Rlo, 1);
+    l.b.set(Register::Fc, 0);
+}
+
+/// `CALL`.
+pub(crate) fn call(l: &mut Lowering<'_>, operand: &Operand) {
+    let Operand::Call(call) = operand else { unreachable!("{WRONG_OPERAND}") };
+    match call.instance {
+        None => call_function(l, call),
+        Some(CallInstance::DataBlock(db)) => call_with_instance(l, call, db),
+        Some(CallInstance::Multi(position)) => call_multi_instance(l, call, position),
+    }
+}
+
+/// What a function receives for one parameter.
+enum Pass {
+    /// A pointer or number that is known.
+    Known(u32),
+    /// A number that lies in the hidden local data, as a word.
+    Hidden(u32),
+}
+
+/// A function gets a pointer per parameter. What lies in I, Q, M, the peripheral or the local data is passed by
+/// reference; everything else goes through hidden local data of the caller, before and (outputs) after the call.
+fn call_function(l: &mut Lowering<'_>, call: &Call) {
+    let mut passed = Vec::with_capacity(call.parameters.len());
+    let mut copies_back: Vec<(u32, &Access)> = Vec::new();
+    for parameter in &call.parameters {
+        let pass = match &parameter.actual {
+            None => Pass::Known(0),
+            Some(Actual::Memory(access)) => match direct_pointer(&access.location) {
+                Some(pointer) => Pass::Known(pointer),
+                None => {
+                    let hidden = l.hidden(access.width.bytes());
+                    if reads(parameter) {
+                        copy(l, access, &local(hidden, access.width));
+                    }
+                    if writes(parameter) {
+                        copies_back.push((hidden, access));
+                    }
+                    Pass::Known(CALLER_LOCAL | hidden)
+                }
+            },
+            Some(Actual::Constant(value)) => {
+                let hidden = store_constant(l, value, &parameter.data_type);
+                Pass::Known(CALLER_LOCAL | hidden)
+            }
+            Some(Actual::Timer(number) | Actual::Counter(number) | Actual::Block(number)) => match number {
+                NumberOperand::Fixed(number) => Pass::Known(u32::from(*number)),
+                other => {
+                    let number = l.number(other);
+                    let hidden = l.hidden(2);
+                    l.b.store(Place::Fixed { area: Area::Local, position: hidden }, Width::Word, number);
+                    Pass::Hidden(hidden)
+                }
+            },
+            Some(Actual::Complex { location, data_type }) => {
+                let hidden = build_pointer(l, location, data_type, parameter.data_type == DataType::Any);
+                Pass::Known(CALLER_LOCAL | hidden)
+            }
+        };
+        l.b.release_temporaries();
+        passed.push(pass);
+    }
+    for pass in &passed {
+        let src = match pass {
+            Pass::Known(pointer) => l.b.constant(u64::from(*pointer)),
+            Pass::Hidden(position) => {
+                l.b.load(Place::Fixed { area: Area::Local, position: *position }, Width::Word, OnFault::SkipStatement)
+            }
+        };
+        l.b.push(Inst::PassParameter { src });
+        l.b.release_temporaries();
+    }
+    let parameters = u16::try_from(passed.len()).unwrap_or(u16::MAX);
+    l.b.push(Inst::Call { callee: Callee::Block(call.callee), parameters });
+    for (hidden, access) in copies_back {
+        copy(l, &local(hidden, access.width), access);
+    }
+}
+
+/// The macro of `CALL FB n, DB m`: CDB, OPN DI m, write the inputs, AR2 := P#DBX 0.0, UC FB n, AR2 back, read the outputs,
+/// CDB. The called block finds the caller's instance in the DB register; behind the call that register holds DB m.
+fn call_with_instance(l: &mut Lowering<'_>, call: &Call, db: u16) {
+    // What depends on the caller's own DB, DI or parameters is fetched before DI changes.
+    let mut prepared = Vec::with_capacity(call.parameters.len());
+    for parameter in &call.parameters {
+        prepared.push(prepare(l, parameter));
+        l.b.release_temporaries();
+    }
+    let saved_ar2 = l.hidden(4);
+    l.b.store(Place::Fixed { area: Area::Local, position: saved_ar2 }, Width::DoubleWord, Register::Ar2);
+    let number = l.b.constant(u64::from(db));
+    let old: Vec<Var> = REGISTER_PAIRS.iter().map(|&(_, instance)| l.b.compute(Op::Copy, &[instance.into()])).collect();
+    l.b.push(Inst::Open { register: DataRegister::Instance, number });
+    for (&(shared, _), old) in REGISTER_PAIRS.iter().zip(old) {
+        l.b.copy(shared, old);
+    }
+    l.b.release_temporaries();
+    let instance = |position| Location::Fixed { area: Area::InstanceData, position };
+    for (parameter, prepared) in call.parameters.iter().zip(&prepared) {
+        write_input(l, parameter, prepared.as_ref(), &instance);
+    }
+    l.b.set(Register::Ar2, INSTANCE_START);
+    l.b.push(Inst::Call { callee: Callee::Block(call.callee), parameters: 0 });
+    let ar2 = l.b.load(Place::Fixed { area: Area::Local, position: saved_ar2 }, Width::DoubleWord, OnFault::SkipStatement);
+    l.b.copy(Register::Ar2, ar2);
+    l.b.release_temporaries();
+    let mut dependent = Vec::new();
+    for parameter in call.parameters.iter().filter(|parameter| writes(parameter)) {
+        let (Some(actual), from) = (&parameter.actual, instance(parameter.position)) else { continue };
+        match actual {
+            Actual::Memory(access) if direct_pointer(&access.location).is_some() => {
+                copy(l, &Access { width: access.width, location: from }, access);
+            }
+            Actual::Memory(access) => {
+                let hidden = l.hidden(access.width.bytes());
+                copy(l, &Access { width: access.width, location: from }, &local(hidden, access.width));
+                dependent.push((hidden, u32::from(access.width == Width::Bit), parameter));
+            }
+            Actual::Complex { data_type, .. } if parameter.section == Section::Output => {
+                let bytes = bytes_of(data_type);
+                let hidden = l.hidden(bytes);
+                copy_bytes(l, &from, &Location::Fixed { area: Area::Local, position: hidden }, bytes);
+                dependent.push((hidden, 0, parameter));
+            }
+            _ => {}
+        }
+    }
+    super::data_blocks::swap(l);
+    l.b.release_temporaries();
+    if dependent.is_empty() {
+        return;
+    }
+    for (hidden, _, parameter) in dependent {
+        match &parameter.actual {
+            Some(Actual::Memory(access)) => copy(l, &local(hidden, access.width), access),
+            Some(Actual::Complex { location, data_type }) => {
+                copy_bytes(l, &Location::Fixed { area: Area::Local, position: hidden }, location, bytes_of(data_type));
+            }
+            _ => {}
+        }
+    }
+    let number = l.b.constant(u64::from(db));
+    l.b.push(Inst::Open { register: DataRegister::Shared, number });
+    l.b.release_temporaries();
+}
+
+/// `CALL #instance`: the same instance data block, AR2 moved to the part of the called block.
+fn call_multi_instance(l: &mut Lowering<'_>, call: &Call, position: u32) {
+    let part = |inner: u32| Location::Instance { position: position + inner };
+    for parameter in &call.parameters {
+        let prepared = prepare(l, parameter);
+        l.b.release_temporaries();
+        write_input(l, parameter, prepared.as_ref(), &part);
+    }
+    let saved_ar2 = l.hidden(4);
+    l.b.store(Place::Fixed { area: Area::Local, position: saved_ar2 }, Width::DoubleWord, Register::Ar2);
+    let offset = l.b.constant(u64::from(position));
+    l.b.compute_into(Register::Ar2, Op::AddU32, &[Register::Ar2.into(), offset]);
+    l.b.release_temporaries();
+    l.b.push(Inst::Call { callee: Callee::Block(call.callee), parameters: 0 });
+    let ar2 = l.b.load(Place::Fixed { area: Area::Local, position: saved_ar2 }, Width::DoubleWord, OnFault::SkipStatement);
+    l.b.copy(Register::Ar2, ar2);
+    l.b.release_temporaries();
+    for parameter in call.parameters.iter().filter(|parameter| writes(parameter)) {
+        match &parameter.actual {
+            Some(Actual::Memory(access)) => {
+                copy(l, &Access { width: access.width, location: part(parameter.position) }, access);
+            }
+            Some(Actual::Complex { location, data_type }) if parameter.section == Section::Output => {
+                copy_bytes(l, &part(parameter.position), location, bytes_of(data_type));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// What was fetched for an input of a function block before DI changed: its place in the hidden local data.
+struct Prepared {
+    position: u32,
+    bytes: u32,
+    width: Option<Width>,
+}
+
+fn prepare(l: &mut Lowering<'_>, parameter: &CallParameter) -> Option<Prepared> {
+    match parameter.actual.as_ref()? {
+        Actual::Memory(access) if reads(parameter) && direct_pointer(&access.location).is_none() => {
+            let position = l.hidden(access.width.bytes());
+            copy(l, access, &local(position, access.width));
+            Some(Prepared { position, bytes: access.width.bytes(), width: Some(access.width) })
+        }
+        Actual::Timer(number) | Actual::Counter(number) | Actual::Block(number) => {
+            let number = l.number(number);
+            let position = l.hidden(2);
+            l.b.store(Place::Fixed { area: Area::Local, position }, Width::Word, number);
+            Some(Prepared { position, bytes: 2, width: Some(Width::Word) })
+        }
+        Actual::Constant(value) if reads(parameter) => {
+            let position = store_constant(l, value, &parameter.data_type);
+            let width = elementary_width(&parameter.data_type);
+            Some(Prepared { position, bytes: bytes_of(&parameter.data_type), width })
+        }
+        Actual::Complex { location, data_type } => {
+            let by_value = parameter.section == Section::Input && !matches!(parameter.data_type, DataType::Any | DataType::Pointer);
+            if by_value {
+                let bytes = bytes_of(&parameter.data_type);
+                let position = l.hidden(bytes);
+                copy_bytes(l, location, &Location::Fixed { area: Area::Local, position }, bytes);
+                Some(Prepared { position, bytes, width: None })
+            } else if parameter.section == Section::Output {
+                None
+            } else {
+                let any = parameter.data_type == DataType::Any;
+                let position = build_pointer(l, location, data_type, any);
+                Some(Prepared { position, bytes: if any { 10 } else { 6 }, width: None })
+            }
+        }
+        _ => None,
+    }
+}
+
+/// Writes an input or in-out parameter into the instance.
+fn write_input(l: &mut Lowering<'_>, parameter: &CallParameter, prepared: Option<&Prepared>, instance: &dyn Fn(u32) -> Location) {
+    let to = instance(parameter.position);
+    match (prepared, &parameter.actual) {
+        (Some(Prepared { position, width: Some(width), .. }), _) => {
+            copy(l, &local(*position, *width), &Access { width: *width, location: to });
+        }
+        (Some(Prepared { position, bytes, width: None }), _) => {
+            copy_bytes(l, &Location::Fixed { area: Area::Local, position: *position }, &to, *bytes);
+        }
+        (None, Some(Actual::Memory(access))) if reads(parameter) => {
+            copy(l, access, &Access { width: access.width, location: to });
+        }
+        _ => {}
+    }
+    l.b.release_temporaries();
+}
+
+fn reads(parameter: &CallParameter) -> bool {
+    matches!(parameter.section, Section::Input | Section::InOut)
+}
+
+fn writes(parameter: &CallParameter) -> bool {
+    matches!(parameter.section, Section::Output | Section::InOut | Section::Return)
+}
+
+fn local(position: u32, width: Width) -> Access {
+    Access { width, location: Location::Fixed { area: Area::Local, position } }
+}
+
+fn bytes_of(data_type: &DataType) -> u32 {
+    u32::try_from(data_type.bits().div_ceil(8)).unwrap_or(u32::MAX)
+}
+
+fn elementary_width(data_type: &DataType) -> Option<Width> {
+    match data_type.bits() {
+        1 => Some(Width::Bit),
+        8 => Some(Width::Byte),
+        16 => Some(Width::Word),
+        32 if data_type.is_elementary() => Some(Width::DoubleWord),
+        _ => None,
+    }
+}
+
+/// A pointer that the called block can use as it is, if the place does not depend on DB, DI, AR or parameters.
+fn direct_pointer(location: &Location) -> Option<u32> {
+    match location {
+        Location::Fixed { area: Area::Local, position } => Some(CALLER_LOCAL | position),
+        Location::Fixed { area: Area::SharedData | Area::InstanceData | Area::CallerLocal, .. } => None,
+        Location::Fixed { area, position } => Some(u32::from(area.pointer_code()) << 24 | position),
+        _ => None,
+    }
+}
+
+/// Copies one elementary value.
+fn copy(l: &mut Lowering<'_>, from: &Access, to: &Access) {
+    let value = l.load(from, OnFault::SkipStatement);
+    let place = l.place(&to.location);
+    l.b.store(place, to.width, value);
+    l.b.release_temporaries();
+}
+
+/// Copies a complex value, four bytes at a time.
+fn copy_bytes(l: &mut Lowering<'_>, from: &Location, to: &Location, bytes: u32) {
+    let mut done = 0;
+    while done < bytes {
+        let width = match bytes - done {
+            1 => Width::Byte,
+            2 | 3 => Width::Word,
+            _ => Width::DoubleWord,
+        };
+        let from = Access { width, location: moved(from, done * 8) };
+        let to = Access { width, location: moved(to, done * 8) };
+        copy(l, &from, &to);
+        done += width.bytes();
+    }
+}
+
+/// The place `by` bits further on.
+fn moved(location: &Location, by: u32) -> Location {
+    let mut location = location.clone();
+    match &mut location {
+        Location::Fixed { position, .. }
+        | Location::InDataBlock { position, .. }
+        | Location::InInstanceBlock { position, .. }
+        | Location::Instance { position } => *position += by,
+        Location::RegisterIndirect { offset, .. } | Location::Parameter { offset, .. } | Location::InstancePointer { offset, .. } => {
+            *offset += by
+        }
+        Location::MemoryIndirect { .. } => {}
+    }
+    location
+}
+
+/// Stores a constant in hidden local data; its position.
+fn store_constant(l: &mut Lowering<'_>, value: &Value, data_type: &DataType) -> u32 {
+    let bytes: Vec<u8> = match value {
+        Value::Any(bytes) => bytes.to_vec(),
+        Value::DateAndTime(bytes) => bytes.to_vec(),
+        Value::DataPointer { db, pointer } => db.to_be_bytes().into_iter().chain(pointer.to_be_bytes()).collect(),
+        Value::Pointer(pointer) if *data_type == DataType::Pointer => [0, 0].into_iter().chain(pointer.to_be_bytes()).collect(),
+        Value::Bool(bit) => vec![u8::from(*bit)],
+        Value::Characters(text) if matches!(data_type, DataType::String(_)) => {
+            let length = text.len().min(254) as u8;
+            [length, length].into_iter().chain(text.iter().copied().take(254)).collect()
+        }
+        other => {
+            let bits = other.accumulator().unwrap_or_default();
+            let bytes = data_type.bits().div_ceil(8).clamp(1, 4) as usize;
+            bits.to_be_bytes()[4 - bytes..].to_vec()
+        }
+    };
+    let position = l.hidden(bytes.len() as u32);
+    for (chunk, at) in bytes.chunks(4).zip((position..).step_by(32)) {
+        let mut done = 0;
+        for (part, width) in split(chunk) {
+            let value = l.b.constant(u64::from(part));
+            let place = Place::Fixed { area: Area::Local, position: at + done };
+            l.b.store(place, width, value);
+            l.b.release_temporaries();
+            done += width.bits();
+        }
+    }
+    if !matches!(data_type, DataType::String(_)) {
+        return position;
+    }
+    // A STRING is passed as every complex value: by a POINTER to it.
+    build_pointer(l, &Location::Fixed { area: Area::Local, position }, data_type, false)
+}
+
+/// Up to four bytes as double word, word and byte.
+fn split(bytes: &[u8]) -> Vec<(u32, Width)> {
+    match *bytes {
+        [a, b, c, d] => vec![(u32::from_be_bytes([a, b, c, d]), Width::DoubleWord)],
+        [a, b, c] => vec![(u32::from(u16::from_be_bytes([a, b])), Width::Word), (u32::from(c), Width::Byte)],
+        [a, b] => vec![(u32::from(u16::from_be_bytes([a, b])), Width::Word)],
+        [a] => vec![(u32::from(a), Width::Byte)],
+        _ => Vec::new(),
+    }
+}
+
+/// Builds a POINTER (6 bytes) or ANY (10 bytes) to a place in hidden local data; its position.
+fn build_pointer(l: &mut Lowering<'_>, location: &Location, data_type: &DataType, any: bool) -> u32 {
+    let position = l.hidden(if any { 10 } else { 6 });
+    let at = |offset: u32| Place::Fixed { area: Area::Local, position: position + offset };
+    let start = if any {
+        let (code, count) = any_type(data_type);
+        let head = l.b.constant(0x1000 | u64::from(code));
+        l.b.store(at(0), Width::Word, head);
+        let count = l.b.constant(u64::from(count));
+        l.b.store(at(16), Width::Word, count);
+        32
+    } else {
+        0
+    };
+    let (number, pointer): (Var, Var) = match location {
+        Location::Fixed { area: Area::SharedData, position } => {
+            (Register::DbNumber.into(), l.b.constant(0x8400_0000 | u64::from(*position)))
+        }
+        Location::Fixed { area: Area::InstanceData, position } => {
+            (Register::DiNumber.into(), l.b.constant(0x8400_0000 | u64::from(*position)))
+        }
+        Location::InDataBlock { db, position } | Location::InInstanceBlock { db, position } => {
+            (l.b.constant(u64::from(*db)), l.b.constant(0x8400_0000 | u64::from(*position)))
+        }
+        Location::Instance { position } => {
+            let mask = l.b.constant(0x0007_FFFF);
+            let base = l.b.compute(Op::AndU32, &[Register::Ar2.into(), mask]);
+            let position = l.b.constant(0x8400_0000 | u64::from(*position));
+            (Register::DiNumber.into(), l.b.compute(Op::AddU32, &[base, position]))
+        }
+        Location::Parameter { index, offset, complex } => {
+            let own = l.b.temporary();
+            l.b.push(Inst::Parameter { dst: own, index: *index });
+            let offset = l.b.constant(u64::from(*offset));
+            if *complex {
+                let number = l.b.load(Place::Crossing { pointer: own, offset: 0 }, Width::Word, OnFault::SkipStatement);
+                let pointer = l.b.load(Place::Crossing { pointer: own, offset: 16 }, Width::DoubleWord, OnFault::SkipStatement);
+                (number, l.b.compute(Op::AddU32, &[pointer, offset]))
+            } else {
+                (l.b.constant(0), l.b.compute(Op::AddU32, &[own, offset]))
+            }
+        }
+        Location::InstancePointer { position, offset } => {
+            let at = |position| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: position };
+            let number = l.b.load(at(*position), Width::Word, OnFault::SkipStatement);
+            let pointer = l.b.load(at(*position + 16), Width::DoubleWord, OnFault::SkipStatement);
+            let offset = l.b.constant(u64::from(*offset));
+            (number, l.b.compute(Op::AddU32, &[pointer, offset]))
+        }
+        other => {
+            let pointer = direct_pointer(other).unwrap_or_default();
+            (l.b.constant(0), l.b.constant(u64::from(pointer)))
+        }
+    };
+    l.b.store(at(start), Width::Word, number);
+    l.b.store(at(start + 16), Width::DoubleWord, pointer);
+    l.b.release_temporaries();
+    position
+}
+
+/// Type code and count of an ANY: complex values count as bytes.
+fn any_type(data_type: &DataType) -> (u8, u32) {
+    let code = match data_type {
+        DataType::Bool => 0x01,
+        DataType::Byte => 0x02,
+        DataType::Char => 0x03,
+        DataType::Word => 0x04,
+        DataType::Int => 0x05,
+        DataType::DoubleWord => 0x06,
+        DataType::DoubleInt => 0x07,
+        DataType::Real => 0x08,
+        DataType::Date => 0x09,
+        DataType::TimeOfDay => 0x0A,
+        DataType::Time => 0x0B,
+        DataType::S5Time => 0x0C,
+        DataType::DateAndTime => 0x0E,
+        _ => return (0x02, bytes_of(data_type)),
+    };
+    (code, 1)
+}
