@@ -1,2 +1,26 @@
 //! The controller: cycle, organization blocks, process image, system functions.
+//!
+//! It is deterministic and asks the operating system for nothing: time comes in as an argument, modules
+//! through [`IoModule`], everyone who looks from outside through [`Station`].
 #![forbid(unsafe_code)]
+
+mod cpu;
+mod host;
+
+pub mod clock;
+pub mod cycle;
+pub mod diagnostic_buffer;
+pub mod io;
+pub mod mode;
+pub mod organization_blocks;
+pub mod process_image;
+pub mod station;
+pub mod system;
+
+pub use clock::DateAndTime;
+pub use cpu::{Cpu, ScanReport, Settings, StopCause, StopRequest, TimeSource};
+pub use cycle::CycleTimes;
+pub use diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
+pub use io::{IoModule, Rack, RackError, SimulatedModule};
+pub use mode::{OperatingMode, Restart};
+pub use station::{AccessError, Station, TimerReading};

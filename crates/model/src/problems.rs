@@ -63,4 +63,6 @@ problems! {
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";
+    P8002 Error "two modules at the same address" "Give one of them another address: every input and output byte belongs to at most one module.";
+    P8003 Error "a module beyond the peripheral area of the CPU type" "Use a lower address, or choose a CPU type with a larger peripheral area.";
 }

@@ -1,2 +1,4 @@
 //! The plant: simulated devices, scenarios.
 #![forbid(unsafe_code)]
+
+pub mod devices;

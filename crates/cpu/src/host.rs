@@ -1,0 +1,235 @@
+//! What a running program asks the CPU.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use sieben_engine::{Engine, Fault, FaultPlace, Host, Machine, Reaction, StopReason};
+use sieben_model::address::{Area, Width};
+use sieben_model::block::BlockId;
+use sieben_model::cpu_type::CpuType;
+
+use crate::clock::DateAndTime;
+use crate::cpu::TimeSource;
+use crate::diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
+use crate::io::Rack;
+use crate::organization_blocks::{self as ob, StartInformation};
+use crate::system;
+
+/// Greatest budget handed out at once: bounds how long a STOP request or the watchdog can go unseen.
+const BUDGET_MAX: i64 = 1024;
+
+/// Requests from other threads, seen at the next safe point.
+#[derive(Debug, Default)]
+pub(crate) struct Requests {
+    pub(crate) stop: AtomicBool,
+    pub(crate) hold: AtomicBool,
+}
+
+/// The CPU clock inside a scan.
+pub(crate) struct Time<'a> {
+    pub(crate) source: TimeSource,
+    /// Asked in real time only; in virtual time the clock stands still inside a scan.
+    pub(crate) clock: &'a mut dyn FnMut() -> u64,
+    pub(crate) now_us: u64,
+    /// Time of day at `now_us` = 0.
+    pub(crate) start: DateAndTime,
+}
+
+impl Time<'_> {
+    fn date_and_time(&self) -> DateAndTime {
+        self.start.plus_us(self.now_us)
+    }
+
+    /// In real time, brings both clocks up to now.
+    fn read(&mut self, machine: &mut Machine) {
+        if self.source == TimeSource::Real {
+            let now = (self.clock)().max(self.now_us);
+            machine.clock_us = machine.clock_us.saturating_add(now - self.now_us);
+            self.now_us = now;
+        }
+    }
+}
+
+/// Monitors how long an organization block runs.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Watchdog {
+    /// STARTUP has no cycle time; in virtual time it is bounded all the same.
+    pub(crate) startup: bool,
+    pub(crate) started_us: u64,
+    pub(crate) limit_us: u64,
+    /// Safe points passed since the monitoring began, without those of the budget handed out last.
+    passed: i64,
+    granted: i64,
+    pub(crate) limit_points: i64,
+    /// OB 80 was called in this cycle.
+    exceeded: bool,
+    /// Safe points of the whole run.
+    pub(crate) total: u64,
+}
+
+impl Watchdog {
+    pub(crate) fn new(startup: bool, started_us: u64, limit_us: u64, limit_points: i64) -> Self {
+        Self { startup, started_us, limit_us, limit_points, ..Self::default() }
+    }
+
+    /// Hands out the next budget.
+    pub(crate) fn grant(&mut self, source: TimeSource, machine: &mut Machine) {
+        let left = match source {
+            TimeSource::Virtual => self.limit_points.saturating_sub(self.passed).max(0),
+            TimeSource::Real => BUDGET_MAX,
+        };
+        self.granted = left.min(BUDGET_MAX);
+        machine.budget = self.granted;
+    }
+
+    /// Takes back what is left of the budget.
+    pub(crate) fn settle(&mut self, machine: &Machine) {
+        let passed = self.granted.saturating_sub(machine.budget).clamp(0, BUDGET_MAX + 1);
+        self.granted = machine.budget.clamp(0, BUDGET_MAX);
+        self.passed = self.passed.saturating_add(passed);
+        self.total = self.total.saturating_add(passed as u64);
+    }
+
+    fn expired(&self, time: &Time<'_>) -> bool {
+        match time.source {
+            TimeSource::Virtual => self.passed > self.limit_points,
+            TimeSource::Real => !self.startup && time.now_us.saturating_sub(self.started_us) > self.limit_us,
+        }
+    }
+}
+
+/// The CPU behind a running program.
+pub(crate) struct CpuHost<'a> {
+    pub(crate) cpu_type: &'static CpuType,
+    pub(crate) engine: &'a dyn Engine,
+    pub(crate) rack: &'a mut Rack,
+    pub(crate) diagnostics: &'a mut DiagnosticBuffer,
+    pub(crate) requests: &'a Requests,
+    pub(crate) time: Time<'a>,
+    pub(crate) watchdog: &'a mut Watchdog,
+    /// Start information of the organization block that the CPU started.
+    pub(crate) class: StartInformation,
+    /// The error that leads to STOP.
+    pub(crate) first: Option<DiagnosticEntry>,
+    /// Start information for OB 88: the priority class is aborted, the CPU stays in RUN.
+    pub(crate) abort: Option<StartInformation>,
+}
+
+impl CpuHost<'_> {
+    /// Starts the cycle time monitoring again (SFC 43).
+    pub(crate) fn restart_watchdog(&mut self, machine: &mut Machine) {
+        self.time.read(machine);
+        self.watchdog.settle(machine);
+        self.watchdog.passed = 0;
+        self.watchdog.started_us = self.time.now_us;
+        self.watchdog.grant(self.time.source, machine);
+    }
+
+    fn enter(&mut self, fields: StartInformation, place: Option<FaultPlace>) -> DiagnosticEntry {
+        let entry = DiagnosticEntry { fields, time: self.time.date_and_time(), place };
+        self.diagnostics.push(entry.clone());
+        entry
+    }
+
+    /// The priority class that is running: that of the innermost organization block that is no synchronous error.
+    fn class(&self, machine: &Machine) -> StartInformation {
+        let time_error = machine.frames.iter().any(|frame| frame.block == ob::TIME_ERROR);
+        if time_error {
+            let block = ob::TIME_ERROR;
+            StartInformation { event: 0x3501, priority: ob::priority(block), block: block.number as u8, ..StartInformation::default() }
+        } else {
+            self.class
+        }
+    }
+
+    /// Aborts the priority class: OB 88 where there is one, STOP otherwise.
+    fn abort(&mut self, class: StartInformation, info: StartInformation, stop_event: u16, place: FaultPlace) -> Reaction {
+        let event = if self.cpu_type.has_ob88 { 0x4570 } else { stop_event };
+        if self.cpu_type.has_ob88 && class.priority < 28 && self.engine.has_block(ob::PROCESSING_ABORT) {
+            self.abort = Some(info);
+        }
+        Reaction::Stop(StopReason { event, place: Some(place) })
+    }
+}
+
+impl Host for CpuHost<'_> {
+    fn fault(&mut self, machine: &mut Machine, fault: &Fault, place: FaultPlace) -> Reaction {
+        self.time.read(machine);
+        let class = self.class(machine);
+        let info = StartInformation::fault(fault, place, &class);
+        let entry = self.enter(info, Some(place));
+        self.first = Some(entry);
+        if let Fault::Abort(abort) = *fault {
+            return self.abort(class, info, ob::abort_stop_event(abort), place);
+        }
+        let nested = machine.frames.iter().any(|frame| matches!(frame.block, ob::PROGRAMMING_ERROR | ob::IO_ACCESS_ERROR));
+        if nested {
+            let info = StartInformation { event: 0x3573, priority: 28, block: 88, ..info };
+            if self.cpu_type.has_ob88 {
+                self.enter(info, Some(place));
+            }
+            return self.abort(class, info, 0x4573, place);
+        }
+        let block = if matches!(fault, Fault::IoAccess { .. }) { ob::IO_ACCESS_ERROR } else { ob::PROGRAMMING_ERROR };
+        if self.engine.has_block(block) {
+            self.first = None;
+            Reaction::Enter { block, start_information: info.bytes(self.time.date_and_time()) }
+        } else {
+            Reaction::Stop(StopReason { event: ob::missing(block), place: Some(place) })
+        }
+    }
+
+    fn peripheral_read(&mut self, _machine: &mut Machine, byte: u32, width: Width) -> Option<u32> {
+        self.rack.peripheral_read(byte, width)
+    }
+
+    fn peripheral_write(&mut self, machine: &mut Machine, byte: u32, width: Width, value: u32) -> bool {
+        let written = self.rack.peripheral_write(byte, width, value);
+        if written {
+            // A direct output shows in the process image too, or the next cycle control point would undo it.
+            let bytes = value.to_be_bytes();
+            let image = machine.memory.area_mut(Area::Output);
+            let length = width.bytes() as usize;
+            for (index, &new) in bytes[4 - length..].iter().enumerate() {
+                if let Some(old) = image.get_mut(byte as usize + index) {
+                    *old = new;
+                }
+            }
+        }
+        written
+    }
+
+    fn safe_point(&mut self, machine: &mut Machine, place: FaultPlace) -> Reaction {
+        self.watchdog.settle(machine);
+        self.time.read(machine);
+        if self.requests.stop.swap(false, Ordering::Relaxed) {
+            return Reaction::Stop(StopReason { event: 0x4303, place: None });
+        }
+        if self.watchdog.expired(&self.time) {
+            let elapsed = self.time.now_us.saturating_sub(self.watchdog.started_us);
+            let info = StartInformation::cycle_time_exceeded(elapsed, &self.class);
+            let entry = self.enter(info, Some(place));
+            if self.watchdog.startup {
+                self.first = Some(entry);
+                return Reaction::Stop(StopReason { event: 0x4555, place: Some(place) });
+            }
+            if self.watchdog.exceeded || !self.engine.has_block(ob::TIME_ERROR) {
+                self.first = Some(entry);
+                return Reaction::Stop(StopReason { event: ob::missing(ob::TIME_ERROR), place: Some(place) });
+            }
+            self.watchdog.exceeded = true;
+            self.restart_watchdog(machine);
+            return Reaction::Enter { block: ob::TIME_ERROR, start_information: info.bytes(self.time.date_and_time()) };
+        }
+        self.watchdog.grant(self.time.source, machine);
+        if self.requests.hold.swap(false, Ordering::Relaxed) {
+            return Reaction::Suspend;
+        }
+        Reaction::Continue
+    }
+
+    fn system_function(&mut self, machine: &mut Machine, block: BlockId, _first_parameter: usize) -> Reaction {
+        let reaction = system::run(block, &mut system::Call { machine, host: self });
+        // The compiler only lets calls through that the table of interfaces names; another one does nothing.
+        reaction.unwrap_or(Reaction::Continue)
+    }
+}

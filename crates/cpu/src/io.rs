@@ -1,0 +1,375 @@
+//! Modules and the rack they are plugged into.
+
+use std::any::Any;
+use std::fmt;
+use std::ops::Range;
+
+use sieben_model::address::Width;
+use sieben_model::cpu_type::CpuType;
+use sieben_model::problems::Problem;
+
+/// An input or output module, real or simulated, at byte addresses of the peripheral area.
+pub trait IoModule: Any + Send {
+    /// What the user calls it.
+    fn name(&self) -> &str;
+    /// Input bytes it answers for; empty if it has none.
+    fn inputs(&self) -> Range<u32>;
+    /// Output bytes it answers for; empty if it has none.
+    fn outputs(&self) -> Range<u32>;
+    /// Reads input bytes, the first one `offset` bytes behind the start of [`Self::inputs`].
+    fn read(&self, offset: u32, into: &mut [u8]);
+    /// Takes output bytes, the first one `offset` bytes behind the start of [`Self::outputs`].
+    fn write(&mut self, offset: u32, from: &[u8]);
+    /// Time passes.
+    fn advance(&mut self, dt_us: u64) {
+        let _ = dt_us;
+    }
+    /// Sets the input bits of `mask` from outside, to stay until changed; `false` if the module has a process of its own.
+    fn set_input(&mut self, offset: u32, mask: u8, value: u8) -> bool {
+        let _ = (offset, mask, value);
+        false
+    }
+}
+
+/// A module without a process behind it: its inputs are set from outside and stay until changed.
+#[derive(Clone, Debug)]
+pub struct SimulatedModule {
+    name: String,
+    first: u32,
+    inputs: Vec<u8>,
+    outputs: Vec<u8>,
+}
+
+impl SimulatedModule {
+    /// A module with as many input as output bytes at these addresses.
+    pub fn new(name: impl Into<String>, addresses: Range<u32>) -> Self {
+        let length = addresses.len();
+        Self { name: name.into(), first: addresses.start, inputs: vec![0; length], outputs: vec![0; length] }
+    }
+    /// What the program has written.
+    pub fn output_bytes(&self) -> &[u8] {
+        &self.outputs
+    }
+}
+
+impl IoModule for SimulatedModule {
+    fn name(&self) -> &str {
+        &self.name
+    }
+    fn inputs(&self) -> Range<u32> {
+        self.first..self.first + self.inputs.len() as u32
+    }
+    fn outputs(&self) -> Range<u32> {
+        self.first..self.first + self.outputs.len() as u32
+    }
+    fn read(&self, offset: u32, into: &mut [u8]) {
+        let start = offset as usize;
+        into.copy_from_slice(&self.inputs[start..start + into.len()]);
+    }
+    fn write(&mut self, offset: u32, from: &[u8]) {
+        let start = offset as usize;
+        self.outputs[start..start + from.len()].copy_from_slice(from);
+    }
+    fn set_input(&mut self, offset: u32, mask: u8, value: u8) -> bool {
+        let byte = &mut self.inputs[offset as usize];
+        *byte = *byte & !mask | value & mask;
+        true
+    }
+}
+
+/// Why modules cannot be plugged in together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum RackError {
+    /// Two modules want the same byte.
+    Overlap {
+        /// The module that came first.
+        first: String,
+        /// The module that came later.
+        second: String,
+        /// `true` for an input byte.
+        input: bool,
+        /// The byte.
+        byte: u32,
+    },
+    /// A module reaches beyond the peripheral area.
+    Beyond {
+        /// The module.
+        module: String,
+        /// One behind its last byte.
+        end: u32,
+        /// Bytes that the CPU type has.
+        limit: u32,
+    },
+}
+
+impl RackError {
+    /// The problem code.
+    pub fn problem(&self) -> Problem {
+        match self {
+            Self::Overlap { .. } => Problem::P8002,
+            Self::Beyond { .. } => Problem::P8003,
+        }
+    }
+}
+
+impl fmt::Display for RackError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Overlap { first, second, input, byte } => {
+                let area = if *input { "PIB" } else { "PQB" };
+                write!(f, "the modules `{first}` and `{second}` both use `{area} {byte}`; every byte belongs to at most one module")
+            }
+            Self::Beyond { module, end, limit } => {
+                write!(f, "the module `{module}` reaches to byte {}, the CPU type has bytes 0 to {}", end.saturating_sub(1), limit - 1)
+            }
+        }
+    }
+}
+
+impl std::error::Error for RackError {}
+
+/// Bytes next to each other that belong to one module.
+#[derive(Clone, Debug)]
+struct Run {
+    module: usize,
+    bytes: Range<usize>,
+}
+
+/// All modules of a CPU.
+pub struct Rack {
+    modules: Vec<Box<dyn IoModule>>,
+    input_owner: Vec<Option<u16>>,
+    output_owner: Vec<Option<u16>>,
+    input_runs: Vec<Run>,
+    output_runs: Vec<Run>,
+    /// What the CPU has put out; modules see 0 while outputs are disabled.
+    outputs: Vec<u8>,
+    enabled: bool,
+}
+
+impl fmt::Debug for Rack {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.modules.iter().map(|module| module.name())).finish()
+    }
+}
+
+impl Rack {
+    /// One simulated module at every address: what a program without a configuration runs with.
+    pub fn simulated(cpu: &CpuType) -> Self {
+        let background = SimulatedModule::new("simulated", 0..cpu.peripheral);
+        let mut rack = Self::empty(cpu);
+        rack.claim(Box::new(background));
+        rack.finish()
+    }
+
+    /// These modules, and a simulated one at every address that they leave free.
+    ///
+    /// # Errors
+    /// Two of them overlap, or one reaches beyond the peripheral area.
+    pub fn with_background(cpu: &CpuType, modules: Vec<Box<dyn IoModule>>) -> Result<Self, RackError> {
+        Self::check(cpu, &modules)?;
+        let mut rack = Self::simulated(cpu);
+        for module in modules {
+            rack.claim(module);
+        }
+        Ok(rack.finish())
+    }
+
+    /// Only these modules; an access elsewhere is an I/O access error.
+    ///
+    /// # Errors
+    /// Two of them overlap, or one reaches beyond the peripheral area.
+    pub fn with_only(cpu: &CpuType, modules: Vec<Box<dyn IoModule>>) -> Result<Self, RackError> {
+        Self::check(cpu, &modules)?;
+        let mut rack = Self::empty(cpu);
+        for module in modules {
+            rack.claim(module);
+        }
+        Ok(rack.finish())
+    }
+
+    /// The first module of this type, to press its buttons and read its levels.
+    pub fn module<M: IoModule>(&self) -> Option<&M> {
+        self.modules.iter().find_map(|module| (&**module as &dyn Any).downcast_ref())
+    }
+
+    /// The first module of this type, to change.
+    pub fn module_mut<M: IoModule>(&mut self) -> Option<&mut M> {
+        self.modules.iter_mut().find_map(|module| (&mut **module as &mut dyn Any).downcast_mut())
+    }
+
+    /// All modules, in the order they were plugged in.
+    pub fn modules(&self) -> impl Iterator<Item = &dyn IoModule> {
+        self.modules.iter().map(|module| &**module)
+    }
+
+    /// Reads the module itself; `None` if no module answers for one of the bytes.
+    pub fn peripheral_read(&self, byte: u32, width: Width) -> Option<u32> {
+        let mut bytes = [0; 4];
+        let length = width.bytes() as usize;
+        for (index, into) in bytes[..length].iter_mut().enumerate() {
+            let at = byte.checked_add(index as u32)?;
+            let module = &self.modules[usize::from(owner(&self.input_owner, at)?)];
+            module.read(at - module.inputs().start, std::slice::from_mut(into));
+        }
+        Some(bytes[..length].iter().fold(0, |value, &byte| value << 8 | u32::from(byte)))
+    }
+
+    /// Writes the module itself; `false` and nothing written if no module answers for one of the bytes.
+    pub fn peripheral_write(&mut self, byte: u32, width: Width, value: u32) -> bool {
+        let length = width.bytes();
+        let covered = (0..length).all(|index| byte.checked_add(index).is_some_and(|at| owner(&self.output_owner, at).is_some()));
+        if covered {
+            let bytes = value.to_be_bytes();
+            for index in 0..length {
+                self.put(byte + index, bytes[(4 - length + index) as usize]);
+            }
+        }
+        covered
+    }
+
+    /// What was last put out at these bytes; `None` if no module answers for one of them.
+    pub fn peripheral_output(&self, byte: u32, width: Width) -> Option<u32> {
+        (0..width.bytes()).try_fold(0, |value, index| {
+            let at = byte.checked_add(index)?;
+            owner(&self.output_owner, at)?;
+            Some(value << 8 | u32::from(self.outputs[at as usize]))
+        })
+    }
+
+    /// Sets input bits of a simulated module; `false` if the byte belongs to no such module.
+    pub fn set_input(&mut self, byte: u32, mask: u8, value: u8) -> bool {
+        let Some(index) = owner(&self.input_owner, byte) else { return false };
+        let module = &mut self.modules[usize::from(index)];
+        let offset = byte - module.inputs().start;
+        module.set_input(offset, mask, value)
+    }
+
+    pub(crate) fn advance(&mut self, dt_us: u64) {
+        for module in &mut self.modules {
+            module.advance(dt_us);
+        }
+    }
+
+    /// Process image of the outputs → modules.
+    pub(crate) fn put_image(&mut self, image: &[u8]) {
+        for run in &self.output_runs {
+            let bytes = run.bytes.start..run.bytes.end.min(image.len());
+            let Some(source) = image.get(bytes.clone()) else { continue };
+            self.outputs[bytes.clone()].copy_from_slice(source);
+            if self.enabled {
+                let module = &mut self.modules[run.module];
+                let offset = bytes.start as u32 - module.outputs().start;
+                module.write(offset, source);
+            }
+        }
+    }
+
+    /// Modules → process image of the inputs. Bytes without a module keep their value.
+    pub(crate) fn get_image(&self, image: &mut [u8]) {
+        let length = image.len();
+        for run in &self.input_runs {
+            let Some(target) = image.get_mut(run.bytes.start..run.bytes.end.min(length)) else { continue };
+            let module = &self.modules[run.module];
+            module.read(run.bytes.start as u32 - module.inputs().start, target);
+        }
+    }
+
+    /// Forgets what was put out: modules see 0 until the program writes again.
+    pub(crate) fn clear_outputs(&mut self) {
+        self.outputs.fill(0);
+    }
+
+    /// Releases the outputs (RUN) or holds them at 0 (STOP and STARTUP).
+    pub(crate) fn enable_outputs(&mut self, enabled: bool) {
+        self.enabled = enabled;
+        for run in &self.output_runs {
+            let module = &mut self.modules[run.module];
+            let offset = run.bytes.start as u32 - module.outputs().start;
+            if enabled {
+                module.write(offset, &self.outputs[run.bytes.clone()]);
+            } else {
+                module.write(offset, &vec![0; run.bytes.len()]);
+            }
+        }
+    }
+
+    fn put(&mut self, byte: u32, value: u8) {
+        self.outputs[byte as usize] = value;
+        if let Some(index) = owner(&self.output_owner, byte)
+            && self.enabled
+        {
+            let module = &mut self.modules[usize::from(index)];
+            let offset = byte - module.outputs().start;
+            module.write(offset, &[value]);
+        }
+    }
+
+    fn empty(cpu: &CpuType) -> Self {
+        let size = cpu.peripheral as usize;
+        Self {
+            modules: Vec::new(),
+            input_owner: vec![None; size],
+            output_owner: vec![None; size],
+            input_runs: Vec::new(),
+            output_runs: Vec::new(),
+            outputs: vec![0; size],
+            enabled: false,
+        }
+    }
+
+    fn check(cpu: &CpuType, modules: &[Box<dyn IoModule>]) -> Result<(), RackError> {
+        for (index, module) in modules.iter().enumerate() {
+            for (input, range) in [(true, module.inputs()), (false, module.outputs())] {
+                if range.is_empty() {
+                    continue;
+                }
+                if range.end > cpu.peripheral {
+                    return Err(RackError::Beyond { module: module.name().into(), end: range.end, limit: cpu.peripheral });
+                }
+                for earlier in &modules[..index] {
+                    let other = if input { earlier.inputs() } else { earlier.outputs() };
+                    let byte = range.start.max(other.start);
+                    if byte < range.end.min(other.end) {
+                        return Err(RackError::Overlap { first: earlier.name().into(), second: module.name().into(), input, byte });
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn claim(&mut self, module: Box<dyn IoModule>) {
+        // A checked rack has at most one module per byte, far below 2^16.
+        let index = Some(self.modules.len() as u16);
+        for byte in module.inputs() {
+            self.input_owner[byte as usize] = index;
+        }
+        for byte in module.outputs() {
+            self.output_owner[byte as usize] = index;
+        }
+        self.modules.push(module);
+    }
+
+    fn finish(mut self) -> Self {
+        self.input_runs = runs(&self.input_owner);
+        self.output_runs = runs(&self.output_owner);
+        self
+    }
+}
+
+fn owner(owners: &[Option<u16>], byte: u32) -> Option<u16> {
+    owners.get(byte as usize).copied().flatten()
+}
+
+fn runs(owners: &[Option<u16>]) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for (byte, owner) in owners.iter().enumerate() {
+        let Some(module) = owner.map(usize::from) else { continue };
+        match runs.last_mut() {
+            Some(run) if run.module == module && run.bytes.end == byte => run.bytes.end += 1,
+            _ => runs.push(Run { module, bytes: byte..byte + 1 }),
+        }
+    }
+    runs
+}

@@ -1,0 +1,87 @@
+//! The one vocabulary in which everyone outside talks to a CPU.
+
+use std::fmt;
+
+use sieben_model::address::Operand;
+use sieben_model::cpu_type::CpuType;
+
+use crate::cpu::StopCause;
+use crate::cycle::CycleTimes;
+use crate::diagnostic_buffer::DiagnosticBuffer;
+use crate::mode::{OperatingMode, Restart};
+
+/// Why an operand cannot be read or written from outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AccessError {
+    /// The address lies outside its area, data block, or the timers and counters of the CPU type.
+    Outside,
+    /// The data block is not loaded.
+    NotLoaded,
+    /// No module answers at this peripheral address.
+    NoModule,
+    /// Local data and blocks have no value to show between two scans; peripheral outputs cannot be read by a program but are shown.
+    NotAccessible,
+    /// The value does not fit: a counter holds 0 to 999, a timer an S5TIME of three BCD digits.
+    Value,
+}
+
+impl fmt::Display for AccessError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Outside => "the address lies outside what the CPU type or the data block has",
+            Self::NotLoaded => "the data block is not loaded",
+            Self::NoModule => "no module answers at this address",
+            Self::NotAccessible => {
+                "only inputs, outputs, bit memory, timers, counters, data blocks and peripheral addresses have a value between two scans"
+            }
+            Self::Value => "the value does not fit: a counter holds 0 to 999, a timer an S5TIME with three BCD digits",
+        })
+    }
+}
+
+impl std::error::Error for AccessError {}
+
+/// A timer as it stands.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TimerReading {
+    /// The status bit that `A T n` scans.
+    pub status: bool,
+    /// The remaining value in units of the time base, as `L T n` delivers it.
+    pub value: u16,
+    /// The time base, 0 to 3: 10 ms, 100 ms, 1 s, 10 s.
+    pub base: u8,
+    /// Whether it counts down.
+    pub running: bool,
+}
+
+/// What can be asked of a CPU and done to it from outside. Everything takes effect at the cycle control point.
+pub trait Station {
+    /// What the CPU is.
+    fn cpu_type(&self) -> &'static CpuType;
+    /// What it is doing.
+    fn mode(&self) -> OperatingMode;
+    /// Reads an operand: raw bits for addresses, the remaining value for a timer, the count for a counter.
+    /// I and Q are the process image, PI the module itself, PQ what was last put out.
+    ///
+    /// # Errors
+    /// Nothing is there to be read.
+    fn read(&self, operand: &Operand) -> Result<u32, AccessError>;
+    /// Modifies an operand: raw bits for addresses, an S5TIME word for a timer, the count for a counter.
+    /// An I or PI of a simulated module is set in the module and stays; any other I holds for one scan.
+    ///
+    /// # Errors
+    /// Nothing is there to be modified.
+    fn modify(&mut self, operand: &Operand, value: u32) -> Result<(), AccessError>;
+    /// A timer as it stands.
+    fn timer(&self, number: u16) -> Option<TimerReading>;
+    /// The diagnostic buffer.
+    fn diagnostic_buffer(&self) -> &DiagnosticBuffer;
+    /// Why the CPU is in STOP; `None` in other modes and before the first start.
+    fn stop_cause(&self) -> Option<&StopCause>;
+    /// How long the cycle takes.
+    fn cycle_times(&self) -> CycleTimes;
+    /// Sends the CPU to STOP on behalf of a programming device.
+    fn stop(&mut self);
+    /// Starts the CPU on behalf of a programming device.
+    fn restart(&mut self, restart: Restart) -> OperatingMode;
+}

@@ -1,0 +1,5 @@
+//! Simulated devices: one file each.
+
+pub mod tank;
+
+pub use tank::{Button, Tank, TankSettings};
