@@ -4,5 +4,6 @@
 pub mod encoding;
 pub mod project;
 pub mod stl;
+pub mod symbols;
 
 pub use project::{Compiled, Options, SystemBlock, compile};

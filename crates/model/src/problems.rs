@@ -57,6 +57,16 @@ problems! {
 
     // 6xxx files and projects
     P6001 Error "a file that cannot be read" "Check the path and the permissions.";
+    P6101 Error "a symbol that stands twice in the table" "Rename or delete one of the two rows; case does not distinguish symbols.";
+    P6102 Warning "an address with two symbols" "Keep the symbol that the program uses.";
+    P6103 Error "an address in the symbol table that is none" "Write it as in a program, in either mnemonic language: `I 0.0`, `QW 4`, `T 1`, `DB 5`.";
+    P6104 Error "a symbol table without a necessary column" "Let the first line name the columns, at least `symbol,address`.";
+    P6105 Error "a line of a symbol table that does not have the form of its format" "Compare the line with its neighbours, or export the table again.";
+    P6106 Warning "a symbol longer than 24 characters" "Shorten it if the table has to go back into STEP 7 V5.";
+    P6107 Warning "a row without a symbol or without an address" "Complete the row or delete it; the program cannot use it.";
+    P6108 Error "a quotation mark that is never closed" "Close it at the end of the field; the rows behind it were not read.";
+    P6109 Warning "a data type that does not fit the address" "Change the type or the address, so that both have the same width.";
+    P6110 Error "a symbol with a character that no symbol may contain" "Remove quotation marks and control characters from the name.";
 
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";

@@ -57,7 +57,9 @@ impl SymbolTable {
     /// Adds a row at the end.
     pub fn push(&mut self, symbol: Symbol) {
         let position = self.symbols.len();
-        self.by_name.entry(symbol.name.to_lowercase()).or_insert(position);
+        if !symbol.name.is_empty() {
+            self.by_name.entry(symbol.name.to_lowercase()).or_insert(position);
+        }
         if let Some(operand) = symbol.operand() {
             self.by_operand.entry(operand).or_insert(position);
         }
