@@ -1,4 +1,107 @@
-//! The command line of Sieben.
+//! The command line of Sieben: one binary, one file per verb.
 #![forbid(unsafe_code)]
 
-fn main() {}
+mod arguments;
+mod commands;
+mod duration;
+mod failure;
+mod files;
+mod glob;
+mod nearest;
+mod output;
+mod panics;
+mod project;
+mod report;
+mod settings;
+mod symbol_files;
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+
+use crate::failure::{Exit, Failure};
+
+/// Sieben: an open soft PLC. It runs STEP 7 programs in STL exactly as an S7-300/400 CPU does.
+#[derive(Parser)]
+#[command(
+    name = "sieben",
+    version,
+    disable_help_subcommand = false,
+    max_term_width = 110,
+    after_help = "Without a command Sieben starts the demo plant.\n\n\
+Examples:\n  \
+  sieben                                      a dosing plant, live in the terminal\n  \
+  sieben new pump                             a project that runs and checks at once\n  \
+  sieben check pump                           all errors and warnings\n  \
+  sieben run pump --for 10s                   run it\n  \
+  sieben exec add.awl --set MW0=2 --show MW4  a few scans, then print values\n  \
+  sieben explain SPB                          what an instruction does\n\n\
+Exit codes: 0 ok, 1 a check failed, 2 usage, 3 does not compile, 4 the CPU went to STOP, 5 time limit, 70 our own error."
+)]
+struct CommandLine {
+    #[command(subcommand)]
+    verb: Option<Verb>,
+}
+
+#[derive(Subcommand)]
+enum Verb {
+    /// Report everything that is wrong with a program
+    Check(commands::check::Arguments),
+    /// Explain an instruction, a problem code or a CPU type
+    Explain(commands::explain::Arguments),
+    /// Make a project that runs and checks at once
+    New(commands::new::Arguments),
+    /// Print the completions for a shell
+    #[command(hide = true)]
+    Completions(commands::completions::Arguments),
+}
+
+fn main() -> ExitCode {
+    panics::install();
+    let exit = match command_line() {
+        Ok(line) => run(line),
+        Err(exit) => exit,
+    };
+    ExitCode::from(exit as u8)
+}
+
+fn run(line: CommandLine) -> Exit {
+    let result = match line.verb {
+        None => output::print(&CommandLine::command().render_help().to_string()).map(|()| Exit::Success),
+        Some(Verb::Check(arguments)) => commands::check::run(&arguments),
+        Some(Verb::Explain(arguments)) => commands::explain::run(&arguments),
+        Some(Verb::New(arguments)) => commands::new::run(&arguments),
+        Some(Verb::Completions(arguments)) => commands::completions::run(&arguments),
+    };
+    result.unwrap_or_else(|failure: Failure| {
+        output::message(&failure.render(output::colour()));
+        failure.exit
+    })
+}
+
+/// The command line, or the exit code after its help or its mistake was printed.
+fn command_line() -> Result<CommandLine, Exit> {
+    let matches = CommandLine::command().try_get_matches();
+    matches.and_then(|matches| CommandLine::from_arg_matches(&matches)).map_err(|error| {
+        // Nobody can be told if printing fails.
+        let _ = error.print();
+        if let Some(hint) = hint(&error) {
+            output::message(&hint);
+        }
+        match error.kind() {
+            ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => Exit::Success,
+            _ => Exit::Usage,
+        }
+    })
+}
+
+/// A file where a verb belongs: people try `sieben main.awl` first.
+fn hint(error: &clap::Error) -> Option<String> {
+    if error.kind() != ErrorKind::InvalidSubcommand {
+        return None;
+    }
+    let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidSubcommand) else { return None };
+    Path::new(word).exists().then(|| format!("\n`{word}` is a file or folder. Did you mean `sieben run {word}`?\n"))
+}

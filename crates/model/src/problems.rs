@@ -57,6 +57,18 @@ problems! {
 
     // 6xxx files and projects
     P6001 Error "a file that cannot be read" "Check the path and the permissions.";
+    P6004 Warning "an empty source file" "Write statements or blocks into it, or take it out of the project.";
+    P6005 Error "a project without a source" "Put STL sources (`.awl`) into the folder, or name them in `sources` of `sieben.toml`; `sieben new NAME` makes a project that runs.";
+    P6006 Error "a folder where a file is wanted" "Name a file inside the folder.";
+    P6007 Error "a project file that is not valid TOML" "Mend the line; texts stand in quotes, lists in square brackets.";
+    P6008 Error "a key that a project file does not have" "Use a key that the message names, or remove the line.";
+    P6009 Error "a value that a key of a project file cannot have" "Write the value the way the message shows.";
+    P6010 Error "a path that leaves the project folder" "Move the file into the project folder and name it by a path without `..` in front.";
+    P6011 Warning "a pattern of a project file that matches no file" "Check the spelling of the pattern; `**` stands for any number of folders.";
+    P6012 Warning "a key of a project file that this version does not use yet" "Leave it for a later version, or remove it.";
+    P6013 Error "a file that cannot be written" "Check the path, the permissions and the space on the disk.";
+    P6014 Error "something of this name exists already" "Choose another name, or remove what is there first; nothing is overwritten.";
+    P6015 Error "a folder with too many files" "Name the sources in `sieben.toml`, so that the whole folder need not be searched.";
     P6101 Error "a symbol that stands twice in the table" "Rename or delete one of the two rows; case does not distinguish symbols.";
     P6102 Warning "an address with two symbols" "Keep the symbol that the program uses.";
     P6103 Error "an address in the symbol table that is none" "Write it as in a program, in either mnemonic language: `I 0.0`, `QW 4`, `T 1`, `DB 5`.";
@@ -70,6 +82,14 @@ problems! {
 
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";
+    P7002 Error "a CPU type that does not exist" "Use a CPU type that the message names; `sieben explain cpu` shows what each has.";
+    P7003 Error "a name that cannot be set or shown" "Use an address (`I 0.0`, `MW10`, `DB1.DBD4`), `T 1`, `C 1`, `DB1.name`, a symbol, or a register (`ACCU1`, `AR1`, `STW`).";
+    P7004 Error "a value that does not fit its target" "Use a constant of STL, such as 5, W#16#00FF, 1.5 or S5T#2S; 0 or 1 for a bit.";
+    P7005 Error "a duration that is not understood" "Write a number with its unit: `10ms`, `1.5s`, `2m` or `1h`.";
+    P7006 Error "an engine that this version does not have" "Use `--engine interpreter` or `--engine auto`.";
+    P7007 Error "a word that is not in the tables" "Give an instruction (`A`, `SPB`), a problem code (`P2001`) or a CPU type (`416-3`).";
+    P7008 Error "a name that cannot be the name of a project" "Use letters, digits, `-` and `_`.";
+    P7009 Error "too many scans" "Use a shorter duration or a longer cycle.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";

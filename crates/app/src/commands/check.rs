@@ -1,0 +1,49 @@
+//! `sieben check [PATH…]`: everything that is wrong with a program.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::arguments::ProgramArguments;
+use crate::failure::{Exit, Failure};
+use crate::project::{self, Project};
+use crate::{output, report};
+
+/// Report everything that is wrong with a program.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  \
+  sieben check                       the project in this folder\n  \
+  sieben check line4.awl symbols.sdf a source with its symbol table\n  \
+  sieben check pump --json           for an editor or a script\n\n\
+Exit codes: 0 no errors, 3 errors.")]
+pub(crate) struct Arguments {
+    /// Source files, symbol tables, or a project folder [default: this folder]
+    #[arg(value_name = "PATH")]
+    paths: Vec<PathBuf>,
+    #[command(flatten)]
+    program: ProgramArguments,
+    /// Report only what one file alone can tell: no missing symbols or blocks
+    #[arg(long)]
+    syntax_only: bool,
+    /// Print the diagnostics as a JSON list on standard output
+    #[arg(long)]
+    json: bool,
+}
+
+/// Checks the program.
+pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    let overrides = arguments.program.overrides()?;
+    let build = Project::load(&arguments.paths)?.compile(overrides, arguments.syntax_only);
+    let findings = &build.findings;
+    if arguments.json {
+        output::print_json(&report::to_json(findings, &build.project.texts), true)?;
+    } else if findings.is_empty() {
+        let blocks = build.compiled.program.code.len() + build.compiled.program.data.len();
+        let files = build.project.sources.len();
+        let plural = |count: usize, word: &str| if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") };
+        output::print(&format!("{} in {}, no errors, no warnings.\n", plural(blocks, "block"), plural(files, "source")))?;
+    } else {
+        project::print_findings(findings, &build.project.texts, false);
+    }
+    Ok(if report::has_errors(findings) { Exit::DoesNotCompile } else { Exit::Success })
+}

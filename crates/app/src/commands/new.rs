@@ -1,0 +1,72 @@
+//! `sieben new NAME`: a project that runs and checks at once.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use sieben_model::problems::Problem;
+
+use crate::failure::{Exit, Failure};
+use crate::{files, output};
+
+/// The files of a new project. `{name}` stands for its name.
+const TEMPLATE: &[(&str, &str)] = &[
+    ("sieben.toml", include_str!("../../templates/basic/sieben.toml")),
+    ("src/main.awl", include_str!("../../templates/basic/src/main.awl")),
+    ("symbols.csv", include_str!("../../templates/basic/symbols.csv")),
+    (".gitattributes", include_str!("../../templates/basic/gitattributes")),
+    ("README.md", include_str!("../../templates/basic/README.md")),
+];
+
+/// Longest name: leaves room for the folders around it on every system.
+const NAME_LENGTH_MAX: usize = 64;
+
+/// Make a project that runs and checks at once.
+#[derive(Args)]
+#[command(after_help = "Example:\n  \
+  sieben new pump && cd pump && sieben check && sieben run --for 5s\n\n\
+Nothing that exists is overwritten.")]
+pub(crate) struct Arguments {
+    /// The folder to make; its last name is the name of the project
+    #[arg(value_name = "NAME")]
+    folder: PathBuf,
+}
+
+/// Makes the project.
+pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    let folder = &arguments.folder;
+    let name = project_name(folder)?;
+    if fs::symlink_metadata(folder).is_ok() {
+        let empty = fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_none());
+        if !empty {
+            return Err(Failure::usage(Problem::P6014, format!("`{}` exists already", folder.display())));
+        }
+    }
+    for (path, content) in TEMPLATE {
+        let path = folder.join(path);
+        let parent = path.parent().unwrap_or(Path::new("."));
+        fs::create_dir_all(parent).map_err(|error| files::unwritable(parent, &error))?;
+        files::write_whole(&path, content.replace("{name}", name).as_bytes())?;
+    }
+    let shown = folder.display();
+    output::print(&format!(
+        "Made `{shown}`: a motor with self-holding START and STOP buttons.\n\n  \
+         sieben check {shown}\n  \
+         sieben exec {shown} --set Start=1 --show Motor\n  \
+         sieben run {shown} --for 5s\n\n\
+         The program is in {}.\n",
+        folder.join("src/main.awl").display(),
+    ))?;
+    Ok(Exit::Success)
+}
+
+fn project_name(folder: &Path) -> Result<&str, Failure> {
+    let wrong = |name: &str| Failure::usage(Problem::P7008, format!("`{name}` cannot be the name of a project"));
+    let Some(name) = folder.file_name() else { return Err(wrong(&folder.display().to_string())) };
+    let Some(name) = name.to_str() else { return Err(wrong(&folder.display().to_string())) };
+    let good = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
+    if name.is_empty() || name.starts_with('-') || name.chars().count() > NAME_LENGTH_MAX || !name.chars().all(good) {
+        return Err(wrong(name));
+    }
+    Ok(name)
+}

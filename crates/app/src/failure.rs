@@ -1,0 +1,51 @@
+//! Why a command ends without its result: the exit codes and the message behind them.
+
+use sieben_model::problems::Problem;
+
+/// How a command ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Exit {
+    /// It did what it was asked.
+    Success = 0,
+    /// A test or check failed.
+    CheckFailed = 1,
+    /// The command line is wrong, or a file cannot be read or written.
+    Usage = 2,
+    /// The program does not compile.
+    DoesNotCompile = 3,
+    /// The CPU went to STOP.
+    Stopped = 4,
+    /// Our own mistake.
+    Internal = 70,
+}
+
+/// A command cannot go on.
+#[derive(Clone, Debug)]
+pub(crate) struct Failure {
+    /// The exit code.
+    pub(crate) exit: Exit,
+    /// The row of the table of problems.
+    pub(crate) problem: Problem,
+    /// One sentence, lower-case.
+    pub(crate) message: String,
+    /// What to do, if it is more specific than the help of the problem.
+    pub(crate) help: Option<String>,
+}
+
+impl Failure {
+    /// The command line, or a file that it names, is wrong.
+    pub(crate) fn usage(problem: Problem, message: impl Into<String>) -> Self {
+        Self { exit: Exit::Usage, problem, message: message.into(), help: None }
+    }
+    /// Adds what to do.
+    pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+    /// The message as it is printed when it belongs to no place in a source.
+    pub(crate) fn render(&self, colour: bool) -> String {
+        let help = self.help.as_deref().unwrap_or(self.problem.help());
+        let (red, green, plain) = if colour { ("\x1b[31m", "\x1b[38;5;115m", "\x1b[0m") } else { ("", "", "") };
+        format!("{red}[{}] Error:{plain} {}\n  {green}Help{plain}: {help}\n", self.problem.code(), self.message)
+    }
+}

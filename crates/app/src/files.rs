@@ -1,0 +1,106 @@
+//! Reading and writing files, with the limits and messages that a user deserves.
+
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+
+use sieben_lang::encoding::MAX_SOURCE_BYTES;
+use sieben_model::problems::Problem;
+
+use crate::failure::Failure;
+
+/// Largest file that is read: the limit of the sources holds for every file, before it is read.
+const FILE_SIZE_MAX: u64 = MAX_SOURCE_BYTES as u64;
+
+/// The bytes of a file; refuses what is missing, no file, unreadable or too large, without reading it.
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    let shown = path.display();
+    let metadata = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
+    if metadata.is_dir() {
+        return Err(Failure::usage(Problem::P6006, format!("`{shown}` is a folder, but a file is wanted here")));
+    }
+    if metadata.len() > FILE_SIZE_MAX {
+        return Err(too_large(path));
+    }
+    let mut bytes = Vec::with_capacity(usize::try_from(metadata.len()).unwrap_or(0));
+    // A pipe or device has no length: the limit holds while reading, too.
+    File::open(path).and_then(|file| file.take(FILE_SIZE_MAX + 1).read_to_end(&mut bytes)).map_err(|error| unreadable(path, &error))?;
+    if bytes.len() as u64 > FILE_SIZE_MAX {
+        return Err(too_large(path));
+    }
+    Ok(bytes)
+}
+
+fn too_large(path: &Path) -> Failure {
+    Failure::usage(Problem::P1104, format!("`{}` is larger than {} MiB", path.display(), FILE_SIZE_MAX >> 20))
+}
+
+fn unreadable(path: &Path, error: &io::Error) -> Failure {
+    let shown = path.display();
+    match error.kind() {
+        io::ErrorKind::NotFound => {
+            Failure::usage(Problem::P6001, format!("there is no file or folder `{shown}`")).help(similar(path).map_or_else(
+                || "check the spelling of the path".to_owned(),
+                |name| format!("did you mean `{}`?", path.with_file_name(name).display()),
+            ))
+        }
+        io::ErrorKind::PermissionDenied => Failure::usage(Problem::P6001, format!("`{shown}` may not be read by this user")),
+        _ => Failure::usage(Problem::P6001, format!("`{shown}` cannot be read: {error}")),
+    }
+}
+
+/// A file beside the missing one whose name is nearly the same.
+fn similar(path: &Path) -> Option<String> {
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let wanted = path.file_name()?.to_str()?;
+    // A folder may be huge; the suggestion is a kindness, not a search.
+    let names: Vec<String> = fs::read_dir(folder).ok()?.take(1000).filter_map(|entry| entry.ok()?.file_name().into_string().ok()).collect();
+    crate::nearest::nearest(wanted, names.iter().map(String::as_str)).map(str::to_owned)
+}
+
+/// Replaces a file as a whole: writes a new one beside it and renames it, so that a full disk or a power cut loses nothing.
+pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    // Follow a link to what it means; renaming would replace the link itself.
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    if target.is_dir() {
+        return Err(Failure::usage(Problem::P6013, format!("`{}` is a folder, so no file can be written there", path.display())));
+    }
+    // A device or pipe (`/dev/stdout`) is written to, not replaced.
+    if fs::metadata(&target).is_ok_and(|metadata| !metadata.is_file()) {
+        return fs::OpenOptions::new()
+            .write(true)
+            .open(&target)
+            .and_then(|mut file| file.write_all(bytes))
+            .map_err(|error| unwritable(path, &error));
+    }
+    let temporary = temporary_beside(&target);
+    let written = File::create_new(&temporary).and_then(|mut file| {
+        file.write_all(bytes)?;
+        if let Ok(metadata) = fs::metadata(&target) {
+            file.set_permissions(metadata.permissions())?;
+        }
+        file.sync_all()?;
+        drop(file);
+        fs::rename(&temporary, &target)
+    });
+    written.map_err(|error| {
+        // Best effort: the message about the first error matters more.
+        let _ = fs::remove_file(&temporary);
+        unwritable(path, &error)
+    })
+}
+
+fn temporary_beside(target: &Path) -> PathBuf {
+    let mut name = std::ffi::OsString::from(".");
+    name.push(target.file_name().unwrap_or_default());
+    name.push(format!(".{}.tmp", std::process::id()));
+    target.with_file_name(name)
+}
+
+/// A message about a file that cannot be written.
+pub(crate) fn unwritable(path: &Path, error: &io::Error) -> Failure {
+    Failure::usage(Problem::P6013, format!("`{}` cannot be written: {error}", path.display()))
+}

@@ -1,0 +1,329 @@
+//! From the paths of the command line to the texts of a project.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+
+use sieben_lang::encoding::{self, Decoded};
+use sieben_lang::{Compiled, Options};
+use sieben_model::cpu_type::CpuType;
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::problems::Problem;
+use sieben_model::source::{FileId, Span};
+use sieben_model::symbols::SymbolTable;
+
+use crate::failure::{Exit, Failure};
+use crate::files;
+use crate::glob::Pattern;
+use crate::report::{self, Finding, Texts};
+use crate::settings::{self, Placed, Settings};
+
+/// Endings of STL sources.
+const SOURCE_ENDINGS: [&str; 2] = ["awl", "stl"];
+/// Endings of symbol tables of other tools; of `.csv` files only `symbols.csv` is one without being named.
+const SYMBOL_ENDINGS: [&str; 2] = ["sdf", "asc"];
+/// Most files a folder is searched for: a home directory given by mistake must not be read for minutes.
+const FILES_MAX: usize = 20_000;
+/// Deepest folder that is searched.
+const DEPTH_MAX: usize = 16;
+
+/// What the command line says about a program.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Overrides {
+    /// `--cpu`.
+    pub(crate) cpu: Option<&'static CpuType>,
+    /// `--mnemonics en|de`; `Some(None)` is `auto`.
+    pub(crate) mnemonics: Option<Option<Mnemonics>>,
+}
+
+/// A source file as it lies on the disk.
+#[derive(Clone, Debug)]
+pub(crate) struct SourceFile {
+    /// Where it lies.
+    pub(crate) path: PathBuf,
+    /// Its identity among the texts of the program.
+    pub(crate) id: FileId,
+    /// Its text and how it was encoded.
+    pub(crate) decoded: Decoded,
+}
+
+/// Everything read and decoded, nothing compiled.
+#[derive(Debug, Default)]
+pub(crate) struct Project {
+    /// All texts.
+    pub(crate) texts: Texts,
+    /// The sources in the order of compilation.
+    pub(crate) sources: Vec<SourceFile>,
+    /// All symbols.
+    pub(crate) symbols: SymbolTable,
+    /// What `sieben.toml` says.
+    pub(crate) settings: Settings,
+    /// What was noticed while reading.
+    pub(crate) findings: Vec<Finding>,
+}
+
+/// A project with what the compiler made of it.
+pub(crate) struct Build {
+    /// Where it came from.
+    pub(crate) project: Project,
+    /// The program.
+    pub(crate) compiled: Compiled,
+    /// The CPU type it is for.
+    pub(crate) cpu: &'static CpuType,
+    /// Everything that was noticed, in order.
+    pub(crate) findings: Vec<Finding>,
+}
+
+impl Project {
+    /// Reads the files and folders that the command line names; none = the current folder.
+    pub(crate) fn load(paths: &[PathBuf]) -> Result<Self, Failure> {
+        let mut project = Self::default();
+        let here = [PathBuf::from(".")];
+        let paths = if paths.is_empty() { &here } else { paths };
+        let mut seen = BTreeSet::new();
+        for path in paths {
+            let is_project_file = path.file_name().is_some_and(|name| name == settings::FILE_NAME);
+            if is_project_file {
+                let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+                project.folder(folder, &mut seen)?;
+            } else if path.is_dir() {
+                project.folder(path, &mut seen)?;
+            } else if is_symbol_table(path) || has_ending(path, &["csv"]) {
+                project.symbol_table(path, &mut seen)?;
+            } else {
+                project.source(path, &mut seen)?;
+            }
+        }
+        project.require_text();
+        Ok(project)
+    }
+
+    /// Compiles it for the CPU type of the command line, else of the project, else the default.
+    pub(crate) fn compile(self, overrides: Overrides, syntax_only: bool) -> Build {
+        let cpu = overrides.cpu.or(self.settings.cpu).unwrap_or(&CpuType::ALL[0]);
+        let options = Options {
+            cpu: Some(cpu),
+            mnemonics: overrides.mnemonics.unwrap_or(self.settings.mnemonics),
+            syntax_only,
+            system_blocks: system_blocks(),
+        };
+        let compiled = sieben_lang::compile(&self.texts.program, &self.symbols, &options);
+        let mut findings = self.findings.clone();
+        findings.extend(compiled.diagnostics.iter().cloned().map(Finding::program));
+        report::sort(&mut findings);
+        Build { project: self, compiled, cpu, findings }
+    }
+
+    fn folder(&mut self, folder: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<(), Failure> {
+        let project_file = folder.join(settings::FILE_NAME);
+        let mut settings = Settings::default();
+        if project_file.is_file() {
+            let text = String::from_utf8(files::read(&project_file)?)
+                .map_err(|_| Failure::usage(Problem::P6007, format!("`{}` is not UTF-8 text", project_file.display())))?;
+            let text = text.strip_prefix('\u{FEFF}').unwrap_or(&text).to_owned();
+            let file = self.texts.documents.add(shown(&project_file), text);
+            let (parsed, diagnostics) = settings::parse(&self.texts.documents.file(file).text, file);
+            self.findings.extend(diagnostics.into_iter().map(Finding::document));
+            settings = parsed;
+        }
+        let mut listing = Listing { files: Vec::new(), root: folder };
+        listing.walk(folder, 0)?;
+        let default_symbols =
+            |path: &Path| is_symbol_table(path) || path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("symbols.csv"));
+        let symbols = self.chosen(&listing, settings.symbols.as_deref(), default_symbols);
+        let sources = self.chosen(&listing, settings.sources.as_deref(), |path| has_ending(path, &SOURCE_ENDINGS));
+        self.settings = settings;
+        for relative in symbols {
+            self.symbol_table(&join(folder, &relative), seen)?;
+        }
+        for relative in sources {
+            self.source(&join(folder, &relative), seen)?;
+        }
+        Ok(())
+    }
+
+    /// The files that match the patterns, in the order of the patterns, then by path; without patterns those of the default.
+    fn chosen(&mut self, listing: &Listing<'_>, patterns: Option<&[Placed]>, default: impl Fn(&Path) -> bool) -> Vec<PathBuf> {
+        let Some(patterns) = patterns else {
+            return listing.files.iter().filter(|path| default(path)).cloned().collect();
+        };
+        let mut chosen = Vec::new();
+        for placed in patterns {
+            if leaves_folder(&placed.text) {
+                self.findings.push(Finding::document(Diagnostic::new(
+                    Problem::P6010,
+                    placed.span,
+                    format!("`{}` leaves the project folder", placed.text),
+                )));
+                continue;
+            }
+            let pattern = Pattern::new(&placed.text);
+            let before = chosen.len();
+            let mut matched = false;
+            for path in listing.files.iter().filter(|path| pattern.matches(&slashed(path))) {
+                matched = true;
+                if !chosen[..before].contains(path) {
+                    chosen.push(path.clone());
+                }
+            }
+            if !matched {
+                self.findings.push(Finding::document(no_match(&placed.text, placed.span, listing)));
+            }
+        }
+        chosen
+    }
+
+    fn source(&mut self, path: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<(), Failure> {
+        if !is_new(path, seen) {
+            return Ok(());
+        }
+        let decoded = match encoding::read_source(&files::read(path)?) {
+            Ok(decoded) => decoded,
+            Err(unreadable) => {
+                let message = format!("`{}` cannot be a source: {unreadable}", shown(path));
+                self.findings.push(Finding::file(unreadable.problem(), shown(path), message));
+                return Ok(());
+            }
+        };
+        if decoded.had_errors {
+            let message = format!("`{}` holds bytes that mean nothing in {}", shown(path), decoded.encoding.name());
+            self.findings.push(Finding::file(Problem::P1102, shown(path), message));
+        }
+        if decoded.text.trim().is_empty() {
+            self.findings.push(Finding::file(Problem::P6004, shown(path), format!("`{}` is empty", shown(path))));
+        }
+        let id = self.texts.program.add(shown(path), decoded.text.clone());
+        self.sources.push(SourceFile { path: path.to_path_buf(), id, decoded });
+        Ok(())
+    }
+
+    fn symbol_table(&mut self, path: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<(), Failure> {
+        if !is_new(path, seen) {
+            return Ok(());
+        }
+        let file = crate::symbol_files::read(path, &mut self.texts.documents)?;
+        self.findings.extend(file.findings);
+        for symbol in file.read.table.symbols() {
+            self.symbols.push(symbol.clone());
+        }
+        Ok(())
+    }
+
+    /// A program needs at least one statement's worth of text.
+    fn require_text(&mut self) {
+        let unreadable = report::has_errors(&self.findings);
+        if !unreadable && self.sources.iter().all(|source| source.decoded.text.trim().is_empty()) {
+            let (path, message) = match self.sources.first() {
+                None => (String::new(), "no STL source was found".to_owned()),
+                Some(_) => (String::new(), "all sources are empty".to_owned()),
+            };
+            self.findings.push(Finding::file(Problem::P6005, path, message));
+        }
+    }
+}
+
+impl Build {
+    /// The build if it may run; else its diagnostics are printed and the exit code is that of a program that does not compile.
+    pub(crate) fn or_report(self, json: bool) -> Result<Self, Exit> {
+        if !self.findings.is_empty() {
+            print_findings(&self.findings, &self.project.texts, json);
+        }
+        if report::has_errors(&self.findings) { Err(Exit::DoesNotCompile) } else { Ok(self) }
+    }
+}
+
+/// Prints findings where messages go.
+pub(crate) fn print_findings(findings: &[Finding], texts: &Texts, json: bool) {
+    let text =
+        if json { format!("{:#}\n", report::to_json(findings, texts)) } else { report::render(findings, texts, crate::output::colour()) };
+    crate::output::message(&text);
+}
+
+/// The system blocks of the CPU as the compiler wants them.
+pub(crate) fn system_blocks() -> Vec<sieben_lang::SystemBlock> {
+    sieben_cpu::system::interfaces()
+        .into_iter()
+        .map(|block| sieben_lang::SystemBlock { block: block.block, name: block.name, interface: block.interface })
+        .collect()
+}
+
+/// Paths of all files of a folder.
+struct Listing<'a> {
+    /// Relative to the folder, in order.
+    files: Vec<PathBuf>,
+    root: &'a Path,
+}
+
+impl Listing<'_> {
+    /// Collects the files of a folder and those below. Hidden folders are left out, links to folders are not followed.
+    fn walk(&mut self, folder: &Path, depth: usize) -> Result<(), Failure> {
+        let unreadable = |error| Failure::usage(Problem::P6001, format!("the folder `{}` cannot be read: {error}", folder.display()));
+        let mut entries = Vec::new();
+        for entry in fs::read_dir(folder).map_err(unreadable)? {
+            let entry = entry.map_err(unreadable)?;
+            entries.push((entry.file_name(), entry.path(), entry.file_type().map_err(unreadable)?));
+            if self.files.len() + entries.len() > FILES_MAX {
+                return Err(Failure::usage(Problem::P6015, format!("`{}` holds more than {FILES_MAX} files", self.root.display())));
+            }
+        }
+        entries.sort_by(|a, b| a.0.cmp(&b.0));
+        for (name, path, kind) in entries {
+            let hidden = name.to_string_lossy().starts_with('.');
+            if kind.is_dir() {
+                if !hidden && depth < DEPTH_MAX {
+                    self.walk(&path, depth + 1)?;
+                }
+            } else if !hidden
+                && path.is_file()
+                && let Ok(relative) = path.strip_prefix(self.root)
+            {
+                self.files.push(relative.to_path_buf());
+            }
+        }
+        Ok(())
+    }
+}
+
+fn no_match(pattern: &str, span: Span, listing: &Listing<'_>) -> Diagnostic {
+    let diagnostic = Diagnostic::new(Problem::P6011, span, format!("no file matches `{pattern}`"));
+    let paths: Vec<String> = listing.files.iter().map(|path| slashed(path)).collect();
+    match crate::nearest::nearest(pattern, paths.iter().map(String::as_str)) {
+        Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
+        None => diagnostic,
+    }
+}
+
+/// Whether a file was not named before; a file named twice is read once.
+fn is_new(path: &Path, seen: &mut BTreeSet<PathBuf>) -> bool {
+    seen.insert(fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf()))
+}
+
+fn is_symbol_table(path: &Path) -> bool {
+    has_ending(path, &SYMBOL_ENDINGS)
+}
+
+fn has_ending(path: &Path, endings: &[&str]) -> bool {
+    path.extension().is_some_and(|ending| endings.iter().any(|known| ending.eq_ignore_ascii_case(known)))
+}
+
+/// Whether a pattern points outside the folder it is relative to.
+fn leaves_folder(pattern: &str) -> bool {
+    let path = Path::new(pattern);
+    path.components().any(|part| !matches!(part, Component::Normal(_) | Component::CurDir))
+        || pattern.contains('\\')
+        || pattern.contains(':')
+}
+
+/// A path inside a folder, without a `./` in front that nobody typed.
+fn join(folder: &Path, relative: &Path) -> PathBuf {
+    if folder == Path::new(".") { relative.to_path_buf() } else { folder.join(relative) }
+}
+
+fn slashed(path: &Path) -> String {
+    path.to_string_lossy().replace('\\', "/")
+}
+
+fn shown(path: &Path) -> String {
+    path.display().to_string()
+}

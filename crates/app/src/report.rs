@@ -1,0 +1,306 @@
+//! Diagnostics for people and for programs: the edge where places become lines and columns.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use ariadne::{Cache, CharSet, Color, Config, IndexType, Label, LabelAttach, Report, ReportKind, Source};
+use serde_json::{Value, json};
+use sieben_model::diagnostic::{Diagnostic, Severity};
+use sieben_model::problems::Problem;
+use sieben_model::source::{FileId, Sources, Span};
+
+/// Most diagnostics shown on a terminal: behind the first hundred the rest is mostly their consequence.
+const SHOWN_MAX: usize = 100;
+/// Longest line that is drawn, in bytes: a binary or minified file may be one line of megabytes.
+const LINE_MAX: usize = 2_000;
+
+/// Where the span of a finding points into.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Origin {
+    /// A whole file, by the path that was given.
+    File(String),
+    /// A file of the project that is no program: `sieben.toml` or a symbol table.
+    Document,
+    /// A source of the program.
+    Program,
+}
+
+/// A diagnostic with what its span belongs to.
+#[derive(Clone, Debug)]
+pub(crate) struct Finding {
+    /// What is wrong; for [`Origin::File`] the span means nothing.
+    pub(crate) diagnostic: Diagnostic,
+    /// What the span points into.
+    pub(crate) origin: Origin,
+}
+
+impl Finding {
+    /// A finding about a whole file.
+    pub(crate) fn file(problem: Problem, path: impl Into<String>, message: impl Into<String>) -> Self {
+        Self { diagnostic: Diagnostic::new(problem, Span::default(), message), origin: Origin::File(path.into()) }
+    }
+    /// A finding in a file that is no program.
+    pub(crate) fn document(diagnostic: Diagnostic) -> Self {
+        Self { diagnostic, origin: Origin::Document }
+    }
+    /// A finding in a source of the program.
+    pub(crate) fn program(diagnostic: Diagnostic) -> Self {
+        Self { diagnostic, origin: Origin::Program }
+    }
+    fn key(&self) -> (&Origin, FileId, u32, u32, Problem) {
+        let span = self.diagnostic.span;
+        (&self.origin, span.file, span.start, span.end, self.diagnostic.problem)
+    }
+}
+
+/// The texts that findings point into.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Texts {
+    /// Sources of the program.
+    pub(crate) program: Sources,
+    /// `sieben.toml` and symbol tables.
+    pub(crate) documents: Sources,
+}
+
+impl Texts {
+    fn of(&self, origin: &Origin) -> Option<&Sources> {
+        match origin {
+            Origin::File(_) => None,
+            Origin::Document => Some(&self.documents),
+            Origin::Program => Some(&self.program),
+        }
+    }
+}
+
+/// Whether any of them keeps the program from running.
+pub(crate) fn has_errors(findings: &[Finding]) -> bool {
+    findings.iter().any(|finding| finding.diagnostic.severity() == Severity::Error)
+}
+
+/// Puts findings into the order of files and places and drops repetitions.
+pub(crate) fn sort(findings: &mut Vec<Finding>) {
+    findings.sort_by(|a, b| a.key().cmp(&b.key()));
+    findings.dedup_by(|a, b| a.key() == b.key() && a.diagnostic.message == b.diagnostic.message);
+}
+
+/// Findings as people read them, with a count at the end; empty if there are none.
+pub(crate) fn render(findings: &[Finding], texts: &Texts, colour: bool) -> String {
+    let mut out = Vec::new();
+    let mut cache = TextCache { texts, sources: BTreeMap::new() };
+    for finding in findings.iter().take(SHOWN_MAX) {
+        render_one(finding, &mut cache, colour, &mut out);
+    }
+    let mut text = String::from_utf8_lossy(&out).into_owned();
+    if findings.len() > SHOWN_MAX {
+        text.push_str(&format!("… and {} more; `--json` lists all of them.\n", findings.len() - SHOWN_MAX));
+    }
+    text.push_str(&count(findings));
+    text
+}
+
+/// `2 errors, 1 warning. …`, with how to learn more; empty if there are no findings.
+fn count(findings: &[Finding]) -> String {
+    let Some(first) = findings.iter().find(|finding| finding.diagnostic.severity() == Severity::Error).or(findings.first()) else {
+        return String::new();
+    };
+    format!("{}. `sieben explain {}` says more.\n", tally(findings), first.diagnostic.problem.code())
+}
+
+/// `2 errors, 1 warning`, or `no errors`.
+pub(crate) fn tally(findings: &[Finding]) -> String {
+    let errors = findings.iter().filter(|finding| finding.diagnostic.severity() == Severity::Error).count();
+    let warnings = findings.len() - errors;
+    let plural = |count: usize, word: &str| match count {
+        1 => format!("1 {word}"),
+        count => format!("{count} {word}s"),
+    };
+    match (errors, warnings) {
+        (0, 0) => "no errors".to_owned(),
+        (0, warnings) => plural(warnings, "warning"),
+        (errors, 0) => plural(errors, "error"),
+        (errors, warnings) => format!("{}, {}", plural(errors, "error"), plural(warnings, "warning")),
+    }
+}
+
+fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, out: &mut Vec<u8>) {
+    let diagnostic = &finding.diagnostic;
+    let (kind, shade) = match diagnostic.severity() {
+        Severity::Error => (ReportKind::Error, Color::Red),
+        Severity::Warning => (ReportKind::Warning, Color::Yellow),
+    };
+    let help = help_of(diagnostic);
+    let place = Place::of(&finding.origin, diagnostic.span, cache.texts);
+    let drawable = place.as_ref().is_some_and(|place| place.is_drawable(cache.texts));
+    let Some(place) = place.filter(|_| drawable) else {
+        render_plain(finding, cache.texts, colour, out);
+        return;
+    };
+    let config = Config::new()
+        .with_index_type(IndexType::Byte)
+        .with_color(colour)
+        .with_char_set(CharSet::Unicode)
+        .with_label_attach(LabelAttach::Start)
+        .with_compact(false);
+    let mut report = Report::build(kind, place.clone())
+        .with_config(config)
+        .with_code(diagnostic.problem.code())
+        .with_message(&diagnostic.message)
+        .with_help(help)
+        .with_label(Label::new(place).with_color(shade).with_message(match &diagnostic.fix {
+            Some(fix) => fix.title.as_str(),
+            None => "here",
+        }));
+    for (span, word) in &diagnostic.related {
+        if let Some(place) = Place::of(&finding.origin, *span, cache.texts).filter(|place| place.is_drawable(cache.texts)) {
+            report = report.with_label(Label::new(place).with_color(Color::Fixed(147)).with_message(word));
+        }
+    }
+    let start = out.len();
+    if report.finish().write(&mut *cache, &mut *out).is_err() {
+        out.truncate(start);
+        render_plain(finding, cache.texts, colour, out);
+    }
+}
+
+/// Without the source lines: for whole files and for lines too long to draw.
+fn render_plain(finding: &Finding, texts: &Texts, colour: bool, out: &mut Vec<u8>) {
+    let diagnostic = &finding.diagnostic;
+    let (word, shade) = match diagnostic.severity() {
+        Severity::Error => ("Error", "\x1b[31m"),
+        Severity::Warning => ("Warning", "\x1b[33m"),
+    };
+    let (shade, plain) = if colour { (shade, "\x1b[0m") } else { ("", "") };
+    let place = match &finding.origin {
+        Origin::File(_) => String::new(),
+        origin => texts.of(origin).map_or_else(String::new, |sources| {
+            let (line, column) = sources.line_column(diagnostic.span);
+            format!(" ({}:{line}:{column})", sources.file(diagnostic.span.file).name)
+        }),
+    };
+    let code = diagnostic.problem.code();
+    out.extend_from_slice(
+        format!("{shade}[{code}] {word}:{plain} {}{place}\n  Help: {}\n", diagnostic.message, help_of(diagnostic)).as_bytes(),
+    );
+}
+
+fn help_of(diagnostic: &Diagnostic) -> &str {
+    diagnostic.help.as_deref().unwrap_or(diagnostic.problem.help())
+}
+
+/// Findings as programs read them.
+pub(crate) fn to_json(findings: &[Finding], texts: &Texts) -> Value {
+    let mut lines = BTreeMap::new();
+    Value::Array(findings.iter().map(|finding| one_to_json(finding, texts, &mut lines)).collect())
+}
+
+/// The first byte of each line of each file, so that a long list does not count lines from the top each time.
+type Lines = BTreeMap<(Origin, FileId), Vec<usize>>;
+
+fn one_to_json(finding: &Finding, texts: &Texts, lines: &mut Lines) -> Value {
+    let diagnostic = &finding.diagnostic;
+    let severity = match diagnostic.severity() {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+    };
+    let mut place = |span: Span, end: bool| -> (Value, Value) {
+        let Some(sources) = texts.of(&finding.origin) else { return (Value::Null, Value::Null) };
+        let text = &sources.file(span.file).text;
+        let starts = lines.entry((finding.origin.clone(), span.file)).or_insert_with(|| line_starts(text));
+        let at = clamp(text, if end { span.end } else { span.start });
+        let line = starts.partition_point(|&start| start <= at) - 1;
+        (json!(line + 1), json!(text[starts[line]..at].chars().count() + 1))
+    };
+    let (line, column) = place(diagnostic.span, false);
+    let (end_line, end_column) = place(diagnostic.span, true);
+    let fix = diagnostic.fix.as_ref().map(|fix| {
+        let (line, column) = place(fix.span, false);
+        let (end_line, end_column) = place(fix.span, true);
+        json!({ "title": fix.title, "replacement": fix.replacement,
+                "line": line, "column": column, "end_line": end_line, "end_column": end_column })
+    });
+    let file = match &finding.origin {
+        Origin::File(path) => path.clone(),
+        origin => texts.of(origin).map_or_else(String::new, |sources| sources.file(diagnostic.span.file).name.clone()),
+    };
+    json!({
+        "code": diagnostic.problem.code(), "severity": severity, "file": file,
+        "line": line, "column": column, "end_line": end_line, "end_column": end_column,
+        "message": diagnostic.message, "help": help_of(diagnostic), "fix": fix,
+    })
+}
+
+fn line_starts(text: &str) -> Vec<usize> {
+    std::iter::once(0).chain(text.bytes().enumerate().filter(|&(_, byte)| byte == b'\n').map(|(at, _)| at + 1)).collect()
+}
+
+/// A place in a text that is certainly on a character boundary.
+fn clamp(text: &str, at: u32) -> usize {
+    let mut at = (at as usize).min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+/// A span of one text, as ariadne wants it.
+#[derive(Clone, Debug)]
+struct Place {
+    id: (bool, FileId),
+    start: usize,
+    end: usize,
+}
+
+impl Place {
+    fn of(origin: &Origin, span: Span, texts: &Texts) -> Option<Self> {
+        let sources = texts.of(origin)?;
+        let text = &sources.iter().find(|(id, _)| *id == span.file)?.1.text;
+        let start = clamp(text, span.start);
+        // One statement may run over lines; its first line is enough to find it.
+        let end = clamp(text, span.end).max(start);
+        let end = text[start..end].find(['\r', '\n']).map_or(end, |at| start + at);
+        Some(Self { id: (*origin == Origin::Program, span.file), start, end })
+    }
+    fn is_drawable(&self, texts: &Texts) -> bool {
+        let sources = if self.id.0 { &texts.program } else { &texts.documents };
+        let text = &sources.file(self.id.1).text;
+        if text.is_empty() {
+            return false;
+        }
+        let before = self.start - text[..self.start].rfind('\n').map_or(0, |at| at + 1);
+        let after = text[self.start..].find('\n').unwrap_or(text.len() - self.start);
+        before + after <= LINE_MAX
+    }
+}
+
+impl ariadne::Span for Place {
+    type SourceId = (bool, FileId);
+    fn source(&self) -> &Self::SourceId {
+        &self.id
+    }
+    fn start(&self) -> usize {
+        self.start
+    }
+    fn end(&self) -> usize {
+        self.end
+    }
+}
+
+/// The texts cut into lines for ariadne, each once.
+struct TextCache<'a> {
+    texts: &'a Texts,
+    sources: BTreeMap<(bool, FileId), Source<&'a str>>,
+}
+
+impl<'a> Cache<(bool, FileId)> for TextCache<'a> {
+    type Storage = &'a str;
+
+    fn fetch(&mut self, id: &(bool, FileId)) -> Result<&Source<&'a str>, impl fmt::Debug> {
+        let sources = if id.0 { &self.texts.program } else { &self.texts.documents };
+        Ok::<_, &str>(self.sources.entry(*id).or_insert_with(|| Source::from(sources.file(id.1).text.as_str())))
+    }
+
+    fn display<'b>(&self, id: &'b (bool, FileId)) -> Option<impl fmt::Display + 'b> {
+        let sources = if id.0 { &self.texts.program } else { &self.texts.documents };
+        Some(sources.file(id.1).name.clone())
+    }
+}

@@ -1,0 +1,286 @@
+//! `sieben.toml`: what a project says about itself.
+
+use std::borrow::Cow;
+use std::time::Duration;
+
+use sieben_model::cpu_type::CpuType;
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::problems::Problem;
+use sieben_model::source::{FileId, Span};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::duration;
+use crate::nearest::{nearest, one_of};
+
+/// Name of the file that makes a folder a project.
+pub(crate) const FILE_NAME: &str = "sieben.toml";
+
+/// A text with its place.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Placed {
+    /// The text.
+    pub(crate) text: String,
+    /// Where it stands.
+    pub(crate) span: Span,
+}
+
+/// What the file says; all of it optional.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Settings {
+    /// `project.name`.
+    pub(crate) name: Option<String>,
+    /// `project.sources`: patterns of paths inside the project folder.
+    pub(crate) sources: Option<Vec<Placed>>,
+    /// `project.symbols`: patterns of symbol tables.
+    pub(crate) symbols: Option<Vec<Placed>>,
+    /// `project.mnemonics`; `None` = judged over each file.
+    pub(crate) mnemonics: Option<Mnemonics>,
+    /// `cpu.type`.
+    pub(crate) cpu: Option<&'static CpuType>,
+    /// `cpu.cycle`; zero = free running.
+    pub(crate) cycle: Option<Duration>,
+    /// `cpu.watchdog`.
+    pub(crate) watchdog: Option<Duration>,
+    /// `cpu.min_cycle`.
+    pub(crate) min_cycle: Option<Duration>,
+}
+
+/// A key that the file may have: its table, its name, and whether this version uses it.
+struct Key {
+    table: &'static str,
+    name: &'static str,
+    used: bool,
+}
+
+const fn used(table: &'static str, name: &'static str) -> Key {
+    Key { table, name, used: true }
+}
+const fn later(table: &'static str, name: &'static str) -> Key {
+    Key { table, name, used: false }
+}
+
+/// All keys. Those of later versions are known already, so that a project may carry them without an error.
+const KEYS: &[Key] = &[
+    used("", "project"),
+    used("", "cpu"),
+    later("", "module"),
+    later("", "cyclic"),
+    later("", "servers"),
+    used("project", "name"),
+    used("project", "sources"),
+    used("project", "symbols"),
+    used("project", "mnemonics"),
+    later("project", "tests"),
+    later("project", "dialect"),
+    later("project", "extended"),
+    used("cpu", "type"),
+    used("cpu", "cycle"),
+    used("cpu", "watchdog"),
+    used("cpu", "min_cycle"),
+    later("cpu", "clock_memory_byte"),
+    later("cpu", "retain"),
+];
+
+/// Reads the text of a `sieben.toml`; what is wrong with one key leaves the others in force.
+pub(crate) fn parse(text: &str, file: FileId) -> (Settings, Vec<Diagnostic>) {
+    let mut reader = Reader { file, settings: Settings::default(), diagnostics: Vec::new() };
+    match DeTable::parse(text) {
+        Ok(table) => reader.root(table.get_ref()),
+        Err(error) => {
+            let span = error.span().unwrap_or(0..0);
+            let message = format!("`{FILE_NAME}` is not valid TOML: {}", error.message().replace('\n', "; "));
+            reader.diagnostics.push(Diagnostic::new(Problem::P6007, reader.span(span), message));
+        }
+    }
+    (reader.settings, reader.diagnostics)
+}
+
+struct Reader {
+    file: FileId,
+    settings: Settings,
+    diagnostics: Vec<Diagnostic>,
+}
+
+type Value<'i> = Spanned<DeValue<'i>>;
+
+impl Reader {
+    fn span(&self, range: std::ops::Range<usize>) -> Span {
+        // Files above 64 MiB are refused before, so that offsets fit.
+        Span::new(self.file, range.start as u32, range.end as u32)
+    }
+
+    fn root(&mut self, table: &DeTable<'_>) {
+        for (key, value) in table {
+            if !self.known("", key) {
+                continue;
+            }
+            match (key.get_ref().as_ref(), value.get_ref()) {
+                (name @ ("project" | "cpu"), DeValue::Table(inner)) => self.table(name, inner),
+                (name, _) => self.wrong(value, &format!("`{name}` is a table: write `[{name}]` on a line of its own, and its keys below")),
+            }
+        }
+    }
+
+    fn table(&mut self, table: &str, content: &DeTable<'_>) {
+        for (key, value) in content {
+            if !self.known(table, key) {
+                continue;
+            }
+            let name: &str = key.get_ref();
+            match (table, name) {
+                ("project", "name") => self.settings.name = self.text(value, name).map(|placed| placed.text),
+                ("project", "sources") => self.settings.sources = self.list(value, name),
+                ("project", "symbols") => self.settings.symbols = self.list(value, name),
+                ("project", "mnemonics") => self.mnemonics(value),
+                ("cpu", "type") => self.cpu(value),
+                ("cpu", "cycle") => {
+                    self.settings.cycle = match value.get_ref() {
+                        DeValue::String(text) if text.eq_ignore_ascii_case("free") => Some(Duration::ZERO),
+                        _ => self.duration(value, name),
+                    }
+                }
+                ("cpu", "watchdog") => self.settings.watchdog = self.duration(value, name),
+                ("cpu", "min_cycle") => self.settings.min_cycle = self.duration(value, name),
+                _ => {}
+            }
+        }
+    }
+
+    /// Whether a key exists and is used; says so if not.
+    fn known(&mut self, table: &str, key: &Spanned<Cow<'_, str>>) -> bool {
+        let name: &str = key.get_ref();
+        let span = self.span(key.span());
+        let path = if table.is_empty() { name.to_owned() } else { format!("{table}.{name}") };
+        let siblings = || KEYS.iter().filter(|key| key.table == table).map(|key| key.name);
+        match KEYS.iter().find(|key| key.table == table && key.name == name) {
+            Some(key) if key.used => return true,
+            Some(_) => self.diagnostics.push(Diagnostic::new(
+                Problem::P6012,
+                span,
+                format!("`{path}` is known, but this version of Sieben does not use it yet"),
+            )),
+            None => {
+                let place = if table.is_empty() { String::new() } else { format!(" in `[{table}]`") };
+                let diagnostic = Diagnostic::new(Problem::P6008, span, format!("there is no key `{name}`{place}"));
+                self.diagnostics.push(match nearest(name, siblings()) {
+                    Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(span, near, format!("write `{near}`")),
+                    None => diagnostic.help(format!("keys{place}: {}", one_of(siblings()))),
+                });
+            }
+        }
+        false
+    }
+
+    fn wrong(&mut self, value: &Value<'_>, message: &str) {
+        self.diagnostics.push(Diagnostic::new(Problem::P6009, self.span(value.span()), message));
+    }
+
+    fn text(&mut self, value: &Value<'_>, name: &str) -> Option<Placed> {
+        match value.get_ref() {
+            DeValue::String(text) => Some(Placed { text: text.to_string(), span: self.span(value.span()) }),
+            _ => {
+                self.wrong(value, &format!("`{name}` is a text in quotes: `{name} = \"…\"`"));
+                None
+            }
+        }
+    }
+
+    fn list(&mut self, value: &Value<'_>, name: &str) -> Option<Vec<Placed>> {
+        match value.get_ref() {
+            // One pattern without brackets is what people write first.
+            DeValue::String(_) => self.text(value, name).map(|placed| vec![placed]),
+            DeValue::Array(items) => Some(items.iter().filter_map(|item| self.text(item, name)).collect()),
+            _ => {
+                self.wrong(value, &format!("`{name}` is a list of patterns: `{name} = [\"src/**/*.awl\"]`"));
+                None
+            }
+        }
+    }
+
+    fn mnemonics(&mut self, value: &Value<'_>) {
+        let Some(placed) = self.text(value, "mnemonics") else { return };
+        self.settings.mnemonics = match placed.text.to_ascii_lowercase().as_str() {
+            "auto" => None,
+            "en" => Some(Mnemonics::English),
+            "de" => Some(Mnemonics::German),
+            _ => return self.wrong(value, &format!("`{}` is no mnemonic language: write `auto`, `en` or `de`", placed.text)),
+        }
+    }
+
+    fn cpu(&mut self, value: &Value<'_>) {
+        let Some(placed) = self.text(value, "type") else { return };
+        match CpuType::by_name(&placed.text) {
+            Some(cpu) => self.settings.cpu = Some(cpu),
+            None => self.wrong(value, &unknown_cpu(&placed.text)),
+        }
+    }
+
+    fn duration(&mut self, value: &Value<'_>, name: &str) -> Option<Duration> {
+        let DeValue::String(text) = value.get_ref() else {
+            self.wrong(value, &format!("`{name}` is a duration in quotes: `{name} = \"10ms\"`"));
+            return None;
+        };
+        match duration::parse(text) {
+            Ok(duration) => Some(duration),
+            Err(message) => {
+                self.wrong(value, &message);
+                None
+            }
+        }
+    }
+}
+
+/// The message about a CPU type that does not exist, with those that do.
+pub(crate) fn unknown_cpu(name: &str) -> String {
+    let names = || CpuType::ALL.iter().map(|cpu| cpu.name);
+    let list = one_of(names());
+    match nearest(name, names()) {
+        Some(near) => format!("there is no CPU type `{name}`; did you mean `{near}`? Known are {list}"),
+        None => format!("there is no CPU type `{name}`; known are {list}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn messages(text: &str) -> Vec<String> {
+        parse(text, FileId(0)).1.into_iter().map(|diagnostic| format!("{}: {}", diagnostic.problem.code(), diagnostic.message)).collect()
+    }
+
+    #[test]
+    fn a_whole_file_is_read() {
+        let (settings, diagnostics) = parse(
+            "[project]\nname = \"p\"\nsources = [\"src/*.awl\"]\nsymbols = \"symbols.csv\"\nmnemonics = \"de\"\n\
+             [cpu]\ntype = \"416-3\"\ncycle = \"free\"\nwatchdog = \"150ms\"\nmin_cycle = \"1ms\"\n",
+            FileId(0),
+        );
+        assert_eq!(diagnostics, []);
+        assert_eq!(settings.mnemonics, Some(Mnemonics::German));
+        assert_eq!(settings.cpu.map(|cpu| cpu.name), Some("416-3"));
+        assert_eq!(settings.cycle, Some(Duration::ZERO));
+        assert_eq!(settings.watchdog, Some(Duration::from_millis(150)));
+        assert_eq!(settings.symbols.map(|list| list.len()), Some(1));
+    }
+
+    #[test]
+    fn every_mistake_has_a_sentence() {
+        for (text, expected) in [
+            ("[project]\nsoruces = []\n", "P6008: there is no key `soruces` in `[project]`"),
+            ("[zpu]\n", "P6008: there is no key `zpu`"),
+            ("cpu = 1\n", "P6009: `cpu` is a table: write `[cpu]` on a line of its own, and its keys below"),
+            ("[cpu]\ncycle = 10\n", "P6009: `cycle` is a duration in quotes: `cycle = \"10ms\"`"),
+            ("[cpu]\ncycle = \"10\"\n", "P6009: `10` is not a duration; write a number with its unit: `10ms`, `1.5s`, `2m` or `1h`"),
+            ("[project]\nsources = 1\n", "P6009: `sources` is a list of patterns: `sources = [\"src/**/*.awl\"]`"),
+            ("[project]\nname = true\n", "P6009: `name` is a text in quotes: `name = \"…\"`"),
+            ("[project]\nmnemonics = \"fr\"\n", "P6009: `fr` is no mnemonic language: write `auto`, `en` or `de`"),
+            ("[servers.s7]\nlisten = \"x\"\n", "P6012: `servers` is known, but this version of Sieben does not use it yet"),
+        ] {
+            assert_eq!(messages(text), [expected], "{text}");
+        }
+        assert!(messages("[project\n")[0].starts_with("P6007: `sieben.toml` is not valid TOML"));
+        assert!(messages("[cpu]\ntype = \"315-2\"\n")[0].starts_with("P6009: there is no CPU type `315-2`"));
+    }
+}
