@@ -1,5 +1,10 @@
-//! Runs the IR at once.
+//! Runs the IR at once: the engine that defines what code means.
 
+mod access;
+mod prepare;
+mod run;
+
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use sieben_model::block::BlockId;
@@ -11,25 +16,28 @@ use crate::program::Program;
 /// A loaded program, ready to be interpreted; shared by any number of CPUs of the same layout.
 #[derive(Debug)]
 pub struct Interpreter {
-    program: Arc<Program>,
+    blocks: Vec<prepare::Block>,
+    index: HashMap<BlockId, u32>,
 }
 
 impl Interpreter {
-    /// Prepares all blocks of a program.
+    /// Prepares all blocks of a program for a layout.
     pub fn load(program: Arc<Program>, layout: &Layout) -> Self {
-        let _ = layout;
-        Self { program }
+        let index: HashMap<BlockId, u32> = program.code.keys().enumerate().map(|(index, &id)| (id, index as u32)).collect();
+        let find = |id: BlockId| index.get(&id).copied();
+        let blocks = program.code.iter().map(|(&id, block)| prepare::prepare(id, block, layout, &find)).collect();
+        Self { blocks, index }
     }
 }
 
 impl Engine for Interpreter {
-    fn run(&self, _context: &mut Context<'_>, _entry: &Entry) -> Exit {
-        Exit::Finished
+    fn run(&self, context: &mut Context<'_>, entry: &Entry) -> Exit {
+        self.start(context, entry)
     }
-    fn resume(&self, _context: &mut Context<'_>) -> Exit {
-        Exit::Finished
+    fn resume(&self, context: &mut Context<'_>) -> Exit {
+        self.go_on(context)
     }
     fn has_block(&self, block: BlockId) -> bool {
-        self.program.code.contains_key(&block)
+        self.index.contains_key(&block)
     }
 }

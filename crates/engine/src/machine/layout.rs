@@ -24,6 +24,8 @@ pub struct Layout {
     pub local: Range<usize>,
     /// Data blocks by number.
     pub data_blocks: BTreeMap<u16, Range<usize>>,
+    /// Data blocks that the program may not write.
+    pub read_only: Vec<u16>,
     /// Bytes of the whole arena.
     pub size: usize,
     /// Number of timers.
@@ -57,7 +59,9 @@ impl Layout {
         let local = take(cpu.local_data as usize);
         let data_blocks = program.data.iter().filter(|(_, db)| !db.unlinked).map(|(&number, db)| (number, take(db.image.len()))).collect();
         take(RESERVE);
+        let read_only = program.data.values().filter(|db| db.read_only).map(|db| db.number).collect();
         Self {
+            read_only,
             inputs,
             outputs,
             bit_memory,

@@ -34,8 +34,11 @@ impl Memory {
         let count = layout.data_blocks.keys().next_back().map_or(0, |&number| usize::from(number) + 1);
         let mut data_blocks = vec![None; count];
         for (&number, range) in &layout.data_blocks {
-            data_blocks[usize::from(number)] =
-                Some(DataBlockEntry { base: range.start as u32, length: range.len() as u32, read_only: false });
+            data_blocks[usize::from(number)] = Some(DataBlockEntry {
+                base: range.start as u32,
+                length: range.len() as u32,
+                read_only: layout.read_only.contains(&number),
+            });
         }
         Self { arena: vec![0; layout.size], layout, data_blocks }
     }

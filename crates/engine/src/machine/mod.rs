@@ -42,6 +42,8 @@ pub struct Machine {
 pub struct Frame {
     /// The block.
     pub block: BlockId,
+    /// The block in the engine's own list.
+    pub code: u32,
     /// Where it goes on: an index into the engine's own code.
     pub resume: u32,
     /// First byte of its local data in the local data of the priority class.
@@ -50,7 +52,11 @@ pub struct Frame {
     pub local_size: u32,
     /// First of its parameters.
     pub parameters: u32,
-    /// Why it was entered, with what its end restores.
+    /// One behind the last of its parameters; what lies above is being passed on.
+    pub parameters_end: u32,
+    /// How many blocks of its priority class it is nested in.
+    pub depth: u8,
+    /// How it was entered.
     pub origin: Origin,
 }
 
@@ -59,18 +65,28 @@ pub struct Frame {
 pub enum Origin {
     /// By the CPU, as an organization block of a fresh priority class.
     Start,
-    /// By a call; the end of the block restores DB, DI, MA and the nesting stack.
-    Call {
-        /// Registers of the caller.
-        registers: Box<Registers>,
-    },
-    /// By a fault or interrupt between two statements or inside one; the end restores everything.
+    /// By a call; the end of the block restores these registers of the caller.
+    Call(CallerRegisters),
+    /// By a fault or interrupt; the end restores everything.
     Interrupt {
         /// All registers of the interrupted block.
         registers: Box<Registers>,
-        /// A temporary that receives a replacement value on return: variable and value.
+        /// A variable that receives a value on return, for a failed load.
         deliver: Option<(u8, u32)>,
     },
+}
+
+/// What the end of a called block restores.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CallerRegisters {
+    /// DB register: number, base, length.
+    pub shared: [u64; 3],
+    /// DI register: number, base, length.
+    pub instance: [u64; 3],
+    /// Whether the MCR was active.
+    pub mcr_active: u64,
+    /// The nesting stack.
+    pub nesting: u64,
 }
 
 impl Machine {

@@ -1,0 +1,286 @@
+//! Turns the IR of a block into steps: addresses resolved for a layout, jumps as step numbers, small constants joined.
+
+use sieben_model::address::{Area, Width};
+use sieben_model::block::BlockId;
+
+use crate::fault::Abort;
+use crate::intrinsics::Intrinsic;
+use crate::ir::{Callee, Code, DataRegister, Inst, OnFault, Op, Place, Target, Var};
+use crate::machine::Layout;
+use crate::program::CodeBlock;
+
+/// One step of the interpreter. Arena addresses of constant places are final.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Step {
+    /// `dst := value`.
+    Constant { dst: u8, value: u32 },
+    /// `dst := value` for a value of more than 32 bits, from the block's table.
+    WideConstant { dst: u8, index: u32 },
+    /// Up to four registers set to small values.
+    Constants { count: u8, targets: [u8; 4], values: [u8; 4] },
+    /// `dst := op(args)`.
+    Compute { op: Op, dst: u8, args: [u8; 4] },
+    /// A bit at an arena address.
+    LoadBit { dst: u8, bit: u8, at: u32 },
+    /// A byte at an arena address.
+    LoadByte { dst: u8, at: u32 },
+    /// A word at an arena address.
+    LoadWord { dst: u8, at: u32 },
+    /// A double word at an arena address.
+    LoadDouble { dst: u8, at: u32 },
+    /// A bit at an arena address.
+    StoreBit { src: u8, bit: u8, at: u32 },
+    /// A byte at an arena address.
+    StoreByte { src: u8, at: u32 },
+    /// A word at an arena address.
+    StoreWord { src: u8, at: u32 },
+    /// A double word at an arena address.
+    StoreDouble { src: u8, at: u32 },
+    /// The local data of the block, at a byte that it has.
+    LoadLocal { dst: u8, bit: u8, width: Width, byte: u32 },
+    /// The local data of the block, at a byte that it has.
+    StoreLocal { src: u8, bit: u8, width: Width, byte: u32 },
+    /// The open data block, at a constant position.
+    LoadData { dst: u8, register: DataRegister, width: Width, on_fault: OnFault, position: u32 },
+    /// The open data block, at a constant position.
+    StoreData { src: u8, register: DataRegister, width: Width, position: u32 },
+    /// Anything else, from the block's table of places.
+    LoadPlace { dst: u8, width: Width, on_fault: OnFault, place: u32 },
+    /// Anything else, from the block's table of places.
+    StorePlace { src: u8, width: Width, place: u32 },
+    /// Pointer of a parameter.
+    Parameter { dst: u8, index: u16 },
+    /// A parameter for the next call.
+    PassParameter { src: u8 },
+    /// A function over the machine.
+    Intrinsic { dst: u8, args: [u8; 4], intrinsic: Intrinsic },
+    /// Fails unless the condition holds.
+    Require { condition: u8, code: u8, register: u8 },
+    /// Aborts unless the condition holds.
+    RequireStack { condition: u8, abort: Abort },
+    /// Opens a data block.
+    Open { register: DataRegister, number: u8 },
+    /// Forward jump.
+    Jump { to: u32 },
+    /// Backward jump: a safe point.
+    JumpBack { to: u32 },
+    /// Forward jump if the condition is 1.
+    Branch { condition: u8, to: u32 },
+    /// Backward jump if the condition is 1: a safe point.
+    BranchBack { condition: u8, to: u32 },
+    /// Jump table, from the block's list of tables.
+    JumpTable { index: u8, table: u32 },
+    /// Enters a block of the engine's list.
+    Call { code: u32, parameters: u16 },
+    /// Enters a block by a computed number, or a system block, or fails because the block is not loaded.
+    CallOther { callee: u32, parameters: u16 },
+    /// Ends the block.
+    Return,
+}
+
+/// A jump table with step numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Table {
+    /// Where each index goes.
+    pub(super) targets: Vec<u32>,
+    /// Where every other index goes.
+    pub(super) otherwise: u32,
+}
+
+/// A block ready to run.
+#[derive(Clone, Debug)]
+pub(super) struct Block {
+    pub(super) id: BlockId,
+    pub(super) local_size: u32,
+    pub(super) steps: Vec<Step>,
+    /// The first step of each statement.
+    pub(super) statements: Vec<u32>,
+    pub(super) places: Vec<Place>,
+    pub(super) callees: Vec<Callee>,
+    pub(super) tables: Vec<Table>,
+    pub(super) constants: Vec<u64>,
+}
+
+impl Block {
+    /// The statement that a step belongs to.
+    pub(super) fn statement_of(&self, step: usize) -> u32 {
+        (self.statements.partition_point(|&first| first as usize <= step).saturating_sub(1)) as u32
+    }
+    /// The step behind the statement that a step belongs to.
+    pub(super) fn behind_statement(&self, step: usize) -> usize {
+        let statement = self.statement_of(step) as usize;
+        self.statements.get(statement + 1).map_or(self.steps.len() - 1, |&first| first as usize)
+    }
+}
+
+/// Prepares one block; `find` gives the index of a loaded block.
+pub(super) fn prepare(id: BlockId, block: &CodeBlock, layout: &Layout, find: &dyn Fn(BlockId) -> Option<u32>) -> Block {
+    let mut out = Block {
+        id,
+        local_size: block.local_size,
+        steps: Vec::with_capacity(block.code.insts.len()),
+        statements: Vec::with_capacity(block.code.statements.len()),
+        places: Vec::new(),
+        callees: Vec::new(),
+        tables: Vec::new(),
+        constants: Vec::new(),
+    };
+    for statement in 0..block.code.statement_count() {
+        out.statements.push(out.steps.len() as u32);
+        for inst in block.code.statement(statement) {
+            let step = step(inst, statement, &block.code, layout, find, &mut out);
+            push(&mut out.steps, step, *out.statements.last().unwrap_or(&0) as usize);
+        }
+    }
+    if out.steps.is_empty() {
+        out.statements.push(0);
+        out.steps.push(Step::Return);
+    }
+    // Targets were statement numbers until all statements had their first step.
+    let last = out.steps.len() as u32 - 1;
+    let statements = std::mem::take(&mut out.statements);
+    let resolve = |to: u32| statements.get(to as usize).copied().unwrap_or(last);
+    for step in &mut out.steps {
+        match step {
+            Step::Jump { to } | Step::JumpBack { to } | Step::Branch { to, .. } | Step::BranchBack { to, .. } => *to = resolve(*to),
+            _ => {}
+        }
+    }
+    for table in &mut out.tables {
+        for to in table.targets.iter_mut().chain([&mut table.otherwise]) {
+            *to = resolve(*to);
+        }
+    }
+    out.statements = statements;
+    out
+}
+
+/// Adds a step, joined with the one before if both set small constants in the same statement.
+fn push(steps: &mut Vec<Step>, step: Step, statement_start: usize) {
+    if let Step::Constant { dst, value: value @ 0..=255 } = step
+        && steps.len() > statement_start
+    {
+        match steps.last_mut() {
+            Some(Step::Constants { count, targets, values }) if *count < 4 => {
+                targets[usize::from(*count)] = dst;
+                values[usize::from(*count)] = value as u8;
+                *count += 1;
+                return;
+            }
+            Some(last @ Step::Constant { .. }) => {
+                if let Step::Constant { dst: first, value: before @ 0..=255 } = *last {
+                    *last = Step::Constants { count: 2, targets: [first, dst, 0, 0], values: [before as u8, value as u8, 0, 0] };
+                    return;
+                }
+            }
+            _ => {}
+        }
+    }
+    steps.push(step);
+}
+
+fn step(inst: &Inst, statement: usize, code: &Code, layout: &Layout, find: &dyn Fn(BlockId) -> Option<u32>, out: &mut Block) -> Step {
+    match *inst {
+        Inst::Constant { dst, value } => match u32::try_from(value) {
+            Ok(value) => Step::Constant { dst: dst.0, value },
+            Err(_) => {
+                out.constants.push(value);
+                Step::WideConstant { dst: dst.0, index: out.constants.len() as u32 - 1 }
+            }
+        },
+        Inst::Compute { op, dst, args } => Step::Compute { op, dst: dst.0, args: args.map(|arg| arg.0) },
+        Inst::Load { dst, place, width, on_fault } => load(dst, place, width, on_fault, layout, out),
+        Inst::Store { place, width, src } => store(src, place, width, layout, out),
+        Inst::Parameter { dst, index } => Step::Parameter { dst: dst.0, index },
+        Inst::PassParameter { src } => Step::PassParameter { src: src.0 },
+        Inst::Intrinsic { dst, intrinsic, args } => Step::Intrinsic { dst: dst.0, intrinsic, args: args.map(|arg| arg.0) },
+        Inst::Require { condition, code, register } => Step::Require { condition: condition.0, code, register: register.0 },
+        Inst::RequireStack { condition, abort } => Step::RequireStack { condition: condition.0, abort },
+        Inst::Open { register, number } => Step::Open { register, number: number.0 },
+        Inst::Jump { to: Target(to) } if to as usize <= statement => Step::JumpBack { to },
+        Inst::Jump { to: Target(to) } => Step::Jump { to },
+        Inst::Branch { condition, to: Target(to) } if to as usize <= statement => Step::BranchBack { condition: condition.0, to },
+        Inst::Branch { condition, to: Target(to) } => Step::Branch { condition: condition.0, to },
+        Inst::JumpTable { index, first, count, otherwise } => {
+            let targets = code.tables.iter().skip(first as usize).take(count as usize).map(|target| target.0).collect();
+            out.tables.push(Table { targets, otherwise: otherwise.0 });
+            Step::JumpTable { index: index.0, table: out.tables.len() as u32 - 1 }
+        }
+        Inst::Call { callee, parameters } => match callee {
+            Callee::Block(block) if find(block).is_some() => Step::Call { code: find(block).unwrap_or_default(), parameters },
+            _ => {
+                out.callees.push(callee);
+                Step::CallOther { callee: out.callees.len() as u32 - 1, parameters }
+            }
+        },
+        Inst::Return => Step::Return,
+    }
+}
+
+/// The arena address of a constant place in I, Q or M, if it lies inside the area.
+fn fixed(area: Area, position: u32, width: Width, layout: &Layout) -> Option<(u32, u8)> {
+    if width != Width::Bit && position % 8 != 0 {
+        return None;
+    }
+    let range = layout.area(area)?;
+    let byte = (position / 8) as usize;
+    (byte + width.bytes() as usize <= range.len()).then(|| ((range.start + byte) as u32, (position % 8) as u8))
+}
+
+/// Byte and bit of a constant place in the local data of the block, if it lies inside.
+fn local(area: Area, position: u32, width: Width, out: &Block) -> Option<(u32, u8)> {
+    let aligned = width == Width::Bit || position % 8 == 0;
+    (area == Area::Local && aligned && position / 8 + width.bytes() <= out.local_size).then_some((position / 8, (position % 8) as u8))
+}
+
+fn data_register(area: Area) -> Option<DataRegister> {
+    match area {
+        Area::SharedData => Some(DataRegister::Shared),
+        Area::InstanceData => Some(DataRegister::Instance),
+        _ => None,
+    }
+}
+
+fn load(dst: Var, place: Place, width: Width, on_fault: OnFault, layout: &Layout, out: &mut Block) -> Step {
+    let dst = dst.0;
+    if let Place::Fixed { area, position } = place {
+        if let Some((at, bit)) = fixed(area, position, width, layout) {
+            return match width {
+                Width::Bit => Step::LoadBit { dst, bit, at },
+                Width::Byte => Step::LoadByte { dst, at },
+                Width::Word => Step::LoadWord { dst, at },
+                Width::DoubleWord => Step::LoadDouble { dst, at },
+            };
+        }
+        if let Some((byte, bit)) = local(area, position, width, out) {
+            return Step::LoadLocal { dst, bit, width, byte };
+        }
+        if let Some(register) = data_register(area) {
+            return Step::LoadData { dst, register, width, on_fault, position };
+        }
+    }
+    out.places.push(place);
+    Step::LoadPlace { dst, width, on_fault, place: out.places.len() as u32 - 1 }
+}
+
+fn store(src: Var, place: Place, width: Width, layout: &Layout, out: &mut Block) -> Step {
+    let src = src.0;
+    if let Place::Fixed { area, position } = place {
+        if let Some((at, bit)) = fixed(area, position, width, layout) {
+            return match width {
+                Width::Bit => Step::StoreBit { src, bit, at },
+                Width::Byte => Step::StoreByte { src, at },
+                Width::Word => Step::StoreWord { src, at },
+                Width::DoubleWord => Step::StoreDouble { src, at },
+            };
+        }
+        if let Some((byte, bit)) = local(area, position, width, out) {
+            return Step::StoreLocal { src, bit, width, byte };
+        }
+        if let Some(register) = data_register(area) {
+            return Step::StoreData { src, register, width, position };
+        }
+    }
+    out.places.push(place);
+    Step::StorePlace { src, width, place: out.places.len() as u32 - 1 }
+}

@@ -1,0 +1,542 @@
+//! The interpreter's loop.
+
+use sieben_model::address::Width;
+use sieben_model::block::{BlockId, BlockKind};
+
+use super::Interpreter;
+use super::access::{File, Target, data_registers, in_data_block, locate};
+use super::prepare::{Block, Step};
+use crate::fault::{Abort, Fault, Place};
+use crate::host::{Context, Entry, Exit, Reaction, StopReason};
+use crate::ir::{Callee, DataRegister, OnFault};
+use crate::machine::{CallerRegisters, Frame, Machine, Origin, Register, Registers};
+use crate::tracer::StatementEvent;
+
+/// Where the loop goes on after something unusual.
+enum Next {
+    /// At this step of the same block.
+    At(usize),
+    /// In the block of the newest frame, at its `resume`.
+    Frame,
+    /// Not at all.
+    Leave(Exit),
+}
+
+/// The statement whose event is still open, while someone watches.
+struct Watched {
+    place: Place,
+    before: Registers,
+}
+
+impl Interpreter {
+    pub(super) fn start(&self, context: &mut Context<'_>, entry: &Entry) -> Exit {
+        let Some(&code) = self.index.get(&entry.block) else { return Exit::Finished };
+        context.machine.frames.clear();
+        context.machine.parameters.clear();
+        context.machine.registers = entry.registers.clone().unwrap_or_else(Registers::fresh);
+        let mut file = load_file(&context.machine.registers);
+        if let Err(abort) = self.enter(context.machine, &mut file, code, Origin::Start, 0) {
+            return match self.fault(context, &mut file, &self.blocks[code as usize], 0, &Fault::Abort(abort), None) {
+                Next::Leave(exit) => exit,
+                Next::At(_) | Next::Frame => Exit::Finished,
+            };
+        }
+        write_start_information(context.machine, &entry.start_information);
+        self.go_on(context)
+    }
+
+    pub(super) fn go_on(&self, context: &mut Context<'_>) -> Exit {
+        if context.tracer.is_some() { self.execute::<true>(context) } else { self.execute::<false>(context) }
+    }
+
+    /// Pushes the frame of a block. Registers change as at the start of a block.
+    fn enter(&self, machine: &mut Machine, file: &mut File, code: u32, origin: Origin, parameters: u16) -> Result<(), Abort> {
+        let block = &self.blocks[code as usize];
+        let (local_base, depth) = match machine.frames.last() {
+            Some(caller) => (caller.local_base + caller.local_size, caller.depth + 1),
+            None => (0, 0),
+        };
+        let layout = &machine.memory.layout;
+        let in_error_ob = machine.frames.iter().any(|frame| matches!(frame.origin, Origin::Interrupt { .. }));
+        let limit = layout.nesting_depth + if in_error_ob { layout.nesting_depth_error } else { 0 };
+        if depth > limit && !matches!(origin, Origin::Interrupt { .. }) {
+            return Err(Abort::BlockStack);
+        }
+        if (local_base + block.local_size) as usize > layout.local.len() {
+            return Err(Abort::LocalData);
+        }
+        let first = machine.parameters.len().saturating_sub(usize::from(parameters)) as u32;
+        machine.frames.push(Frame {
+            block: block.id,
+            code,
+            resume: 0,
+            local_base,
+            local_size: block.local_size,
+            parameters: first,
+            parameters_end: machine.parameters.len() as u32,
+            depth,
+            origin,
+        });
+        file[Register::Nesting as usize] = 0;
+        file[Register::Ma as usize] = 0;
+        Ok(())
+    }
+
+    /// The loop. `WATCHED` costs nothing when it is false.
+    fn execute<const WATCHED: bool>(&self, context: &mut Context<'_>) -> Exit {
+        let mut file = load_file(&context.machine.registers);
+        let mut watched: Option<Watched> = None;
+        'block: loop {
+            let Some(frame) = context.machine.frames.last() else { return Exit::Finished };
+            let block = &self.blocks[frame.code as usize];
+            let steps = block.steps.as_slice();
+            let local = context.machine.memory.layout.local.start + frame.local_base as usize;
+            let first_parameter = frame.parameters as usize;
+            let mut at = frame.resume as usize;
+            if at == 0 {
+                context.machine.budget -= 1;
+                if context.machine.budget < 0 {
+                    match self.safe_point(context, &mut file, block, 0) {
+                        Next::At(_) => {}
+                        Next::Frame => continue 'block,
+                        Next::Leave(exit) => return exit,
+                    }
+                }
+            }
+            /// Goes on as the answer to a fault or safe point says.
+            macro_rules! go {
+                ($next:expr) => {
+                    match $next {
+                        Next::At(step) => {
+                            at = step;
+                            continue;
+                        }
+                        Next::Frame => continue 'block,
+                        Next::Leave(exit) => {
+                            if WATCHED {
+                                self.finish_event(context, &file, &mut watched);
+                            }
+                            return exit;
+                        }
+                    }
+                };
+            }
+            macro_rules! var {
+                ($var:expr) => {
+                    file[usize::from($var)]
+                };
+            }
+            loop {
+                if WATCHED && block.statements.binary_search(&(at as u32)).is_ok() {
+                    self.finish_event(context, &file, &mut watched);
+                    let statement = block.statements.partition_point(|&first| first as usize <= at) - 1;
+                    watched = Some(Watched { place: Place { block: block.id, statement: statement as u32 }, before: registers(&file) });
+                }
+                match steps[at] {
+                    Step::Compute { op, dst, args } => {
+                        let [a, b, c, d] = args;
+                        var!(dst) = op.eval([var!(a), var!(b), var!(c), var!(d)]);
+                    }
+                    Step::Constant { dst, value } => var!(dst) = u64::from(value),
+                    Step::Constants { count, targets, values } => {
+                        for (target, value) in targets.into_iter().zip(values).take(usize::from(count)) {
+                            var!(target) = u64::from(value);
+                        }
+                    }
+                    Step::WideConstant { dst, index } => var!(dst) = block.constants[index as usize],
+                    Step::LoadBit { dst, bit, at } => {
+                        var!(dst) = u64::from(context.machine.memory.arena[at as usize] >> (bit & 7) & 1);
+                    }
+                    Step::LoadByte { dst, at } => var!(dst) = u64::from(context.machine.memory.arena[at as usize]),
+                    Step::LoadWord { dst, at } => var!(dst) = read(context.machine, at as usize, 0, Width::Word),
+                    Step::LoadDouble { dst, at } => var!(dst) = read(context.machine, at as usize, 0, Width::DoubleWord),
+                    Step::StoreBit { src, bit, at } => {
+                        let value = (var!(src) & 1) as u8;
+                        let byte = &mut context.machine.memory.arena[at as usize];
+                        *byte = *byte & !(1 << (bit & 7)) | value << (bit & 7);
+                    }
+                    Step::StoreByte { src, at } => context.machine.memory.arena[at as usize] = var!(src) as u8,
+                    Step::StoreWord { src, at } => write(context.machine, at as usize, 0, Width::Word, var!(src)),
+                    Step::StoreDouble { src, at } => write(context.machine, at as usize, 0, Width::DoubleWord, var!(src)),
+                    Step::LoadLocal { dst, bit, width, byte } => var!(dst) = read(context.machine, local + byte as usize, bit, width),
+                    Step::StoreLocal { src, bit, width, byte } => write(context.machine, local + byte as usize, bit, width, var!(src)),
+                    Step::LoadData { dst, register, width, on_fault, position } => {
+                        let write = on_fault == OnFault::SkipWrite;
+                        match in_data_block(context.machine, &file, register, position, width, write) {
+                            Ok((byte, bit)) => var!(dst) = read(context.machine, byte, bit, width),
+                            Err(fault) => go!(self.fault(context, &mut file, block, at, &fault, deliver(on_fault, dst))),
+                        }
+                    }
+                    Step::StoreData { src, register, width, position } => {
+                        match in_data_block(context.machine, &file, register, position, width, true) {
+                            Ok((byte, bit)) => write(context.machine, byte, bit, width, var!(src)),
+                            Err(fault) => go!(self.fault(context, &mut file, block, at, &fault, None)),
+                        }
+                    }
+                    Step::LoadPlace { dst, width, on_fault, place } => {
+                        let write = on_fault == OnFault::SkipWrite;
+                        let result = match locate(context.machine, &file, block.places[place as usize], width, write) {
+                            Ok(Target::Arena(byte, bit)) => Ok(read(context.machine, byte, bit, width)),
+                            Ok(Target::Peripheral(byte)) => match context.host.peripheral_read(context.machine, byte, width) {
+                                Some(value) => Ok(u64::from(value)),
+                                None => Err(Fault::IoAccess { write: false, width, byte }),
+                            },
+                            Err(fault) => Err(fault),
+                        };
+                        match result {
+                            Ok(value) => var!(dst) = value,
+                            Err(fault) => go!(self.fault(context, &mut file, block, at, &fault, deliver(on_fault, dst))),
+                        }
+                    }
+                    Step::StorePlace { src, width, place } => {
+                        let value = var!(src);
+                        let result = match locate(context.machine, &file, block.places[place as usize], width, true) {
+                            Ok(Target::Arena(byte, bit)) => {
+                                write(context.machine, byte, bit, width, value);
+                                Ok(())
+                            }
+                            Ok(Target::Peripheral(byte)) if context.host.peripheral_write(context.machine, byte, width, value as u32) => {
+                                Ok(())
+                            }
+                            Ok(Target::Peripheral(byte)) => Err(Fault::IoAccess { write: true, width, byte }),
+                            Err(fault) => Err(fault),
+                        };
+                        if let Err(fault) = result {
+                            go!(self.fault(context, &mut file, block, at, &fault, None));
+                        }
+                    }
+                    Step::Parameter { dst, index } => {
+                        let pointer = context.machine.parameters.get(first_parameter + usize::from(index)).copied();
+                        var!(dst) = u64::from(pointer.unwrap_or_default());
+                    }
+                    Step::PassParameter { src } => context.machine.parameters.push(var!(src) as u32),
+                    Step::Intrinsic { dst, intrinsic, args } => {
+                        let [a, b, c, d] = args;
+                        match intrinsic.run(context.machine, [var!(a), var!(b), var!(c), var!(d)]) {
+                            Ok(value) => var!(dst) = value,
+                            Err(fault) => go!(self.fault(context, &mut file, block, at, &fault, None)),
+                        }
+                    }
+                    Step::Require { condition, code, register } => {
+                        if var!(condition) & 1 == 0 {
+                            let fault = Fault::programming(code, var!(register) as u16);
+                            go!(self.fault(context, &mut file, block, at, &fault, None));
+                        }
+                    }
+                    Step::RequireStack { condition, abort } => {
+                        if var!(condition) & 1 == 0 {
+                            go!(self.fault(context, &mut file, block, at, &Fault::Abort(abort), None));
+                        }
+                    }
+                    Step::Open { register, number } => {
+                        if let Err(fault) = open(context.machine, &mut file, register, number) {
+                            go!(self.fault(context, &mut file, block, at, &fault, None));
+                        }
+                    }
+                    Step::Jump { to } => {
+                        at = to as usize;
+                        continue;
+                    }
+                    Step::Branch { condition, to } => {
+                        if var!(condition) & 1 != 0 {
+                            at = to as usize;
+                            continue;
+                        }
+                    }
+                    Step::JumpBack { to } => go!(self.jump_back(context, &mut file, block, to)),
+                    Step::BranchBack { condition, to } => {
+                        if var!(condition) & 1 != 0 {
+                            go!(self.jump_back(context, &mut file, block, to));
+                        }
+                    }
+                    Step::JumpTable { index, table } => {
+                        let table = &block.tables[table as usize];
+                        let index = usize::try_from(var!(index)).unwrap_or(usize::MAX);
+                        let to = table.targets.get(index).copied().unwrap_or(table.otherwise) as usize;
+                        if to <= at {
+                            go!(self.jump_back(context, &mut file, block, to as u32));
+                        }
+                        at = to;
+                        continue;
+                    }
+                    Step::Call { code, parameters } => go!(self.call(context, &mut file, block, at, code, parameters)),
+                    Step::CallOther { callee, parameters } => {
+                        let callee = match block.callees[callee as usize] {
+                            Callee::Block(id) => id,
+                            Callee::Number(kind, number) => BlockId::new(kind, var!(number.0) as u16),
+                        };
+                        go!(self.call_other(context, &mut file, block, at, callee, parameters));
+                    }
+                    Step::Return => {
+                        if WATCHED {
+                            self.finish_event(context, &file, &mut watched);
+                        }
+                        if self.leave(context.machine, &mut file) {
+                            continue 'block;
+                        }
+                        store_file(context.machine, &file);
+                        return Exit::Finished;
+                    }
+                }
+                at += 1;
+            }
+        }
+    }
+
+    /// Ends the newest block; `false` if it was the outermost one, whose registers stay as they are.
+    fn leave(&self, machine: &mut Machine, file: &mut File) -> bool {
+        let Some(frame) = machine.frames.pop() else { return false };
+        machine.parameters.truncate(frame.parameters as usize);
+        match frame.origin {
+            Origin::Start => false,
+            Origin::Call(caller) => {
+                restore_caller(file, &caller);
+                after_call(file);
+                true
+            }
+            Origin::Interrupt { registers, deliver } => {
+                *file = load_file(&registers);
+                if let Some((var, value)) = deliver {
+                    file[usize::from(var)] = u64::from(value);
+                }
+                true
+            }
+        }
+    }
+
+    fn call(&self, context: &mut Context<'_>, file: &mut File, block: &Block, at: usize, code: u32, parameters: u16) -> Next {
+        let caller = caller_registers(file);
+        if let Some(frame) = context.machine.frames.last_mut() {
+            frame.resume = at as u32 + 1;
+        }
+        match self.enter(context.machine, file, code, Origin::Call(caller), parameters) {
+            Ok(()) => {
+                after_call(file);
+                Next::Frame
+            }
+            Err(abort) => self.fault(context, file, block, at, &Fault::Abort(abort), None),
+        }
+    }
+
+    /// A call whose block was not known when the program was loaded: a computed number, a system block, or none at all.
+    fn call_other(&self, context: &mut Context<'_>, file: &mut File, block: &Block, at: usize, callee: BlockId, parameters: u16) -> Next {
+        if let Some(&code) = self.index.get(&callee) {
+            return self.call(context, file, block, at, code, parameters);
+        }
+        let number = callee.number;
+        let too_high = number > context.machine.memory.layout.fc_number_max;
+        let code = match callee.kind {
+            BlockKind::SystemFunction | BlockKind::SystemFunctionBlock => {
+                return self.system_call(context, file, block, at, callee, parameters);
+            }
+            BlockKind::FunctionBlock if too_high => 0x35,
+            BlockKind::FunctionBlock => 0x3E,
+            _ if too_high => 0x34,
+            _ => 0x3C,
+        };
+        self.fault(context, file, block, at, &Fault::programming(code, number), None)
+    }
+
+    fn system_call(&self, context: &mut Context<'_>, file: &mut File, block: &Block, at: usize, callee: BlockId, parameters: u16) -> Next {
+        store_file(context.machine, file);
+        let first = context.machine.parameters.len().saturating_sub(usize::from(parameters));
+        let reaction = context.host.system_function(context.machine, callee, first);
+        *file = load_file(&context.machine.registers);
+        context.machine.parameters.truncate(first);
+        after_call(file);
+        self.react(context, file, block, at + 1, reaction, None)
+    }
+
+    fn jump_back(&self, context: &mut Context<'_>, file: &mut File, block: &Block, to: u32) -> Next {
+        context.machine.budget -= 1;
+        if context.machine.budget < 0 {
+            return self.safe_point(context, file, block, to as usize);
+        }
+        Next::At(to as usize)
+    }
+
+    /// Asks the Host because the budget is used up; goes on at `at`, the first step of a statement.
+    #[cold]
+    fn safe_point(&self, context: &mut Context<'_>, file: &mut File, block: &Block, at: usize) -> Next {
+        store_file(context.machine, file);
+        let place = Place { block: block.id, statement: block.statement_of(at) };
+        let reaction = context.host.safe_point(context.machine, place);
+        self.react(context, file, block, at, reaction, None)
+    }
+
+    /// Asks the Host about a failed statement. `deliver` is the variable of a load that counts as done.
+    #[cold]
+    fn fault(&self, context: &mut Context<'_>, file: &mut File, block: &Block, at: usize, fault: &Fault, deliver: Option<u8>) -> Next {
+        store_file(context.machine, file);
+        let place = Place { block: block.id, statement: block.statement_of(at) };
+        let reaction = context.host.fault(context.machine, fault, place);
+        if let Fault::Abort(_) = fault
+            && !matches!(reaction, Reaction::Stop(_))
+        {
+            // A block that cannot go on has no next statement.
+            return Next::Leave(Exit::Stopped(StopReason { event: fault.event(), place: Some(place) }));
+        }
+        let resume = if deliver.is_some() { at + 1 } else { Self::skip(context.machine, block, at) };
+        self.react(context, file, block, resume, reaction, deliver)
+    }
+
+    /// The step behind a failed statement. Parameters that it had begun to pass are dropped.
+    fn skip(machine: &mut Machine, block: &Block, at: usize) -> usize {
+        if let Some(frame) = machine.frames.last() {
+            machine.parameters.truncate(frame.parameters_end as usize);
+        }
+        block.behind_statement(at)
+    }
+
+    fn react(
+        &self,
+        context: &mut Context<'_>,
+        file: &mut File,
+        block: &Block,
+        resume: usize,
+        reaction: Reaction,
+        deliver: Option<u8>,
+    ) -> Next {
+        match reaction {
+            Reaction::Continue | Reaction::Replace(_) => {
+                if let Some(var) = deliver {
+                    file[usize::from(var)] = if let Reaction::Replace(value) = reaction { u64::from(value) } else { 0 };
+                }
+                Next::At(resume)
+            }
+            Reaction::Enter { block: id, start_information } => {
+                let Some(&code) = self.index.get(&id) else { return Next::At(resume) };
+                if let Some(frame) = context.machine.frames.last_mut() {
+                    frame.resume = resume as u32;
+                }
+                let origin = Origin::Interrupt { registers: Box::new(registers(file)), deliver: deliver.map(|var| (var, 0)) };
+                let place = Place { block: block.id, statement: block.statement_of(resume) };
+                *file = load_file(&Registers::fresh());
+                match self.enter(context.machine, file, code, origin, 0) {
+                    Ok(()) => {
+                        write_start_information(context.machine, &start_information);
+                        Next::Frame
+                    }
+                    Err(abort) => {
+                        let fault = Fault::Abort(abort);
+                        let exit = match context.host.fault(context.machine, &fault, place) {
+                            Reaction::Stop(reason) => Exit::Stopped(reason),
+                            _ => Exit::Stopped(StopReason { event: fault.event(), place: Some(place) }),
+                        };
+                        Next::Leave(exit)
+                    }
+                }
+            }
+            Reaction::Stop(reason) => Next::Leave(Exit::Stopped(reason)),
+            Reaction::Suspend if deliver.is_some() => {
+                // Inside a statement nothing can be resumed: the Host is asked again at the next safe point.
+                context.machine.budget = 0;
+                if let Some(var) = deliver {
+                    file[usize::from(var)] = 0;
+                }
+                Next::At(resume)
+            }
+            Reaction::Suspend => {
+                if let Some(frame) = context.machine.frames.last_mut() {
+                    frame.resume = resume as u32;
+                }
+                store_file(context.machine, file);
+                Next::Leave(Exit::Suspended)
+            }
+        }
+    }
+
+    fn finish_event(&self, context: &mut Context<'_>, file: &File, watched: &mut Option<Watched>) {
+        if let (Some(watched), Some(tracer)) = (watched.take(), context.tracer.as_deref_mut()) {
+            let event = StatementEvent { place: watched.place, before: watched.before, after: registers(file) };
+            tracer.statement(context.machine, &event);
+        }
+    }
+}
+
+fn deliver(on_fault: OnFault, dst: u8) -> Option<u8> {
+    (on_fault == OnFault::DeliverZero).then_some(dst)
+}
+
+#[inline(always)]
+fn read(machine: &Machine, at: usize, bit: u8, width: Width) -> u64 {
+    u64::from(machine.memory.read_at(at, bit, width))
+}
+
+#[inline(always)]
+fn write(machine: &mut Machine, at: usize, bit: u8, width: Width, value: u64) {
+    machine.memory.write_at(at, bit, width, value as u32);
+}
+
+fn load_file(registers: &Registers) -> File {
+    let mut file = [0; 256];
+    file[..Register::COUNT].copy_from_slice(&registers.to_words());
+    file
+}
+
+fn registers(file: &File) -> Registers {
+    let mut words = [0; Register::COUNT];
+    words.copy_from_slice(&file[..Register::COUNT]);
+    Registers::from_words(&words)
+}
+
+fn store_file(machine: &mut Machine, file: &File) {
+    machine.registers = registers(file);
+}
+
+fn caller_registers(file: &File) -> CallerRegisters {
+    CallerRegisters {
+        shared: data_registers(DataRegister::Shared).map(|register| file[register as usize]),
+        instance: data_registers(DataRegister::Instance).map(|register| file[register as usize]),
+        mcr_active: file[Register::Ma as usize],
+        nesting: file[Register::Nesting as usize],
+    }
+}
+
+fn restore_caller(file: &mut File, caller: &CallerRegisters) {
+    for (register, value) in data_registers(DataRegister::Shared).into_iter().zip(caller.shared) {
+        file[register as usize] = value;
+    }
+    for (register, value) in data_registers(DataRegister::Instance).into_iter().zip(caller.instance) {
+        file[register as usize] = value;
+    }
+    file[Register::Ma as usize] = caller.mcr_active;
+    file[Register::Nesting as usize] = caller.nesting;
+}
+
+/// Status at the start of a called block and behind a call: OS, OR and /FC are 0, STA is 1.
+fn after_call(file: &mut File) {
+    file[Register::Os as usize] = 0;
+    file[Register::Or as usize] = 0;
+    file[Register::Sta as usize] = 1;
+    file[Register::Fc as usize] = 0;
+}
+
+fn open(machine: &Machine, file: &mut File, register: DataRegister, number: u8) -> Result<(), Fault> {
+    let number = file[usize::from(number)] & 0xFFFF;
+    let (base, length) = if number == 0 {
+        (0, 0)
+    } else if let Some(entry) = machine.memory.data_block(number) {
+        (u64::from(entry.base), u64::from(entry.length))
+    } else {
+        let too_high = number > u64::from(machine.memory.layout.db_number_max);
+        let code = match register {
+            DataRegister::Shared if too_high => 0x32,
+            DataRegister::Instance if too_high => 0x33,
+            _ => 0x3A,
+        };
+        return Err(Fault::programming(code, number as u16));
+    };
+    for (register, value) in data_registers(register).into_iter().zip([number, base, length]) {
+        file[register as usize] = value;
+    }
+    Ok(())
+}
+
+/// The first 20 bytes of the local data of an organization block.
+fn write_start_information(machine: &mut Machine, information: &[u8; 20]) {
+    let Some(frame) = machine.frames.last() else { return };
+    let start = machine.memory.layout.local.start + frame.local_base as usize;
+    let length = information.len().min(frame.local_size as usize);
+    machine.memory.arena[start..start + length].copy_from_slice(&information[..length]);
+}
