@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::fs;
 
 use sieben_engine::ir::ops::Op;
+use sieben_lang::stl::instructions::Instruction;
 use sieben_model::diagnostic::Severity;
 use sieben_model::problems::Problem;
 
@@ -21,6 +22,7 @@ const LIST_END: &str = "<!-- end of generated -->\n";
 /// All generated pages as they should be; `old` gives the text of a file of today, for pages with a part written by hand.
 pub fn pages<'a>(old: impl Fn(&str) -> Option<&'a str>) -> Vec<TextFile> {
     let mut pages = vec![
+        TextFile { path: "docs/reference/instructions.md".to_owned(), text: instructions() },
         TextFile { path: "docs/reference/ir-operations.md".to_owned(), text: ir_operations() },
         TextFile { path: "docs/reference/problems.md".to_owned(), text: problem_list() },
     ];
@@ -52,6 +54,24 @@ pub fn run() -> Result<(), String> {
     }
     println!("generate: {written} pages written");
     Ok(())
+}
+
+fn instructions() -> String {
+    let mut text = GENERATED.to_owned();
+    text.push_str(
+        "# Instructions\n\n\
+         One row each in `crates/lang/src/stl/instructions.rs`. An instruction with several forms of operand has a row for each.\n\n\
+         The nine columns of the status word: `-` not changed, `0` and `1` always that, `x` written with a result.\n\n\
+         | English | German | operand | BR | CC 1 | CC 0 | OV | OS | OR | STA | RLO | /FC | what it does |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for &row in Instruction::ALL {
+        let status = row.status_row().replace(' ', " | ");
+        let (english, german) = (cell(row.english()), cell(row.german()));
+        writeln!(text, "| `{english}` | `{german}` | {} | {status} | {} |", cell(row.operand().describe()), cell(row.doc()))
+            .expect("a string takes all text");
+    }
+    text
 }
 
 fn ir_operations() -> String {

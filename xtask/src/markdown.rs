@@ -5,8 +5,10 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 /// A block of code between three backticks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fence {
-    /// The words behind the opening backticks: `stl`, `sh`.
+    /// The first word behind the opening backticks: `stl`, `sh`.
     pub language: String,
+    /// The second word: the file that the code is.
+    pub name: String,
     /// The code.
     pub text: String,
     /// The line of the opening backticks, counted from 1.
@@ -38,11 +40,13 @@ pub fn read(text: &str) -> Page {
             Event::Start(Tag::Heading { .. }) => heading = Some(String::new()),
             Event::End(TagEnd::Heading(_)) => page.anchors.extend(heading.take().map(|title| anchor(&title))),
             Event::Start(Tag::CodeBlock(kind)) => {
-                let language = match kind {
+                let words = match kind {
                     CodeBlockKind::Fenced(words) => words.to_string(),
                     CodeBlockKind::Indented => String::new(),
                 };
-                fence = Some(Fence { language, text: String::new(), line });
+                let mut words = words.split_whitespace().map(str::to_owned);
+                let (language, name) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
+                fence = Some(Fence { language, name, text: String::new(), line });
             }
             Event::End(TagEnd::CodeBlock) => page.fences.extend(fence.take()),
             Event::Text(words) => {
@@ -88,6 +92,6 @@ mod tests {
         assert_eq!(page.links, [("a.md#b".to_owned(), 3)]);
         assert_eq!(page.anchors, ["to-add-a-row"]);
         assert_eq!(page.spans, [("crates/x".to_owned(), 3)]);
-        assert_eq!(page.fences, [Fence { language: "sh".to_owned(), text: "sieben check\n".to_owned(), line: 5 }]);
+        assert_eq!(page.fences, [Fence { language: "sh".to_owned(), name: String::new(), text: "sieben check\n".to_owned(), line: 5 }]);
     }
 }

@@ -13,7 +13,10 @@ use crate::workspace::TextFile;
 pub const PROBLEM_PAGES: &str = "docs/problems/";
 
 /// Code in a sentence that begins so is a path, and exists.
-const PATH_STARTS: &[&str] = &["crates/", "docs/", "spec/", "xtask/", "examples/", "library/", ".ci/", ".cargo/"];
+const PATH_STARTS: &[&str] = &["crates/", "docs/", "xtask/", "examples/", "library/", ".ci/", ".cargo/"];
+
+/// Words in a path that the reader replaces.
+const PLACEHOLDERS: &[&str] = &["NNN", "VERB", "PNNNN"];
 
 /// Checks all documents.
 pub fn check(root: &Path, files: &[TextFile]) -> Vec<Finding> {
@@ -45,8 +48,8 @@ fn document(root: &Path, file: &TextFile, files: &[TextFile]) -> Vec<Finding> {
         }
     }
     for (code, line) in &page.spans {
-        let is_path =
-            PATH_STARTS.iter().any(|start| code.starts_with(start)) && !code.contains(['<', '*', '{', ' ', '…']) && !code.contains("NNN");
+        let has_placeholder = code.contains(['<', '*', '{', ' ', '…']) || PLACEHOLDERS.iter().any(|word| code.contains(word));
+        let is_path = !has_placeholder && PATH_STARTS.iter().any(|start| code.starts_with(start));
         let path = code.split([':', '#']).next().unwrap_or(code);
         if is_path && !root.join(path).exists() {
             findings.push(Finding::line(&file.path, *line, format!("`{code}` does not exist")));
