@@ -32,7 +32,7 @@ impl DateAndTime {
         let weekday = (days + 1) % 7 + 1;
         let (year, month, day) = date(days);
         let ms = self.0 % DAY_MS;
-        let bcd = |value: u64| (value / 10 % 10 << 4 | value % 10) as u8;
+        let bcd = |value: u64| (((value / 10 % 10) << 4) | (value % 10)) as u8;
         let (second, milli) = (ms / 1000, ms % 1000);
         [
             bcd(u64::from(year)),

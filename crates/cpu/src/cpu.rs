@@ -410,7 +410,7 @@ impl Cpu {
                 self.machine.frames.clear();
                 self.machine.parameters.clear();
             }
-            host.watchdog.grant(source, &mut self.machine);
+            host.watchdog.begin(source, &mut self.machine, &self.requests);
             let tracer: Option<&mut dyn Tracer> = match &mut tracer {
                 Some(tracer) => Some(&mut **tracer),
                 None => None,
@@ -430,13 +430,13 @@ impl Cpu {
                     entry = Some(self.entry(ob::PROCESSING_ABORT, None));
                     resume = false;
                 }
+                Exit::Suspended => return Outcome::Suspended,
                 exit => {
                     // OB 88 has registers of its own; those of the aborted block are the ones to show.
                     self.machine.registers = registers.clone();
                     return match exit {
-                        Exit::Finished => Outcome::Finished,
-                        Exit::Suspended => Outcome::Suspended,
                         Exit::Stopped(reason) => Outcome::Stopped(reason, first),
+                        _ => Outcome::Finished,
                     };
                 }
             }

@@ -81,6 +81,15 @@ impl Watchdog {
         machine.budget = self.granted;
     }
 
+    /// Hands out the first budget of a run: none if HOLD was asked for, so that the first safe point sees it.
+    pub(crate) fn begin(&mut self, source: TimeSource, machine: &mut Machine, requests: &Requests) {
+        self.grant(source, machine);
+        if requests.hold.load(Ordering::Relaxed) {
+            self.granted = 0;
+            machine.budget = 0;
+        }
+    }
+
     /// Takes back what is left of the budget.
     pub(crate) fn settle(&mut self, machine: &Machine) {
         // The safe point that asks finds the budget at -1; whoever settles again finds nothing new.

@@ -206,20 +206,28 @@ fn nothing_hangs_in_virtual_time() {
 }
 
 #[test]
-fn a_request_from_another_thread_is_seen_at_the_next_safe_point() {
-    let mut cpu = cpu(&[(1, &[Step::Forever])], Settings { virtual_safe_points: i64::MAX, ..Settings::default() });
+fn a_request_is_seen_at_the_next_safe_point() {
+    let settings = Settings { time: TimeSource::Real, watchdog: Duration::MAX, ..Settings::default() };
+    let mut cpu = cpu(&[(1, &[Step::Forever])], settings);
     cpu.restart(Restart::Warm);
     let request = cpu.stop_request();
-    let other = std::thread::spawn(move || request.stop());
-    let report = cpu.scan(0);
-    other.join().unwrap();
-    assert_eq!(report.mode, OperatingMode::Stop);
-    assert_eq!(cpu.stop_cause().unwrap().event, 0x4303);
+    let mut now = 0;
+    let mut clock = || {
+        now += 1;
+        if now == 10 {
+            request.stop();
+        }
+        now
+    };
+    assert_eq!(cpu.scan_with(&mut clock, None).mode, OperatingMode::Stop);
+    assert_eq!(cpu.stop_cause().map(|cause| cause.event), Some(0x4303));
+    let report = cpu.scan(20);
+    assert!(!report.executed && report.safe_points == 0);
 }
 
 #[test]
 fn hold_suspends_and_resume_goes_on() {
-    let mut cpu = cpu(&[(1, &[Step::Count, Step::Loop(3000), Step::Count])], Settings::default());
+    let mut cpu = cpu(&[(1, &[Step::Count, Step::Loop(3), Step::Count])], Settings::default());
     cpu.restart(Restart::Warm);
     cpu.stop_request().hold();
     assert_eq!(cpu.scan(0).mode, OperatingMode::Hold);
