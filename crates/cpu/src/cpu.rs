@@ -284,6 +284,11 @@ impl Cpu {
         self.preset = Some(registers);
     }
 
+    /// The registers that OB 1 of the next scan begins with, to change: at first those of a fresh priority class.
+    pub fn preset_registers_mut(&mut self) -> &mut Registers {
+        self.preset.get_or_insert_with(Registers::fresh)
+    }
+
     /// The registers after the last run of OB 1, before its end took effect.
     pub fn registers(&self) -> &Registers {
         &self.registers

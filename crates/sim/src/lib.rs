@@ -2,3 +2,5 @@
 #![forbid(unsafe_code)]
 
 pub mod devices;
+pub mod names;
+pub mod scenario;
