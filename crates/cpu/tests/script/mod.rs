@@ -43,7 +43,17 @@ impl Script {
         let at = context.machine.memory.layout.local.start + 64 * context.machine.frames.len();
         context.machine.memory.arena[at..at + 20].copy_from_slice(start_information);
         let local_base = (64 * context.machine.frames.len()) as u32;
-        context.machine.frames.push(Frame { block, code: 0, resume: 0, local_base, local_size: 64, parameters: 0, parameters_end: 0, depth: 0, origin });
+        context.machine.frames.push(Frame {
+            block,
+            code: 0,
+            resume: 0,
+            local_base,
+            local_size: 64,
+            parameters: 0,
+            parameters_end: 0,
+            depth: 0,
+            origin,
+        });
     }
 
     /// Does what the Host answered; an exit if that ends the run.
