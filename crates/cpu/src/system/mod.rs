@@ -46,6 +46,11 @@ pub fn interfaces() -> Vec<SystemBlock> {
     TABLE.iter().map(|row| SystemBlock { block: row.block, name: row.name, interface: (row.interface)() }).collect()
 }
 
+/// Whether the CPU has this system function.
+pub(crate) fn has(block: BlockId) -> bool {
+    TABLE.iter().any(|row| row.block == block)
+}
+
 /// Runs a system function; `None` if the CPU does not have it.
 pub(crate) fn run(block: BlockId, call: &mut Call<'_, '_>) -> Option<Reaction> {
     TABLE.iter().find(|row| row.block == block).map(|row| (row.run)(call))

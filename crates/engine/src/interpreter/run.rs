@@ -339,8 +339,15 @@ impl Interpreter {
 
     fn system_call(&self, context: &mut Context<'_>, file: &mut File, block: &Block, at: usize, callee: BlockId, parameters: u16) -> Next {
         store_file(context.machine, file);
+        if !context.host.has_system_function(callee) {
+            let code = if callee.kind == BlockKind::SystemFunction { 0x3D } else { 0x3F };
+            return self.fault(context, file, block, at, &Fault::programming(code, callee.number), None);
+        }
         let first = context.machine.parameters.len().saturating_sub(usize::from(parameters));
-        let reaction = context.host.system_function(context.machine, callee, first);
+        let mut reaction = context.host.system_function(context.machine, callee, first);
+        if let Reaction::Stop(reason) = &mut reaction {
+            reason.place.get_or_insert(Place { block: block.id, statement: block.statement_of(at) });
+        }
         *file = load_file(&context.machine.registers);
         context.machine.parameters.truncate(first);
         after_call(file);
