@@ -6,8 +6,8 @@ pub struct DateAndTime(u64);
 
 /// The first year of DATE_AND_TIME.
 const YEAR_FIRST: u16 = 1990;
-/// Years that DATE_AND_TIME can tell apart, 1990 to 2089; then it begins again.
-const YEARS: u16 = 100;
+/// Days that DATE_AND_TIME can tell apart, those of 1990 to 2089; then it begins again.
+const CENTURY_DAYS: u64 = 100 * 365 + 25;
 const DAY_MS: u64 = 86_400_000;
 
 impl DateAndTime {
@@ -27,8 +27,7 @@ impl DateAndTime {
 
     /// The eight bytes of DATE_AND_TIME: BCD year, month, day, hour, minute, second, milliseconds and weekday (1 = Sunday).
     pub fn to_bcd(self) -> [u8; 8] {
-        let century_days: u64 = (YEAR_FIRST..YEAR_FIRST + YEARS).map(|year| u64::from(days_of_year(year))).sum();
-        let days = self.0 / DAY_MS % century_days;
+        let days = self.0 / DAY_MS % CENTURY_DAYS;
         let weekday = (days + 1) % 7 + 1;
         let (year, month, day) = date(days);
         let ms = self.0 % DAY_MS;
@@ -117,7 +116,9 @@ mod tests {
     #[test]
     fn date_and_time_begins_again_after_2089() {
         let _ = DateAndTime::from_ms_since_1990(u64::MAX).to_bcd();
-        assert_eq!(DateAndTime::from_ms_since_1990(36_525 * DAY_MS).to_bcd()[..3], [0x90, 1, 1]);
+        assert_eq!(CENTURY_DAYS, (1990..2090).map(|year| u64::from(days_of_year(year))).sum());
+        assert_eq!(DateAndTime::from_ms_since_1990(CENTURY_DAYS * DAY_MS - 1).to_bcd()[..3], [0x89, 0x12, 0x31]);
+        assert_eq!(DateAndTime::from_ms_since_1990(CENTURY_DAYS * DAY_MS).to_bcd()[..3], [0x90, 1, 1]);
     }
 
     #[test]

@@ -321,7 +321,7 @@ impl Rack {
     fn check(cpu: &CpuType, modules: &[Box<dyn IoModule>]) -> Result<(), RackError> {
         for (index, module) in modules.iter().enumerate() {
             for (input, range) in [(true, module.inputs()), (false, module.outputs())] {
-                if range.is_empty() {
+                if range.is_empty() && range.start < cpu.peripheral {
                     continue;
                 }
                 if range.end > cpu.peripheral {
