@@ -3,6 +3,7 @@
 
 mod arguments;
 mod commands;
+mod controller;
 mod duration;
 mod failure;
 mod files;
@@ -14,6 +15,7 @@ mod project;
 mod report;
 mod settings;
 mod symbol_files;
+mod targets;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -47,10 +49,16 @@ struct CommandLine {
 
 #[derive(Subcommand)]
 enum Verb {
+    /// Run a project
+    Run(commands::run::Arguments),
     /// Report everything that is wrong with a program
     Check(commands::check::Arguments),
+    /// Run a few scans in virtual time and print values
+    Exec(commands::exec::Arguments),
     /// Explain an instruction, a problem code or a CPU type
     Explain(commands::explain::Arguments),
+    /// Print the assignment table, or convert symbol tables
+    Symbols(commands::symbols::Arguments),
     /// Make a project that runs and checks at once
     New(commands::new::Arguments),
     /// Print the completions for a shell
@@ -70,8 +78,11 @@ fn main() -> ExitCode {
 fn run(line: CommandLine) -> Exit {
     let result = match line.verb {
         None => output::print(&CommandLine::command().render_help().to_string()).map(|()| Exit::Success),
+        Some(Verb::Run(arguments)) => commands::run::run(&arguments),
         Some(Verb::Check(arguments)) => commands::check::run(&arguments),
+        Some(Verb::Exec(arguments)) => commands::exec::run(&arguments),
         Some(Verb::Explain(arguments)) => commands::explain::run(&arguments),
+        Some(Verb::Symbols(arguments)) => commands::symbols::run(&arguments),
         Some(Verb::New(arguments)) => commands::new::run(&arguments),
         Some(Verb::Completions(arguments)) => commands::completions::run(&arguments),
     };

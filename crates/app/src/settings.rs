@@ -45,6 +45,8 @@ pub(crate) struct Settings {
     pub(crate) watchdog: Option<Duration>,
     /// `cpu.min_cycle`.
     pub(crate) min_cycle: Option<Duration>,
+    /// `cpu.clock_memory_byte`: the byte of bit memory that holds the clock memory.
+    pub(crate) clock_memory_byte: Option<u16>,
 }
 
 /// A key that the file may have: its table, its name, and whether this version uses it.
@@ -79,7 +81,7 @@ const KEYS: &[Key] = &[
     used("cpu", "cycle"),
     used("cpu", "watchdog"),
     used("cpu", "min_cycle"),
-    later("cpu", "clock_memory_byte"),
+    used("cpu", "clock_memory_byte"),
     later("cpu", "retain"),
 ];
 
@@ -143,6 +145,7 @@ impl Reader {
                 }
                 ("cpu", "watchdog") => self.settings.watchdog = self.duration(value, name),
                 ("cpu", "min_cycle") => self.settings.min_cycle = self.duration(value, name),
+                ("cpu", "clock_memory_byte") => self.clock_memory_byte(value),
                 _ => {}
             }
         }
@@ -214,6 +217,17 @@ impl Reader {
         match CpuType::by_name(&placed.text) {
             Some(cpu) => self.settings.cpu = Some(cpu),
             None => self.wrong(value, &unknown_cpu(&placed.text)),
+        }
+    }
+
+    fn clock_memory_byte(&mut self, value: &Value<'_>) {
+        let number = match value.get_ref() {
+            DeValue::Integer(integer) => u16::from_str_radix(integer.as_str(), integer.radix()).ok(),
+            _ => None,
+        };
+        match number {
+            Some(byte) => self.settings.clock_memory_byte = Some(byte),
+            None => self.wrong(value, "`clock_memory_byte` is the number of a byte of bit memory: `clock_memory_byte = 100` for MB 100"),
         }
     }
 

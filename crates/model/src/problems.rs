@@ -89,7 +89,7 @@ problems! {
     P7006 Error "an engine that this version does not have" "Use `--engine interpreter` or `--engine auto`.";
     P7007 Error "a word that is not in the tables" "Give an instruction (`A`, `SPB`), a problem code (`P2001`) or a CPU type (`416-3`).";
     P7008 Error "a name that cannot be the name of a project" "Use letters, digits, `-` and `_`.";
-    P7009 Error "too many scans" "Use a shorter duration or a longer cycle.";
+    P7009 Error "times that make no sense together" "Give a cycle longer than 0, and times in rising order.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";

@@ -2,5 +2,8 @@
 
 pub(crate) mod check;
 pub(crate) mod completions;
+pub(crate) mod exec;
 pub(crate) mod explain;
 pub(crate) mod new;
+pub(crate) mod run;
+pub(crate) mod symbols;

@@ -1,0 +1,219 @@
+//! `sieben exec FILE…`: a few scans in virtual time, then values.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::Args;
+use serde_json::{Value, json};
+use sieben_cpu::{Cpu, OperatingMode, Restart, Settings};
+use sieben_engine::machine::Registers;
+use sieben_model::problems::Problem;
+
+use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
+use crate::failure::{Exit, Failure};
+use crate::project::Project;
+use crate::targets::{Assignment, Names, Target, split_assignment, split_list};
+use crate::{controller, duration, output};
+
+/// Run a few scans in virtual time and print values.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  \
+  sieben exec add.awl --set MW0=2 --set MW2=3 --show MW4\n  \
+  sieben exec lamp.awl --set I0.0=1 --scans 3 --show Q0.0,\"T 1\",STW.RLO --every\n  \
+  sieben exec delay.awl --at 100ms I0.0=1 --for 3s --show Q0.0 --json\n  \
+  sieben exec plant --set Start=1 --show Motor,DB1.speed\n\n\
+Time is virtual: scan k begins at k x cycle, the first at 0. A file of bare statements is the body of OB 1.\n\
+A register that is set gets what `L` would load (`ACCU1=-1` is 16#0000_FFFF, `ACCU1=L#-1` all ones); an address\n\
+or variable gets the number in its own width. STW is nine characters: BR CC1 CC0 OV OS OR STA RLO /FC.\n\n\
+Exit codes: 0 ok, 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
+pub(crate) struct Arguments {
+    /// Source files, symbol tables, or a project folder
+    #[arg(required = true, value_name = "FILE")]
+    paths: Vec<PathBuf>,
+    #[command(flatten)]
+    program: ProgramArguments,
+    /// Set before the first scan: an address, a symbol, DB1.name, ACCU1 to ACCU4, AR1, AR2 or STW
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// Set at a time, seen by the next scan
+    #[arg(long, value_names = ["T", "NAME=VALUE"], num_args = 2)]
+    at: Vec<String>,
+    /// Run so many scans [default: 1]
+    #[arg(long, value_name = "N", conflicts_with_all = ["duration", "scan_at"], value_parser = clap::value_parser!(u64).range(1..))]
+    scans: Option<u64>,
+    /// Run all scans that begin before this time
+    #[arg(long = "for", value_name = "DURATION", id = "duration", conflicts_with = "scan_at", value_parser = duration_argument)]
+    duration: Option<Duration>,
+    /// Time from one scan to the next [default: that of the project, else 10ms]
+    #[arg(long, value_name = "DURATION", conflicts_with = "scan_at", value_parser = duration_argument)]
+    cycle: Option<Duration>,
+    /// Scan exactly at these times instead of every cycle
+    #[arg(long, value_name = "T1,T2,…", value_delimiter = ',', value_parser = duration_argument)]
+    scan_at: Vec<Duration>,
+    /// Print these: as --set, and T 1, C 1, T1.q (status bit), STW.RLO
+    #[arg(long, value_name = "NAME,…")]
+    show: Vec<String>,
+    /// Print after each scan, not only after the last
+    #[arg(long)]
+    every: bool,
+    /// Which engine runs the program
+    #[arg(long, value_name = "ENGINE", default_value = "auto")]
+    engine: EngineArgument,
+    /// Print one JSON object per printed scan
+    #[arg(long)]
+    json: bool,
+}
+
+/// When a scan begins, by its number.
+enum Schedule {
+    Cyclic { cycle: Duration, scans: u64 },
+    At(Vec<Duration>),
+}
+
+impl Schedule {
+    fn len(&self) -> u64 {
+        match self {
+            Self::Cyclic { scans, .. } => *scans,
+            Self::At(times) => times.len() as u64,
+        }
+    }
+    /// Microseconds at the beginning of a scan.
+    fn begin_us(&self, scan: u64) -> u64 {
+        let us = match self {
+            Self::Cyclic { cycle, .. } => cycle.as_micros().saturating_mul(u128::from(scan)),
+            Self::At(times) => times[scan as usize].as_micros(),
+        };
+        u64::try_from(us).unwrap_or(u64::MAX)
+    }
+}
+
+/// Runs the scans and prints the values.
+pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    arguments.engine.require_available()?;
+    let overrides = arguments.program.overrides()?;
+    let project = Project::load(&arguments.paths)?;
+    let schedule = schedule(arguments, project.settings.cycle)?;
+    let build = match project.compile(overrides, false).or_report(arguments.json) {
+        Ok(build) => build,
+        Err(exit) => return Ok(exit),
+    };
+    let settings = Settings { clock_memory_byte: build.project.settings.clock_memory_byte, ..Settings::default() };
+    let mut cpu = controller::load(&build, settings);
+    let names = Names { symbols: &build.project.symbols, cpu: &cpu };
+    let shown = targets(&names, &arguments.show)?;
+    let set = arguments.set.iter().map(|text| assignment(&names, text)).collect::<Result<Vec<_>, _>>()?;
+    let mut at = timed(&names, &arguments.at)?.into_iter().peekable();
+
+    cpu.restart(Restart::Warm);
+    preset(&mut cpu, &set)?;
+    let count = schedule.len();
+    for scan in 0..count {
+        let now_us = schedule.begin_us(scan);
+        while let Some((_, assignment)) = at.next_if(|(time, _)| time.as_micros() <= u128::from(now_us)) {
+            assignment.apply(&mut cpu)?;
+        }
+        cpu.scan(now_us);
+        let stopped = cpu.mode() == OperatingMode::Stop;
+        if arguments.every || stopped || scan + 1 == count {
+            print_scan(arguments, &cpu, &shown, scan, now_us)?;
+        }
+        if stopped {
+            break;
+        }
+    }
+    match cpu.stop_cause() {
+        Some(cause) if cpu.mode() == OperatingMode::Stop => {
+            output::message(&controller::stop_text(&build, cause));
+            Ok(Exit::Stopped)
+        }
+        _ => Ok(Exit::Success),
+    }
+}
+
+fn schedule(arguments: &Arguments, project_cycle: Option<Duration>) -> Result<Schedule, Failure> {
+    if !arguments.scan_at.is_empty() {
+        if let Some(pair) = arguments.scan_at.windows(2).find(|pair| pair[1] < pair[0]) {
+            let (late, early) = (duration::show(pair[0]), duration::show(pair[1]));
+            return Err(Failure::usage(
+                Problem::P7009,
+                format!("time does not run backwards: {early} stands behind {late} in `--scan-at`"),
+            ));
+        }
+        return Ok(Schedule::At(arguments.scan_at.clone()));
+    }
+    let project_cycle = project_cycle.filter(|cycle| !cycle.is_zero());
+    let cycle = arguments.cycle.or(project_cycle).unwrap_or(Duration::from_millis(10));
+    let scans = match arguments.duration {
+        None => arguments.scans.unwrap_or(1),
+        Some(_) if cycle.is_zero() => {
+            return Err(Failure::usage(Problem::P7009, "with a cycle of 0 virtual time stands still, and `--for` never ends"));
+        }
+        Some(duration) => u64::try_from(duration.as_micros().div_ceil(cycle.as_micros())).unwrap_or(u64::MAX).max(1),
+    };
+    Ok(Schedule::Cyclic { cycle, scans })
+}
+
+fn targets(names: &Names<'_>, lists: &[String]) -> Result<Vec<Target>, Failure> {
+    lists.iter().flat_map(|list| split_list(list)).map(|name| names.resolve(name)).collect()
+}
+
+fn assignment(names: &Names<'_>, text: &str) -> Result<Assignment, Failure> {
+    let (name, value) = split_assignment(text)?;
+    Assignment::new(names.resolve(name)?, value)
+}
+
+/// The changes of `--at` in the order of their times; those of the same time as they were written.
+fn timed(names: &Names<'_>, words: &[String]) -> Result<Vec<(Duration, Assignment)>, Failure> {
+    let mut timed = Vec::new();
+    for pair in words.chunks_exact(2) {
+        let time = duration::parse(&pair[0]).map_err(|message| Failure::usage(Problem::P7005, message))?;
+        let assignment = assignment(names, &pair[1])?;
+        if assignment.is_register() {
+            return Err(
+                Failure::usage(Problem::P7003, format!("`{}`: a register can only be set for the first scan", pair[1])).help("use `--set`")
+            );
+        }
+        timed.push((time, assignment));
+    }
+    timed.sort_by_key(|(time, _)| *time);
+    Ok(timed)
+}
+
+fn preset(cpu: &mut Cpu, set: &[Assignment]) -> Result<(), Failure> {
+    if set.iter().any(Assignment::is_register) {
+        let mut registers = Registers::fresh();
+        set.iter().for_each(|assignment| assignment.preset(&mut registers));
+        cpu.preset_registers(registers);
+    }
+    set.iter().try_for_each(|assignment| assignment.apply(cpu))
+}
+
+fn print_scan(arguments: &Arguments, cpu: &Cpu, shown: &[Target], scan: u64, now_us: u64) -> Result<(), Failure> {
+    if arguments.json {
+        return output::print_json(&scan_json(cpu, shown, scan, now_us), false);
+    }
+    let mut text = String::new();
+    if arguments.every || shown.is_empty() {
+        text.push_str(&format!("scan {scan} at {} ms: {}\n", milliseconds(now_us), cpu.mode()));
+    }
+    let indent = if arguments.every { "  " } else { "" };
+    let width = shown.iter().map(|target| target.name.chars().count()).max().unwrap_or(0);
+    for target in shown {
+        text.push_str(&format!("{indent}{:<width$} = {}\n", target.name, target.text(cpu)));
+    }
+    output::print(&text)
+}
+
+fn scan_json(cpu: &Cpu, shown: &[Target], scan: u64, now_us: u64) -> Value {
+    let values: serde_json::Map<String, Value> = shown.iter().map(|target| (target.name.clone(), target.value(cpu))).collect();
+    let mut object = json!({ "scan": scan, "time_ms": milliseconds(now_us), "values": values, "mode": cpu.mode().to_string() });
+    if let Some(cause) = cpu.stop_cause().filter(|_| cpu.mode() == OperatingMode::Stop) {
+        object["stop"] = controller::stop_json(cause);
+    }
+    object
+}
+
+/// Whole milliseconds as an integer, others with their fraction.
+fn milliseconds(us: u64) -> Value {
+    if us.is_multiple_of(1000) { json!(us / 1000) } else { json!(us as f64 / 1000.0) }
+}

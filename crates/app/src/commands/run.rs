@@ -1,0 +1,296 @@
+//! `sieben run [PATH]`: runs a project, in real time or as fast as it goes.
+
+use std::io::IsTerminal;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde_json::json;
+use sieben_cpu::{Cpu, OperatingMode, Restart, Settings, TimeSource};
+use sieben_model::problems::Problem;
+
+use crate::arguments::{ProgramArguments, duration_argument};
+use crate::failure::{Exit, Failure};
+use crate::project::{Build, Project};
+use crate::{controller, duration, output};
+
+/// How often the status line is drawn.
+const STATUS_PERIOD: Duration = Duration::from_millis(100);
+/// Scans between two looks at the clock when time is virtual.
+const SCANS_PER_LOOK: u64 = 64;
+/// Exit code after a second Ctrl-C: what shells report for SIGINT.
+const INTERRUPTED: i32 = 130;
+/// STOP by the mode switch: the event that Ctrl-C causes.
+const STOP_BY_SWITCH: u16 = 0x4303;
+
+/// Run a project.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  \
+  sieben run                        the project in this folder, until Ctrl-C\n  \
+  sieben run pump --for 10s         ten seconds, then exit 0\n  \
+  sieben run pump --speed max --for 1h  one hour of virtual time, as fast as it goes\n\n\
+Ctrl-C stops cleanly; a second Ctrl-C stops at once.\n\
+Exit codes: 0 ok, 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
+pub(crate) struct Arguments {
+    /// Source files, symbol tables, or a project folder [default: this folder]
+    #[arg(value_name = "PATH")]
+    paths: Vec<PathBuf>,
+    #[command(flatten)]
+    program: ProgramArguments,
+    /// Time from one scan to the next; 0 runs free [default: that of the project, else 10ms]
+    #[arg(long, value_name = "DURATION", value_parser = duration_argument)]
+    cycle: Option<Duration>,
+    /// 1x is real time, 10x ten times as fast, max as fast as it goes in virtual time
+    #[arg(long, value_name = "FACTOR", default_value = "1x", value_parser = speed_argument)]
+    speed: Speed,
+    /// Stop after this time of the CPU's clock
+    #[arg(long = "for", value_name = "DURATION", id = "duration", value_parser = duration_argument)]
+    duration: Option<Duration>,
+    /// Print the result as one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+/// How CPU time relates to real time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Speed {
+    Factor(f64),
+    Max,
+}
+
+fn speed_argument(text: &str) -> Result<Speed, String> {
+    if text.eq_ignore_ascii_case("max") {
+        return Ok(Speed::Max);
+    }
+    let number = text.strip_suffix(['x', 'X']).unwrap_or(text);
+    match number.parse::<f64>() {
+        Ok(factor) if (0.001..=10_000.0).contains(&factor) => Ok(Speed::Factor(factor)),
+        _ => Err(format!("`{text}` is no speed; write `1x`, `0.5x`, `10x` (0.001x to 10000x) or `max`")),
+    }
+}
+
+/// Runs the project.
+pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    let overrides = arguments.program.overrides()?;
+    let build = match Project::load(&arguments.paths)?.compile(overrides, false).or_report(arguments.json) {
+        Ok(build) => build,
+        Err(exit) => return Ok(exit),
+    };
+    let project = &build.project.settings;
+    let cycle = arguments.cycle.or(project.cycle).unwrap_or(Duration::from_millis(10)).max(project.min_cycle.unwrap_or_default());
+    if arguments.speed == Speed::Max && cycle.is_zero() {
+        return Err(Failure::usage(Problem::P7009, "with `--speed max` time is virtual, and a cycle of 0 would never pass any")
+            .help("give `--cycle 10ms`"));
+    }
+    let real = arguments.speed == Speed::Factor(1.0);
+    let settings = Settings {
+        time: if real { TimeSource::Real } else { TimeSource::Virtual },
+        watchdog: project.watchdog.unwrap_or(Settings::default().watchdog),
+        clock_memory_byte: project.clock_memory_byte,
+        ..Settings::default()
+    };
+    let mut cpu = controller::load(&build, settings);
+    let interrupt = Interrupt::watch(&cpu)?;
+    let status = Status::new();
+    let end_us = arguments.duration.map_or(u64::MAX, micros);
+    let pace = Pace { speed: arguments.speed, cycle_us: micros(cycle), end_us };
+    let outcome = match arguments.speed {
+        Speed::Max => pace.run_virtual(&mut cpu, &interrupt, &status),
+        Speed::Factor(factor) => pace.run_timed(factor, &mut cpu, &interrupt, &status),
+    };
+    status.clear();
+    report(arguments, &build, &cpu, &outcome)
+}
+
+fn micros(duration: Duration) -> u64 {
+    u64::try_from(duration.as_micros()).unwrap_or(u64::MAX)
+}
+
+/// Whether someone pressed Ctrl-C.
+struct Interrupt {
+    receiver: Receiver<()>,
+    presses: Arc<AtomicUsize>,
+}
+
+impl Interrupt {
+    /// From now on Ctrl-C asks the CPU for STOP at its next safe point; a second one ends the process.
+    fn watch(cpu: &Cpu) -> Result<Self, Failure> {
+        let (sender, receiver) = channel();
+        let request = cpu.stop_request();
+        let presses = Arc::new(AtomicUsize::new(0));
+        let seen = Arc::clone(&presses);
+        ctrlc::set_handler(move || {
+            if seen.fetch_add(1, Ordering::SeqCst) > 0 {
+                std::process::exit(INTERRUPTED);
+            }
+            request.stop();
+            // The receiver lives as long as the run.
+            let _ = sender.send(());
+        })
+        .map_err(|error| Failure::usage(Problem::P7001, format!("Ctrl-C cannot be watched: {error}")))?;
+        Ok(Self { receiver, presses })
+    }
+    fn pressed(&self) -> bool {
+        self.presses.load(Ordering::Relaxed) > 0
+    }
+    /// Sleeps, but not through a Ctrl-C.
+    fn sleep(&self, duration: Duration) {
+        if let Err(RecvTimeoutError::Disconnected) = self.receiver.recv_timeout(duration) {
+            std::thread::sleep(duration);
+        }
+    }
+}
+
+/// How a run ended.
+struct Outcome {
+    scans: u64,
+    time_us: u64,
+    interrupted: bool,
+}
+
+/// When scans begin.
+struct Pace {
+    speed: Speed,
+    cycle_us: u64,
+    end_us: u64,
+}
+
+impl Pace {
+    /// Scans one after another; the clock jumps from scan to scan.
+    fn run_virtual(&self, cpu: &mut Cpu, interrupt: &Interrupt, status: &Status) -> Outcome {
+        let (mut now_us, mut scans) = (0, 0);
+        cpu.restart(Restart::Warm);
+        while cpu.mode() != OperatingMode::Stop && now_us < self.end_us && !interrupt.pressed() {
+            cpu.scan(now_us);
+            scans += 1;
+            if scans % SCANS_PER_LOOK == 0 {
+                status.update(cpu, scans);
+            }
+            now_us = now_us.saturating_add(self.cycle_us);
+        }
+        Outcome { scans, time_us: now_us.min(self.end_us), interrupted: interrupt.pressed() }
+    }
+
+    /// Scans when the clock says so. A late scan begins at once, and the next one a whole cycle after it: nothing is made up for.
+    fn run_timed(&self, factor: f64, cpu: &mut Cpu, interrupt: &Interrupt, status: &Status) -> Outcome {
+        let real = self.speed == Speed::Factor(1.0);
+        let begin = Instant::now();
+        let mut clock = move || (begin.elapsed().as_micros() as f64 * factor) as u64;
+        cpu.restart_with(Restart::Warm, &mut clock, None);
+        let (mut due_us, mut scans) = (clock(), 0);
+        loop {
+            let now_us = clock();
+            if cpu.mode() == OperatingMode::Stop || now_us >= self.end_us || interrupt.pressed() {
+                return Outcome { scans, time_us: now_us.min(self.end_us), interrupted: interrupt.pressed() };
+            }
+            let until = due_us.min(self.end_us);
+            if now_us < until {
+                interrupt.sleep(Duration::from_micros(((until - now_us) as f64 / factor).ceil() as u64));
+                continue;
+            }
+            if real {
+                cpu.scan_with(&mut clock, None);
+            } else {
+                cpu.scan(now_us);
+            }
+            scans += 1;
+            status.update(cpu, scans);
+            due_us = due_us.saturating_add(self.cycle_us).max(now_us);
+        }
+    }
+}
+
+/// The line that shows how the run goes; only on a terminal.
+struct Status {
+    bar: Option<ProgressBar>,
+    drawn: std::cell::Cell<Instant>,
+}
+
+impl Status {
+    fn new() -> Self {
+        let bar = std::io::stderr().is_terminal().then(|| {
+            let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+            // A template without placeholders that could be misspelled.
+            bar.set_style(ProgressStyle::default_spinner());
+            bar
+        });
+        Self { bar, drawn: std::cell::Cell::new(Instant::now()) }
+    }
+    fn update(&self, cpu: &Cpu, scans: u64) {
+        let Some(bar) = &self.bar else { return };
+        if self.drawn.get().elapsed() < STATUS_PERIOD {
+            return;
+        }
+        self.drawn.set(Instant::now());
+        bar.set_message(format!("{}  scan {scans}  {}  (Ctrl-C stops)", cpu.mode(), cycle_text(cpu)));
+        bar.tick();
+    }
+    fn clear(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+/// `cycle 10.02 ms (min 9.98 ms, max 10.40 ms)`.
+fn cycle_text(cpu: &Cpu) -> String {
+    let times = cpu.cycle_times();
+    let show = |us| duration::show(Duration::from_micros(us));
+    format!("cycle {} (min {}, max {})", show(times.last), show(times.min), show(times.max))
+}
+
+/// Says how it went.
+fn report(arguments: &Arguments, build: &Build, cpu: &Cpu, outcome: &Outcome) -> Result<Exit, Failure> {
+    // The STOP that Ctrl-C asked for is no failure of the program.
+    let stopped = cpu
+        .stop_cause()
+        .filter(|_| cpu.mode() == OperatingMode::Stop)
+        .filter(|cause| !(outcome.interrupted && cause.event == STOP_BY_SWITCH));
+    let mode = if stopped.is_some() { OperatingMode::Stop } else { OperatingMode::Run };
+    if arguments.json {
+        let times = cpu.cycle_times();
+        let ms = |us: u64| us as f64 / 1000.0;
+        let mut object = json!({
+            "mode": mode.to_string(), "scans": outcome.scans, "time_ms": ms(outcome.time_us), "interrupted": outcome.interrupted,
+            "cycle_ms": { "last": ms(times.last), "min": ms(times.min), "max": ms(times.max) },
+        });
+        if let Some(cause) = stopped {
+            object["stop"] = controller::stop_json(cause);
+        }
+        output::print_json(&object, false)?;
+    } else {
+        let time = duration::show(Duration::from_micros(outcome.time_us));
+        let how = if outcome.interrupted { "stopped by Ctrl-C after" } else { "ran for" };
+        let scans = if outcome.scans == 1 { "1 scan".to_owned() } else { format!("{} scans", outcome.scans) };
+        output::print(&format!("{mode}: {how} {time}, {scans}, {}\n", cycle_text(cpu)))?;
+    }
+    match stopped {
+        Some(cause) => {
+            output::message(&controller::stop_text(build, cause));
+            if let Some(entry) = cpu.diagnostic_buffer().newest() {
+                output::message(&format!("  diagnostic buffer: {}  16#{:04X}  {}\n", entry.time.display(), entry.event(), entry.text()));
+            }
+            Ok(Exit::Stopped)
+        }
+        None => Ok(Exit::Success),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn speeds_are_read() {
+        for (text, expected) in
+            [("1x", Some(1.0)), ("0.5x", Some(0.5)), ("10", Some(10.0)), ("0x", None), ("-1x", None), ("nanx", None), ("fast", None)]
+        {
+            assert_eq!(speed_argument(text).ok(), expected.map(Speed::Factor), "{text}");
+        }
+        assert_eq!(speed_argument("MAX"), Ok(Speed::Max));
+    }
+}

@@ -1,0 +1,148 @@
+//! `sieben symbols FILE…`: the assignment table, and symbol tables from one format to another.
+
+use std::fmt;
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use sieben_lang::encoding::{self, Encoding};
+use sieben_lang::symbols::{self, Format, Layout, assignment};
+use sieben_model::problems::Problem;
+use sieben_model::symbols::SymbolTable;
+
+use crate::failure::{Exit, Failure};
+use crate::report::{self, Texts};
+use crate::{files, output, project, symbol_files};
+
+/// Print the assignment table, or convert symbol tables.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  \
+  sieben symbols symbols.csv                      the assignment table\n  \
+  sieben symbols symbols.csv --csv                the same for a spreadsheet\n  \
+  sieben symbols plant.sdf --to csv -o symbols.csv convert an export of STEP 7\n\n\
+Without --to the assignment table is printed: number, address, unit, technological name, description, remark.\n\
+Formats are csv (native), sdf and asc (STEP 7 V5, code page 1252 unless a file read had another).")]
+pub(crate) struct Arguments {
+    /// Symbol tables: .csv, .sdf or .asc; several become one
+    #[arg(required = true, value_name = "FILE")]
+    paths: Vec<PathBuf>,
+    /// Write the symbol table in this format instead of the assignment table
+    #[arg(long, value_name = "FORMAT", conflicts_with_all = ["assignments", "csv"])]
+    to: Option<FormatArgument>,
+    /// Print the assignment table (the default)
+    #[arg(long)]
+    assignments: bool,
+    /// Print the assignment table as CSV
+    #[arg(long)]
+    csv: bool,
+    /// Print the assignment table, or the diagnostics if it has errors, as JSON
+    #[arg(long, conflicts_with_all = ["to", "csv"])]
+    json: bool,
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// A format to write.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum FormatArgument {
+    /// Native, UTF-8
+    Csv,
+    /// STEP 7 V5, quoted fields
+    Sdf,
+    /// STEP 7 V5, fixed widths
+    Asc,
+}
+
+impl FormatArgument {
+    fn format(self) -> Format {
+        match self {
+            Self::Csv => Format::Csv,
+            Self::Sdf => Format::Sdf,
+            Self::Asc => Format::Asc,
+        }
+    }
+}
+
+impl fmt::Display for FormatArgument {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.format().extension())
+    }
+}
+
+/// Prints or converts the tables.
+pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    let mut texts = Texts::default();
+    let mut findings = Vec::new();
+    let mut table = SymbolTable::default();
+    let mut code_page = None;
+    let mut columns = None;
+    for path in &arguments.paths {
+        let file = symbol_files::read(path, &mut texts.documents)?;
+        findings.extend(file.findings);
+        if matches!(file.encoding, Encoding::Cp1250 | Encoding::Cp1251 | Encoding::Cp1252) {
+            code_page = code_page.or(Some(file.encoding));
+        }
+        columns = columns.or_else(|| Some(file.read.table.columns().to_vec()));
+        for symbol in file.read.table.symbols() {
+            table.push(symbol.clone());
+        }
+    }
+    table.set_columns(columns.unwrap_or_default());
+    report::sort(&mut findings);
+    if !findings.is_empty() {
+        project::print_findings(&findings, &texts, arguments.json);
+    }
+    // A table with errors is still printed: seeing it is the way to mend it. Only a conversion must not lose rows.
+    let failed = report::has_errors(&findings);
+    let exit = if failed { Exit::CheckFailed } else { Exit::Success };
+    match arguments.to {
+        None => {
+            let text = if arguments.csv {
+                assignment::csv(&table)
+            } else if arguments.json {
+                format!("{:#}\n", as_json(&table))
+            } else {
+                assignment::text(&table)
+            };
+            put(arguments, text.as_bytes())?;
+        }
+        Some(_) if failed => {}
+        Some(to) => convert(arguments, to, &table, code_page)?,
+    }
+    Ok(exit)
+}
+
+fn convert(arguments: &Arguments, to: FormatArgument, table: &SymbolTable, code_page: Option<Encoding>) -> Result<(), Failure> {
+    let written = symbols::write(table, Layout::new(to.format()));
+    for loss in &written.losses {
+        output::message(&format!("Note: {loss}\n"));
+    }
+    // STEP 7 V5 knows no UTF-8; on a terminal or pipe the text stays what the system reads.
+    let encoding = match to {
+        FormatArgument::Csv => Encoding::Utf8,
+        FormatArgument::Sdf | FormatArgument::Asc if arguments.output.is_some() => code_page.unwrap_or(Encoding::Cp1252),
+        FormatArgument::Sdf | FormatArgument::Asc => Encoding::Utf8,
+    };
+    let bytes = encoding::encode(&written.text, encoding).map_err(|unencodable| {
+        Failure::usage(Problem::P1103, format!("the table cannot be written as {to}: {unencodable}"))
+            .help("replace the character, or write `--to csv`, which is UTF-8")
+    })?;
+    put(arguments, &bytes)
+}
+
+fn put(arguments: &Arguments, bytes: &[u8]) -> Result<(), Failure> {
+    match &arguments.output {
+        Some(path) => files::write_whole(path, bytes),
+        None => output::print(&String::from_utf8_lossy(bytes)),
+    }
+}
+
+fn as_json(table: &SymbolTable) -> serde_json::Value {
+    assignment::rows(table)
+        .into_iter()
+        .map(|[number, address, unit, tag, description, remark]| {
+            serde_json::json!({ "number": number, "address": address, "unit": unit,
+                "technological_name": tag, "description": description, "remark": remark })
+        })
+        .collect()
+}

@@ -1,0 +1,52 @@
+//! From a compiled project to a CPU that can be started.
+
+use std::sync::Arc;
+
+use serde_json::{Value, json};
+use sieben_cpu::{Cpu, Rack, Settings, StopCause};
+use sieben_engine::Interpreter;
+use sieben_model::source::Span;
+
+use crate::project::Build;
+
+/// A CPU in STOP with the program loaded and a simulated module at every address.
+pub(crate) fn load(build: &Build, settings: Settings) -> Cpu {
+    let program = Arc::new(build.compiled.program.clone());
+    let engine = Interpreter::load(Arc::clone(&program), &Cpu::layout_for(build.cpu, &program));
+    Cpu::new(build.cpu, program, Arc::new(engine), Rack::simulated(build.cpu), settings)
+}
+
+/// Why the CPU stopped, with the line of the source that did it.
+pub(crate) fn stop_text(build: &Build, cause: &StopCause) -> String {
+    let mut text = format!("The CPU went to STOP: {}\n", cause.text);
+    if let Some((place, line)) = stop_line(build, cause) {
+        text.push_str(&format!("  {place}:  {line}\n"));
+    }
+    text.push_str(&format!("  event 16#{:04X}", cause.event));
+    if cause.first_event != cause.event {
+        text.push_str(&format!(", first cause 16#{:04X}", cause.first_event));
+    }
+    text.push('\n');
+    text
+}
+
+/// `main.awl:12` and the statement there.
+fn stop_line(build: &Build, cause: &StopCause) -> Option<(String, String)> {
+    let place = cause.place?;
+    let span: Span = *build.compiled.program.code.get(&place.block)?.spans.get(place.statement as usize)?;
+    let sources = &build.project.texts.program;
+    sources.iter().find(|(id, _)| *id == span.file)?;
+    let (line, _) = sources.line_column(span);
+    let statement = sources.slice(span).split_whitespace().collect::<Vec<_>>().join(" ");
+    Some((format!("{}:{line}", sources.file(span.file).name), statement))
+}
+
+/// The stop with its first cause; statements are counted from 1, as people do.
+pub(crate) fn stop_json(cause: &StopCause) -> Value {
+    json!({
+        "event": format!("16#{:04X}", cause.first_event),
+        "block": cause.place.map(|place| place.block.to_string()),
+        "statement": cause.place.map(|place| u64::from(place.statement) + 1),
+        "text": cause.text,
+    })
+}
