@@ -1,7 +1,15 @@
 //! The fuzz targets: one row each.
 
+use std::sync::Arc;
+
+use sieben_cpu::{Cpu, Rack, Restart, Settings};
+use sieben_engine::Interpreter;
 use sieben_lang::Options;
+use sieben_lang::encoding::{self, Encoding};
 use sieben_lang::stl::instructions::Instruction;
+use sieben_model::cpu_type::CpuType;
+use sieben_model::diagnostic::Severity;
+use sieben_model::literal;
 use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
 
@@ -20,13 +28,115 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: &[Target] = &[Target { name: "lang-compile", fuzz: compile, corpus: "stl", fences: &["stl"], words: stl_words }];
+#[rustfmt::skip] // A table.
+pub const TARGETS: &[Target] = &[
+    Target { name: "lang-compile", fuzz: compile, corpus: "stl", fences: &["stl"], words: stl_words },
+    Target { name: "cpu-run", fuzz: run, corpus: "stl", fences: &["stl"], words: stl_words },
+    Target { name: "lang-encoding", fuzz: encoding, corpus: "encoding", fences: &[], words: no_words },
+    Target { name: "lang-symbols", fuzz: sieben_lang::symbols::fuzz, corpus: "symbols", fences: &[], words: symbol_words },
+    Target { name: "model-literal", fuzz: literal, corpus: "literal", fences: &[], words: literal_words },
+];
+
+/// Safe points that a fuzzed program may pass in one scan: enough to leave every loop of the corpus, few enough for thousands of runs a second.
+const SAFE_POINTS_MAX: i64 = 10_000;
+
+fn compiled(data: &[u8]) -> sieben_lang::Compiled {
+    let mut sources = Sources::default();
+    sources.add("fuzz.awl", String::from_utf8_lossy(data));
+    sieben_lang::compile(&sources, &SymbolTable::default(), &Options::default())
+}
 
 /// Compiles the input as the only source of a project.
 fn compile(data: &[u8]) {
-    let mut sources = Sources::default();
-    sources.add("fuzz.awl", String::from_utf8_lossy(data));
-    sieben_lang::compile(&sources, &SymbolTable::default(), &Options::default());
+    compiled(data);
+}
+
+/// Compiles the input and, if it has no errors, runs three scans of it.
+fn run(data: &[u8]) {
+    let compiled = compiled(data);
+    if compiled.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error) {
+        return;
+    }
+    let cpu_type = &CpuType::ALL[data.len() % CpuType::ALL.len()];
+    let program = Arc::new(compiled.program);
+    let engine = Interpreter::load(Arc::clone(&program), &Cpu::layout_for(cpu_type, &program));
+    let settings = Settings { virtual_safe_points: SAFE_POINTS_MAX, ..Settings::default() };
+    let mut cpu = Cpu::new(cpu_type, program, Arc::new(engine), Rack::simulated(cpu_type), settings);
+    cpu.restart(Restart::Warm);
+    for scan in 0..3 {
+        cpu.scan(scan * 10_000);
+    }
+}
+
+/// Decodes the input; what was decoded without errors comes out again when it is encoded.
+fn encoding(data: &[u8]) {
+    // What is refused has no text.
+    let _ = encoding::read_source(data);
+    for encoding in Encoding::ALL {
+        let decoded = encoding::decode_as(data, encoding);
+        if !decoded.had_errors {
+            let encoded = encoding::encode(&decoded.text, encoding).expect("what was decoded can be encoded");
+            let again = encoding::decode_as(&encoded, encoding);
+            assert_eq!(again.text, decoded.text, "{} gives the same text twice", encoding.name());
+        }
+    }
+}
+
+/// Reads the input as a constant; what is understood is spelled so that it is understood again.
+fn literal(data: &[u8]) {
+    for line in String::from_utf8_lossy(data).lines() {
+        if let Ok(value) = literal::parse(line) {
+            let spelled = value.spell();
+            let again = literal::parse(&spelled).map(|again| again.spell());
+            assert_eq!(again.as_deref().ok(), Some(spelled.as_str()), "`{line}` is spelled `{spelled}`");
+        }
+    }
+}
+
+fn no_words() -> Vec<&'static str> {
+    Vec::new()
+}
+
+fn symbol_words() -> Vec<&'static str> {
+    vec![
+        "symbol,address,type,comment",
+        "\"Start\",\"I 0.0\",\"BOOL\",\"\"",
+        "I 0.0",
+        "QW 4",
+        "T 1",
+        "DB 5",
+        "FB 1",
+        "UDT 7",
+        "126,",
+        "\"\"",
+        "\t",
+        ";",
+    ]
+}
+
+fn literal_words() -> Vec<&'static str> {
+    vec![
+        "L#",
+        "2#",
+        "B#16#",
+        "W#16#",
+        "DW#16#",
+        "B#(",
+        "C#",
+        "S5T#",
+        "T#",
+        "D#",
+        "TOD#",
+        "DT#",
+        "P#",
+        "P#DB1.DBX",
+        " BYTE ",
+        "'",
+        "$'",
+        "_",
+        "e+",
+        "TRUE",
+    ]
 }
 
 /// Mnemonics of both languages and the words between them.
