@@ -1,8 +1,10 @@
 //! Text → checked program → IR.
 #![forbid(unsafe_code)]
 
+mod declarations;
 pub mod encoding;
 pub mod project;
+mod scope;
 pub mod stl;
 pub mod symbols;
 

@@ -1,15 +1,28 @@
 //! Compiles the sources of a project into a program.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use sieben_engine::Program;
-use sieben_model::block::BlockId;
+use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::cpu_type::CpuType;
-use sieben_model::diagnostic::Diagnostic;
+use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::interface::Interface;
 use sieben_model::mnemonics::Mnemonics;
-use sieben_model::source::{FileId, Sources};
+use sieben_model::problems::Problem;
+use sieben_model::source::{FileId, Sources, Span};
 use sieben_model::symbols::SymbolTable;
+
+use crate::declarations::data_block::{DataLayout, fill, instance, layout};
+use crate::declarations::path::FieldNames;
+use crate::declarations::types::{BlockInterface, Types};
+use crate::scope::{Scope, block_of_name};
+use crate::stl::ast;
+use crate::stl::check;
+use crate::stl::lower::lower;
+use crate::stl::resolve::{Known, plain_callee, plain_data_block};
+
+/// Bytes that all data blocks of a project may have together: the work memory of the largest CPU type.
+const DATA_BYTES_MAX: usize = 32 << 20;
 
 /// A system function or system function block of the CPU, as data.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,8 +61,295 @@ pub struct Compiled {
     pub block_names: BTreeMap<BlockId, String>,
 }
 
+impl Compiled {
+    /// Whether an error is among the diagnostics, so that the program must not be run.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error)
+    }
+}
+
+/// A block of a source with its identity.
+struct Found<'a> {
+    id: BlockId,
+    block: &'a ast::Block,
+    mnemonics: Mnemonics,
+}
+
 /// Compiles all sources of a project, in any order of blocks.
 pub fn compile(sources: &Sources, symbols: &SymbolTable, options: &Options) -> Compiled {
-    let _ = (sources, symbols, options);
-    Compiled::default()
+    compile_syntax(sources, &[], Vec::new(), symbols, options)
+}
+
+/// A source that is parsed already.
+#[derive(Clone, Debug)]
+pub struct SyntaxOfFile {
+    /// Which source.
+    pub id: FileId,
+    /// Its syntax.
+    pub file: ast::File,
+    /// Its mnemonic language.
+    pub mnemonics: Mnemonics,
+}
+
+/// Compiles sources that are parsed already; `diagnostics` are those of the parser.
+pub fn compile_syntax(
+    sources: &Sources,
+    files: &[SyntaxOfFile],
+    mut diagnostics: Vec<Diagnostic>,
+    symbols: &SymbolTable,
+    options: &Options,
+) -> Compiled {
+    let cpu = options.cpu.copied().unwrap_or_default();
+    let mut compiled = Compiled::default();
+    compiled.mnemonics = files.iter().map(|file| (file.id, file.mnemonics)).collect();
+    // Where the parser found something wrong, by file and first byte.
+    let mut reported: Vec<(FileId, u32)> = diagnostics.iter().map(|diagnostic| (diagnostic.span.file, diagnostic.span.start)).collect();
+    reported.sort_unstable();
+    let reported = |span: Span| {
+        let first = reported.partition_point(|&place| place < (span.file, span.start));
+        reported.get(first).is_some_and(|&place| place <= (span.file, span.end))
+    };
+
+    let scope = Scope::new(symbols, &options.system_blocks);
+    let found = find_blocks(files, &scope, &cpu, &mut diagnostics);
+    let blocks: HashMap<BlockId, &ast::Block> = found.iter().map(|found| (found.id, found.block)).collect();
+    let system: HashMap<BlockId, &SystemBlock> = options.system_blocks.iter().map(|block| (block.block, block)).collect();
+
+    // First pass: everything that is declared. The order of the sources does not matter, types resolve one another.
+    let mut types = Types::new(&scope, &blocks, &system);
+    let mut interfaces: HashMap<BlockId, BlockInterface> = HashMap::new();
+    let mut data: HashMap<u16, DataLayout> = HashMap::new();
+    for &block in system.keys() {
+        if let Some(interface) = types.interface(block, Span::default()) {
+            interfaces.insert(block, interface);
+        }
+    }
+    for Found { id, block, .. } in &found {
+        match id.kind {
+            BlockKind::UserDefinedType => {
+                types.udt(id.number, block.name.span());
+            }
+            BlockKind::DataBlock => {
+                if let Some(layout) = layout(&mut types, id.number, block) {
+                    data.insert(id.number, layout);
+                }
+            }
+            _ => {
+                if let Some(interface) = types.interface(*id, block.name.span()) {
+                    interfaces.insert(*id, interface);
+                }
+            }
+        }
+    }
+    let generated = missing_instances(&found, &scope, &interfaces, &mut data, &blocks, &mut types.diagnostics);
+    let field_names = FieldNames::default();
+    fill_data(&mut types, &field_names, &found, &data, &generated, &mut compiled.program);
+    diagnostics.append(&mut types.diagnostics);
+
+    // Second pass: statements.
+    let exists = |id: BlockId| {
+        blocks.contains_key(&id) || system.contains_key(&id) || (id.kind == BlockKind::DataBlock && data.contains_key(&id.number))
+    };
+    let known =
+        Known { sources, scope: &scope, cpu: &cpu, interfaces: &interfaces, exists: &exists, data: &data, field_names: &field_names };
+    for Found { id, block, mnemonics } in &found {
+        if !has_statements(id.kind) {
+            continue;
+        }
+        let Some(BlockInterface { interface, .. }) = interfaces.get(id) else { continue };
+        if interface.local_size > cpu.local_data_block {
+            let message = format!(
+                "`{id}` declares {} bytes of local data; CPU {} has {} for a block",
+                interface.local_size, cpu.name, cpu.local_data_block
+            );
+            diagnostics.push(Diagnostic::new(Problem::P5007, block.name.span(), message));
+        }
+        let (resolved, mut found) = check::block(&known, *id, block, interface, *mnemonics, &reported);
+        let whole = !found.iter().any(|diagnostic| diagnostic.severity() == Severity::Error);
+        diagnostics.append(&mut found);
+        if whole {
+            compiled.program.code.insert(*id, lower(&resolved, &cpu));
+        }
+    }
+    if !files.is_empty() && !blocks.contains_key(&BlockId::ob(1)) {
+        let place = found.first().map_or(Span::default(), |found| found.block.name.span());
+        diagnostics.push(Diagnostic::new(Problem::P3013, place, "there is no OB 1, so nothing runs in the cycle"));
+    }
+
+    if options.syntax_only {
+        diagnostics.retain(|diagnostic| !needs_other_files(diagnostic.problem));
+    }
+    diagnostics.sort_by_key(|diagnostic| (diagnostic.span.file, diagnostic.span.start));
+    compiled.diagnostics = diagnostics;
+    compiled.block_names = block_names(&found, &scope);
+    compiled
+}
+
+/// Problems that may come of files that were not given.
+fn needs_other_files(problem: Problem) -> bool {
+    matches!(
+        problem,
+        Problem::P3003
+            | Problem::P3008
+            | Problem::P3013
+            | Problem::P3014
+            | Problem::P3015
+            | Problem::P3018
+            | Problem::P3020
+            | Problem::P3021
+    )
+}
+
+fn has_statements(kind: BlockKind) -> bool {
+    matches!(kind, BlockKind::OrganizationBlock | BlockKind::Function | BlockKind::FunctionBlock)
+}
+
+/// The identities of all blocks; of two with the same number only the first is kept.
+fn find_blocks<'a>(files: &'a [SyntaxOfFile], scope: &Scope, cpu: &CpuType, diagnostics: &mut Vec<Diagnostic>) -> Vec<Found<'a>> {
+    let mut found: Vec<Found<'a>> = Vec::new();
+    let mut places: HashMap<BlockId, Span> = HashMap::new();
+    let mut doubled: HashSet<BlockId> = HashSet::new();
+    for SyntaxOfFile { file, mnemonics, .. } in files {
+        for block in &file.blocks {
+            let span = block.name.span();
+            let id = match block_of_name(scope, &block.name) {
+                Ok(id) => id,
+                Err(message) => {
+                    let problem = match block.name {
+                        ast::BlockName::Symbol(_) => Problem::P3003,
+                        ast::BlockName::Absolute { .. } => Problem::P5003,
+                    };
+                    diagnostics.push(Diagnostic::new(problem, span, message));
+                    continue;
+                }
+            };
+            if id.kind != block.kind {
+                let message = format!("`{id}` is not {}; this header begins {}", article(block.kind), article(block.kind));
+                diagnostics.push(Diagnostic::new(Problem::P2200, span, message));
+                continue;
+            }
+            let limit = match id.kind {
+                BlockKind::DataBlock => cpu.db_number_max,
+                BlockKind::Function | BlockKind::FunctionBlock => cpu.fc_number_max,
+                _ => u16::MAX,
+            };
+            if id.number > limit {
+                let message = format!("`{id}`: CPU {} has numbers up to {limit}", cpu.name);
+                diagnostics.push(Diagnostic::new(Problem::P5003, span, message));
+            }
+            if id == BlockId::db(0) {
+                diagnostics.push(Diagnostic::new(Problem::P5003, span, "`DB 0` is reserved; data blocks begin with `DB 1`"));
+                continue;
+            }
+            if let Some(&first) = places.get(&id) {
+                let message = |implicit: bool| match implicit {
+                    true => format!("these statements outside any block are `{id}`, which exists already"),
+                    false => format!("`{id}` exists twice"),
+                };
+                diagnostics.push(Diagnostic::new(Problem::P3002, span, message(block.implicit)).related(first, "the other one is here"));
+                if doubled.insert(id) {
+                    diagnostics.push(
+                        Diagnostic::new(Problem::P3002, first, format!("`{id}` exists twice")).related(span, "the other one is here"),
+                    );
+                }
+                continue;
+            }
+            places.insert(id, span);
+            found.push(Found { id, block, mnemonics: *mnemonics });
+        }
+    }
+    found
+}
+
+fn article(kind: BlockKind) -> &'static str {
+    match kind {
+        BlockKind::OrganizationBlock => "an organization block (OB)",
+        BlockKind::Function => "a function (FC)",
+        BlockKind::FunctionBlock => "a function block (FB)",
+        BlockKind::DataBlock => "a data block (DB)",
+        BlockKind::SystemFunction => "a system function (SFC)",
+        BlockKind::SystemFunctionBlock => "a system function block (SFB)",
+        BlockKind::UserDefinedType => "a user-defined type (UDT)",
+    }
+}
+
+/// Instance data blocks that calls name and no source defines, in the order of their numbers.
+fn missing_instances(
+    found: &[Found<'_>],
+    scope: &Scope,
+    interfaces: &HashMap<BlockId, BlockInterface>,
+    data: &mut HashMap<u16, DataLayout>,
+    blocks: &HashMap<BlockId, &ast::Block>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<u16> {
+    let mut generated = Vec::new();
+    for statement in found.iter().flat_map(|found| &found.block.statements) {
+        let ast::Operand::Call(call) = &statement.operand else { continue };
+        let Some((operand, span)) = &call.instance else { continue };
+        let (Some(callee), Some(number)) = (plain_callee(scope, &call.callee), plain_data_block(scope, operand)) else {
+            continue;
+        };
+        if number == 0 || data.contains_key(&number) || blocks.contains_key(&BlockId::db(number)) {
+            continue;
+        }
+        let Some(BlockInterface { instance, .. }) = interfaces.get(&callee) else { continue };
+        if matches!(callee.kind, BlockKind::Function | BlockKind::SystemFunction) {
+            continue;
+        }
+        data.insert(number, DataLayout { structure: instance.clone(), based_on: Some(callee) });
+        generated.push(number);
+        let message = format!("`DB {number}` has no source; it is made as an instance of `{callee}`");
+        diagnostics.push(Diagnostic::new(Problem::P3014, *span, message));
+    }
+    generated.sort_unstable();
+    generated
+}
+
+fn fill_data(
+    types: &mut Types<'_>,
+    field_names: &FieldNames,
+    found: &[Found<'_>],
+    data: &HashMap<u16, DataLayout>,
+    generated: &[u16],
+    program: &mut Program,
+) {
+    let mut total = 0;
+    for Found { id, block, .. } in found {
+        if id.kind != BlockKind::DataBlock {
+            continue;
+        }
+        let Some(layout) = data.get(&id.number) else { continue };
+        total += layout.structure.size as usize;
+        if total > DATA_BYTES_MAX {
+            let message = format!("with `{id}` the data blocks have more than {} MB", DATA_BYTES_MAX >> 20);
+            types.report(Problem::P5006, block.name.span(), message);
+            return;
+        }
+        program.data.insert(id.number, fill(types, field_names, id.number, block, layout));
+    }
+    for number in generated {
+        let Some(layout) = data.get(number) else { continue };
+        total += layout.structure.size as usize;
+        if total > DATA_BYTES_MAX {
+            let message = format!("with `DB {number}` the data blocks have more than {} MB", DATA_BYTES_MAX >> 20);
+            types.report(Problem::P5006, Span::default(), message);
+            return;
+        }
+        program.data.insert(*number, instance(*number, layout));
+    }
+}
+
+/// Names of blocks for display: their symbols, else the NAME of their header.
+fn block_names(found: &[Found<'_>], scope: &Scope) -> BTreeMap<BlockId, String> {
+    let headers = found.iter().filter_map(|found| Some((found.id, found.block.header.name.as_ref()?.text.clone())));
+    let mut names: BTreeMap<BlockId, String> = headers.collect();
+    names.extend(scope.blocks().map(|(block, name)| (block, name.to_owned())));
+    names
+}
+
+/// Compiles any bytes as a source; for fuzzing.
+pub fn fuzz(data: &[u8]) {
+    let mut sources = Sources::default();
+    sources.add("fuzz.awl", String::from_utf8_lossy(data));
+    let _ = compile(&sources, &SymbolTable::default(), &Options::default());
 }

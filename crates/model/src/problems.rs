@@ -40,12 +40,59 @@ problems! {
 
     // 2xxx syntax
     P2001 Error "a word where a statement should begin is not an instruction" "Use an instruction of the mnemonic language of the file.";
+    P2200 Error "a block header that does not fit its block" "Name a block of the kind that the keyword says: FUNCTION with an FC, FUNCTION_BLOCK with an FB, DATA_BLOCK with a DB, ORGANIZATION_BLOCK with an OB, TYPE with a UDT.";
+    P2201 Error "a VAR section that this kind of block does not have" "An OB has VAR_TEMP; an FC has VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT and VAR_TEMP; only an FB has VAR too.";
+    P2203 Error "a bracket that is never closed" "Close it with `)` before the block ends.";
+    P2204 Error "a closing bracket without an opening one" "Remove it, or open the bracket with `A(`, `O(`, `X(` or their negated forms.";
+    P2205 Error "more than seven open brackets" "Split the logic: assign a part to a memory bit first.";
+    P2206 Error "a jump into or out of a bracket" "Jump before the bracket is opened or after it is closed.";
+    P2207 Warning "MCR zones that are not balanced" "Open every zone with `MCR(` and close it with `)MCR` in the same block, at most eight inside one another.";
+    P2208 Warning "a statement that is never reached" "Remove it, or put a label before it that a jump leads to.";
+    P2209 Error "a jump list that is none" "Write only `JU` between `JL` and the statement with its label, at most 255 of them.";
+    P2210 Error "a data block or type without a structure" "Write `STRUCT … END_STRUCT`, or the UDT, FB or SFB that it is based on.";
+    P2211 Error "a STRUCT without fields" "Declare at least one field.";
+    P2212 Warning "an initial value where none is kept" "Remove it, and assign the value with a statement.";
+    P2213 Error "a block end inside a bracket" "Close the bracket first.";
+    P2214 Warning "a block call inside a bracket" "Close the bracket first: the nesting stack of the caller has to be empty at a call.";
 
     // 3xxx names
     P3001 Error "a name that is not declared" "Declare it in the symbol table or in the VAR sections of the block.";
+    P3002 Error "two blocks with one number" "Give one of them another number.";
+    P3003 Error "a block named by a symbol that is not in the symbol table" "Add the symbol with the number of the block as its address, for example `FC 1`.";
+    P3004 Error "a jump to a label that does not exist" "Write the label before a statement of the same block; case matters.";
+    P3005 Error "a label that stands twice in a block" "Rename one of them.";
+    P3006 Error "a name that is declared twice" "Rename one of them; case does not distinguish names.";
+    P3007 Error "a field that the structure does not have" "Use a field of its declaration.";
+    P3008 Error "a block that does not exist" "Add its source to the project, or correct the number.";
+    P3009 Error "a parameter that the block does not have" "Use the names of its VAR_INPUT, VAR_OUTPUT and VAR_IN_OUT; the result of a function is RET_VAL.";
+    P3010 Error "a call without all parameters" "Give every parameter of a function a value or a variable.";
+    P3011 Error "a parameter that is given twice" "Remove one of the two.";
+    P3012 Error "a symbol with more than one address" "Rename one of the rows of the symbol table.";
+    P3013 Warning "no OB 1" "Write the cyclic program as `ORGANIZATION_BLOCK OB 1`; without it the CPU runs and does nothing.";
+    P3014 Warning "an instance data block without a source" "It is made with the initial values of the function block; write `DATA_BLOCK DB n FB m BEGIN END_DATA_BLOCK` to have it in the sources.";
+    P3015 Error "a type that does not exist" "Use an elementary type, ARRAY, STRUCT, or a UDT of the project.";
+    P3016 Error "a type that contains itself" "Remove the field that closes the circle.";
+    P3017 Error "a data block that is not an instance of the called block" "Call with a data block that is based on this function block.";
+    P3018 Warning "a block that does not exist when it is opened or called" "Add its source to the project, or correct the number.";
+    P3019 Error "a call with a wrong instance" "An FB or SFB needs a data block behind the comma; an FC, an SFC and a multi-instance have none.";
+    P3020 Error "a symbol that is not in the symbol table" "Add it to the symbol table, or correct its spelling.";
+    P3021 Error "a symbol without a usable address" "Correct its address in the symbol table.";
 
     // 4xxx types and ranges
     P4001 Error "a constant outside its range" "Use a value inside the range.";
+    P4002 Error "an operand that the instruction does not take" "Use an operand of the kind that the message names.";
+    P4004 Error "the bounds of an array or the length of a string" "An array has 1 to 6 dimensions with bounds from -32768 to 32767, a string 0 to 254 characters.";
+    P4005 Error "an array index outside the bounds" "Use an index inside the bounds of the declaration, one for each dimension.";
+    P4006 Error "a value that does not fit the type" "Write the constant in the notation of the type.";
+    P4007 Error "more values than variables" "Remove the values that are too many.";
+    P4008 Error "types nested too deeply" "Put the inner part into a structure of its own.";
+    P4009 Error "a type that may not stand here" "Use a type that the section allows.";
+    P4010 Error "a field or index of something that has none" "Only structures have fields, only arrays and strings have indexes.";
+    P4011 Error "a parameter of the wrong type" "Pass a variable or constant of the type that the block declares.";
+    P4012 Warning "a parameter of another type with the same width" "Check that the bits mean the same in both types, or convert the value first.";
+    P4013 Warning "a call without parameters of a block that has some" "Use CALL, which passes the parameters and opens the instance.";
+    P4014 Error "a pointer that lies where it cannot be used" "Put the pointer into M, L, DB or DI: a double word for addresses, a word for the numbers of timers, counters and blocks.";
+    P4015 Error "an address that is not complete" "A bit has two numbers as in `M 10.3`, all else one as in `MW 10`.";
     P4201 Error "a constant outside the range of its notation" "Use a value inside the range that the message names, or a notation with more bits, such as L# or DW#16#.";
     P4202 Error "a constant whose prefix is known, but not what follows it" "Write it the way the message shows.";
     P4203 Error "a date that the calendar does not have" "Check the month and the day; February has 29 days only in leap years.";
@@ -54,6 +101,12 @@ problems! {
 
     // 5xxx limits of the CPU type
     P5001 Warning "an address beyond the areas of the CPU type" "Use an address that the CPU type has, or choose a larger CPU type.";
+    P5002 Error "a block larger than 64 KB" "Split it into several blocks.";
+    P5003 Error "a block number that the CPU type does not have" "Use a lower number, or choose another CPU type.";
+    P5004 Warning "a timer or counter that the CPU type does not have" "Use a lower number, or choose a larger CPU type.";
+    P5005 Warning "an access behind the end of a data block" "Make the data block longer, or correct the address.";
+    P5006 Error "more data than a CPU holds" "Make the data blocks smaller, or fewer.";
+    P5007 Warning "more local data than the CPU type has for a block" "Move large variables from VAR_TEMP into a data block.";
 
     // 6xxx files and projects
     P6001 Error "a file that cannot be read" "Check the path and the permissions.";

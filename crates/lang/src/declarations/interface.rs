@@ -1,0 +1,203 @@
+//! VAR sections → interface of a block.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::interface::{Interface, Section, Variable};
+use sieben_model::literal::Value;
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+use sieben_model::types::{DataType, Field, Structure, place};
+
+use super::BLOCK_BYTES_MAX;
+use super::types::{BlockInterface, Types, Usage, describe};
+use crate::scope::key;
+use crate::stl::ast;
+
+/// Bytes of start information at the beginning of an organization block's local data.
+pub(crate) const START_INFORMATION_BYTES: u32 = 20;
+
+/// A variable that is declared but has no place yet.
+pub(crate) struct Declared {
+    name: String,
+    section: Section,
+    data_type: DataType,
+    initial: Vec<Value>,
+    comment: String,
+    span: Span,
+}
+
+impl Declared {
+    pub(crate) fn from_variable(variable: Variable) -> Self {
+        let Variable { name, section, data_type, initial, comment, span, .. } = variable;
+        Self { name, section, data_type, initial, comment, span }
+    }
+}
+
+fn keyword(section: Section) -> &'static str {
+    match section {
+        Section::Input => "VAR_INPUT",
+        Section::Output => "VAR_OUTPUT",
+        Section::InOut => "VAR_IN_OUT",
+        Section::Static => "VAR",
+        Section::Temp => "VAR_TEMP",
+        Section::Return => "the result",
+    }
+}
+
+fn allowed(kind: BlockKind) -> &'static [Section] {
+    match kind {
+        BlockKind::OrganizationBlock => &[Section::Temp],
+        BlockKind::Function => &[Section::Input, Section::Output, Section::InOut, Section::Temp],
+        _ => &[Section::Input, Section::Output, Section::InOut, Section::Static, Section::Temp],
+    }
+}
+
+/// All variables that a code block declares, sections in the order of the manual.
+pub(crate) fn declared_of(types: &mut Types<'_>, id: BlockId, block: &ast::Block) -> Vec<Declared> {
+    let mut all = Vec::new();
+    let mut names: HashMap<String, Span> = HashMap::new();
+    for section in &block.sections {
+        if !allowed(id.kind).contains(&section.section) {
+            let valid: Vec<&str> = allowed(id.kind).iter().map(|&section| keyword(section)).collect();
+            let message =
+                format!("`{}` has no place in an {}; it takes {}", keyword(section.section), id.kind.abbreviation(), valid.join(", "));
+            types.report(Problem::P2201, section.span, message);
+        }
+        for declaration in &section.declarations {
+            let usage = Usage::Variable(id.kind, section.section);
+            let Some(data_type) = types.data_type(&declaration.data_type, usage) else {
+                // The name stays declared, so that its uses are not reported too.
+                for word in &declaration.names {
+                    names.entry(key(&word.text)).or_insert(word.span);
+                    all.push(unknown(word, section.section));
+                }
+                continue;
+            };
+            let kept = match section.section {
+                Section::Temp => false,
+                _ => id.kind != BlockKind::Function,
+            };
+            let mut initial = types.initial(&declaration.initial, &data_type);
+            if !kept && !declaration.initial.is_empty() {
+                let message = format!("{} of an {} keeps no initial value", keyword(section.section), id.kind.abbreviation());
+                types.report(Problem::P2212, declaration.span, message);
+                initial.clear();
+            }
+            for word in &declaration.names {
+                if let Some(&first) = names.get(&key(&word.text)) {
+                    let message = format!("`{}` is declared twice in `{id}`", word.text);
+                    types.report(Problem::P3006, word.span, message).related.push((first, "first declared here".to_owned()));
+                    continue;
+                }
+                names.insert(key(&word.text), word.span);
+                all.push(Declared {
+                    name: word.text.clone(),
+                    section: section.section,
+                    data_type: data_type.clone(),
+                    initial: initial.clone(),
+                    comment: declaration.comment.clone(),
+                    span: word.span,
+                });
+            }
+        }
+    }
+    if id.kind == BlockKind::Function
+        && let Some(name) = &block.return_type
+        && !matches!(&name.kind, ast::TypeKind::Word(word) if word == "VOID")
+    {
+        let usage = Usage::Variable(id.kind, Section::Output);
+        if let Some(data_type) = types.data_type(name, usage) {
+            if let Some(&first) = names.get("ret_val") {
+                let message = format!("`RET_VAL` is the name of the result of `{id}`");
+                types.report(Problem::P3006, first, message);
+            } else if matches!(data_type, DataType::Array { .. }) {
+                types.report(Problem::P4009, name.span, format!("a function cannot have {} as its result", describe(&data_type)));
+            } else {
+                all.push(Declared {
+                    name: "RET_VAL".to_owned(),
+                    section: Section::Return,
+                    data_type,
+                    initial: Vec::new(),
+                    comment: String::new(),
+                    span: name.span,
+                });
+            }
+        }
+    }
+    all
+}
+
+fn unknown(word: &ast::Word, section: Section) -> Declared {
+    Declared { name: word.text.clone(), section, data_type: DataType::Void, initial: Vec::new(), comment: String::new(), span: word.span }
+}
+
+/// Gives every variable its place; `None` if they need more bytes than a block has.
+pub(crate) fn lay_out(id: BlockId, mut declared: Vec<Declared>) -> Option<BlockInterface> {
+    declared.sort_by_key(|variable| variable.section);
+    let function = matches!(id.kind, BlockKind::Function | BlockKind::SystemFunction);
+    let mut interface = Interface::default();
+    let mut instance = Structure { name: Some(id.to_string()), ..Structure::default() };
+    let (mut instance_cursor, mut local_cursor, mut parameters) = (0u64, 0u64, 0u32);
+    let mut last = None;
+    for variable in declared {
+        let Declared { name, section, data_type, initial, comment, span } = variable;
+        // Each section of an instance starts at an even byte.
+        if last.replace(section) != Some(section) {
+            instance_cursor = instance_cursor.next_multiple_of(16);
+        }
+        let offset = match section {
+            Section::Temp => {
+                let (offset, behind) = place(local_cursor, &data_type);
+                local_cursor = behind;
+                offset
+            }
+            _ if function => {
+                parameters += 1;
+                u64::from(parameters - 1)
+            }
+            _ => {
+                let in_instance = stored_type(section, &data_type);
+                let (offset, behind) = place(instance_cursor, &in_instance);
+                instance_cursor = behind;
+                if behind > BLOCK_BYTES_MAX * 8 {
+                    return None;
+                }
+                instance.fields.push(Field {
+                    name: name.clone(),
+                    data_type: in_instance,
+                    offset: offset as u32,
+                    initial: initial.clone(),
+                    comment: comment.clone(),
+                });
+                offset
+            }
+        };
+        if local_cursor > BLOCK_BYTES_MAX * 8 {
+            return None;
+        }
+        interface.variables.push(Variable { name, section, data_type, offset: offset as u32, initial, comment, span });
+    }
+    instance.size = (instance_cursor.next_multiple_of(16) / 8) as u32;
+    interface.instance_size = instance.size;
+    interface.local_size = (local_cursor.next_multiple_of(16) / 8) as u32;
+    if id.kind == BlockKind::OrganizationBlock {
+        // The declared variables of an OB overlay its start information.
+        interface.local_size = interface.local_size.max(START_INFORMATION_BYTES);
+    }
+    Some(BlockInterface { interface: Arc::new(interface), instance: Arc::new(instance) })
+}
+
+/// What lies in the instance: the value, or for a complex VAR_IN_OUT a POINTER to it.
+pub(crate) fn stored_type(section: Section, data_type: &DataType) -> DataType {
+    if section == Section::InOut && is_complex(data_type) { DataType::Pointer } else { data_type.clone() }
+}
+
+/// Types that do not fit an accumulator and are passed by a POINTER.
+pub(crate) fn is_complex(data_type: &DataType) -> bool {
+    matches!(
+        data_type,
+        DataType::DateAndTime | DataType::String(_) | DataType::Array { .. } | DataType::Struct(_) | DataType::Instance { .. }
+    )
+}

@@ -1,0 +1,120 @@
+//! Steps into structured variables: `.field[3].x`.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+use sieben_model::types::{DataType, Structure};
+
+use super::types::describe;
+use crate::scope::{Scope, did_you_mean, key};
+use crate::stl::ast;
+
+/// Structures with more fields than this get an index of their names.
+const INDEXED_FIELDS: usize = 16;
+
+/// Finds fields by name in constant time.
+#[derive(Default)]
+pub(crate) struct FieldNames {
+    // The structure is kept with its index, so that its address stays its own.
+    indexes: RefCell<HashMap<*const Structure, (Arc<Structure>, HashMap<String, usize>)>>,
+}
+
+impl FieldNames {
+    pub(crate) fn find(&self, structure: &Arc<Structure>, name: &str) -> Option<usize> {
+        if structure.fields.len() <= INDEXED_FIELDS {
+            return structure.fields.iter().position(|field| key(&field.name) == key(name));
+        }
+        let mut indexes = self.indexes.borrow_mut();
+        let (_, index) = indexes.entry(Arc::as_ptr(structure)).or_insert_with(|| {
+            let names = structure.fields.iter().enumerate().map(|(index, field)| (key(&field.name), index));
+            (Arc::clone(structure), names.collect())
+        });
+        index.get(&key(name)).copied()
+    }
+}
+
+/// Where a path leads from the start of a variable.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Reached {
+    /// Position from the start of the variable, in bits.
+    pub(crate) offset: u64,
+    /// The type there.
+    pub(crate) data_type: DataType,
+}
+
+/// Follows a path through a type.
+pub(crate) fn follow(
+    scope: &Scope,
+    names: &FieldNames,
+    start: &DataType,
+    path: &[ast::PathElement],
+    whole: Span,
+) -> Result<Reached, Box<Diagnostic>> {
+    let mut offset = 0u64;
+    let mut at = start;
+    let error = |problem, span, message: String| Err(Box::new(Diagnostic::new(problem, span, message)));
+    for (step, element) in path.iter().enumerate() {
+        match element {
+            ast::PathElement::Field(word) => {
+                let (DataType::Struct(structure) | DataType::Instance { structure, .. }) = at else {
+                    let message = format!("{} has no field `{}`", describe(at), word.text);
+                    return error(Problem::P4010, word.span, message);
+                };
+                let Some(index) = names.find(structure, &word.text) else {
+                    let fields = structure.fields.iter().map(|field| field.name.as_str());
+                    let message =
+                        format!("{} has no field `{}`{}", describe(at), word.text, did_you_mean(scope.nearest(&word.text, fields)));
+                    return error(Problem::P3007, word.span, message);
+                };
+                offset += u64::from(structure.fields[index].offset);
+                at = &structure.fields[index].data_type;
+            }
+            ast::PathElement::Index(indexes, span) => match at {
+                DataType::Array { bounds, element } => {
+                    let flat = match flat_index(bounds, indexes) {
+                        Ok(flat) => flat,
+                        Err(message) => return error(Problem::P4005, *span, message),
+                    };
+                    offset += at.element_offset(flat);
+                    at = element;
+                }
+                // A character of a string, behind its two length bytes.
+                DataType::String(length) if step + 1 == path.len() => {
+                    let &[index] = indexes.as_slice() else {
+                        return error(Problem::P4005, *span, "a character of a STRING has one index".to_owned());
+                    };
+                    if !(1..=i64::from(*length)).contains(&index) {
+                        let message = format!("index {index} is outside 1..{length}");
+                        return error(Problem::P4005, *span, message);
+                    }
+                    return Ok(Reached { offset: offset + (index as u64 + 1) * 8, data_type: DataType::Char });
+                }
+                other => {
+                    let message = format!("{} is no array and takes no index", describe(other));
+                    return error(Problem::P4010, if span.end > span.start { *span } else { whole }, message);
+                }
+            },
+        }
+    }
+    Ok(Reached { offset, data_type: at.clone() })
+}
+
+/// The number of an element, counted from 0 with the last index running fastest.
+fn flat_index(bounds: &[(i32, i32)], indexes: &[i64]) -> Result<u64, String> {
+    if bounds.len() != indexes.len() {
+        return Err(format!("this array has {} dimensions, {} indexes are given", bounds.len(), indexes.len()));
+    }
+    let mut flat = 0u64;
+    for (&(low, high), &index) in bounds.iter().zip(indexes) {
+        let (low, high) = (i64::from(low), i64::from(high));
+        if !(low..=high).contains(&index) {
+            return Err(format!("index {index} is outside {low}..{high}"));
+        }
+        flat = flat * (high - low + 1) as u64 + (index - low) as u64;
+    }
+    Ok(flat)
+}

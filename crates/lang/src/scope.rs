@@ -1,0 +1,173 @@
+//! The global names of a project: symbols, blocks, and suggestions for names that do not exist.
+
+use std::cell::Cell;
+use std::collections::HashMap;
+
+use sieben_model::address::Operand;
+use sieben_model::block::BlockId;
+use sieben_model::symbols::SymbolTable;
+
+use crate::project::SystemBlock;
+use crate::stl::ast;
+
+/// Suggestions cost a look at every name; a source full of unknown names gets this many.
+const SUGGESTIONS_MAX: u32 = 100;
+
+/// A name as a key: names compare without regard to case.
+pub(crate) fn key(name: &str) -> String {
+    if name.is_ascii() { name.to_ascii_lowercase() } else { name.to_lowercase() }
+}
+
+/// What a symbol stands for.
+#[derive(Clone, Debug)]
+pub(crate) struct Global {
+    /// The name as the table spells it.
+    pub(crate) name: String,
+    /// Its address; `None` if the table has none that can be read.
+    pub(crate) operand: Option<Operand>,
+    /// The address as written.
+    pub(crate) address: String,
+    /// The type as written.
+    pub(crate) data_type: String,
+    /// The name stands in the table again with another address.
+    pub(crate) ambiguous: bool,
+}
+
+/// The global names.
+#[derive(Debug, Default)]
+pub(crate) struct Scope {
+    globals: HashMap<String, Global>,
+    suggestions: Cell<u32>,
+}
+
+impl Scope {
+    /// The symbols of the table; names of system blocks stand for these unless the table says otherwise.
+    pub(crate) fn new(symbols: &SymbolTable, system: &[SystemBlock]) -> Self {
+        let mut globals: HashMap<String, Global> = HashMap::with_capacity(symbols.symbols().len());
+        for symbol in symbols.symbols() {
+            let operand = symbol.operand();
+            globals.entry(key(symbol.name.trim())).and_modify(|first| first.ambiguous |= first.operand != operand).or_insert_with(|| {
+                Global {
+                    name: symbol.name.trim().to_owned(),
+                    operand,
+                    address: symbol.address.trim().to_owned(),
+                    data_type: symbol.data_type.trim().to_ascii_uppercase(),
+                    ambiguous: false,
+                }
+            });
+        }
+        for block in system {
+            globals.entry(key(block.name)).or_insert_with(|| Global {
+                name: block.name.to_owned(),
+                operand: Some(Operand::Block(block.block)),
+                address: block.block.to_string(),
+                data_type: block.block.to_string(),
+                ambiguous: false,
+            });
+        }
+        Self { globals, suggestions: Cell::new(0) }
+    }
+
+    /// All blocks with a symbol.
+    pub(crate) fn blocks(&self) -> impl Iterator<Item = (BlockId, &str)> {
+        self.globals.values().filter_map(|global| match global.operand {
+            Some(Operand::Block(block)) => Some((block, global.name.as_str())),
+            _ => None,
+        })
+    }
+
+    /// What the symbol stands for.
+    pub(crate) fn global(&self, name: &str) -> Option<&Global> {
+        self.globals.get(&key(name))
+    }
+
+    /// The block that a symbol names.
+    pub(crate) fn block(&self, name: &str) -> Option<BlockId> {
+        match self.global(name)?.operand? {
+            Operand::Block(block) => Some(block),
+            _ => None,
+        }
+    }
+
+    /// The symbol that looks most like `name`.
+    pub(crate) fn nearest_symbol(&self, name: &str) -> Option<String> {
+        self.nearest(name, self.globals.values().map(|global| global.name.as_str()))
+    }
+
+    /// The candidate that looks most like `name`, if any looks like it.
+    pub(crate) fn nearest<'a>(&self, name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<String> {
+        if self.suggestions.get() >= SUGGESTIONS_MAX {
+            return None;
+        }
+        self.suggestions.set(self.suggestions.get() + 1);
+        let wanted: Vec<char> = key(name).chars().collect();
+        let limit = match wanted.len() {
+            0 => return None,
+            1..=2 => 1,
+            3..=5 => 2,
+            length => length / 3,
+        };
+        candidates
+            .filter_map(|candidate| {
+                let other: Vec<char> = key(candidate).chars().collect();
+                if other.len().abs_diff(wanted.len()) > limit || other.is_empty() {
+                    return None;
+                }
+                let distance = edit_distance(&wanted, &other);
+                (distance <= limit && distance < wanted.len().max(2)).then_some((distance, candidate))
+            })
+            .min()
+            .map(|(_, candidate)| candidate.to_owned())
+    }
+}
+
+/// The block that a header or operand names; `Err` is the message of why there is none.
+pub(crate) fn block_of_name(scope: &Scope, name: &ast::BlockName) -> Result<BlockId, String> {
+    match name {
+        ast::BlockName::Absolute { kind, number, .. } => match u16::try_from(*number) {
+            Ok(number) => Ok(BlockId::new(*kind, number)),
+            Err(_) => Err(format!("`{} {number}` has a number above 65535", kind.abbreviation())),
+        },
+        ast::BlockName::Symbol(word) => match scope.global(&word.text) {
+            None => Err(format!("`\"{}\"` is not in the symbol table{}", word.text, did_you_mean(scope.nearest_symbol(&word.text)))),
+            Some(Global { operand: Some(Operand::Block(block)), .. }) => Ok(*block),
+            Some(global) => Err(format!("`\"{}\"` stands for `{}`, which is not a block", word.text, global.address)),
+        },
+    }
+}
+
+/// `; did you mean `Start`?`, or nothing.
+pub(crate) fn did_you_mean(name: Option<String>) -> String {
+    name.map_or_else(String::new, |name| format!("; did you mean `{name}`?"))
+}
+
+/// Number of characters to insert, remove, replace or exchange with their neighbour.
+fn edit_distance(a: &[char], b: &[char]) -> usize {
+    let mut before_last = vec![0; b.len() + 1];
+    let mut last: Vec<usize> = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        let mut row = vec![i; b.len() + 1];
+        for j in 1..=b.len() {
+            let change = usize::from(a[i - 1] != b[j - 1]);
+            row[j] = (last[j] + 1).min(row[j - 1] + 1).min(last[j - 1] + change);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                row[j] = row[j].min(before_last[j - 2] + 1);
+            }
+        }
+        before_last = std::mem::replace(&mut last, row);
+    }
+    last[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distance_counts_an_exchange_once() {
+        let chars = |text: &str| text.chars().collect::<Vec<_>>();
+        assert_eq!(edit_distance(&chars("start"), &chars("satrt")), 1);
+        assert_eq!(edit_distance(&chars("start"), &chars("stop")), 3);
+        assert_eq!(edit_distance(&chars(""), &chars("abc")), 3);
+    }
+}
