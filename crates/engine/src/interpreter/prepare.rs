@@ -6,7 +6,7 @@ use sieben_model::block::BlockId;
 use crate::fault::Abort;
 use crate::intrinsics::Intrinsic;
 use crate::ir::{Callee, Code, DataRegister, Inst, OnFault, Op, Place, Target, Var};
-use crate::machine::Layout;
+use crate::machine::{Layout, Register};
 use crate::program::CodeBlock;
 
 /// One step of the interpreter. Arena addresses of constant places are final.
@@ -18,6 +18,12 @@ pub(super) enum Step {
     WideConstant { dst: u8, index: u32 },
     /// Up to four registers set to small values.
     Constants { count: u8, targets: [u8; 4], values: [u8; 4] },
+    /// `dst := src`.
+    Copy { dst: u8, src: u8 },
+    /// A whole scan of a bit at an arena address: STA, RLO by `op`, OR := 0 or OR AND /FC, /FC := 1.
+    Scan { op: Op, keeps_or: bool, bit: u8, at: u32 },
+    /// A whole assignment of the RLO to a bit at an arena address: STA, OR := 0, /FC := 0.
+    Assign { bit: u8, at: u32 },
     /// `dst := op(args)`.
     Compute { op: Op, dst: u8, args: [u8; 4] },
     /// A bit at an arena address.
@@ -127,6 +133,10 @@ pub(super) fn prepare(id: BlockId, block: &CodeBlock, layout: &Layout, find: &dy
     };
     for statement in 0..block.code.statement_count() {
         out.statements.push(out.steps.len() as u32);
+        if let Some(whole) = whole_statement(block.code.statement(statement), layout) {
+            out.steps.push(whole);
+            continue;
+        }
         for inst in block.code.statement(statement) {
             let step = step(inst, statement, &block.code, layout, find, &mut out);
             push(&mut out.steps, step, *out.statements.last().unwrap_or(&0) as usize);
@@ -153,6 +163,42 @@ pub(super) fn prepare(id: BlockId, block: &CodeBlock, layout: &Layout, find: &dy
     }
     out.statements = statements;
     out
+}
+
+/// Bit logic on a constant address is one step per statement: exactly these instructions, done at once.
+fn whole_statement(insts: &[Inst], layout: &Layout) -> Option<Step> {
+    let var = |register: Register| Var::from(register);
+    let (rlo, sta, or, fc) = (var(Register::Rlo), var(Register::Sta), var(Register::Or), var(Register::Fc));
+    let zero = |dst| Inst::Constant { dst, value: 0 };
+    match *insts {
+        [
+            Inst::Load { dst, place: Place::Fixed { area, position }, width: Width::Bit, .. },
+            Inst::Compute { op, dst: result, args },
+            rest,
+            last,
+        ] if dst == sta && result == rlo && last == (Inst::Constant { dst: fc, value: 1 }) => {
+            let keeps_or = match args {
+                [a, b, c, d] if op.arity() == 4 && [a, b, c, d] == [rlo, sta, or, fc] => {
+                    let and = Inst::Compute { op: Op::And, dst: or, args: [or, fc, Var::default(), Var::default()] };
+                    (rest == and).then_some(true)?
+                }
+                [a, b, c, _] if op.arity() == 3 && [a, b, c] == [rlo, sta, fc] => (rest == zero(or)).then_some(false)?,
+                _ => return None,
+            };
+            let (at, bit) = fixed(area, position, Width::Bit, layout)?;
+            Some(Step::Scan { op, keeps_or, bit, at })
+        }
+        [
+            Inst::Store { place: Place::Fixed { area, position }, width: Width::Bit, src },
+            Inst::Compute { op: Op::Copy, dst, args },
+            first,
+            second,
+        ] if src == rlo && dst == sta && args[0] == rlo && first == zero(or) && second == zero(fc) => {
+            let (at, bit) = fixed(area, position, Width::Bit, layout)?;
+            Some(Step::Assign { bit, at })
+        }
+        _ => None,
+    }
 }
 
 /// Adds a step, joined with the one before if both set small constants in the same statement.
@@ -188,6 +234,7 @@ fn step(inst: &Inst, statement: usize, code: &Code, layout: &Layout, find: &dyn 
                 Step::WideConstant { dst: dst.0, index: out.constants.len() as u32 - 1 }
             }
         },
+        Inst::Compute { op: Op::Copy, dst, args: [src, ..] } => Step::Copy { dst: dst.0, src: src.0 },
         Inst::Compute { op, dst, args } => Step::Compute { op, dst: dst.0, args: args.map(|arg| arg.0) },
         Inst::Load { dst, place, width, on_fault } => load(dst, place, width, on_fault, layout, out),
         Inst::Store { place, width, src } => store(src, place, width, layout, out),
@@ -219,7 +266,7 @@ fn step(inst: &Inst, statement: usize, code: &Code, layout: &Layout, find: &dyn 
 
 /// The arena address of a constant place in I, Q or M, if it lies inside the area.
 fn fixed(area: Area, position: u32, width: Width, layout: &Layout) -> Option<(u32, u8)> {
-    if width != Width::Bit && position % 8 != 0 {
+    if width != Width::Bit && !position.is_multiple_of(8) {
         return None;
     }
     let range = layout.area(area)?;
@@ -229,7 +276,7 @@ fn fixed(area: Area, position: u32, width: Width, layout: &Layout) -> Option<(u3
 
 /// Byte and bit of a constant place in the local data of the block, if it lies inside.
 fn local(area: Area, position: u32, width: Width, out: &Block) -> Option<(u32, u8)> {
-    let aligned = width == Width::Bit || position % 8 == 0;
+    let aligned = width == Width::Bit || position.is_multiple_of(8);
     (area == Area::Local && aligned && position / 8 + width.bytes() <= out.local_size).then_some((position / 8, (position % 8) as u8))
 }
 

@@ -137,6 +137,24 @@ impl Interpreter {
                         let [a, b, c, d] = args;
                         var!(dst) = op.eval([var!(a), var!(b), var!(c), var!(d)]);
                     }
+                    Step::Copy { dst, src } => var!(dst) = var!(src),
+                    Step::Scan { op, keeps_or, bit, at } => {
+                        let scanned = u64::from(context.machine.memory.arena[at as usize] >> (bit & 7) & 1);
+                        let (or, fc) = (file[Register::Or as usize], file[Register::Fc as usize]);
+                        let third = if keeps_or { or } else { fc };
+                        file[Register::Rlo as usize] = op.eval([file[Register::Rlo as usize], scanned, third, fc]);
+                        file[Register::Sta as usize] = scanned;
+                        file[Register::Or as usize] = if keeps_or { or & fc } else { 0 };
+                        file[Register::Fc as usize] = 1;
+                    }
+                    Step::Assign { bit, at } => {
+                        let rlo = file[Register::Rlo as usize];
+                        let byte = &mut context.machine.memory.arena[at as usize];
+                        *byte = *byte & !(1 << (bit & 7)) | ((rlo & 1) as u8) << (bit & 7);
+                        file[Register::Sta as usize] = rlo;
+                        file[Register::Or as usize] = 0;
+                        file[Register::Fc as usize] = 0;
+                    }
                     Step::Constant { dst, value } => var!(dst) = u64::from(value),
                     Step::Constants { count, targets, values } => {
                         for (target, value) in targets.into_iter().zip(values).take(usize::from(count)) {

@@ -265,7 +265,7 @@ ops! {
     /// a = b as REAL.
     eq_f32 = EqF32(a: f32, b: f32) -> bool = a == b;
     /// a ≠ b as REAL; false if either is no number, as the CPU has it.
-    ne_f32 = NeF32(a: f32, b: f32) -> bool = a < b || a > b;
+    ne_f32 = NeF32(a: f32, b: f32) -> bool = a != b && !a.is_nan() && !b.is_nan();
     /// a < b as REAL.
     lt_f32 = LtF32(a: f32, b: f32) -> bool = a < b;
     /// a ≤ b as REAL.
@@ -455,7 +455,7 @@ fn to_bcd(mut value: u32) -> u32 {
     let mut bcd = 0;
     let mut shift = 0;
     while value > 0 {
-        bcd |= value % 10 << shift;
+        bcd |= (value % 10) << shift;
         value /= 10;
         shift += 4;
     }

@@ -55,6 +55,6 @@ impl Counter {
     }
     /// The count as LC delivers it, three BCD digits.
     pub fn bcd(&self) -> u16 {
-        (self.count / 100) << 8 | (self.count / 10 % 10) << 4 | self.count % 10
+        (self.count / 100) << 8 | (self.count / 10 % 10) << 4 | (self.count % 10)
     }
 }

@@ -129,6 +129,6 @@ impl Timer {
     /// The value as LC delivers it: time base in bits 12 and 13, three BCD digits.
     pub fn bcd(&self, now_us: u64) -> u16 {
         let value = self.remaining(now_us);
-        u16::from(self.base & 3) << 12 | (value / 100) << 8 | (value / 10 % 10) << 4 | value % 10
+        u16::from(self.base & 3) << 12 | (value / 100) << 8 | (value / 10 % 10) << 4 | (value % 10)
     }
 }
