@@ -44,7 +44,7 @@ impl Failure {
     }
     /// The message as it is printed when it belongs to no place in a source.
     pub(crate) fn render(&self, colour: bool) -> String {
-        let help = self.help.as_deref().unwrap_or(self.problem.help());
+        let help = crate::report::capitalized(self.help.as_deref().unwrap_or(self.problem.help()));
         let (red, green, plain) = if colour { ("\x1b[31m", "\x1b[38;5;115m", "\x1b[0m") } else { ("", "", "") };
         format!("{red}[{}] Error:{plain} {}\n  {green}Help{plain}: {help}\n", self.problem.code(), self.message)
     }

@@ -116,7 +116,7 @@ impl Project {
     }
 
     fn folder(&mut self, folder: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<(), Failure> {
-        let project_file = folder.join(settings::FILE_NAME);
+        let project_file = join(folder, Path::new(settings::FILE_NAME));
         let mut settings = Settings::default();
         if project_file.is_file() {
             let text = String::from_utf8(files::read(&project_file)?)

@@ -90,7 +90,8 @@ pub(crate) fn render(findings: &[Finding], texts: &Texts, colour: bool) -> Strin
     for finding in findings.iter().take(SHOWN_MAX) {
         render_one(finding, &mut cache, colour, &mut out);
     }
-    let mut text = String::from_utf8_lossy(&out).into_owned();
+    // Ariadne pads its lines; blanks at the end of a line only disturb whoever copies it.
+    let mut text: String = String::from_utf8_lossy(&out).lines().flat_map(|line| [line.trim_end(), "\n"]).collect();
     if findings.len() > SHOWN_MAX {
         text.push_str(&format!("… and {} more; `--json` lists all of them.\n", findings.len() - SHOWN_MAX));
     }
@@ -183,8 +184,14 @@ fn render_plain(finding: &Finding, texts: &Texts, colour: bool, out: &mut Vec<u8
     );
 }
 
-fn help_of(diagnostic: &Diagnostic) -> &str {
-    diagnostic.help.as_deref().unwrap_or(diagnostic.problem.help())
+fn help_of(diagnostic: &Diagnostic) -> String {
+    capitalized(diagnostic.help.as_deref().unwrap_or(diagnostic.problem.help()))
+}
+
+/// A help sentence as it is printed; a word in backticks at its start stays as it is.
+pub(crate) fn capitalized(sentence: &str) -> String {
+    let mut chars = sentence.chars();
+    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
 }
 
 /// Findings as programs read them.

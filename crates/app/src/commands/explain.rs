@@ -1,8 +1,11 @@
 //! `sieben explain WORD`: an instruction, a problem code or a CPU type, from the tables.
 
 use clap::Args;
+use sieben_lang::stl::instructions::Instruction;
+use sieben_lang::stl::operands::OperandClass;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
+use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 
 use crate::failure::{Exit, Failure};
@@ -15,11 +18,11 @@ const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/problem_pages
 /// Explain an instruction, a problem code or a CPU type.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
-  sieben explain SPB      an instruction, in either mnemonic language\n  \
-  sieben explain P2001    a problem code\n  \
-  sieben explain 416-3    a CPU type\n  \
-  sieben explain cpu      all CPU types\n  \
-  sieben explain problems all problem codes")]
+  sieben explain SPB           an instruction, in either mnemonic language\n  \
+  sieben explain 'A('          quote what the shell would take\n  \
+  sieben explain P2001         a problem code\n  \
+  sieben explain 416-3         a CPU type\n  \
+  sieben explain instructions  all of them; also: problems, cpu")]
 pub(crate) struct Arguments {
     /// What to explain
     #[arg(required = true, value_name = "WORD", allow_hyphen_values = true)]
@@ -41,11 +44,71 @@ fn explain(word: &str) -> Option<String> {
     if word.eq_ignore_ascii_case("problems") {
         return Some(problems());
     }
-    Problem::from_code(word).map(problem).or_else(|| CpuType::by_name(word).map(cpu_type))
+    if word.eq_ignore_ascii_case("instructions") {
+        return Some(instructions());
+    }
+    instruction(word).or_else(|| Problem::from_code(word).map(problem)).or_else(|| CpuType::by_name(word).map(cpu_type))
+}
+
+/// All instructions with this word in either mnemonic language.
+fn instruction(word: &str) -> Option<String> {
+    // `A (` and `A(` are the same word.
+    let word: String = word.split_whitespace().collect::<String>().to_ascii_uppercase();
+    let rows: Vec<Instruction> = Instruction::ALL.iter().copied().filter(|row| row.english() == word || row.german() == word).collect();
+    if rows.is_empty() {
+        return None;
+    }
+    let mut text: String = rows.iter().map(|&row| instruction_row(row)).collect::<Vec<_>>().join("\n");
+    text.push_str("\nStatus word: - not changed, 0 or 1 always that, x written with a result.\n");
+    let meanings = |mnemonics| Instruction::candidates(&word, mnemonics).next();
+    if let (Some(english), Some(german)) = (meanings(Mnemonics::English), meanings(Mnemonics::German))
+        && english.german() != word
+    {
+        text.push_str(&format!(
+            "Careful: `{word}` is the English word for what German writes `{}`, and the German word for what English writes `{}`.\n",
+            english.german(),
+            german.english()
+        ));
+    }
+    Some(text)
+}
+
+fn instruction_row(row: Instruction) -> String {
+    let names = if row.english() == row.german() {
+        row.english().to_owned()
+    } else {
+        format!("{} (English), {} (German)", row.english(), row.german())
+    };
+    format!(
+        "{names}\n  {}\n  operand: {}\n           BR CC1 CC0 OV OS OR STA RLO /FC\n  status:  {}\n",
+        row.doc(),
+        if row.operand() == OperandClass::None { "none" } else { row.operand().describe() },
+        status_columns(row.status_row())
+    )
+}
+
+/// The nine effects under their headings.
+fn status_columns(row: &str) -> String {
+    let widths = [2, 3, 3, 2, 2, 2, 3, 3, 3];
+    let columns: Vec<String> = row.split_whitespace().zip(widths).map(|(effect, width)| format!("{effect:<width$}")).collect();
+    columns.join(" ").trim_end().to_owned()
+}
+
+fn instructions() -> String {
+    let mut text = format!("{:<8} {:<8} what it does\n", "English", "German");
+    for row in Instruction::ALL {
+        text.push_str(&format!("{:<8} {:<8} {}\n", row.english(), row.german(), row.doc()));
+    }
+    text
 }
 
 fn unknown(word: &str) -> Failure {
-    let words = Problem::ALL.iter().map(|problem| problem.code()).chain(CpuType::ALL.iter().map(|cpu| cpu.name));
+    let words = Problem::ALL
+        .iter()
+        .map(|problem| problem.code())
+        .chain(CpuType::ALL.iter().map(|cpu| cpu.name))
+        .chain(Instruction::ALL.iter().flat_map(|row| [row.english(), row.german()]))
+        .chain(["cpu", "problems", "instructions"]);
     let failure = Failure::usage(Problem::P7007, format!("nothing is known about `{word}`"));
     match nearest(word, words) {
         Some(near) => failure.help(format!("did you mean `{near}`?")),
