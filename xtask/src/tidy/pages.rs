@@ -99,10 +99,7 @@ fn problem_pages(files: &[TextFile]) -> Vec<Finding> {
     for problem in Problem::ALL {
         let (title, help) = (problem.title(), problem.help());
         let code = problem.code();
-        let message = if title.is_empty()
-            || title.ends_with('.')
-            || title.chars().next().is_some_and(char::is_uppercase) && !title.starts_with("CPU")
-        {
+        let message = if title.is_empty() || title.ends_with('.') || begins_with_a_capital(title) {
             "the title is a phrase: lower-case, no full stop"
         } else if !help.ends_with(['.', '?', '!']) {
             "the help is a sentence with a full stop"
@@ -112,6 +109,12 @@ fn problem_pages(files: &[TextFile]) -> Vec<Finding> {
         findings.push(Finding::file("crates/model/src/problems.rs", format!("`{code}`: {message}")));
     }
     findings
+}
+
+/// A capital that is not the first letter of a short form such as MCR or CPU.
+fn begins_with_a_capital(title: &str) -> bool {
+    let word = title.split(' ').next().unwrap_or_default();
+    word.starts_with(char::is_uppercase) && word.chars().any(char::is_lowercase)
 }
 
 fn decisions(files: &[TextFile]) -> Vec<Finding> {
