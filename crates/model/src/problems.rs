@@ -33,6 +33,10 @@ macro_rules! problems {
 problems! {
     // 1xxx characters and words
     P1001 Error "a character that does not belong here" "Remove it, or put it into a comment or a string.";
+    P1002 Error "characters without their closing apostrophe" "Write `'` behind the last character; an apostrophe inside is written `$'`.";
+    P1003 Error "a quoted name without its closing quote" "Write `\"` behind the name, on the same line.";
+    P1004 Error "a comment without its end" "Write `*)` where the comment ends.";
+    P1005 Error "a character that only looks like the right one" "Apply the fix: it writes the letter or digit that is meant.";
     P1101 Error "a binary file instead of a source text" "Name the source (.awl, .stl, .csv, .sdf), not a block, an archive or a project database.";
     P1102 Warning "bytes that mean nothing in the encoding of the file" "Choose another encoding, or save the file as UTF-8.";
     P1103 Error "a character that the encoding of the file does not have" "Save the file as UTF-8, or replace the character.";
@@ -40,6 +44,31 @@ problems! {
 
     // 2xxx syntax
     P2001 Error "a word where a statement should begin is not an instruction" "Use an instruction of the mnemonic language of the file.";
+    P2002 Error "a statement in the other mnemonic language" "Apply the fix, or name the language of the file with --mnemonics.";
+    P2003 Warning "a word that both mnemonic languages have, and no other word to tell which" "Name the language of the file with --mnemonics.";
+    P2004 Error "more text where a statement has ended" "Separate statements by `;` or a line end, and begin a comment with `//`.";
+    P2005 Error "an operand that is not understood" "Write an address such as `M 1.0`, a symbol in quotes, `#local` or a constant.";
+    P2006 Error "a label of more than four characters" "Use at most four letters and digits, beginning with a letter.";
+    P2007 Error "a misprint of the assignment sign" "Write `:=`.";
+    P2008 Error "a known misprint of an instruction or operand" "Apply the fix.";
+    P2010 Error "a block without a name" "Write the kind and number of the block, such as `FC 1`, or a symbol in quotes.";
+    P2011 Error "a block without its end" "Write the END_ keyword of the block behind its last statement.";
+    P2012 Error "a block that ends with the keyword of another kind" "Use the END_ keyword that belongs to the first keyword of the block.";
+    P2013 Error "the end of a block that did not begin" "Remove it, or write the beginning of the block.";
+    P2014 Error "a header line that is not understood" "Write it as `AUTHOR : name`, or `TITLE = text`.";
+    P2015 Error "an attribute list that is not understood" "Write it as `{ name := 'value' }`.";
+    P2016 Error "a bracket that is not closed" "Write `]` behind the index or pointer.";
+    P2017 Error "an assignment of a data block that is not understood" "Write `name := value;`.";
+    P2018 Error "a path into a variable that is not understood" "Write `.field` or `[1]` with whole numbers, without blanks.";
+    P2019 Error "a keyword where statements stand" "Write declarations before BEGIN, and remove what does not belong to the block.";
+    P2020 Error "a declaration that is not understood" "Write `name : INT;`.";
+    P2021 Error "a data type that is not understood" "Use an elementary type, STRING [n], ARRAY [1..5] OF, STRUCT, a UDT or a function block.";
+    P2022 Error "nesting that is too deep" "Use fewer levels; STEP 7 allows eight.";
+    P2023 Error "a declaration section without its end" "Write `END_VAR` or `END_STRUCT` behind the last declaration.";
+    P2024 Error "an initial value that is not understood" "Write a constant, constants with commas, or `3 (0)` for a repetition.";
+    P2030 Error "a parameter that is not understood" "Write `name := value`, with commas between the parameters.";
+    P2031 Error "a parameter list without its end" "Write `)` behind the last parameter.";
+    P2199 Error "more problems than are shown" "Mend the problems that are shown first.";
     P2200 Error "a block header that does not fit its block" "Name a block of the kind that the keyword says: FUNCTION with an FC, FUNCTION_BLOCK with an FB, DATA_BLOCK with a DB, ORGANIZATION_BLOCK with an OB, TYPE with a UDT.";
     P2201 Error "a VAR section that this kind of block does not have" "An OB has VAR_TEMP; an FC has VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT and VAR_TEMP; only an FB has VAR too.";
     P2203 Error "a bracket that is never closed" "Close it with `)` before the block ends.";

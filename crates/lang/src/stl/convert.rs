@@ -1,0 +1,70 @@
+//! `sieben convert --mnemonics`: rewrites the words that differ between the mnemonic languages, byte for byte nothing else.
+
+use rowan::NodeOrToken;
+use sieben_model::diagnostic::{Diagnostic, Severity};
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::problems::Problem;
+use sieben_model::source::FileId;
+
+use super::mnemonics::{translate_instruction, translate_letters, translate_status};
+use super::parser::parse;
+use super::syntax::{SyntaxKind, SyntaxToken};
+
+/// The source in the language `to`. Words that already are in it stay as they are.
+///
+/// Without `from` the language is judged. Errors of syntax are returned instead, because words next to them
+/// might be taken for the wrong thing; a statement in the other language and a misprint are none of them.
+pub fn convert(text: &str, from: Option<Mnemonics>, to: Mnemonics) -> Result<String, Vec<Diagnostic>> {
+    let parsed = parse(FileId::default(), text, from);
+    let errors: Vec<Diagnostic> = parsed.diagnostics.iter().filter(|diagnostic| stops_rewriting(diagnostic)).cloned().collect();
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    let mut out = String::with_capacity(text.len() + text.len() / 16);
+    for element in parsed.syntax().descendants_with_tokens() {
+        if let NodeOrToken::Token(token) = element {
+            match translated(&token, parsed.mnemonics, to) {
+                Some(text) => out.push_str(&text),
+                None => out.push_str(token.text()),
+            }
+        }
+    }
+    Ok(out)
+}
+
+/// Whether a source with this diagnostic is not rewritten.
+pub(super) fn stops_rewriting(diagnostic: &Diagnostic) -> bool {
+    diagnostic.severity() == Severity::Error
+        && !matches!(diagnostic.problem, Problem::P1005 | Problem::P2002 | Problem::P2006 | Problem::P2007 | Problem::P2008)
+        && diagnostic.problem.code() < "P3000"
+}
+
+fn translated(token: &SyntaxToken, file: Mnemonics, to: Mnemonics) -> Option<String> {
+    let text = token.text();
+    let right = match token.kind() {
+        // A word that both sets have is meant in the language of the file: `SE`.
+        SyntaxKind::Mnemonic if file == to && translate_instruction(text, to).is_some() => return None,
+        SyntaxKind::Mnemonic => translate_instruction(text, to.other())?,
+        SyntaxKind::AddressLetters => translate_letters(text, to.other())?,
+        SyntaxKind::StatusWord => translate_status(text, to.other())?,
+        SyntaxKind::Constant => return translated_pointer(text, to),
+        _ => return None,
+    };
+    (!right.eq_ignore_ascii_case(text)).then(|| in_case_of(text, right))
+}
+
+/// `P#I 1.0 BYTE 4` becomes `P#E 1.0 BYTE 4`.
+fn translated_pointer(text: &str, to: Mnemonics) -> Option<String> {
+    let behind = text.strip_prefix(['P', 'p'])?.strip_prefix('#')?;
+    let start = text.len() - behind.trim_start().len();
+    let length = text[start..].bytes().take_while(u8::is_ascii_alphabetic).count();
+    let letters = &text[start..start + length];
+    let right = translate_letters(letters, to.other())?;
+    Some(format!("{}{}{}", &text[..start], in_case_of(letters, right), &text[start + length..]))
+}
+
+/// The right word in lower case if the written one is.
+pub(super) fn in_case_of(written: &str, right: &str) -> String {
+    let lower = written.bytes().any(|byte| byte.is_ascii_lowercase()) && !written.bytes().any(|byte| byte.is_ascii_uppercase());
+    if lower { right.to_ascii_lowercase() } else { right.to_owned() }
+}

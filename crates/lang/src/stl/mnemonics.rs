@@ -1,0 +1,167 @@
+//! Judges the mnemonic language of a whole source, and translates single words.
+
+use sieben_model::mnemonics::Mnemonics;
+
+use super::instructions::Instruction;
+use super::lexer::{Raw, token};
+
+/// Address letters that differ: international and SIMATIC.
+const ADDRESS_LETTERS: [(&str, &str); 19] = [
+    ("I", "E"),
+    ("IX", "EX"),
+    ("IB", "EB"),
+    ("IW", "EW"),
+    ("ID", "ED"),
+    ("Q", "A"),
+    ("QX", "AX"),
+    ("QB", "AB"),
+    ("QW", "AW"),
+    ("QD", "AD"),
+    ("PI", "PE"),
+    ("PIB", "PEB"),
+    ("PIW", "PEW"),
+    ("PID", "PED"),
+    ("PQ", "PA"),
+    ("PQB", "PAB"),
+    ("PQW", "PAW"),
+    ("PQD", "PAD"),
+    ("C", "Z"),
+];
+
+/// Status words that differ.
+const STATUS_WORDS: [(&str, &str); 1] = [("BR", "BIE")];
+
+/// Instructions that look the same in both languages or are easily taken for the other one; they prove nothing alone.
+const AMBIGUOUS: [&str; 2] = ["SE", "SS"];
+
+/// What the words of a file say about its language.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Judgement {
+    /// Words that only the international set has.
+    pub english: u32,
+    /// Words that only the SIMATIC set has.
+    pub german: u32,
+    /// The first word that means different things in the two sets, as bytes of the text.
+    pub ambiguous: Option<(usize, usize)>,
+}
+
+impl Judgement {
+    /// The language of the majority, international without one.
+    pub fn mnemonics(&self) -> Mnemonics {
+        if self.german > self.english { Mnemonics::German } else { Mnemonics::English }
+    }
+    /// No word decided.
+    pub fn is_open(&self) -> bool {
+        self.english == 0 && self.german == 0
+    }
+}
+
+/// The instruction word in the other language; `None` if `from` has no such word.
+pub fn translate_instruction(word: &str, from: Mnemonics) -> Option<&'static str> {
+    Instruction::candidates(word, from).next().map(|instruction| instruction.mnemonic(from.other()))
+}
+
+/// The letters of an address in the other language; `None` if they are the same or unknown.
+pub fn translate_letters(letters: &str, from: Mnemonics) -> Option<&'static str> {
+    pick(&ADDRESS_LETTERS, letters, from)
+}
+
+/// A status word in the other language; `None` if it is the same or unknown.
+pub fn translate_status(word: &str, from: Mnemonics) -> Option<&'static str> {
+    pick(&STATUS_WORDS, word, from)
+}
+
+fn pick(table: &[(&'static str, &'static str)], word: &str, from: Mnemonics) -> Option<&'static str> {
+    table.iter().find_map(|&(english, german)| {
+        let (source, target) = match from {
+            Mnemonics::English => (english, german),
+            Mnemonics::German => (german, english),
+        };
+        source.eq_ignore_ascii_case(word).then_some(target)
+    })
+}
+
+/// The language of a single instruction word; `None` if both sets or neither have it.
+fn instruction_language(word: &str) -> Option<Mnemonics> {
+    let english = translate_instruction(word, Mnemonics::English).is_some();
+    let german = translate_instruction(word, Mnemonics::German).is_some();
+    match (english, german) {
+        (true, false) => Some(Mnemonics::English),
+        (false, true) => Some(Mnemonics::German),
+        _ => None,
+    }
+}
+
+/// Counts the words of a source that only one language has, in statements only.
+pub fn judge(text: &str) -> Judgement {
+    let mut judgement = Judgement::default();
+    let mut position = 0;
+    let mut at_start = true;
+    let mut declarations = 0_u32;
+    loop {
+        let (raw, end) = token(text, position);
+        let word = &text[position..end];
+        match raw {
+            Raw::End => return judgement,
+            Raw::Newline | Raw::Semicolon => at_start = true,
+            Raw::Blank | Raw::LineComment | Raw::BlockComment => {}
+            Raw::Colon => at_start = true,
+            Raw::Word => {
+                let upper = word.to_ascii_uppercase();
+                match upper.as_str() {
+                    "VAR" | "VAR_INPUT" | "VAR_OUTPUT" | "VAR_IN_OUT" | "VAR_TEMP" | "STRUCT" => declarations += 1,
+                    "END_VAR" | "END_STRUCT" => declarations = declarations.saturating_sub(1),
+                    "BEGIN" | "NETWORK" => declarations = 0,
+                    "TITLE" | "AUTHOR" | "FAMILY" | "NAME" | "VERSION" if at_start => {
+                        position = text[end..].find(['\r', '\n']).map_or(text.len(), |line| end + line);
+                        continue;
+                    }
+                    _ if declarations > 0 => {}
+                    _ if at_start => {
+                        let mut behind = end;
+                        while let (Raw::Blank, next) = token(text, behind) {
+                            behind = next;
+                        }
+                        match token(text, behind).0 {
+                            // A label, a parameter or a declaration.
+                            Raw::Colon | Raw::Becomes => {}
+                            next => {
+                                let bracket = next == Raw::ParenOpen && !upper.starts_with("CALL");
+                                match instruction_language(&upper).or_else(|| match bracket {
+                                    true => instruction_language(&format!("{upper}(")),
+                                    false => None,
+                                }) {
+                                    Some(Mnemonics::English) => judgement.english += 1,
+                                    Some(Mnemonics::German) => judgement.german += 1,
+                                    None if AMBIGUOUS.contains(&upper.as_str()) => {
+                                        judgement.ambiguous.get_or_insert((position, end));
+                                    }
+                                    None => {}
+                                }
+                            }
+                        }
+                    }
+                    _ => count_operand(text, &upper, end, &mut judgement),
+                }
+                at_start = false;
+            }
+            _ => at_start = false,
+        }
+        position = end;
+    }
+}
+
+fn count_operand(text: &str, word: &str, end: usize, judgement: &mut Judgement) {
+    let letters = word.trim_end_matches(|c: char| c.is_ascii_digit());
+    let number = letters.len() < word.len() || {
+        let (raw, behind) = token(text, end);
+        let next = if raw == Raw::Blank { token(text, behind).0 } else { raw };
+        matches!(next, Raw::Number | Raw::BracketOpen)
+    };
+    let differs = |from| translate_status(word, from).is_some() || (number && translate_letters(letters, from).is_some());
+    if differs(Mnemonics::English) {
+        judgement.english += 1;
+    } else if differs(Mnemonics::German) {
+        judgement.german += 1;
+    }
+}

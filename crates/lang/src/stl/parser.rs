@@ -1,0 +1,493 @@
+//! From STL text to the lossless tree, the plain syntax and the diagnostics.
+//!
+//! One recursive descent builds the tree and the plain data together. It never gives up: what is
+//! not understood becomes an `Unexpected` token and a diagnostic, and parsing goes on behind it.
+
+mod blocks;
+mod operands;
+mod statements;
+
+use std::collections::HashSet;
+
+use rowan::{Checkpoint, GreenNode, GreenNodeBuilder};
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::literal;
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::problems::Problem;
+use sieben_model::source::{FileId, Span};
+
+use super::ast;
+use super::lexer::{Raw, is_terminated, token};
+use super::mnemonics::judge;
+use super::syntax::{SyntaxKind, SyntaxNode};
+
+/// More diagnostics than this help nobody; one more says that there are others.
+pub const DIAGNOSTICS_MAX: usize = 200;
+
+/// Structures, arrays, value groups and brackets inside each other; STEP 7 allows 8 levels.
+pub const NESTING_MAX: usize = 32;
+
+/// What the parser understood of one source.
+#[derive(Clone, Debug)]
+pub struct Parsed {
+    /// The blocks.
+    pub file: ast::File,
+    /// The mnemonic language, as given or judged. Instruction words and address letters of `file` are in it.
+    pub mnemonics: Mnemonics,
+    /// What is wrong, in the order of places.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The lossless tree.
+    pub tree: GreenNode,
+}
+
+impl Parsed {
+    /// The tree with parents and places.
+    pub fn syntax(&self) -> SyntaxNode {
+        SyntaxNode::new_root(self.tree.clone())
+    }
+}
+
+/// Parses a source; without `mnemonics` its language is judged over the whole text.
+pub fn parse(file: FileId, text: &str, mnemonics: Option<Mnemonics>) -> Parsed {
+    let mut ambiguous = None;
+    let mnemonics = mnemonics.unwrap_or_else(|| {
+        let judgement = judge(text);
+        ambiguous = judgement.ambiguous.filter(|_| judgement.is_open());
+        judgement.mnemonics()
+    });
+    let mut parser = Parser {
+        text,
+        file,
+        mnemonics,
+        position: 0,
+        raw: Raw::End,
+        end: 0,
+        builder: GreenNodeBuilder::new(),
+        diagnostics: Vec::new(),
+        declared: HashSet::new(),
+        foreign: Vec::new(),
+        comments: Vec::new(),
+        depth: 0,
+    };
+    parser.advance(0);
+    if let Some((start, end)) = ambiguous {
+        let word = &text[start..end];
+        parser.report(
+            Diagnostic::new(
+                Problem::P2003,
+                parser.span(start, end),
+                format!("`{word}` exists in both mnemonic languages, and no other word of the file tells which one it is"),
+            )
+            .help("it is read as an international mnemonic; say `--mnemonics de` if it is SIMATIC"),
+        );
+    }
+    parser.builder.start_node(SyntaxKind::File.into());
+    let file = parser.source();
+    parser.builder.finish_node();
+    let mut diagnostics = parser.diagnostics;
+    diagnostics.sort_by_key(|diagnostic| (diagnostic.problem == Problem::P2199, diagnostic.span.start));
+    Parsed { file, mnemonics, diagnostics, tree: parser.builder.finish() }
+}
+
+/// Survives any bytes: parses, formats and converts them, and checks what must always hold.
+pub fn fuzz(data: &[u8]) {
+    let text = String::from_utf8_lossy(data);
+    let parsed = parse(FileId::default(), &text, None);
+    assert!(parsed.syntax().text() == text.as_ref(), "the tree holds every byte of the source");
+    if let Ok(once) = super::format::format(&text, None) {
+        let twice = super::format::format(&once, None);
+        assert_eq!(twice.as_deref(), Ok(once.as_str()), "formatting a formatted source changes nothing");
+    }
+    let _ = super::convert::convert(&text, None, parsed.mnemonics.other());
+}
+
+/// A word in the other mnemonic language and what it should be.
+struct Foreign {
+    start: usize,
+    end: usize,
+    replacement: String,
+}
+
+struct Parser<'t> {
+    text: &'t str,
+    file: FileId,
+    mnemonics: Mnemonics,
+    /// First byte of the current token.
+    position: usize,
+    raw: Raw,
+    /// One behind the current token.
+    end: usize,
+    builder: GreenNodeBuilder<'static>,
+    diagnostics: Vec<Diagnostic>,
+    /// Upper-case names that the current block declares.
+    declared: HashSet<String>,
+    /// Words of the other language in the current statement.
+    foreign: Vec<Foreign>,
+    /// Line comments since they were last taken.
+    comments: Vec<(usize, usize)>,
+    depth: usize,
+}
+
+impl<'t> Parser<'t> {
+    fn span(&self, start: usize, end: usize) -> Span {
+        Span::new(self.file, start as u32, end as u32)
+    }
+
+    fn report(&mut self, diagnostic: Diagnostic) {
+        if self.diagnostics.len() < DIAGNOSTICS_MAX {
+            self.diagnostics.push(diagnostic);
+        } else if self.diagnostics.len() == DIAGNOSTICS_MAX {
+            let message = format!("this file has more than {DIAGNOSTICS_MAX} problems; the others are not shown");
+            self.diagnostics.push(Diagnostic::new(Problem::P2199, diagnostic.span, message));
+        }
+    }
+
+    fn error(&mut self, problem: Problem, start: usize, end: usize, message: impl Into<String>) {
+        let span = self.span(start, end);
+        self.report(Diagnostic::new(problem, span, message));
+    }
+
+    /// Makes the token at a byte the current one.
+    fn advance(&mut self, position: usize) {
+        self.position = position;
+        (self.raw, self.end) = token(self.text, position);
+    }
+
+    fn current(&self) -> &'t str {
+        &self.text[self.position..self.end]
+    }
+
+    fn slice(&self, start: usize, end: usize) -> &'t str {
+        &self.text[start..end]
+    }
+
+    /// The current token, or a word for the end of a line or the source, for messages.
+    fn shown(&self) -> String {
+        match self.raw {
+            Raw::End => "the end of the source".to_owned(),
+            Raw::Newline => "the end of the line".to_owned(),
+            _ => {
+                let text = self.current();
+                let short: String = text.chars().take(40).collect();
+                format!("`{}`", short.escape_debug())
+            }
+        }
+    }
+
+    /// Puts the text up to `end` into the tree and goes on behind it.
+    fn bump_to(&mut self, kind: SyntaxKind, end: usize) {
+        if end > self.position {
+            self.builder.token(kind.into(), &self.text[self.position..end]);
+        }
+        self.advance(end);
+    }
+
+    /// Puts the current token into the tree and says where it stood.
+    fn bump(&mut self, kind: SyntaxKind) -> (usize, usize) {
+        let place = (self.position, self.end);
+        if !is_terminated(self.raw, self.current()) {
+            let (problem, message) = match self.raw {
+                Raw::BlockComment => (Problem::P1004, "this comment has no `*)`, the rest of the source belongs to it"),
+                Raw::Characters => (Problem::P1002, "these characters have no closing `'` on their line"),
+                _ => (Problem::P1003, "this name has no closing `\"` on its line"),
+            };
+            let end = if self.raw == Raw::BlockComment { place.0 + 2 } else { place.1 };
+            self.error(problem, place.0, end, message);
+        }
+        self.bump_to(kind, place.1);
+        place
+    }
+
+    /// Puts the current token into the tree as something that does not belong there, without a message.
+    fn bump_unexpected(&mut self) {
+        let kind = match self.raw {
+            Raw::Blank => SyntaxKind::Blank,
+            Raw::Newline => SyntaxKind::Newline,
+            Raw::LineComment => SyntaxKind::LineComment,
+            Raw::BlockComment => SyntaxKind::BlockComment,
+            Raw::Semicolon => SyntaxKind::Semicolon,
+            _ => SyntaxKind::Unexpected,
+        };
+        self.bump(kind);
+    }
+
+    fn blanks(&mut self) {
+        loop {
+            match self.raw {
+                Raw::Blank => self.bump_to(SyntaxKind::Blank, self.end),
+                Raw::BlockComment => {
+                    self.bump(SyntaxKind::BlockComment);
+                }
+                _ => return,
+            }
+        }
+    }
+
+    /// Blanks, comments and line ends.
+    fn trivia(&mut self) {
+        loop {
+            self.blanks();
+            match self.raw {
+                Raw::Newline => self.bump_to(SyntaxKind::Newline, self.end),
+                Raw::LineComment => {
+                    self.comments.push((self.position, self.end));
+                    self.bump_to(SyntaxKind::LineComment, self.end);
+                }
+                _ => return,
+            }
+        }
+    }
+
+    /// The first byte that is no blank, comment or line end.
+    fn behind_trivia(&self, mut position: usize) -> usize {
+        loop {
+            match token(self.text, position) {
+                (Raw::Blank | Raw::BlockComment | Raw::Newline | Raw::LineComment, end) => position = end,
+                _ => return position,
+            }
+        }
+    }
+
+    /// The first byte that is no blank or block comment.
+    fn behind_blanks(&self, mut position: usize) -> usize {
+        loop {
+            match token(self.text, position) {
+                (Raw::Blank | Raw::BlockComment, end) => position = end,
+                _ => return position,
+            }
+        }
+    }
+
+    fn raw_behind_blanks(&self) -> Raw {
+        token(self.text, self.behind_blanks(self.end)).0
+    }
+
+    fn raw_behind_trivia(&self) -> Raw {
+        token(self.text, self.behind_trivia(self.end)).0
+    }
+
+    /// The line comments since the last call, joined, without slashes.
+    fn take_comments(&mut self) -> String {
+        let comments = std::mem::take(&mut self.comments);
+        let lines: Vec<&str> = comments.iter().map(|&(start, end)| comment_text(self.slice(start, end))).collect();
+        lines.join("\n")
+    }
+
+    /// The current word is this one, without regard to case.
+    fn at_word(&self, word: &str) -> bool {
+        self.raw == Raw::Word && self.current().eq_ignore_ascii_case(word)
+    }
+
+    fn at_statement_end(&self) -> bool {
+        matches!(self.raw, Raw::Semicolon | Raw::Newline | Raw::LineComment | Raw::End)
+    }
+
+    fn start(&mut self, kind: SyntaxKind) {
+        self.builder.start_node(kind.into());
+    }
+
+    fn start_at(&mut self, checkpoint: Checkpoint, kind: SyntaxKind) {
+        self.builder.start_node_at(checkpoint, kind.into());
+    }
+
+    fn finish(&mut self) {
+        self.builder.finish_node();
+    }
+
+    /// Goes one level deeper; `false` with a message if that is too deep.
+    fn deeper(&mut self) -> bool {
+        if self.depth >= NESTING_MAX {
+            let message = format!("{} is nested more than {NESTING_MAX} levels deep", self.shown());
+            self.error(Problem::P2022, self.position, self.end, message);
+            return false;
+        }
+        self.depth += 1;
+        true
+    }
+
+    /// Skips to the end of the statement; brackets do not matter.
+    fn skip_statement(&mut self) {
+        while !self.at_statement_end() {
+            self.bump_unexpected();
+        }
+    }
+
+    /// Takes a `;` if there is one; something else before the end of the line is reported and skipped.
+    fn statement_end(&mut self) {
+        self.blanks();
+        if !self.at_statement_end() {
+            let (start, shown) = (self.position, self.shown());
+            let (problem, message) = match self.raw {
+                Raw::Unknown => (Problem::P1001, format!("{shown} is no character of STL")),
+                _ => (Problem::P2004, format!("{shown} does not belong here: the statement ends before it")),
+            };
+            let end = self.end;
+            self.skip_statement();
+            self.error(problem, start, end, message);
+        }
+        if self.raw == Raw::Semicolon {
+            self.bump(SyntaxKind::Semicolon);
+        }
+    }
+
+    /// Reads the text between two bytes as a constant.
+    fn constant_of(&mut self, start: usize, end: usize) -> ast::Constant {
+        let span = self.span(start, end);
+        let value = match literal::parse(self.slice(start, end)) {
+            Ok(value) => Some(value),
+            Err(error) => {
+                self.report(Diagnostic::new(error.problem(), span, error.to_string()));
+                None
+            }
+        };
+        ast::Constant { value, span }
+    }
+
+    /// Whether a constant begins here: a number, a sign with a number, a notation with `#`, characters, TRUE or FALSE.
+    fn at_constant(&self) -> bool {
+        match self.raw {
+            Raw::Number | Raw::Literal | Raw::Characters => true,
+            Raw::Word => self.at_word("TRUE") || self.at_word("FALSE"),
+            Raw::Sign => matches!(self.current(), "+" | "-") && self.raw_behind_blanks() == Raw::Number,
+            _ => false,
+        }
+    }
+
+    fn constant(&mut self) -> ast::Constant {
+        let start = self.position;
+        if self.raw == Raw::Sign {
+            self.bump(SyntaxKind::Constant);
+            self.blanks();
+        }
+        let terminated = is_terminated(self.raw, self.current());
+        let (_, end) = self.bump(SyntaxKind::Constant);
+        match terminated {
+            true => self.constant_of(start, end),
+            false => ast::Constant { value: None, span: self.span(start, end) },
+        }
+    }
+
+    /// A whole number with a sign, for bounds and indices.
+    fn integer(&mut self) -> Option<i64> {
+        let negative = self.raw == Raw::Sign && self.current() == "-";
+        if self.raw == Raw::Sign && matches!(self.current(), "+" | "-") && self.raw_behind_blanks() == Raw::Number {
+            self.bump(SyntaxKind::Number);
+            self.blanks();
+        }
+        if self.raw != Raw::Number || !self.current().bytes().all(|byte| byte.is_ascii_digit()) {
+            return None;
+        }
+        let value = self.current().parse::<i64>().unwrap_or(i64::MAX);
+        self.bump(SyntaxKind::Number);
+        Some(if negative { -value } else { value })
+    }
+
+    /// The text of a name without quotes and `#`.
+    fn name_text(&self) -> &'t str {
+        unquoted(self.current())
+    }
+
+    fn name_word(&mut self, kind: SyntaxKind) -> ast::Word {
+        let text = self.name_text().to_owned();
+        let (start, end) = self.bump(kind);
+        ast::Word { text, span: self.span(start, end) }
+    }
+
+    /// `:=`; a slip for it (`=:`, `=>`, `:=>`, `=`) is reported and taken.
+    fn becomes(&mut self) -> bool {
+        let rest = &self.text[self.position..];
+        let slip = match self.raw {
+            Raw::Becomes if rest.starts_with(":=>") => 3,
+            Raw::Becomes => {
+                self.bump(SyntaxKind::Punctuation);
+                return true;
+            }
+            _ if rest.starts_with("=:") || rest.starts_with("=>") => 2,
+            _ => return false,
+        };
+        let (start, end) = (self.position, self.position + slip);
+        let span = self.span(start, end);
+        let message = format!("`{}` is no assignment sign; an assignment is written `:=`", self.slice(start, end));
+        self.report(Diagnostic::new(Problem::P2007, span, message).fix(span, ":=", "write `:=`"));
+        self.bump_to(SyntaxKind::Punctuation, end);
+        true
+    }
+
+    fn slip(&mut self, problem: Problem, start: usize, end: usize, right: &str, why: &str) {
+        let span = self.span(start, end);
+        let message = format!("`{}` {why}: did you mean `{right}`?", self.slice(start, end));
+        self.report(Diagnostic::new(problem, span, message).fix(span, right, format!("write `{right}`")));
+    }
+
+    /// Remembers a word of the other language until the statement is over.
+    fn foreign(&mut self, start: usize, end: usize, replacement: &str) {
+        let replacement = super::convert::in_case_of(self.slice(start, end), replacement);
+        self.foreign.push(Foreign { start, end, replacement });
+    }
+
+    /// Reports the words of the other language since `statement` as one problem with one fix.
+    fn report_foreign(&mut self) {
+        let words = std::mem::take(&mut self.foreign);
+        let (Some(first), Some(last)) = (words.first(), words.last()) else { return };
+        let span = self.span(first.start, last.end);
+        let mut right = String::new();
+        let mut at = first.start;
+        for word in &words {
+            right.push_str(self.slice(at, word.start));
+            right.push_str(&word.replacement);
+            at = word.end;
+        }
+        let (other, this) = match self.mnemonics {
+            Mnemonics::English => ("SIMATIC (German)", "international"),
+            Mnemonics::German => ("international (English)", "SIMATIC (German)"),
+        };
+        let written = self.slice(first.start, last.end);
+        let message = format!("`{written}` is written with {other} mnemonics, the file with {this} ones: here it is `{right}`");
+        self.report(Diagnostic::new(Problem::P2002, span, message).fix(span, right.clone(), format!("write `{right}`")));
+    }
+}
+
+/// A line comment without its slashes.
+fn comment_text(comment: &str) -> &str {
+    let text = comment.strip_prefix("//").unwrap_or(comment);
+    text.strip_prefix(' ').unwrap_or(text)
+}
+
+/// A name without quotes and `#`.
+fn unquoted(text: &str) -> &str {
+    let text = text.strip_prefix('#').unwrap_or(text);
+    match text.strip_prefix('"') {
+        Some(inner) => inner.strip_suffix('"').unwrap_or(inner),
+        None => text,
+    }
+}
+
+/// The Latin text that a text with Cyrillic or Greek look-alikes seems to be; `None` if it has none or others.
+fn latin(text: &str) -> Option<String> {
+    if text.is_ascii() {
+        return None;
+    }
+    text.chars()
+        .map(|character| match character {
+            'А' | 'а' | 'Α' => Some('A'),
+            'В' | 'в' | 'Β' => Some('B'),
+            'С' | 'с' => Some('C'),
+            'Е' | 'е' | 'Ε' => Some('E'),
+            'Н' | 'Η' => Some('H'),
+            'І' | 'і' | 'Ι' => Some('I'),
+            'Ј' | 'ј' => Some('J'),
+            'К' | 'к' | 'Κ' => Some('K'),
+            'М' | 'м' | 'Μ' => Some('M'),
+            'Ν' => Some('N'),
+            'О' | 'о' | 'Ο' => Some('O'),
+            'Р' | 'р' | 'Ρ' => Some('P'),
+            'Ѕ' | 'ѕ' => Some('S'),
+            'Т' | 'т' | 'Τ' => Some('T'),
+            'Х' | 'х' | 'Χ' => Some('X'),
+            'У' | 'у' | 'Υ' => Some('Y'),
+            'Ζ' => Some('Z'),
+            character if character.is_ascii() => Some(character),
+            _ => None,
+        })
+        .collect()
+}

@@ -1,0 +1,512 @@
+//! Networks and statements: labels, instruction words, CALL with its parameters.
+
+use std::collections::{HashMap, HashSet};
+
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::problems::Problem;
+
+use super::blocks::Keyword;
+use super::{Parser, latin};
+use crate::stl::ast::{Argument, Block, Call, Operand, Statement, Word};
+use crate::stl::instructions::Instruction;
+use crate::stl::lexer::{Raw, in_word, token};
+use crate::stl::mnemonics::translate_instruction;
+use crate::stl::operands::OperandClass;
+use crate::stl::syntax::SyntaxKind;
+
+/// A label has at most this many characters.
+const LABEL_MAX: usize = 4;
+
+impl Parser<'_> {
+    /// Networks and statements up to the end of the block, the beginning of another one or the end of the source.
+    pub(super) fn code(&mut self, block: &mut Block) {
+        loop {
+            self.trivia();
+            self.network_comment(block);
+            if let Some(label) = self.label() {
+                self.statement(block, label);
+                continue;
+            }
+            match self.raw {
+                Raw::End => return,
+                Raw::Semicolon => {
+                    self.bump(SyntaxKind::Semicolon);
+                    continue;
+                }
+                _ => {}
+            }
+            match self.keyword() {
+                None => {
+                    let checkpoint = self.builder.checkpoint();
+                    self.start_at(checkpoint, SyntaxKind::Statement);
+                    self.plain_statement(block, None);
+                    self.finish();
+                }
+                Some(Keyword::BlockStart(_) | Keyword::BlockEnd(_)) => return,
+                Some(Keyword::Network) => self.network(block),
+                Some(Keyword::Title) => self.network_title(block),
+                Some(Keyword::Section(section)) => {
+                    if !block.implicit {
+                        let message = format!("{} stands behind BEGIN; declarations belong before it", self.shown());
+                        self.error(Problem::P2019, self.position, self.end, message);
+                    }
+                    let section = self.section(section);
+                    block.sections.push(section);
+                }
+                Some(Keyword::Begin) if block.implicit && block.statements.is_empty() => {
+                    self.bump(SyntaxKind::Keyword);
+                }
+                Some(_) => {
+                    let message = format!("{} does not belong between statements", self.shown());
+                    self.error(Problem::P2019, self.position, self.end, message);
+                    self.bump(SyntaxKind::Keyword);
+                    self.statement_end();
+                }
+            }
+        }
+    }
+
+    /// Comments directly under NETWORK and its TITLE belong to the network.
+    fn network_comment(&mut self, block: &mut Block) {
+        if self.comments.is_empty() {
+            return;
+        }
+        let count = block.statements.len();
+        let comment = match block.networks.last() {
+            Some(network) if network.first_statement == count && network.comment.is_empty() => self.take_comments(),
+            _ => return self.comments.clear(),
+        };
+        if let Some(network) = block.networks.last_mut() {
+            network.comment = comment;
+        }
+    }
+
+    /// A word before a colon.
+    fn label(&mut self) -> Option<(Word, rowan::Checkpoint)> {
+        if self.raw != Raw::Word || self.raw_behind_blanks() != Raw::Colon {
+            return None;
+        }
+        let checkpoint = self.builder.checkpoint();
+        let word = self.name_word(SyntaxKind::Label);
+        self.blanks();
+        self.bump(SyntaxKind::Punctuation);
+        Some((word, checkpoint))
+    }
+
+    fn statement(&mut self, block: &mut Block, (label, checkpoint): (Word, rowan::Checkpoint)) {
+        self.start_at(checkpoint, SyntaxKind::Statement);
+        self.blanks();
+        let only_label = self.at_statement_end() || self.keyword().is_some() || self.label_follows();
+        if only_label {
+            let place = label.span.end as usize;
+            let span = self.span(place, place);
+            let mnemonic = Word { text: String::new(), span };
+            block.statements.push(Statement { label: Some(label), mnemonic, operand: Operand::None, operand_span: span, span });
+            if self.raw == Raw::Semicolon {
+                self.bump(SyntaxKind::Semicolon);
+            }
+        } else {
+            self.plain_statement(block, Some(label));
+        }
+        self.finish();
+    }
+
+    fn label_follows(&self) -> bool {
+        self.raw == Raw::Word && self.raw_behind_blanks() == Raw::Colon
+    }
+
+    fn plain_statement(&mut self, block: &mut Block, label: Option<Word>) {
+        let start = self.position;
+        let Some(mnemonic) = self.mnemonic() else {
+            self.unknown_statement();
+            if let Some(label) = label {
+                let span = self.span(start, self.position);
+                let mnemonic = Word { text: String::new(), span };
+                block.statements.push(Statement { label: Some(label), mnemonic, operand: Operand::Error, operand_span: span, span });
+            }
+            if self.raw == Raw::Semicolon {
+                self.bump(SyntaxKind::Semicolon);
+            }
+            return;
+        };
+        let mut end = self.position;
+        let mut operand_start = end;
+        let mut operand = Operand::None;
+        let behind = self.behind_blanks(end);
+        if !matches!(token(self.text, behind).0, Raw::Semicolon | Raw::Newline | Raw::LineComment | Raw::End) {
+            self.blanks();
+            operand_start = self.position;
+            operand = match mnemonic.text.eq_ignore_ascii_case("CALL") {
+                true => self.call(),
+                false => {
+                    let wants_label =
+                        Instruction::candidates(&mnemonic.text, self.mnemonics).any(|row| row.operand() == OperandClass::Label);
+                    self.start(SyntaxKind::Operand);
+                    let operand = self.operand(wants_label);
+                    self.finish();
+                    operand
+                }
+            };
+            end = self.position.max(operand_start);
+        }
+        self.report_foreign();
+        let operand_span = self.span(operand_start, end);
+        let statement = Statement { label, mnemonic, operand, operand_span, span: self.span(start, end) };
+        block.statements.push(statement);
+        if self.at_next_on_line() {
+            return;
+        }
+        self.statement_end();
+    }
+
+    /// Brackets are closed on the line of their last scan in many sources: `A( ; … )` needs no `;` before the `)`.
+    fn at_next_on_line(&mut self) -> bool {
+        token(self.text, self.behind_blanks(self.position)).0 == Raw::ParenClose && {
+            self.blanks();
+            true
+        }
+    }
+
+    fn unknown_statement(&mut self) {
+        let (start, end) = (self.position, self.end);
+        let span = self.span(start, end);
+        let shown = self.shown();
+        let diagnostic = match self.raw {
+            Raw::Unknown => Diagnostic::new(Problem::P1001, span, format!("{shown} is no character of STL")),
+            Raw::Word => {
+                let diagnostic = Diagnostic::new(Problem::P2001, span, format!("{shown} is no instruction"));
+                match self.similar(self.current()) {
+                    Some(word) => diagnostic.help(format!("did you mean `{word}`?")),
+                    None => diagnostic,
+                }
+            }
+            _ => Diagnostic::new(Problem::P2001, span, format!("{shown} where an instruction begins a statement")),
+        };
+        self.report(diagnostic);
+        self.bump_unexpected();
+        self.skip_statement();
+    }
+
+    /// An instruction of the file's language that differs in one letter.
+    fn similar(&self, word: &str) -> Option<&'static str> {
+        let word = word.to_ascii_uppercase();
+        if !(3..=6).contains(&word.len()) {
+            return None;
+        }
+        Instruction::ALL.iter().map(|row| row.mnemonic(self.mnemonics)).find(|right| right.len() >= 2 && one_letter_apart(&word, right))
+    }
+
+    fn knows(&self, word: &str) -> bool {
+        Instruction::candidates(word, self.mnemonics).next().is_some()
+    }
+
+    /// The instruction word; nothing is taken if there is none.
+    fn mnemonic(&mut self) -> Option<Word> {
+        let start = self.position;
+        match self.raw {
+            Raw::Word => self.word_mnemonic(),
+            Raw::ParenClose => {
+                let at = self.behind_blanks(self.end);
+                let (raw, end) = token(self.text, at);
+                if raw == Raw::Word && self.text[at..end].eq_ignore_ascii_case("MCR") {
+                    return Some(self.take_mnemonic(")MCR".to_owned(), at, end));
+                }
+                Some(self.take_mnemonic(")".to_owned(), start, self.end))
+            }
+            Raw::Sign => self.sign_mnemonic(),
+            // The digit is a classic misprint of the course texts.
+            Raw::Number if self.current() == "0" => {
+                let mut end = self.end;
+                let mut right = "O".to_owned();
+                let (raw, behind) = token(self.text, end);
+                if raw == Raw::Word && self.text[end..behind].eq_ignore_ascii_case("N") {
+                    end = behind;
+                    right = "ON".to_owned();
+                }
+                self.slip(Problem::P1005, start, end, &right, "begins with the digit zero where an instruction begins with the letter O");
+                let at = self.behind_blanks(end);
+                if let (Raw::ParenOpen, close) = token(self.text, at) {
+                    right.push('(');
+                    self.bump_to(SyntaxKind::Mnemonic, end);
+                    self.blanks();
+                    end = close;
+                }
+                self.bump_to(SyntaxKind::Mnemonic, end);
+                Some(Word { text: right, span: self.span(start, end) })
+            }
+            _ => None,
+        }
+    }
+
+    /// Puts an instruction word into the tree whose last part begins at `last`.
+    fn take_mnemonic(&mut self, text: String, last: usize, end: usize) -> Word {
+        let start = self.position;
+        if last > self.end {
+            // Blanks inside: `A (`, `) MCR`.
+            self.bump_to(SyntaxKind::Mnemonic, self.end);
+            self.blanks();
+        }
+        self.bump_to(SyntaxKind::Mnemonic, end);
+        Word { text, span: self.span(start, end) }
+    }
+
+    fn word_mnemonic(&mut self) -> Option<Word> {
+        let (start, end, word) = (self.position, self.end, self.current());
+        let at = self.behind_blanks(end);
+        if let (Raw::ParenOpen, close) = token(self.text, at) {
+            let written = format!("{word}(");
+            if self.knows(&written) {
+                return Some(self.take_mnemonic(written, at, close));
+            }
+            if let Some(right) = translate_instruction(&written, self.mnemonics.other()) {
+                self.foreign(start, end, right.trim_end_matches('('));
+                return Some(self.take_mnemonic(right.to_owned(), at, close));
+            }
+        }
+        if let Some(sign) = self.text[end..].chars().next().filter(|sign| matches!(sign, '+' | '-')) {
+            let written = format!("{word}{sign}");
+            if self.knows(&written) {
+                return Some(self.take_mnemonic(written, start, end + 1));
+            }
+        }
+        if self.knows(word) {
+            return Some(self.take_mnemonic(word.to_owned(), start, end));
+        }
+        if let Some(right) = translate_instruction(word, self.mnemonics.other()) {
+            self.foreign(start, end, right);
+            return Some(self.take_mnemonic(right.to_owned(), start, end));
+        }
+        if word.eq_ignore_ascii_case("JBNI") && self.knows("JNBI") {
+            self.slip(Problem::P2008, start, end, "JNBI", "is a misprint of the course texts");
+            return Some(self.take_mnemonic("JNBI".to_owned(), start, end));
+        }
+        if let Some(right) = latin(word).filter(|right| self.knows(right)) {
+            self.slip(Problem::P1005, start, end, &right, "has letters of another alphabet that only look like Latin ones");
+            return Some(self.take_mnemonic(right, start, end));
+        }
+        self.glued_mnemonic()
+    }
+
+    /// `TLB 5`, `AI0.0`, `LMW10`, `LAR1P#…`: the blank behind the instruction is missing.
+    fn glued_mnemonic(&mut self) -> Option<Word> {
+        let (start, word) = (self.position, self.current());
+        if !word.is_ascii() || word.len() > 12 {
+            return None;
+        }
+        let split = (1..word.len()).rev().find(|&at| {
+            let (left, right) = word.split_at(at);
+            let letters = right.trim_end_matches(|c: char| c.is_ascii_digit());
+            let next = token(self.text, self.behind_blanks(self.end)).0;
+            let address = sieben_model::address::area_and_width(letters).is_some() || matches!(letters, "T" | "C" | "Z" | "t" | "c" | "z");
+            let operand = address && (letters.len() < right.len() || matches!(next, Raw::Number | Raw::BracketOpen));
+            operand && self.knows(left)
+        })?;
+        let right = format!("{} {}", &word[..split], &word[split..]);
+        self.slip(Problem::P2008, start, self.end, &right, "lacks a blank behind the instruction");
+        let text = word[..split].to_owned();
+        self.bump_to(SyntaxKind::Mnemonic, start + split);
+        Some(Word { text, span: self.span(start, start + split) })
+    }
+
+    /// `==I`, `+I`, `+AR1`, `=`, `+`.
+    fn sign_mnemonic(&mut self) -> Option<Word> {
+        let start = self.position;
+        let rest = &self.text[start..];
+        let run = rest.bytes().take(2).take_while(|byte| b"=<>+-*/".contains(byte)).count();
+        for length in (1..=run).rev() {
+            let letters = rest[length..].chars().take_while(|&character| in_word(character)).map(char::len_utf8).sum::<usize>();
+            if letters == 0 || letters > 3 {
+                continue;
+            }
+            let end = start + length + letters;
+            let written = self.slice(start, end);
+            if self.knows(written) {
+                return Some(self.take_mnemonic(written.to_owned(), start, end));
+            }
+            let turned = match &rest[..length] {
+                "=<" => "<=",
+                "=>" => ">=",
+                _ => continue,
+            };
+            let right = format!("{turned}{}", &rest[length..length + letters]);
+            if self.knows(&right) {
+                self.slip(Problem::P2008, start, end, &right, "has its signs in the wrong order");
+                return Some(self.take_mnemonic(right, start, end));
+            }
+        }
+        let sign = &rest[..1];
+        self.knows(sign).then(|| self.take_mnemonic(sign.to_owned(), start, start + 1))
+    }
+
+    /// What stands behind CALL.
+    fn call(&mut self) -> Operand {
+        self.start(SyntaxKind::Operand);
+        let start = self.position;
+        let callee = self.operand(false);
+        let callee_span = self.span(start, self.position);
+        let mut instance = None;
+        let behind = self.behind_blanks(self.position);
+        if token(self.text, behind).0 == Raw::Comma {
+            self.blanks();
+            self.bump(SyntaxKind::Punctuation);
+            if token(self.text, self.behind_trivia(self.position)).0 != Raw::ParenOpen {
+                self.trivia();
+                let start = self.position;
+                let operand = self.operand(false);
+                instance = Some((operand, self.span(start, self.position)));
+            }
+        }
+        self.report_foreign();
+        let mut arguments = Vec::new();
+        let behind = self.behind_trivia(self.position);
+        let (raw, end) = token(self.text, behind);
+        if raw == Raw::ParenOpen {
+            self.trivia();
+            self.arguments(&mut arguments);
+        } else if raw == Raw::Word && self.argument_sign_at(end) {
+            // The listing of the STL editor has the parameters on lines of their own without brackets.
+            loop {
+                let behind = self.behind_trivia(self.position);
+                let (raw, end) = token(self.text, behind);
+                if raw != Raw::Word || !self.argument_sign_at(end) {
+                    break;
+                }
+                self.trivia();
+                let argument = self.argument();
+                arguments.push(argument);
+                if token(self.text, self.behind_blanks(self.position)).0 == Raw::Comma {
+                    self.blanks();
+                    self.bump(SyntaxKind::Punctuation);
+                }
+            }
+        }
+        self.comments.clear();
+        self.finish();
+        Operand::Call(Box::new(Call { callee, callee_span, instance, arguments }))
+    }
+
+    /// `:=` or a slip for it behind the byte.
+    fn argument_sign_at(&self, end: usize) -> bool {
+        let at = self.behind_trivia(end);
+        let rest = &self.text[at..];
+        rest.starts_with(":=") || rest.starts_with("=:") || rest.starts_with("=>")
+    }
+
+    fn arguments(&mut self, arguments: &mut Vec<Argument>) {
+        let opened = (self.position, self.end);
+        self.bump(SyntaxKind::Punctuation);
+        loop {
+            self.trivia();
+            match self.raw {
+                Raw::ParenClose => {
+                    self.bump(SyntaxKind::Punctuation);
+                    return;
+                }
+                Raw::Comma => {
+                    self.bump(SyntaxKind::Punctuation);
+                }
+                Raw::Word | Raw::Local | Raw::Symbol if self.argument_sign_at(self.end) => {
+                    let argument = self.argument();
+                    arguments.push(argument);
+                }
+                Raw::End | Raw::Semicolon | Raw::Word => {
+                    let message = format!("this parameter list has no `)` before {}", self.shown());
+                    self.error(Problem::P2031, opened.0, opened.1, message);
+                    return;
+                }
+                _ => {
+                    let message = format!("{} is no parameter; write `name := value`", self.shown());
+                    self.error(Problem::P2030, self.position, self.end, message);
+                    self.bump_unexpected();
+                }
+            }
+        }
+    }
+
+    fn argument(&mut self) -> Argument {
+        self.start(SyntaxKind::Argument);
+        let name = self.name_word(SyntaxKind::Name);
+        self.trivia();
+        self.becomes();
+        let behind = self.behind_trivia(self.position);
+        let (raw, end) = token(self.text, behind);
+        let omitted = match raw {
+            Raw::Comma | Raw::ParenClose | Raw::Semicolon | Raw::End => true,
+            Raw::Word => self.argument_sign_at(end),
+            _ => false,
+        };
+        let (value, span) = if omitted {
+            (Operand::None, self.span(self.position, self.position))
+        } else {
+            self.trivia();
+            let start = self.position;
+            let value = self.operand(false);
+            (value, self.span(start, self.position))
+        };
+        self.report_foreign();
+        self.finish();
+        Argument { name, value, span }
+    }
+
+    /// Reports labels that are too long, with a short name that is free, at the label and at each jump to it.
+    pub(super) fn check_labels(&mut self, block: &mut Block) {
+        let labels = || block.statements.iter().filter_map(|statement| statement.label.as_ref());
+        if labels().all(|label| label.text.chars().count() <= LABEL_MAX) {
+            return;
+        }
+        let mut taken: HashSet<String> = labels().map(|label| label.text.clone()).collect();
+        let mut short = HashMap::new();
+        let mut wrong = Vec::new();
+        for label in labels().filter(|label| label.text.chars().count() > LABEL_MAX) {
+            let name = short.entry(label.text.clone()).or_insert_with(|| {
+                let name = shorten(&label.text, &taken);
+                taken.insert(name.clone());
+                name
+            });
+            wrong.push((label.span, label.text.clone(), name.clone()));
+        }
+        for statement in &block.statements {
+            if let Operand::Name { word, .. } = &statement.operand
+                && let Some(name) = short.get(&word.text)
+            {
+                wrong.push((word.span, word.text.clone(), name.clone()));
+            }
+        }
+        for (span, text, name) in wrong {
+            let message = format!("the label `{text}` has more than {LABEL_MAX} characters");
+            self.report(Diagnostic::new(Problem::P2006, span, message).fix(span, name.clone(), format!("write `{name}`")));
+        }
+    }
+}
+
+/// At most four characters of a label that no other label has.
+fn shorten(label: &str, taken: &HashSet<String>) -> String {
+    let head = |count: usize| label.chars().take(count).collect::<String>();
+    let first = head(LABEL_MAX);
+    if !taken.contains(&first) {
+        return first;
+    }
+    for (keep, numbers) in [(3, 0..10), (2, 10..100), (1, 100..1000)] {
+        for number in numbers {
+            let name = format!("{}{number}", head(keep));
+            if !taken.contains(&name) {
+                return name;
+            }
+        }
+    }
+    first
+}
+
+/// One letter is changed, added or missing, or two neighbours are exchanged.
+fn one_letter_apart(left: &str, right: &str) -> bool {
+    let (left, right) = (left.as_bytes(), right.as_bytes());
+    let same = left.iter().zip(right).take_while(|(a, b)| a == b).count();
+    let (l, r) = (&left[same..], &right[same..]);
+    match left.len().cmp(&right.len()) {
+        std::cmp::Ordering::Equal => {
+            !l.is_empty() && (l[1..] == r[1..] || (l.len() >= 2 && l[0] == r[1] && l[1] == r[0] && l[2..] == r[2..]))
+        }
+        std::cmp::Ordering::Less => r.len() == l.len() + 1 && &r[1..] == l,
+        std::cmp::Ordering::Greater => l.len() == r.len() + 1 && &l[1..] == r,
+    }
+}
