@@ -93,7 +93,7 @@ pub(crate) fn open_bracket(l: &mut Lowering<'_>, function: u64) {
     l.b.set(FC, 0);
 }
 
-/// `)`. BR becomes the one saved by the opening bracket, as the instruction lists have it (docs/decisions/0003).
+/// `)`. BR becomes the one saved by the opening bracket, as the instruction lists have it (docs/decisions/002).
 pub(crate) fn close_bracket(l: &mut Lowering<'_>) {
     let open = l.b.compute(Op::IsNonzero, &[NESTING]);
     l.b.push(Inst::RequireStack { condition: open, abort: Abort::NestingStack });

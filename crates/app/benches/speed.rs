@@ -1,0 +1,109 @@
+//! How fast sources are compiled and how fast the interpreter runs: `cargo bench -p sieben-app --bench speed`.
+//!
+//! Prints the best of several repetitions, because other work on the machine only ever adds time.
+
+use std::fmt::Write as _;
+use std::sync::Arc;
+use std::time::Instant;
+
+use sieben_cpu::{Cpu, Rack, Restart, Settings};
+use sieben_engine::{Interpreter, Machine, StatementEvent, Tracer};
+use sieben_lang::{Options, compile};
+use sieben_model::cpu_type::CpuType;
+use sieben_model::source::Sources;
+use sieben_model::symbols::SymbolTable;
+
+const REPETITIONS: usize = 15;
+const SCANS: u64 = 300;
+const CYCLE_US: u64 = 10_000;
+
+/// Bit logic over random addresses, the same on every run.
+fn bit_logic(statements: usize) -> String {
+    let mut state = 12_345_u32;
+    let mut random = |below: u32| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 8) % below
+    };
+    let mut text = String::new();
+    for network in 0..statements / 4 {
+        let mut scan = |word: &str, area: &str| {
+            let _ = writeln!(text, "      {word:<5} {area} {}.{};", random(64), random(8));
+        };
+        scan("A", "I");
+        scan("AN", "M");
+        scan("O", "I");
+        let _ = writeln!(text, "      =     Q {}.{};", network / 8 % 64, network % 8);
+    }
+    text
+}
+
+/// Counts executed statements.
+#[derive(Default)]
+struct Count(u64);
+
+impl Tracer for Count {
+    fn statement(&mut self, _: &Machine, _: &StatementEvent) {
+        self.0 += 1;
+    }
+}
+
+fn load(text: &str) -> Cpu {
+    let cpu_type = &CpuType::ALL[0];
+    let mut sources = Sources::default();
+    sources.add("bench.awl", text);
+    let compiled = compile(&sources, &SymbolTable::default(), &Options::default());
+    let errors: Vec<_> = compiled.diagnostics.iter().map(|diagnostic| &diagnostic.message).collect();
+    assert!(compiled.diagnostics.iter().all(|diagnostic| diagnostic.severity() < sieben_model::diagnostic::Severity::Error), "{errors:?}");
+    let program = Arc::new(compiled.program);
+    let layout = Cpu::layout_for(cpu_type, &program);
+    let engine = Arc::new(Interpreter::load(program.clone(), &layout));
+    let mut cpu = Cpu::new(cpu_type, program, engine, Rack::simulated(cpu_type), Settings::default());
+    cpu.restart(Restart::Warm);
+    cpu
+}
+
+fn run(name: &str, text: &str) {
+    let mut cpu = load(text);
+    let mut now = 0;
+    let mut count = Count::default();
+    cpu.scan_traced(now, &mut count);
+    let mut best = f64::INFINITY;
+    for _ in 0..REPETITIONS {
+        let start = Instant::now();
+        for _ in 0..SCANS {
+            now += CYCLE_US;
+            cpu.scan(now);
+        }
+        best = best.min(start.elapsed().as_nanos() as f64 / SCANS as f64);
+    }
+    assert!(cpu.stop_cause().is_none(), "{name} keeps running: {:?}", cpu.stop_cause());
+    println!("{name:<28} {:>6} statements a scan {best:>10.0} ns a scan {:>7.2} ns a statement", count.0, best / count.0 as f64);
+}
+
+fn compile_speed(statements: usize) {
+    let text = bit_logic(statements);
+    let mut best = f64::INFINITY;
+    for _ in 0..5 {
+        let mut sources = Sources::default();
+        sources.add("bench.awl", text.as_str());
+        let start = Instant::now();
+        let compiled = compile(&sources, &SymbolTable::default(), &Options::default());
+        best = best.min(start.elapsed().as_secs_f64());
+        assert!(!compiled.program.code.is_empty());
+    }
+    println!(
+        "parse, check and lower {statements} statements: {:.1} ms ({:.0} ns a statement, {:.1} MB/s)",
+        best * 1e3,
+        best * 1e9 / statements as f64,
+        text.len() as f64 / best / 1e6
+    );
+}
+
+fn main() {
+    compile_speed(1_000);
+    compile_speed(100_000);
+    run("bit logic, 1,000 statements", &bit_logic(1_000));
+    run("bit logic, 10,000 statements", &bit_logic(10_000));
+    run("arithmetic loop", include_str!("../../../benches/arithmetic_loop.awl"));
+    run("calls mix", include_str!("../../../benches/calls_mix.awl"));
+}
