@@ -64,6 +64,11 @@ impl Mutator {
         Self { corpus, words: (target.words)(), seed }
     }
 
+    /// How many first inputs there are, the empty one included.
+    pub fn corpus_size(&self) -> usize {
+        self.corpus.len()
+    }
+
     /// Input `number`. The first ones are the corpus itself.
     pub fn input(&self, number: u64) -> Vec<u8> {
         if let Some(whole) = usize::try_from(number).ok().and_then(|number| self.corpus.get(number)) {

@@ -63,10 +63,9 @@ pub fn findings() -> Vec<Finding> {
 
 /// Pages that `cargo xtask generate` would write differently.
 fn stale_pages(files: &[TextFile]) -> Vec<Finding> {
-    let old = |path: &str| files.iter().find(|file| file.path == path).map(|file| file.text.as_str());
-    generate::pages(old)
+    generate::pages(files)
         .into_iter()
-        .filter(|page| old(&page.path) != Some(page.text.as_str()))
+        .filter(|page| generate::text_of(files, &page.path) != Some(page.text.as_str()))
         .map(|page| Finding::file(&page.path, "stale: run `cargo xtask generate`"))
         .collect()
 }
