@@ -13,6 +13,7 @@ mod output;
 mod panics;
 mod project;
 mod report;
+mod rewriting;
 mod settings;
 mod symbol_files;
 mod targets;
@@ -57,6 +58,10 @@ enum Verb {
     Exec(commands::exec::Arguments),
     /// Explain an instruction, a problem code or a CPU type
     Explain(commands::explain::Arguments),
+    /// Bring STL sources into one layout
+    Fmt(commands::fmt::Arguments),
+    /// Change STL sources from one mnemonic language to the other
+    Convert(commands::convert::Arguments),
     /// Print the assignment table, or convert symbol tables
     Symbols(commands::symbols::Arguments),
     /// Make a project that runs and checks at once
@@ -82,6 +87,8 @@ fn run(line: CommandLine) -> Exit {
         Some(Verb::Check(arguments)) => commands::check::run(&arguments),
         Some(Verb::Exec(arguments)) => commands::exec::run(&arguments),
         Some(Verb::Explain(arguments)) => commands::explain::run(&arguments),
+        Some(Verb::Fmt(arguments)) => commands::fmt::run(&arguments),
+        Some(Verb::Convert(arguments)) => commands::convert::run(&arguments),
         Some(Verb::Symbols(arguments)) => commands::symbols::run(&arguments),
         Some(Verb::New(arguments)) => commands::new::run(&arguments),
         Some(Verb::Completions(arguments)) => commands::completions::run(&arguments),

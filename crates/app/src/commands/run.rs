@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
-use sieben_cpu::{Cpu, OperatingMode, Restart, Settings, TimeSource};
+use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Restart, Settings, TimeSource};
 use sieben_model::problems::Problem;
 
 use crate::arguments::{ProgramArguments, duration_argument};
@@ -22,6 +22,8 @@ use crate::{controller, duration, output};
 const STATUS_PERIOD: Duration = Duration::from_millis(100);
 /// Scans between two looks at the clock when time is virtual.
 const SCANS_PER_LOOK: u64 = 64;
+/// The epochs of UNIX and of the CPU clock: 20 years with five leap days.
+const FROM_1970_TO_1990: Duration = Duration::from_secs((20 * 365 + 5) * 86_400);
 /// Exit code after a second Ctrl-C: what shells report for SIGINT.
 const INTERRUPTED: i32 = 130;
 /// STOP by the mode switch: the event that Ctrl-C causes.
@@ -91,6 +93,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         time: if real { TimeSource::Real } else { TimeSource::Virtual },
         watchdog: project.watchdog.unwrap_or(Settings::default().watchdog),
         clock_memory_byte: project.clock_memory_byte,
+        date_and_time: if real { now() } else { DateAndTime::DEFAULT },
         ..Settings::default()
     };
     let mut cpu = controller::load(&build, settings);
@@ -104,6 +107,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     };
     status.clear();
     report(arguments, &build, &cpu, &outcome)
+}
+
+/// The time of day of this computer, UTC.
+fn now() -> DateAndTime {
+    let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+    DateAndTime::from_ms_since_1990(since_1970.saturating_sub(FROM_1970_TO_1990).as_millis() as u64)
 }
 
 fn micros(duration: Duration) -> u64 {

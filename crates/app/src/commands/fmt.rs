@@ -1,0 +1,48 @@
+//! `sieben fmt PATH…`: sources in one layout.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use sieben_lang::stl::format::format;
+
+use crate::arguments::MnemonicsArgument;
+use crate::failure::{Exit, Failure};
+use crate::rewriting::{Destination, Rewriting};
+
+/// Bring STL sources into one layout.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  \
+  sieben fmt main.awl           print the formatted source\n  \
+  sieben fmt --write pump       format all sources of a project in place\n  \
+  sieben fmt --check pump       exit 1 if a source is not formatted\n\n\
+Encoding and line ends of a file stay as they are; comments and everything else are kept.\n\
+A source with syntax errors is left alone (exit 3).")]
+pub(crate) struct Arguments {
+    /// Source files or a project folder
+    #[arg(required = true, value_name = "PATH")]
+    paths: Vec<PathBuf>,
+    /// Replace the files instead of printing
+    #[arg(short, long, conflicts_with = "check")]
+    write: bool,
+    /// Change nothing; exit 1 if something would change
+    #[arg(long)]
+    check: bool,
+    /// Write UTF-8 instead of the encoding of the file
+    #[arg(long)]
+    utf8: bool,
+    /// Mnemonic language of the sources [default: that of the project, else judged over each file]
+    #[arg(long, value_name = "LANGUAGE")]
+    mnemonics: Option<MnemonicsArgument>,
+}
+
+/// Formats the sources.
+pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    let destination = match (arguments.write, arguments.check) {
+        (true, _) => Destination::InPlace,
+        (_, true) => Destination::Check,
+        _ => Destination::Print,
+    };
+    let language = arguments.mnemonics.map(MnemonicsArgument::language);
+    Rewriting { destination, utf8: arguments.utf8, done: "formatted" }
+        .run(&arguments.paths, |project, text| format(text, language.unwrap_or(project.settings.mnemonics)))
+}

@@ -1,0 +1,119 @@
+//! Sources that are written anew: same file, same encoding, same line ends, nothing lost.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use sieben_lang::encoding::{self, Encoding};
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::problems::Problem;
+use sieben_model::source::FileId;
+
+use crate::failure::{Exit, Failure};
+use crate::project::{self, Project, SourceFile};
+use crate::report::{self, Finding};
+use crate::{files, output};
+
+/// What to do with the new text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Destination {
+    /// Print it.
+    Print,
+    /// Replace the file.
+    InPlace,
+    /// Write it to another file.
+    File(PathBuf),
+    /// Only say whether it differs.
+    Check,
+}
+
+/// A rewriting of sources.
+pub(crate) struct Rewriting {
+    /// Where the new text goes.
+    pub(crate) destination: Destination,
+    /// Write UTF-8 instead of the encoding of the file.
+    pub(crate) utf8: bool,
+    /// What happened to a file, for messages: `formatted`.
+    pub(crate) done: &'static str,
+}
+
+impl Rewriting {
+    /// Rewrites all sources that the paths name. A source that cannot be understood stays as it is, and the others are still done.
+    pub(crate) fn run(
+        &self,
+        paths: &[PathBuf],
+        rewrite: impl Fn(&Project, &str) -> Result<String, Vec<Diagnostic>>,
+    ) -> Result<Exit, Failure> {
+        let mut project = Project::load(paths)?;
+        if project.sources.len() > 1 && matches!(self.destination, Destination::Print | Destination::File(_)) {
+            let message = format!("{} sources cannot go into one place", project.sources.len());
+            return Err(Failure::usage(Problem::P7001, message).help("give one file, or `--write` to replace each of them"));
+        }
+        let mut findings = std::mem::take(&mut project.findings);
+        let mut differing = false;
+        for source in &project.sources {
+            match rewrite(&project, &source.decoded.text) {
+                Ok(text) => differing |= self.finish(source, &text)?,
+                Err(diagnostics) => {
+                    findings.extend(diagnostics.into_iter().map(|diagnostic| Finding::program(in_file(diagnostic, source.id))))
+                }
+            }
+        }
+        report::sort(&mut findings);
+        if !findings.is_empty() {
+            project::print_findings(&findings, &project.texts, false);
+        }
+        Ok(match () {
+            () if report::has_errors(&findings) => Exit::DoesNotCompile,
+            () if differing && self.destination == Destination::Check => Exit::CheckFailed,
+            () => Exit::Success,
+        })
+    }
+
+    /// Puts the new text of one source where it belongs; whether it differs from the old one.
+    fn finish(&self, source: &SourceFile, text: &str) -> Result<bool, Failure> {
+        let path = &source.path;
+        let old = &source.decoded;
+        let encoding = if self.utf8 { Encoding::Utf8 } else { old.encoding };
+        let differs = *text != old.text || encoding != old.encoding;
+        match &self.destination {
+            Destination::Check if differs => output::print(&format!("{} would be {}\n", path.display(), self.done))?,
+            Destination::Check => {}
+            Destination::Print => output::print(text)?,
+            Destination::InPlace if !differs => {}
+            Destination::InPlace => {
+                self.write(path, source, text, encoding)?;
+                output::print(&format!("{} {}\n", path.display(), self.done))?;
+            }
+            Destination::File(target) => self.write(target, source, text, encoding)?,
+        }
+        Ok(differs)
+    }
+
+    fn write(&self, target: &Path, source: &SourceFile, text: &str, encoding: Encoding) -> Result<(), Failure> {
+        let shown = source.path.display();
+        if source.decoded.had_errors {
+            let message =
+                format!("`{shown}` holds bytes that mean nothing in {}; rewriting would lose them", source.decoded.encoding.name());
+            return Err(Failure::usage(Problem::P1102, message));
+        }
+        let bytes = encoding::encode(text, encoding).map_err(|unencodable| {
+            Failure::usage(Problem::P1103, format!("`{shown}` cannot be written: {unencodable}")).help("use `--utf8`")
+        })?;
+        // Between reading and writing someone may have saved the file in an editor.
+        let current = fs::read(target).ok().filter(|_| target == source.path);
+        if current.is_some_and(|current| encoding::decode(&current).text != source.decoded.text) {
+            return Err(Failure::usage(Problem::P6013, format!("`{shown}` was changed by someone else in the meantime; it is left alone")));
+        }
+        files::write_whole(target, &bytes)
+    }
+}
+
+/// A diagnostic of a text that was looked at alone, in its place among the texts of the project.
+fn in_file(mut diagnostic: Diagnostic, file: FileId) -> Diagnostic {
+    diagnostic.span.file = file;
+    if let Some(fix) = &mut diagnostic.fix {
+        fix.span.file = file;
+    }
+    diagnostic.related.iter_mut().for_each(|(span, _)| span.file = file);
+    diagnostic
+}
