@@ -19,6 +19,7 @@ use crate::scope::{Scope, block_of_name};
 use crate::stl::ast;
 use crate::stl::check;
 use crate::stl::lower::lower;
+use crate::stl::parser::parse;
 use crate::stl::resolve::{Known, plain_callee, plain_data_block};
 
 /// Bytes that all data blocks of a project may have together: the work memory of the largest CPU type.
@@ -77,7 +78,14 @@ struct Found<'a> {
 
 /// Compiles all sources of a project, in any order of blocks.
 pub fn compile(sources: &Sources, symbols: &SymbolTable, options: &Options) -> Compiled {
-    compile_syntax(sources, &[], Vec::new(), symbols, options)
+    let mut files = Vec::new();
+    let mut diagnostics = Vec::new();
+    for (id, source) in sources.iter() {
+        let mut parsed = parse(id, &source.text, options.mnemonics);
+        diagnostics.append(&mut parsed.diagnostics);
+        files.push(SyntaxOfFile { id, file: parsed.file, mnemonics: parsed.mnemonics });
+    }
+    compile_syntax(sources, &files, diagnostics, symbols, options)
 }
 
 /// A source that is parsed already.
@@ -103,11 +111,12 @@ pub fn compile_syntax(
     let mut compiled = Compiled::default();
     compiled.mnemonics = files.iter().map(|file| (file.id, file.mnemonics)).collect();
     // Where the parser found something wrong, by file and first byte.
-    let mut reported: Vec<(FileId, u32)> = diagnostics.iter().map(|diagnostic| (diagnostic.span.file, diagnostic.span.start)).collect();
+    let errors = diagnostics.iter().filter(|diagnostic| diagnostic.severity() == Severity::Error);
+    let mut reported: Vec<(FileId, u32)> = errors.map(|diagnostic| (diagnostic.span.file, diagnostic.span.start)).collect();
     reported.sort_unstable();
     let reported = |span: Span| {
         let first = reported.partition_point(|&place| place < (span.file, span.start));
-        reported.get(first).is_some_and(|&place| place <= (span.file, span.end))
+        reported.get(first).is_some_and(|&place| place < (span.file, span.end.max(span.start + 1)))
     };
 
     let scope = Scope::new(symbols, &options.system_blocks);
@@ -164,11 +173,10 @@ pub fn compile_syntax(
             );
             diagnostics.push(Diagnostic::new(Problem::P5007, block.name.span(), message));
         }
-        let (resolved, mut found) = check::block(&known, *id, block, interface, *mnemonics, &reported);
-        let whole = !found.iter().any(|diagnostic| diagnostic.severity() == Severity::Error);
-        diagnostics.append(&mut found);
-        if whole {
-            compiled.program.code.insert(*id, lower(&resolved, &cpu));
+        let mut checked = check::block(&known, *id, block, interface, *mnemonics, &reported);
+        diagnostics.append(&mut checked.diagnostics);
+        if checked.whole {
+            compiled.program.code.insert(*id, lower(&checked.block, &cpu));
         }
     }
     if !files.is_empty() && !blocks.contains_key(&BlockId::ob(1)) {

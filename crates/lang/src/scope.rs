@@ -114,7 +114,7 @@ impl Scope {
                     return None;
                 }
                 let distance = edit_distance(&wanted, &other);
-                (distance <= limit && distance < wanted.len().max(2)).then_some((distance, candidate))
+                (distance <= limit && distance < wanted.len()).then_some((distance, candidate))
             })
             .min()
             .map(|(_, candidate)| candidate.to_owned())

@@ -191,7 +191,8 @@ impl<'a> Types<'a> {
         self.depth -= 1;
         let data_type = data_type?;
         if let Some(why) = misplaced(&data_type, usage) {
-            self.report(Problem::P4009, name.span, why);
+            let message = format!("{} may not stand here: {why}", describe(&data_type));
+            self.report(Problem::P4009, name.span, message);
             return None;
         }
         Some(data_type)
@@ -474,7 +475,7 @@ pub(crate) fn elementary(word: &str) -> Option<DataType> {
 fn misplaced(data_type: &DataType, usage: Usage) -> Option<&'static str> {
     let parameter = matches!(usage, Usage::Variable(_, Section::Input | Section::Output | Section::InOut));
     Some(match data_type {
-        DataType::Void => "VOID is only the result of a function",
+        DataType::Void => "it is only the result of a function",
         DataType::Timer
         | DataType::Counter
         | DataType::BlockFunction
@@ -484,9 +485,9 @@ fn misplaced(data_type: &DataType, usage: Usage) -> Option<&'static str> {
         | DataType::Pointer
             if !parameter =>
         {
-            "this type is only for parameters: VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT"
+            "it is only for parameters (VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT)"
         }
-        DataType::Any if !parameter && !matches!(usage, Usage::Variable(_, Section::Temp)) => "ANY is only for parameters and VAR_TEMP",
+        DataType::Any if !parameter && !matches!(usage, Usage::Variable(_, Section::Temp)) => "it is only for parameters and VAR_TEMP",
         DataType::Instance { .. } if usage != Usage::Variable(BlockKind::FunctionBlock, Section::Static) => {
             "an instance of a function block can only be declared under VAR of a FUNCTION_BLOCK"
         }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use sieben_model::block::{BlockId, BlockKind};
-use sieben_model::diagnostic::Diagnostic;
+use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::interface::{Interface, Section};
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
@@ -33,8 +33,9 @@ pub(crate) fn block(
     interface: &Interface,
     mnemonics: Mnemonics,
     reported: &dyn Fn(Span) -> bool,
-) -> (ResolvedBlock, Vec<Diagnostic>) {
+) -> Checked {
     let mut diagnostics = Vec::new();
+    let mut whole = true;
     let labels = labels(source, &mut diagnostics);
     let mut resolver = Resolver::new(known, id, interface, &labels.targets);
     let mut statements = Vec::with_capacity(source.statements.len() + 1);
@@ -47,9 +48,17 @@ pub(crate) fn block(
         if statement.mnemonic.text.is_empty() {
             continue;
         }
-        let (instruction, operand) = choose(known, &mut resolver, statement, mnemonics, reported)
-            // The place of a statement that is wrong stays taken, so that labels keep their numbers.
-            .unwrap_or((Instruction::Nop0, Operand::Constant(Value::Int(0))));
+        let before = resolver.diagnostics.len();
+        let chosen = choose(known, &mut resolver, statement, mnemonics);
+        whole &= chosen.is_some();
+        // What the parser could not read is reported; guesses about the rest of that statement would only confuse.
+        let next = source.statements.get(index + 1).map_or(source.span.end, |next| next.span.start.max(statement.span.start));
+        if resolver.diagnostics.len() > before && reported(Span { end: next, ..statement.span }) {
+            resolver.diagnostics.truncate(before);
+            whole = false;
+        }
+        // The place of a statement that is wrong stays taken, so that labels keep their numbers.
+        let (instruction, operand) = chosen.unwrap_or((Instruction::Nop0, Operand::Constant(Value::Int(0))));
         statements.push(Statement { instruction, operand, span: statement.span, network: network.max(1) });
     }
     // A label at the end of the block stands before its end.
@@ -61,7 +70,16 @@ pub(crate) fn block(
     for statement in &statements {
         calls(known, statement, &mut diagnostics);
     }
-    (ResolvedBlock { id, interface: interface.clone(), statements }, diagnostics)
+    whole &= !diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error);
+    Checked { block: ResolvedBlock { id, interface: interface.clone(), statements }, diagnostics, whole }
+}
+
+/// A block whose statements were looked at.
+pub(crate) struct Checked {
+    pub(crate) block: ResolvedBlock,
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    /// Every statement was understood, so that the block has a meaning.
+    pub(crate) whole: bool,
 }
 
 /// The labels of a block.
@@ -108,7 +126,6 @@ fn choose(
     resolver: &mut Resolver<'_>,
     statement: &ast::Statement,
     mnemonics: Mnemonics,
-    reported: &dyn Fn(Span) -> bool,
 ) -> Option<(Instruction, Operand)> {
     let word = statement.mnemonic.text.as_str();
     let mut rows: Vec<Instruction> = Instruction::candidates(word, mnemonics).collect();
@@ -117,10 +134,8 @@ fn choose(
         rows = Instruction::candidates(word, mnemonics.other()).collect();
     }
     if rows.is_empty() {
-        if !reported(statement.span) {
-            let message = format!("`{word}` is not an instruction");
-            resolver.diagnostics.push(Diagnostic::new(Problem::P2001, statement.mnemonic.span, message));
-        }
+        let message = format!("`{word}` is not an instruction");
+        resolver.diagnostics.push(Diagnostic::new(Problem::P2001, statement.mnemonic.span, message));
         return None;
     }
     let place = if matches!(statement.operand, ast::Operand::None) { statement.span } else { statement.operand_span };
@@ -146,6 +161,10 @@ fn choose(
         if !classes.contains(&words) {
             classes.push(words);
         }
+    }
+    // "Nothing, or …" says already what "no operand" says.
+    if classes.iter().any(|words| words.starts_with("nothing")) {
+        classes.retain(|&words| words != OperandClass::None.describe());
     }
     let takes = classes.join("; or ");
     let message = match &operand {

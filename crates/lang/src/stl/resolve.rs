@@ -1,6 +1,6 @@
 //! Operands as written → operands with all names resolved.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use sieben_model::address::{self, Area, Width, area_and_width};
@@ -59,7 +59,6 @@ pub(crate) struct Resolver<'a> {
     id: BlockId,
     interface: &'a Interface,
     locals: HashMap<String, usize>,
-    /// Index of the parameters of a function, by variable.
     labels: &'a HashMap<String, u32>,
     pub(crate) diagnostics: Vec<Diagnostic>,
 }
@@ -305,7 +304,7 @@ impl<'a> Resolver<'a> {
             }
             address::Operand::Timer(number) => Some(Meaning::Operand(self.timer(number, span))),
             address::Operand::Counter(number) => Some(Meaning::Operand(self.counter(number, span))),
-            address::Operand::Block(block) => Some(Meaning::Operand(self.block(block, false, span))),
+            address::Operand::Block(block) => Some(Meaning::Operand(Self::block(block, false))),
         }
     }
 
@@ -325,7 +324,7 @@ impl<'a> Resolver<'a> {
         Operand::Counter(NumberOperand::Fixed(number))
     }
 
-    fn block(&mut self, block: BlockId, instance: bool, _span: Span) -> Operand {
+    fn block(block: BlockId, instance: bool) -> Operand {
         Operand::Block(BlockOperand { kind: block.kind, instance, number: NumberOperand::Fixed(block.number) })
     }
 
@@ -345,11 +344,11 @@ impl<'a> Resolver<'a> {
         match letters.as_str() {
             "T" => return number(self).map(|number| Meaning::Operand(self.timer(number, span))),
             "C" | "Z" => return number(self).map(|number| Meaning::Operand(self.counter(number, span))),
-            "DI" => return number(self).map(|number| Meaning::Operand(self.block(BlockId::db(number), true, span))),
+            "DI" => return number(self).map(|number| Meaning::Operand(Self::block(BlockId::db(number), true))),
             _ => {}
         }
         if let Some(kind) = BlockKind::from_abbreviation(&letters) {
-            return number(self).map(|number| Meaning::Operand(self.block(BlockId::new(kind, number), false, span)));
+            return number(self).map(|number| Meaning::Operand(Self::block(BlockId::new(kind, number), false)));
         }
         let (area, width, position) = self.area_address(written, span)?;
         let location = Location::Fixed { area, position };
@@ -611,9 +610,10 @@ impl<'a> Resolver<'a> {
             }
             (None, None) => None,
         };
+        let formals: HashSet<String> = interface.parameters().map(|parameter| key(&parameter.name)).collect();
         let mut arguments: HashMap<String, &ast::Argument> = HashMap::with_capacity(call.arguments.len());
         for argument in &call.arguments {
-            if !interface.parameters().any(|parameter| key(&parameter.name) == key(&argument.name.text)) {
+            if !formals.contains(&key(&argument.name.text)) {
                 let names = interface.parameters().map(|parameter| parameter.name.as_str());
                 let nearest = self.known.scope.nearest(&argument.name.text, names);
                 let message = format!("`{callee}` has no parameter `{}`{}", argument.name.text, did_you_mean(nearest));
@@ -682,15 +682,15 @@ impl<'a> Resolver<'a> {
 
     fn instance_block(&mut self, callee: BlockId, operand: &ast::Operand, span: Span) -> Option<u16> {
         let Some(number) = plain_data_block(self.known.scope, operand) else {
-            match self.meaning(operand, span) {
-                Some(_) => {
-                    let message = format!("the instance of `{callee}` is a data block, not `{}`", self.text(span));
-                    self.report(Problem::P3019, span, message);
-                }
-                None => {}
-            }
+            self.meaning(operand, span)?;
+            let message = format!("the instance of `{callee}` is a data block, not `{}`", self.text(span));
+            self.report(Problem::P3019, span, message);
             return None;
         };
+        if number == 0 {
+            self.report(Problem::P3019, span, "`DB 0` is reserved and cannot be an instance");
+            return None;
+        }
         if let Some(layout) = self.known.data.get(&number)
             && layout.based_on != Some(callee)
         {

@@ -1,0 +1,218 @@
+//! Sources beside what the compiler says about them: `diagnostics.txt` and `layout.txt`.
+//!
+//! A case is `=== title`, the source, `---`, and what should come of it. A symbol table stands before the source as
+//! lines `# name, address, type`. When a table does not match, the test prints the whole table as it would be right.
+
+use std::fmt::Write as _;
+
+use sieben_lang::{Compiled, Options, SystemBlock, compile};
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::interface::{Interface, Section, Variable};
+use sieben_model::source::{FileId, Sources, Span};
+use sieben_model::symbols::{Symbol, SymbolTable};
+use sieben_model::types::{DataType, Structure};
+
+fn system_blocks() -> Vec<SystemBlock> {
+    let mut blocks = Vec::new();
+    blocks.push(SystemBlock { block: BlockId::new(BlockKind::SystemFunction, 46), name: "STP", interface: Interface::default() });
+    let parameter = |name: &str, section, data_type, offset| Variable {
+        name: name.to_owned(),
+        section,
+        data_type,
+        offset,
+        initial: Vec::new(),
+        comment: String::new(),
+        span: Span::default(),
+    };
+    blocks.push(SystemBlock {
+        block: BlockId::new(BlockKind::SystemFunction, 20),
+        name: "BLKMOV",
+        interface: Interface {
+            variables: vec![
+                parameter("SRCBLK", Section::Input, DataType::Any, 0),
+                parameter("DSTBLK", Section::Output, DataType::Any, 1),
+                parameter("RET_VAL", Section::Return, DataType::Int, 2),
+            ],
+            ..Interface::default()
+        },
+    });
+    blocks
+}
+
+/// The source of a case without its symbol lines, compiled.
+fn compile_case(source: &str) -> (Sources, Compiled) {
+    let mut symbols = SymbolTable::default();
+    let mut text = String::new();
+    for line in source.lines() {
+        match line.strip_prefix("# ") {
+            Some(row) => {
+                let mut columns = row.split(',').map(|column| column.trim().to_owned());
+                let mut next = || columns.next().unwrap_or_default();
+                symbols.push(Symbol { name: next(), address: next(), data_type: next(), ..Symbol::default() });
+            }
+            None => {
+                text.push_str(line);
+                text.push('\n');
+            }
+        }
+    }
+    let mut sources = Sources::default();
+    sources.add("case.awl", text);
+    let options = Options { system_blocks: system_blocks(), ..Options::default() };
+    let compiled = compile(&sources, &symbols, &options);
+    (sources, compiled)
+}
+
+fn diagnostics(source: &str) -> String {
+    let (sources, compiled) = compile_case(source);
+    let mut text = String::new();
+    for diagnostic in &compiled.diagnostics {
+        let (line, column) = sources.line_column(diagnostic.span);
+        let _ = writeln!(text, "{line}:{column} {} {}", diagnostic.problem.code(), diagnostic.message);
+    }
+    if text.is_empty() { "nothing\n".to_owned() } else { text }
+}
+
+fn fields(text: &mut String, structure: &Structure, prefix: &str, base: u32) {
+    for field in &structure.fields {
+        let at = base + field.offset;
+        let _ = writeln!(text, "  {}.{} {prefix}{} {} bits", at / 8, at % 8, field.name, field.data_type.bits());
+        if let DataType::Struct(inner) | DataType::Instance { structure: inner, .. } = &field.data_type {
+            fields(text, inner, &format!("{prefix}{}.", field.name), at);
+        }
+    }
+}
+
+fn layout(source: &str) -> String {
+    let (_, compiled) = compile_case(source);
+    let mut text = String::new();
+    for block in compiled.program.data.values() {
+        let _ = writeln!(text, "DB {}: {} bytes", block.number, block.image.len());
+        fields(&mut text, &block.structure, "", 0);
+        for (row, bytes) in block.image.chunks(16).enumerate() {
+            let hex: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
+            let _ = writeln!(text, "  {:>3}: {}", row * 16, hex.join(" "));
+        }
+    }
+    for (id, block) in &compiled.program.code {
+        if block.interface.variables.is_empty() {
+            continue;
+        }
+        let _ = writeln!(text, "{id}: instance {}, local {}", block.interface.instance_size, block.interface.local_size);
+        for variable in &block.interface.variables {
+            let (byte, bit) = (variable.offset / 8, variable.offset % 8);
+            let parameter_of_fc = id.kind == BlockKind::Function && variable.section != Section::Temp;
+            let place = if parameter_of_fc { format!("#{}", variable.offset) } else { format!("{byte}.{bit}") };
+            let _ = writeln!(text, "  {place} {:?} {}", variable.section, variable.name);
+        }
+    }
+    for diagnostic in &compiled.diagnostics {
+        let _ = writeln!(text, "{} {}", diagnostic.problem.code(), diagnostic.message);
+    }
+    text
+}
+
+/// The sources and results of a table.
+fn cases(table: &str) -> Vec<(&str, &str, &str)> {
+    table
+        .split("=== ")
+        .skip(1)
+        .map(|case| {
+            let (title, rest) = case.split_once('\n').expect("a title line");
+            let (source, result) = rest.split_once("---\n").expect("a line `---` behind the source");
+            (title, source, result)
+        })
+        .collect()
+}
+
+fn check(table: &str, result: fn(&str) -> String) {
+    let mut right = String::new();
+    let mut wrong = Vec::new();
+    for (title, source, expected) in cases(table) {
+        let actual = result(source);
+        if actual.trim_end() != expected.trim_end() {
+            wrong.push(title);
+        }
+        let _ = write!(right, "=== {title}\n{source}---\n{}\n\n", actual.trim_end());
+    }
+    assert!(wrong.is_empty(), "these cases differ: {wrong:?}; the table would be\n<<<\n{right}>>>");
+}
+
+#[test]
+fn diagnostics_are_as_the_table_says() {
+    check(include_str!("diagnostics.txt"), diagnostics);
+}
+
+#[test]
+fn layouts_are_as_the_table_says() {
+    check(include_str!("layout.txt"), layout);
+}
+
+#[test]
+fn nothing_that_is_deleted_makes_the_compiler_panic() {
+    for table in [include_str!("diagnostics.txt"), include_str!("layout.txt")] {
+        for (_, source, _) in cases(table) {
+            let lines: Vec<&str> = source.lines().collect();
+            for missing in 0..lines.len() {
+                let mut rest = lines.clone();
+                rest.remove(missing);
+                compile_case(&rest.join("\n"));
+                compile_case(&lines[..missing].join("\n"));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_block_may_stand_in_any_file_and_order() {
+    let mut sources = Sources::default();
+    sources.add("main.awl", "ORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1 (x := MW 10);\nEND_ORGANIZATION_BLOCK\n");
+    sources.add("fc.awl", "FUNCTION FC 1 : VOID\nVAR_INPUT\nx : WORD;\nEND_VAR\nBEGIN\nL #x;\nEND_FUNCTION\n");
+    let compiled = compile(&sources, &SymbolTable::default(), &Options::default());
+    assert_eq!(compiled.diagnostics, []);
+    assert_eq!(compiled.program.code.len(), 2);
+}
+
+#[test]
+fn one_file_alone_is_not_blamed_for_what_others_may_define() {
+    let mut sources = Sources::default();
+    sources.add("part.awl", "FUNCTION FC 1 : VOID\nBEGIN\nCALL FC 2;\nA \"Start\";\nOPN DB 7;\nEND_FUNCTION\n");
+    let options = Options { syntax_only: true, ..Options::default() };
+    assert_eq!(compile(&sources, &SymbolTable::default(), &options).diagnostics, []);
+    let all = compile(&sources, &SymbolTable::default(), &Options::default());
+    let codes: Vec<&str> = all.diagnostics.iter().map(|diagnostic| diagnostic.problem.code()).collect();
+    assert_eq!(codes, ["P3013", "P3008", "P3020", "P3018"]);
+}
+
+#[test]
+fn two_blocks_with_one_number_are_reported_at_both_places() {
+    let mut sources = Sources::default();
+    sources.add("a.awl", "FUNCTION FC 1 : VOID\nBEGIN\nEND_FUNCTION\n");
+    sources.add("b.awl", "FUNCTION FC 1 : VOID\nBEGIN\nEND_FUNCTION\n");
+    let compiled = compile(&sources, &SymbolTable::default(), &Options::default());
+    let doubled = compiled.diagnostics.iter().filter(|diagnostic| diagnostic.problem.code() == "P3002");
+    assert_eq!(doubled.map(|diagnostic| diagnostic.span.file).collect::<Vec<_>>(), [FileId(0), FileId(1)]);
+}
+
+#[test]
+fn a_hundred_thousand_statements_are_compiled() {
+    let mut text = String::from("ORGANIZATION_BLOCK OB 1\nVAR_TEMP\n t : INT;\nEND_VAR\nBEGIN\n");
+    for index in 0..10_000 {
+        let (byte, bit) = (index % 1000, index % 8);
+        let label = format!("{}{:03}", char::from(b'a' + (index / 1000) as u8), index % 1000);
+        let _ = write!(
+            text,
+            "A \"Start\";\nAN I {byte}.{bit};\nJC {label};\nL MW {byte};\nL #t;\n+I;\nT \"Data\".list[{}];\nSET;\n= Q {byte}.{bit};\n{label}: NOP 0;\n",
+            index % 100
+        );
+    }
+    text.push_str("END_ORGANIZATION_BLOCK\nDATA_BLOCK DB 1\nSTRUCT\n list : ARRAY [0..99] OF INT;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n");
+    let mut sources = Sources::default();
+    sources.add("large.awl", text);
+    let symbol = |name: &str, address: &str| Symbol { name: name.into(), address: address.into(), ..Symbol::default() };
+    let symbols = SymbolTable::new(vec![symbol("Start", "I 0.0"), symbol("Data", "DB 1")]);
+    let compiled = compile(&sources, &symbols, &Options::default());
+    let errors: Vec<&str> = compiled.diagnostics.iter().take(3).map(|diagnostic| diagnostic.message.as_str()).collect();
+    assert_eq!(errors, [""; 0]);
+    assert_eq!(compiled.program.code[&BlockId::ob(1)].code.statement_count(), 100_001, "the end of the block counts");
+}
