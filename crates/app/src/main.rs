@@ -14,6 +14,7 @@ mod panics;
 mod project;
 mod report;
 mod rewriting;
+mod screen;
 mod settings;
 mod symbol_files;
 mod targets;
@@ -50,6 +51,8 @@ struct CommandLine {
 
 #[derive(Subcommand)]
 enum Verb {
+    /// A dosing plant with its controller, live in the terminal
+    Demo(commands::demo::Arguments),
     /// Run a project
     Run(commands::run::Arguments),
     /// Report everything that is wrong with a program
@@ -82,7 +85,8 @@ fn main() -> ExitCode {
 
 fn run(line: CommandLine) -> Exit {
     let result = match line.verb {
-        None => output::print(&CommandLine::command().render_help().to_string()).map(|()| Exit::Success),
+        None => commands::demo::run(&commands::demo::Arguments::default()),
+        Some(Verb::Demo(arguments)) => commands::demo::run(&arguments),
         Some(Verb::Run(arguments)) => commands::run::run(&arguments),
         Some(Verb::Check(arguments)) => commands::check::run(&arguments),
         Some(Verb::Exec(arguments)) => commands::exec::run(&arguments),

@@ -59,12 +59,15 @@ pub(crate) struct Arguments {
 
 /// How CPU time relates to real time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Speed {
+pub(crate) enum Speed {
+    /// So many times as fast as real time.
     Factor(f64),
+    /// As fast as the computer goes, in virtual time.
     Max,
 }
 
-fn speed_argument(text: &str) -> Result<Speed, String> {
+/// Reads a speed argument.
+pub(crate) fn speed_argument(text: &str) -> Result<Speed, String> {
     if text.eq_ignore_ascii_case("max") {
         return Ok(Speed::Max);
     }

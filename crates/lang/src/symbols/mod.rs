@@ -295,14 +295,9 @@ pub(crate) fn fixed_fields(symbol: &Symbol, losses: &mut Vec<String>) -> [String
 
 /// The columns that only the native table has.
 pub(crate) fn report_lost_columns(table: &SymbolTable, losses: &mut Vec<String>) {
-    let columns: [(&str, fn(&Symbol) -> &String); 4] = [
-        ("number", |symbol| &symbol.number),
-        ("unit", |symbol| &symbol.unit),
-        ("tag", |symbol| &symbol.tag),
-        ("remark", |symbol| &symbol.remark),
-    ];
-    for (column, field) in columns {
-        if table.symbols().iter().any(|symbol| !field(symbol).is_empty()) {
+    for (index, column) in ["number", "unit", "tag", "remark"].into_iter().enumerate() {
+        let used = |symbol: &Symbol| ![&symbol.number, &symbol.unit, &symbol.tag, &symbol.remark][index].is_empty();
+        if table.symbols().iter().any(used) {
             losses.push(format!("the column `{column}` has no place in this format"));
         }
     }
@@ -335,6 +330,7 @@ pub fn fuzz(data: &[u8]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     const CSV: &str = "number,symbol,address,type,comment,unit,tag,remark,cabinet\n\
         1,START,I 0.0,BOOL,Start button,,S1,\"makes, contact\",A\n\
@@ -444,6 +440,49 @@ mod tests {
         assert_eq!(detect("a/SYMBOLS.SDF", ""), Some(Format::Sdf));
         assert_eq!(detect("table.txt", CSV), Some(Format::Csv));
         assert_eq!(detect("table.txt", "A I 0.0"), None);
+    }
+
+    /// A text without line ends and without blanks at its ends, which formats with padding cannot keep.
+    fn any_text(length: usize) -> impl Strategy<Value = String> {
+        proptest::collection::vec(prop_oneof![any::<char>(), prop::sample::select(vec![',', ';', '"', ' ', 'ä', 'I', '0'])], 0..length)
+            .prop_map(|characters| characters.into_iter().filter(|character| !character.is_control()).collect::<String>().trim().to_owned())
+    }
+
+    fn any_symbol() -> impl Strategy<Value = Symbol> {
+        (any_text(20), any_text(10), any_text(8), any_text(30), any_text(5), any_text(9)).prop_map(
+            |(name, address, data_type, comment, number, remark)| Symbol {
+                name: format!("n{name}"),
+                address,
+                data_type,
+                comment,
+                number,
+                remark,
+                ..Symbol::default()
+            },
+        )
+    }
+
+    proptest! {
+        #[test]
+        fn any_table_comes_back_from_csv(symbols in proptest::collection::vec(any_symbol(), 0..8), delimiter in prop::sample::select(vec![b',', b';'])) {
+            let table = SymbolTable::new(symbols);
+            let layout = Layout { delimiter, ..Layout::new(Format::Csv) };
+            let again = read(FileId(0), &write(&table, layout).text, Format::Csv);
+            prop_assert_eq!(again.table.symbols(), table.symbols());
+            prop_assert_eq!(again.layout, layout);
+        }
+
+        #[test]
+        fn what_fits_comes_back_from_the_formats_of_step_7(symbols in proptest::collection::vec(any_symbol(), 0..8)) {
+            let plain = |symbol: Symbol| Symbol { number: String::new(), remark: String::new(), ..symbol };
+            let table = SymbolTable::new(symbols.into_iter().map(plain).collect());
+            for format in [Format::Sdf, Format::Asc] {
+                let written = write(&table, Layout::new(format));
+                prop_assert_eq!(&written.losses, &Vec::<String>::new());
+                let again = read(FileId(0), &written.text, format);
+                prop_assert_eq!(again.table.symbols(), table.symbols());
+            }
+        }
     }
 
     #[test]

@@ -14,17 +14,15 @@ pub(crate) fn read(text: &str, sink: &mut Sink) {
     let text = text.strip_suffix('\u{1A}').unwrap_or(text);
     for Record { fields, start, end } in records(text, b',', sink) {
         let field = |index: usize| fields.get(index).map(|field| field.trim_end().to_owned()).unwrap_or_default();
-        let comment = match fields.len() {
-            4 => field(3),
-            TIA_FIELDS => field(6),
+        let (address, comment) = match fields.len() {
+            4 => (field(1), field(3)),
+            TIA_FIELDS => (field(1).trim_start_matches('%').to_owned(), field(6)),
             count => {
                 let message = format!("this line has {count} fields; a line of .sdf has 4: symbol, address, type, comment");
                 sink.problem(Problem::P6105, start, end, message);
                 continue;
             }
         };
-        let address = field(1);
-        let address = address.strip_prefix('%').unwrap_or(&address).to_owned();
         sink.row(
             Symbol { name: field(0).trim_start().to_owned(), address, data_type: field(2).trim().to_owned(), comment, ..Symbol::default() },
             start,

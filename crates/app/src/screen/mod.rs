@@ -1,0 +1,13 @@
+//! The demo plant on the terminal.
+
+mod changes;
+mod digits;
+mod draw;
+mod listing;
+mod live;
+mod plant;
+mod session;
+
+pub(crate) use changes::{Entry, Event, clock, thousands};
+pub(crate) use live::run;
+pub(crate) use session::{CYCLE_US, Session};
