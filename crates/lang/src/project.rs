@@ -108,8 +108,8 @@ pub fn compile_syntax(
     options: &Options,
 ) -> Compiled {
     let cpu = options.cpu.copied().unwrap_or_default();
-    let mut compiled = Compiled::default();
-    compiled.mnemonics = files.iter().map(|file| (file.id, file.mnemonics)).collect();
+    let mnemonics = files.iter().map(|file| (file.id, file.mnemonics)).collect();
+    let mut compiled = Compiled { mnemonics, ..Compiled::default() };
     // Where the parser found something wrong, by file and first byte.
     let errors = diagnostics.iter().filter(|diagnostic| diagnostic.severity() == Severity::Error);
     let mut reported: Vec<(FileId, u32)> = errors.map(|diagnostic| (diagnostic.span.file, diagnostic.span.start)).collect();

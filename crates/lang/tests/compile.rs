@@ -5,6 +5,7 @@
 
 use std::fmt::Write as _;
 
+use proptest::prelude::*;
 use sieben_lang::{Compiled, Options, SystemBlock, compile};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::{Interface, Section, Variable};
@@ -215,4 +216,31 @@ fn a_hundred_thousand_statements_are_compiled() {
     let errors: Vec<&str> = compiled.diagnostics.iter().take(3).map(|diagnostic| diagnostic.message.as_str()).collect();
     assert_eq!(errors, [""; 0]);
     assert_eq!(compiled.program.code[&BlockId::ob(1)].code.statement_count(), 100_001, "the end of the block counts");
+}
+
+#[test]
+fn a_name_that_was_meant_is_offered_as_it_is_written() {
+    let (_, compiled) = compile_case("# Start, I 0.0, BOOL\nA \"Strat\"\n");
+    let fix = compiled.diagnostics[0].fix.as_ref().expect("a fix");
+    assert_eq!(fix.replacement, "\"Start\"");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
+
+    #[test]
+    fn no_mixture_of_sources_makes_the_compiler_panic(
+        pieces in prop::collection::vec((0usize..64, 0usize..4096, 1usize..200), 1..12),
+    ) {
+        let tables = [include_str!("diagnostics.txt"), include_str!("layout.txt")];
+        let all: Vec<&str> = tables.iter().flat_map(|table| cases(table)).map(|(_, source, _)| source).collect();
+        let mut text = String::new();
+        for (case, start, length) in pieces {
+            let source = all[case % all.len()];
+            let words: Vec<&str> = source.split_inclusive([' ', '\n']).collect();
+            text.extend(words.iter().skip(start % words.len()).take(length).copied());
+            text.push('\n');
+        }
+        compile_case(&text);
+    }
 }

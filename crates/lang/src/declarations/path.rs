@@ -19,8 +19,14 @@ const INDEXED_FIELDS: usize = 16;
 /// Finds fields by name in constant time.
 #[derive(Default)]
 pub(crate) struct FieldNames {
-    // The structure is kept with its index, so that its address stays its own.
-    indexes: RefCell<HashMap<*const Structure, (Arc<Structure>, HashMap<String, usize>)>>,
+    indexes: RefCell<HashMap<*const Structure, Index>>,
+}
+
+/// The fields of one structure by name.
+struct Index {
+    by_name: HashMap<String, usize>,
+    /// Kept alive, so that its address stays its own.
+    _structure: Arc<Structure>,
 }
 
 impl FieldNames {
@@ -29,11 +35,11 @@ impl FieldNames {
             return structure.fields.iter().position(|field| key(&field.name) == key(name));
         }
         let mut indexes = self.indexes.borrow_mut();
-        let (_, index) = indexes.entry(Arc::as_ptr(structure)).or_insert_with(|| {
+        let index = indexes.entry(Arc::as_ptr(structure)).or_insert_with(|| {
             let names = structure.fields.iter().enumerate().map(|(index, field)| (key(&field.name), index));
-            (Arc::clone(structure), names.collect())
+            Index { by_name: names.collect(), _structure: Arc::clone(structure) }
         });
-        index.get(&key(name)).copied()
+        index.by_name.get(&key(name)).copied()
     }
 }
 

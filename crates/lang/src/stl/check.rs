@@ -14,6 +14,7 @@ use super::ast;
 use super::instructions::Instruction;
 use super::lower::{ResolvedBlock, Statement};
 use super::operands::{BlockOperand, NumberOperand, Operand, OperandClass};
+use super::parser::DIAGNOSTICS_MAX;
 use super::resolve::{Known, Resolver};
 
 /// Brackets that may be open at once.
@@ -49,6 +50,12 @@ pub(crate) fn block(
             continue;
         }
         let before = resolver.diagnostics.len();
+        if before >= DIAGNOSTICS_MAX {
+            let message = format!("`{id}` has more than {DIAGNOSTICS_MAX} problems; the others are not shown");
+            resolver.diagnostics.push(Diagnostic::new(Problem::P2199, statement.span, message));
+            diagnostics.append(&mut resolver.diagnostics);
+            return Checked { block: ResolvedBlock { id, interface: interface.clone(), statements }, diagnostics, whole: false };
+        }
         let chosen = choose(known, &mut resolver, statement, mnemonics);
         whole &= chosen.is_some();
         // What the parser could not read is reported; guesses about the rest of that statement would only confuse.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use sieben_model::address::{self, Area, Width, area_and_width};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::cpu_type::CpuType;
-use sieben_model::diagnostic::Diagnostic;
+use sieben_model::diagnostic::{Diagnostic, Fix};
 use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::literal::Value;
 use sieben_model::problems::Problem;
@@ -24,6 +24,9 @@ use crate::declarations::path::{FieldNames, follow};
 use crate::declarations::types::{BlockInterface, describe, elementary};
 use crate::declarations::values::{Misfit, coerce, natural};
 use crate::scope::{Global, Scope, block_of_name, did_you_mean, key};
+
+/// Names that a message lists before it says "and others".
+const NAMES_SHOWN_MAX: usize = 8;
 
 /// What is known about the whole program when statements are resolved.
 pub(crate) struct Known<'a> {
@@ -126,10 +129,8 @@ impl<'a> Resolver<'a> {
         }
         let nearest = self.known.scope.nearest(&word.text, self.labels.keys().map(String::as_str));
         let message = format!("there is no label `{}` in this block{}", word.text, did_you_mean(nearest.clone()));
-        let diagnostic = self.report(Problem::P3004, word.span, message);
-        if let Some(name) = nearest {
-            diagnostic.fix = Some(sieben_model::diagnostic::Fix { span: word.span, title: format!("write `{name}`"), replacement: name });
-        }
+        self.report(Problem::P3004, word.span, message);
+        self.offer(word.span, nearest);
         None
     }
 
@@ -191,8 +192,21 @@ impl<'a> Resolver<'a> {
     fn unknown_local(&mut self, word: &ast::Word) {
         let names = self.interface.variables.iter().map(|variable| variable.name.as_str());
         let nearest = self.known.scope.nearest(&word.text, names).or_else(|| self.known.scope.nearest_symbol(&word.text));
-        let message = format!("`{}` is not declared in `{}`{}", word.text, self.id, did_you_mean(nearest));
+        let message = format!("`{}` is not declared in `{}`{}", word.text, self.id, did_you_mean(nearest.clone()));
         self.report(Problem::P3001, word.span, message);
+        self.offer(word.span, nearest);
+    }
+
+    /// Offers to write the name that was probably meant, as the wrong one is written: with quotes, `#` or neither.
+    fn offer(&mut self, span: Span, name: Option<String>) {
+        let (Some(name), Some(diagnostic)) = (name, self.diagnostics.last_mut()) else { return };
+        let replacement = match self.known.sources.slice(span).chars().next() {
+            Some('"') => format!("\"{name}\""),
+            Some('#') => format!("#{name}"),
+            _ => name,
+        };
+        let title = format!("write `{replacement}`");
+        diagnostic.fix = Some(Fix { span, replacement, title });
     }
 
     fn address_of(&mut self, word: &ast::Word) -> Option<Operand> {
@@ -236,6 +250,9 @@ impl<'a> Resolver<'a> {
                 return None;
             }
         };
+        if reached.data_type == DataType::Void {
+            return None;
+        }
         let location = shifted(base, reached.offset as u32);
         Some(Meaning::Variable { location, data_type: reached.data_type, declared: true })
     }
@@ -257,8 +274,9 @@ impl<'a> Resolver<'a> {
     fn global(&mut self, name: &ast::Word, path: &[ast::PathElement], span: Span) -> Option<Meaning> {
         let Some(global) = self.known.scope.global(&name.text) else {
             let nearest = self.known.scope.nearest_symbol(&name.text);
-            let message = format!("`\"{}\"` is not in the symbol table{}", name.text, did_you_mean(nearest));
+            let message = format!("`\"{}\"` is not in the symbol table{}", name.text, did_you_mean(nearest.clone()));
             self.report(Problem::P3020, name.span, message);
+            self.offer(name.span, nearest);
             return None;
         };
         if global.ambiguous {
@@ -478,6 +496,8 @@ impl<'a> Resolver<'a> {
         };
         let whole = DataType::Struct(Arc::clone(&layout.structure));
         match follow(self.known.scope, self.known.field_names, &whole, path, span) {
+            // The declaration of such a field was wrong, which is reported there.
+            Ok(reached) if reached.data_type == DataType::Void => None,
             Ok(reached) => Some(Meaning::Variable {
                 location: Location::InDataBlock { db, position: reached.offset as u32 },
                 data_type: reached.data_type,
@@ -616,7 +636,7 @@ impl<'a> Resolver<'a> {
             if !formals.contains(&key(&argument.name.text)) {
                 let names = interface.parameters().map(|parameter| parameter.name.as_str());
                 let nearest = self.known.scope.nearest(&argument.name.text, names);
-                let message = format!("`{callee}` has no parameter `{}`{}", argument.name.text, did_you_mean(nearest));
+                let message = format!("`{callee}` has no parameter `{}`{}", argument.name.text, did_you_mean(nearest.clone()));
                 let valid: Vec<&str> = interface.parameters().map(|parameter| parameter.name.as_str()).collect();
                 let help = if valid.is_empty() {
                     format!("`{callee}` has no parameters.")
@@ -624,6 +644,7 @@ impl<'a> Resolver<'a> {
                     format!("Its parameters are {}.", valid.join(", "))
                 };
                 self.report(Problem::P3009, argument.name.span, message).help = Some(help);
+                self.offer(argument.name.span, nearest);
                 continue;
             }
             if let Some(first) = arguments.insert(key(&argument.name.text), argument) {
@@ -652,8 +673,14 @@ impl<'a> Resolver<'a> {
             });
         }
         if !missing.is_empty() {
-            let message = format!("`{callee}` needs {} too", missing.join(", "));
+            let others = if missing.len() > NAMES_SHOWN_MAX { ", …" } else { "" };
+            missing.truncate(NAMES_SHOWN_MAX);
+            let message = format!("`{callee}` needs {}{others} too", missing.join(", "));
             self.report(Problem::P3010, call.callee_span, message);
+        }
+        // A parameter of a wrong type, reported at its declaration, leaves the call without a meaning.
+        if interface.parameters().any(|parameter| parameter.data_type == DataType::Void) {
+            return None;
         }
         Some(Operand::Call(Box::new(Call { callee, instance, parameters })))
     }
