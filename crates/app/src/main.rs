@@ -8,6 +8,7 @@ mod duration;
 mod failure;
 mod files;
 mod glob;
+mod names;
 mod nearest;
 mod output;
 mod panics;
@@ -17,7 +18,6 @@ mod rewriting;
 mod screen;
 mod settings;
 mod symbol_files;
-mod targets;
 
 use std::path::Path;
 use std::process::ExitCode;

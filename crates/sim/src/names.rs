@@ -164,7 +164,7 @@ impl Name {
     /// The CPU has nothing of that name.
     pub fn read(&self, cpu: &Cpu) -> Result<Shown, NameError> {
         if let Target::Field { db, byte, data_type } = &self.target
-            && data_type.bits() > 64
+            && data_type.bits() != 64
         {
             return self.read_long(cpu, *db, *byte, data_type);
         }
@@ -224,7 +224,7 @@ impl Name {
     /// The expected value is none or does not fit, or the CPU has nothing of that name.
     pub fn holds(&self, cpu: &Cpu, expected: &str) -> Result<bool, NameError> {
         if let Target::Field { data_type, .. } = &self.target
-            && data_type.bits() > 64
+            && data_type.bits() != 64
         {
             return Ok(self.read(cpu)?.to_string() == expected);
         }
@@ -244,10 +244,14 @@ impl Name {
     pub fn value(&self, text: &str) -> Result<u64, NameError> {
         let text = text.trim();
         let width = self.width();
-        if self.target == Target::Status
-            && let Some(word) = StatusWord::parse(text)
-        {
-            return Ok(u64::from(word.0));
+        if self.target == Target::Status {
+            if let Some(word) = StatusWord::parse(text) {
+                return Ok(u64::from(word.0));
+            }
+            // `STW=111` would be a number to some and three bits to others.
+            if text.bytes().all(|byte| byte.is_ascii_digit()) {
+                return Err(NameError::new(format!("`{text}` is no status word, which has nine characters 0 or 1")));
+            }
         }
         if width == 1 {
             return match text.to_ascii_uppercase().as_str() {
@@ -457,6 +461,10 @@ fn symbolic(text: &str, symbols: &SymbolTable, program: &Program) -> Result<Targ
             "nothing is called `{text}`; write an address such as `I 0.0`, `MW 10`, `T 1` or `DB1.DBW 0`, a symbol, `DB1.name`, or one of `ACCU1`, `AR1`, `STW`, `STW.RLO`"
         )));
     };
+    // `"Data".DBW 2`: the symbol stands for the block.
+    if let Some(operand @ Operand::InDataBlock { .. }) = Operand::parse(&format!("DB{number}.{path}")) {
+        return Ok(Target::Operand(operand, None));
+    }
     let Some(data) = program.data.get(&number) else {
         return Err(NameError::new(format!("the program has no `DB {number}`, which `{text}` wants")));
     };
@@ -464,19 +472,22 @@ fn symbolic(text: &str, symbols: &SymbolTable, program: &Program) -> Result<Targ
         let names: Vec<&str> = data.structure.fields.iter().take(8).map(|field| field.name.as_str()).collect();
         NameError::new(format!("`DB {number}` has no `{part}`; its fields begin with {}", names.join(", ")))
     })?;
-    Ok(target_of_field(number, offset, data_type))
+    target_of_field(number, offset, data_type, text)
 }
 
-fn target_of_field(db: u16, offset: u32, data_type: DataType) -> Target {
+fn target_of_field(db: u16, offset: u32, data_type: DataType, text: &str) -> Result<Target, NameError> {
+    if matches!(data_type, DataType::Array { .. } | DataType::Struct(_) | DataType::Instance { .. }) {
+        return Err(NameError::new(format!("`{text}` is no single value; name one of its elements, such as `[1]` or `.name`")));
+    }
     let width = match data_type.bits() {
         1 => Width::Bit,
         8 => Width::Byte,
         16 => Width::Word,
         32 => Width::DoubleWord,
-        _ => return Target::Field { db, byte: offset / 8, data_type },
+        _ => return Ok(Target::Field { db, byte: offset / 8, data_type }),
     };
     let address = Address { area: Area::SharedData, width, byte: offset / 8, bit: (offset % 8) as u8 };
-    Target::Operand(Operand::InDataBlock { db, address }, Some(data_type))
+    Ok(Target::Operand(Operand::InDataBlock { db, address }, Some(data_type)))
 }
 
 /// Splits `"a name".path` and `name.path`.

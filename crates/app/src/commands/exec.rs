@@ -6,13 +6,14 @@ use std::time::Duration;
 use clap::Args;
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, OperatingMode, Restart, Settings};
-use sieben_engine::machine::Registers;
 use sieben_model::problems::Problem;
+use sieben_model::symbols::SymbolTable;
+use sieben_sim::names::Name;
 
 use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
+use crate::names::{self, Assignment};
 use crate::project::Project;
-use crate::targets::{Assignment, Names, Target, split_assignment, split_list};
 use crate::{controller, duration, output};
 
 /// Run a few scans in virtual time and print values.
@@ -99,13 +100,18 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     };
     let settings = Settings { clock_memory_byte: build.project.settings.clock_memory_byte, ..Settings::default() };
     let mut cpu = controller::load(&build, settings);
-    let names = Names { symbols: &build.project.symbols, cpu: &cpu };
-    let shown = targets(&names, &arguments.show)?;
-    let set = arguments.set.iter().map(|text| assignment(&names, text)).collect::<Result<Vec<_>, _>>()?;
-    let mut at = timed(&names, &arguments.at)?.into_iter().peekable();
+    let symbols = &build.project.symbols;
+    let shown = arguments
+        .show
+        .iter()
+        .flat_map(|list| names::split_list(list))
+        .map(|name| names::resolve(name, symbols, &cpu))
+        .collect::<Result<Vec<_>, _>>()?;
+    let set = arguments.set.iter().map(|text| Assignment::parse(text, symbols, &cpu)).collect::<Result<Vec<_>, _>>()?;
+    let mut at = timed(&arguments.at, symbols, &cpu)?.into_iter().peekable();
 
     cpu.restart(Restart::Warm);
-    preset(&mut cpu, &set)?;
+    set.iter().try_for_each(|assignment| assignment.apply(&mut cpu))?;
     let count = schedule.len();
     for scan in 0..count {
         let now_us = schedule.begin_us(scan);
@@ -153,22 +159,13 @@ fn schedule(arguments: &Arguments, project_cycle: Option<Duration>) -> Result<Sc
     Ok(Schedule::Cyclic { cycle, scans })
 }
 
-fn targets(names: &Names<'_>, lists: &[String]) -> Result<Vec<Target>, Failure> {
-    lists.iter().flat_map(|list| split_list(list)).map(|name| names.resolve(name)).collect()
-}
-
-fn assignment(names: &Names<'_>, text: &str) -> Result<Assignment, Failure> {
-    let (name, value) = split_assignment(text)?;
-    Assignment::new(names.resolve(name)?, value)
-}
-
 /// The changes of `--at` in the order of their times; those of the same time as they were written.
-fn timed(names: &Names<'_>, words: &[String]) -> Result<Vec<(Duration, Assignment)>, Failure> {
+fn timed(words: &[String], symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(Duration, Assignment)>, Failure> {
     let mut timed = Vec::new();
     for pair in words.chunks_exact(2) {
         let time = duration::parse(&pair[0]).map_err(|message| Failure::usage(Problem::P7005, message))?;
-        let assignment = assignment(names, &pair[1])?;
-        if assignment.is_register() {
+        let assignment = Assignment::parse(&pair[1], symbols, cpu)?;
+        if assignment.name.is_register() {
             return Err(
                 Failure::usage(Problem::P7003, format!("`{}`: a register can only be set for the first scan", pair[1])).help("use `--set`")
             );
@@ -179,16 +176,7 @@ fn timed(names: &Names<'_>, words: &[String]) -> Result<Vec<(Duration, Assignmen
     Ok(timed)
 }
 
-fn preset(cpu: &mut Cpu, set: &[Assignment]) -> Result<(), Failure> {
-    if set.iter().any(Assignment::is_register) {
-        let mut registers = Registers::fresh();
-        set.iter().for_each(|assignment| assignment.preset(&mut registers));
-        cpu.preset_registers(registers);
-    }
-    set.iter().try_for_each(|assignment| assignment.apply(cpu))
-}
-
-fn print_scan(arguments: &Arguments, cpu: &Cpu, shown: &[Target], scan: u64, now_us: u64) -> Result<(), Failure> {
+fn print_scan(arguments: &Arguments, cpu: &Cpu, shown: &[Name], scan: u64, now_us: u64) -> Result<(), Failure> {
     if arguments.json {
         return output::print_json(&scan_json(cpu, shown, scan, now_us), false);
     }
@@ -197,15 +185,15 @@ fn print_scan(arguments: &Arguments, cpu: &Cpu, shown: &[Target], scan: u64, now
         text.push_str(&format!("scan {scan} at {} ms: {}\n", milliseconds(now_us), cpu.mode()));
     }
     let indent = if arguments.every { "  " } else { "" };
-    let width = shown.iter().map(|target| target.name.chars().count()).max().unwrap_or(0);
-    for target in shown {
-        text.push_str(&format!("{indent}{:<width$} = {}\n", target.name, target.text(cpu)));
+    let width = shown.iter().map(|name| name.text().chars().count()).max().unwrap_or(0);
+    for name in shown {
+        text.push_str(&format!("{indent}{:<width$} = {}\n", name.text(), names::text(name, cpu)));
     }
     output::print(&text)
 }
 
-fn scan_json(cpu: &Cpu, shown: &[Target], scan: u64, now_us: u64) -> Value {
-    let values: serde_json::Map<String, Value> = shown.iter().map(|target| (target.name.clone(), target.value(cpu))).collect();
+fn scan_json(cpu: &Cpu, shown: &[Name], scan: u64, now_us: u64) -> Value {
+    let values: serde_json::Map<String, Value> = shown.iter().map(|name| (name.text().to_owned(), names::to_json(name, cpu))).collect();
     let mut object = json!({ "scan": scan, "time_ms": milliseconds(now_us), "values": values, "mode": cpu.mode().to_string() });
     if let Some(cause) = cpu.stop_cause().filter(|_| cpu.mode() == OperatingMode::Stop) {
         object["stop"] = controller::stop_json(cause);

@@ -26,6 +26,8 @@ const SCANS_PER_LOOK: u64 = 64;
 const FROM_1970_TO_1990: Duration = Duration::from_secs((20 * 365 + 5) * 86_400);
 /// Exit code after a second Ctrl-C: what shells report for SIGINT.
 const INTERRUPTED: i32 = 130;
+/// Entries of the diagnostic buffer that are printed after a STOP: cause, consequence and how the run began.
+const ENTRIES_SHOWN: usize = 4;
 /// STOP by the mode switch: the event that Ctrl-C causes.
 const STOP_BY_SWITCH: u16 = 0x4303;
 
@@ -283,9 +285,10 @@ fn report(arguments: &Arguments, build: &Build, cpu: &Cpu, outcome: &Outcome) ->
     match stopped {
         Some(cause) => {
             output::message(&controller::stop_text(build, cause));
-            if let Some(entry) = cpu.diagnostic_buffer().newest() {
-                output::message(&format!("  diagnostic buffer: {}  16#{:04X}  {}\n", entry.time.display(), entry.event(), entry.text()));
-            }
+            let entries = cpu.diagnostic_buffer().entries().take(ENTRIES_SHOWN);
+            let lines: String =
+                entries.map(|entry| format!("  {}  16#{:04X}  {}\n", entry.time.display(), entry.event(), entry.text())).collect();
+            output::message(&format!("Diagnostic buffer, newest first:\n{lines}"));
             Ok(Exit::Stopped)
         }
         None => Ok(Exit::Success),

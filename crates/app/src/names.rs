@@ -1,0 +1,121 @@
+//! Names and values on the command line: what `--set` and `--show` mean, in the vocabulary of scenarios.
+
+use serde_json::{Value as Json, json};
+use sieben_cpu::Cpu;
+use sieben_model::problems::Problem;
+use sieben_model::symbols::SymbolTable;
+use sieben_sim::names::{Name, NameError, Shown};
+
+use crate::failure::Failure;
+use crate::nearest::nearest;
+
+/// Splits a list of names at commas outside brackets and quotes: `MW 10,DB1.field[1,2],"a,b"`.
+pub(crate) fn split_list(list: &str) -> Vec<&str> {
+    split_outside(list, ',', usize::MAX).into_iter().map(str::trim).filter(|name| !name.is_empty()).collect()
+}
+
+/// Splits `NAME=VALUE` at the first `=` outside quotes.
+pub(crate) fn split_assignment(text: &str) -> Result<(&str, &str), Failure> {
+    match split_outside(text, '=', 2)[..] {
+        // `:=` is what STL writes.
+        [name, value] => Ok((name.trim().trim_end_matches(':').trim_end(), value.trim())),
+        _ => Err(Failure::usage(Problem::P7003, format!("`{text}` gives no value"))
+            .help("write `NAME=VALUE`, such as `I0.0=1` or `MW10=W#16#00FF`")),
+    }
+}
+
+fn split_outside(text: &str, separator: char, parts_max: usize) -> Vec<&str> {
+    let (mut parts, mut start, mut quoted, mut depth) = (Vec::new(), 0, false, 0_usize);
+    for (at, c) in text.char_indices() {
+        match c {
+            '"' => quoted = !quoted,
+            '[' if !quoted => depth += 1,
+            ']' if !quoted => depth = depth.saturating_sub(1),
+            _ if c == separator && !quoted && depth == 0 && parts.len() + 1 < parts_max => {
+                parts.push(&text[start..at]);
+                start = at + c.len_utf8();
+            }
+            _ => {}
+        }
+    }
+    parts.push(&text[start..]);
+    parts
+}
+
+/// What a name means on this CPU; refuses what has no value there.
+pub(crate) fn resolve(name: &str, symbols: &SymbolTable, cpu: &Cpu) -> Result<Name, Failure> {
+    let failed = |error: NameError| {
+        let failure = Failure::usage(Problem::P7003, error.to_string());
+        let known = symbols.symbols().iter().map(|symbol| symbol.name.as_str());
+        match nearest(name.trim_matches('"'), known) {
+            Some(near) if !near.eq_ignore_ascii_case(name.trim_matches('"')) => failure.help(format!("did you mean the symbol `{near}`?")),
+            _ => failure,
+        }
+    };
+    let name = Name::parse(name, symbols, cpu.program()).map_err(failed)?;
+    name.read(cpu).map_err(failed)?;
+    Ok(name)
+}
+
+/// A value that goes to a name.
+#[derive(Clone, Debug)]
+pub(crate) struct Assignment {
+    /// Where it goes.
+    pub(crate) name: Name,
+    value: String,
+}
+
+impl Assignment {
+    /// Reads `NAME=VALUE`.
+    pub(crate) fn parse(text: &str, symbols: &SymbolTable, cpu: &Cpu) -> Result<Self, Failure> {
+        let (name, value) = split_assignment(text)?;
+        let name = resolve(name, symbols, cpu)?;
+        name.value(value).map_err(|error| unfit(text, &error))?;
+        Ok(Self { name, value: value.to_owned() })
+    }
+
+    /// Gives the name its value.
+    pub(crate) fn apply(&self, cpu: &mut Cpu) -> Result<(), Failure> {
+        self.name.write(cpu, &self.value).map_err(|error| unfit(&format!("{}={}", self.name.text(), self.value), &error))
+    }
+}
+
+fn unfit(text: &str, error: &NameError) -> Failure {
+    let failure = Failure::usage(Problem::P7004, format!("`{text}`: {error}"));
+    let status = text.split('=').next().is_some_and(|name| name.trim().eq_ignore_ascii_case("STW"));
+    if status {
+        failure.help("write nine characters 0 or 1 in the order BR CC1 CC0 OV OS OR STA RLO /FC: `STW=000000110`")
+    } else {
+        failure
+    }
+}
+
+/// The value of a name as people read it; data blocks can disappear while a program runs.
+pub(crate) fn text(name: &Name, cpu: &Cpu) -> String {
+    name.read(cpu).map_or_else(|_| "not loaded".to_owned(), |shown| shown.to_string())
+}
+
+/// The value of a name as JSON: bits and numbers as numbers, all else as text.
+pub(crate) fn to_json(name: &Name, cpu: &Cpu) -> Json {
+    match name.read(cpu) {
+        Err(_) => Json::Null,
+        Ok(Shown::Bit(bit)) => json!(u8::from(bit)),
+        Ok(Shown::Number(number)) => json!(number),
+        // The digits of the REAL itself, not those of its widening to 64 bits.
+        Ok(Shown::Real(number)) if number.is_finite() => number.to_string().parse::<f64>().map_or(Json::Null, |number| json!(number)),
+        Ok(shown) => json!(shown.to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_and_assignments_are_split_outside_quotes_and_brackets() {
+        assert_eq!(split_list("MW 10, DB1.a[1,2],\"a,b\",,"), ["MW 10", "DB1.a[1,2]", "\"a,b\""]);
+        assert_eq!(split_assignment("\"a=b\" = 5").ok(), Some(("\"a=b\"", "5")));
+        assert_eq!(split_assignment("MW10:=5").ok(), Some(("MW10", "5")));
+        assert!(split_assignment("MW10").is_err());
+    }
+}

@@ -1,0 +1,503 @@
+//! The command line as its users meet it: arguments and files in, text and exit code out.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// A folder of its own for one test, removed at the end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new() -> Self {
+        static NUMBER: AtomicUsize = AtomicUsize::new(0);
+        let name = format!("sieben-cli-{}-{}", std::process::id(), NUMBER.fetch_add(1, Ordering::Relaxed));
+        let path = std::env::temp_dir().join(name);
+        fs::create_dir_all(&path).expect("the folder for temporary files is writable");
+        Self(path)
+    }
+    fn with(files: &[(&str, &str)]) -> Self {
+        let folder = Self::new();
+        for (name, content) in files {
+            folder.write(name, content.as_bytes());
+        }
+        folder
+    }
+    fn write(&self, name: &str, content: &[u8]) {
+        let path = self.0.join(name);
+        fs::create_dir_all(path.parent().expect("a file lies in a folder")).expect("the folder is writable");
+        fs::write(path, content).expect("the folder is writable");
+    }
+    fn read(&self, name: &str) -> Vec<u8> {
+        fs::read(self.0.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+    fn run(&self, arguments: &[&str]) -> Run {
+        Run::of(&self.0, arguments)
+    }
+    fn path(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// What came of one call.
+struct Run {
+    arguments: String,
+    stdout: String,
+    stderr: String,
+    code: Option<i32>,
+}
+
+fn sieben(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sieben"));
+    command.args(arguments).current_dir(folder).env("NO_COLOR", "1").env_remove("RUST_BACKTRACE").stdin(Stdio::null());
+    command
+}
+
+impl Run {
+    fn of(folder: &Path, arguments: &[&str]) -> Self {
+        let Output { stdout, stderr, status } = sieben(folder, arguments).output().expect("the binary starts");
+        Self {
+            arguments: arguments.join(" "),
+            stdout: String::from_utf8(stdout).expect("UTF-8 on stdout"),
+            stderr: String::from_utf8(stderr).expect("UTF-8 on stderr"),
+            code: status.code(),
+        }
+    }
+    #[track_caller]
+    fn code(self, code: i32) -> Self {
+        assert_eq!(self.code, Some(code), "sieben {}\n--- stdout\n{}\n--- stderr\n{}", self.arguments, self.stdout, self.stderr);
+        self
+    }
+    #[track_caller]
+    fn stdout(self, part: &str) -> Self {
+        assert!(
+            self.stdout.contains(part),
+            "sieben {}\nwanted on stdout: {part}\n--- stdout\n{}\n--- stderr\n{}",
+            self.arguments,
+            self.stdout,
+            self.stderr
+        );
+        self
+    }
+    #[track_caller]
+    fn stderr(self, part: &str) -> Self {
+        assert!(
+            self.stderr.contains(part),
+            "sieben {}\nwanted on stderr: {part}\n--- stdout\n{}\n--- stderr\n{}",
+            self.arguments,
+            self.stdout,
+            self.stderr
+        );
+        self
+    }
+    fn json(&self) -> serde_json::Value {
+        serde_json::from_str(&self.stdout).unwrap_or_else(|error| panic!("{error}: {}", self.stdout))
+    }
+    fn lines(&self) -> Vec<serde_json::Value> {
+        self.stdout.lines().map(|line| serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}"))).collect()
+    }
+}
+
+const ADD: &str = "L MW 0\nL MW 2\n+I\nT MW 4\n";
+const LAMP: &str = "A I 0.0\nL S5T#50MS\nSD T 1\nA T 1\n= Q 0.0\nA I 0.0\nCU C 1\n";
+
+#[test]
+fn help_names_every_verb_with_an_example() {
+    let folder = Folder::new();
+    for arguments in [&["--help"][..], &["help"], &["-h"]] {
+        let run = folder.run(arguments).code(0);
+        for verb in ["demo", "run", "check", "exec", "explain", "fmt", "convert", "symbols", "new"] {
+            assert!(run.stdout.contains(&format!("\n  {verb} ")), "{verb}");
+        }
+        assert!(!run.stdout.contains("bench") && !run.stdout.contains("jit"));
+    }
+    for verb in ["run", "check", "exec", "explain", "fmt", "convert", "symbols", "new"] {
+        folder.run(&[verb, "--help"]).code(0).stdout("Example").stdout(&format!("sieben {verb}"));
+    }
+}
+
+#[test]
+fn wrong_arguments_are_answered_with_what_is_valid() {
+    let folder = Folder::with(&[("add.awl", ADD)]);
+    for (arguments, expected) in [
+        (&["chek"][..], "similar subcommand exists: 'check'"),
+        (&["add.awl"], "Did you mean `sieben run add.awl`?"),
+        (&["exec"], "required arguments were not provided"),
+        (&["exec", "add.awl", "--scan", "3"], "similar argument exists: '--scans'"),
+        (&["exec", "add.awl", "--scans", "0"], "invalid value '0'"),
+        (&["exec", "add.awl", "--scans", "3", "--for", "1s"], "cannot be used with"),
+        (&["exec", "add.awl", "--for", "10"], "`10` is not a duration; write a number with its unit"),
+        (&["exec", "add.awl", "--cycle", "0", "--for", "1s"], "P7009"),
+        (&["exec", "add.awl", "--scan-at", "20ms,10ms"], "time does not run backwards"),
+        (&["exec", "add.awl", "--engine", "jit"], "P7006"),
+        (&["exec", "add.awl", "--cpu", "315-3PN/DP"], "did you mean `315-2PN/DP`?"),
+        (&["exec", "add.awl", "--cpu", "1500"], "known are `315-2PN/DP`, `317-2PN/DP`, `319-3PN/DP`, `416-3` or `417-4`"),
+        (&["exec", "add.awl", "--mnemonics", "fr"], "possible values: auto, en, de"),
+        (&["exec", "add.awl", "--set", "MW0"], "`MW0` gives no value"),
+        (&["exec", "add.awl", "--set", "MW0=1.5"], "P7004"),
+        (&["exec", "add.awl", "--set", "MW0=70000"], "`70000` does not fit into `MW0`, which has 16 bits"),
+        (&["exec", "add.awl", "--set", "I0.0=2"], "write 0 or 1"),
+        (&["exec", "add.awl", "--set", "I0.8=1"], "P7003"),
+        (&["exec", "add.awl", "--set", "STW=111"], "nine characters"),
+        (&["exec", "add.awl", "--set", "T1.q=1"], "`T1.q` can only be read"),
+        (&["exec", "add.awl", "--set", "MW9999=1"], "cannot read `MW9999`: the address lies outside"),
+        (&["exec", "add.awl", "--show", "DB7.DBW0"], "the data block is not loaded"),
+        (&["exec", "add.awl", "--show", "DB7.speed"], "the program has no `DB 7`"),
+        (&["exec", "add.awl", "--show", "FC1"], "`FC 1` is a block, which has no value"),
+        (&["exec", "add.awl", "--show", "Motro"], "nothing is called `Motro`"),
+        (&["exec", "add.awl", "--at", "5ms", "ACCU1=1"], "a register can only be set for the first scan"),
+        (&["exec", "add.awl", "--at", "soon", "I0.0=1"], "P7005"),
+        (&["run", "add.awl", "--speed", "fast"], "is no speed"),
+        (&["explain", "P2002x"], "Did you mean `P200"),
+        (&["explain", "SPBX"], "Did you mean `SPB"),
+        (&["convert", "add.awl"], "--mnemonics"),
+        (&["new", "a b"], "P7008"),
+        (&["new", "-x"], ""),
+        (&["new", ".."], "P7008"),
+    ] {
+        folder.run(arguments).code(2).stderr(expected);
+    }
+}
+
+#[test]
+fn bad_files_are_refused_with_a_code() {
+    let folder =
+        Folder::with(&[("add.awl", ADD), ("empty.awl", ""), ("blank.awl", " \r\n\t\n"), ("folder/x.txt", ""), ("plant.csv", "a,b\n")]);
+    folder.write("binary.awl", b"\x70\x70\x01\x00\x00\x08\x00\x01");
+    fs::File::create(folder.path().join("huge.awl")).and_then(|file| file.set_len(65 << 20)).expect("a sparse file");
+    for (arguments, code, expected) in [
+        (&["check", "ad.awl"][..], 2, "[P6001] Error: there is no file or folder `ad.awl`\n  Help: Did you mean `add.awl`?"),
+        (&["check", "nowhere/x.awl"], 2, "P6001"),
+        (&["check", "huge.awl"], 2, "[P1104] Error: `huge.awl` is larger than 64 MiB"),
+        (&["check", "binary.awl"], 3, "[P1101] Error"),
+        (&["check", "empty.awl"], 3, "[P6005] Error: all sources are empty"),
+        (&["check", "blank.awl"], 3, "[P6004] Warning: `blank.awl` is empty"),
+        (&["check", "folder"], 3, "[P6005] Error: no STL source was found"),
+        (&["exec", "ad.awl"], 2, "P6001"),
+        (&["exec", "binary.awl"], 3, "P1101"),
+        (&["exec", "empty.awl"], 3, "P6005"),
+        (&["run", "huge.awl"], 2, "P1104"),
+        (&["symbols", "folder"], 2, "[P6006] Error: `folder` is a folder"),
+        (&["symbols", "plant.csv"], 1, "P6104"),
+        (&["symbols", "binary.awl"], 2, "P1101"),
+        (&["fmt", "binary.awl"], 3, "P1101"),
+        (&["fmt", "ad.awl"], 2, "P6001"),
+    ] {
+        folder.run(arguments).code(code).stderr(expected);
+    }
+}
+
+#[test]
+fn exec_sets_and_shows_every_kind_of_name() {
+    let folder = Folder::with(&[
+        ("add.awl", ADD),
+        ("symbols.csv", "symbol,address,type\nSum,MW 4,INT\nRaw,MW 4,WORD\nStart,I 0.0,BOOL\nScale,MD 20,REAL\n"),
+    ]);
+    let shown = "MW 4,mw4,Sum,raw,\"Start\",E0.0,ACCU1,ACCU 2,AR1,STW,STW.RLO,stw.cc1,T 1,C 1,Z1,T1.q,MB4,M 5.0,MD 4,Scale,PIW 0,PQW0";
+    let run = folder.run(&[
+        "exec",
+        "add.awl",
+        "symbols.csv",
+        "--json",
+        "--show",
+        shown,
+        "--set",
+        "MW0=2",
+        "--set",
+        "MW2=W#16#0003",
+        "--set",
+        "Start=TRUE",
+        "--set",
+        "Scale=2",
+        "--set",
+        "AR1=P#10.0",
+        "--set",
+        "IB 1=16#A5",
+    ]);
+    let run = run.code(0);
+    let lines = run.lines();
+    assert_eq!(lines.len(), 1);
+    assert_eq!(
+        run.stdout.trim_end(),
+        "{\"scan\":0,\"time_ms\":0,\"values\":{\"MW 4\":\"16#0005\",\"mw4\":\"16#0005\",\"Sum\":5,\"raw\":\"16#0005\",\"\\\"Start\\\"\":1,\
+         \"E0.0\":1,\"ACCU1\":\"16#0000_0005\",\"ACCU 2\":\"16#0000_0002\",\"AR1\":\"16#0000_0050\",\"STW\":\"110000000\",\"STW.RLO\":0,\
+         \"stw.cc1\":1,\"T 1\":0,\"C 1\":0,\"Z1\":0,\"T1.q\":0,\"MB4\":\"16#00\",\"M 5.0\":1,\"MD 4\":\"16#0005_0000\",\"Scale\":2.0,\
+         \"PIW 0\":\"16#01A5\",\"PQW0\":\"16#0000\"},\"mode\":\"RUN\"}"
+    );
+}
+
+#[test]
+fn registers_are_preset_for_the_first_scan_only() {
+    let folder = Folder::with(&[("r.awl", "NOP 0\n"), ("both.awl", "+I\n")]);
+    let run = folder.run(&[
+        "exec",
+        "r.awl",
+        "--set",
+        "ACCU1=-1",
+        "--set",
+        "STW=000000110",
+        "--show",
+        "ACCU1,STW",
+        "--json",
+        "--scans",
+        "2",
+        "--every",
+    ]);
+    let lines = run.code(0).lines();
+    assert_eq!(lines[0]["values"], serde_json::json!({"ACCU1": "16#0000_FFFF", "STW": "000000110"}));
+    assert_eq!(lines[1]["values"], serde_json::json!({"ACCU1": "16#0000_0000", "STW": "100000000"}));
+    let run = folder.run(&[
+        "exec",
+        "both.awl",
+        "--cpu",
+        "416-3",
+        "--set",
+        "ACCU1=2",
+        "--set",
+        "ACCU2=3",
+        "--set",
+        "ACCU3=7",
+        "--show",
+        "ACCU1,ACCU2,ACCU3",
+    ]);
+    assert_eq!(run.code(0).stdout, "ACCU1 = 16#0000_0005\nACCU2 = 16#0000_0007\nACCU3 = 16#0000_0000\n");
+}
+
+#[test]
+fn time_is_virtual_and_inputs_change_when_they_are_told() {
+    let folder = Folder::with(&[("lamp.awl", LAMP)]);
+    let run =
+        folder.run(&["exec", "lamp.awl", "--at", "25ms", "I0.0=1", "--for", "100ms", "--show", "Q0.0,T 1,C 1,T1.q", "--every", "--json"]);
+    let lines = run.code(0).lines();
+    assert_eq!(lines.len(), 10);
+    let column = |name: &str| lines.iter().map(|line| line["values"][name].as_u64().expect("a number")).collect::<Vec<_>>();
+    assert_eq!(
+        lines.iter().map(|line| line["time_ms"].as_u64().expect("a number")).collect::<Vec<_>>(),
+        [0, 10, 20, 30, 40, 50, 60, 70, 80, 90]
+    );
+    assert_eq!(column("Q0.0"), [0, 0, 0, 0, 0, 0, 0, 0, 1, 1]);
+    assert_eq!(column("T 1"), [0, 0, 0, 5, 4, 3, 2, 1, 0, 0]);
+    assert_eq!(column("C 1"), [0, 0, 0, 1, 1, 1, 1, 1, 1, 1]);
+    assert_eq!(column("T1.q"), column("Q0.0"));
+    let run = folder.run(&["exec", "lamp.awl", "--scan-at", "0ms,1.5ms,1s", "--every", "--json"]).code(0);
+    assert_eq!(run.lines().iter().map(|line| line["time_ms"].to_string()).collect::<Vec<_>>(), ["0", "1.5", "1000"]);
+}
+
+#[test]
+fn a_stop_names_its_first_cause_and_place() {
+    let folder = Folder::with(&[("stop.awl", "NOP 0\nL W [AR1, P#0.0]\n")]);
+    let run = folder.run(&["exec", "stop.awl", "--set", "AR1=DW#16#83000014", "--scans", "3", "--json"]).code(4).stderr("stop.awl:2");
+    let lines = run.lines();
+    assert_eq!(lines.len(), 1);
+    assert_eq!(lines[0]["mode"], "STOP");
+    assert_eq!(lines[0]["stop"]["event"], "16#2528");
+    assert_eq!(lines[0]["stop"]["block"], "OB 1");
+    assert_eq!(lines[0]["stop"]["statement"], 2);
+    assert!(lines[0]["stop"]["text"].as_str().is_some_and(|text| !text.is_empty()));
+    folder.write("stop2.awl", b"OPN DB 99\nL DBW 0\n");
+    folder.run(&["run", "stop2.awl", "--for", "1s"]).code(4).stderr("Diagnostic buffer").stderr("stop2.awl:1").stdout("STOP");
+}
+
+#[test]
+fn variables_of_data_blocks_have_their_types() {
+    let source = "DATA_BLOCK DB 1\nSTRUCT\n  speed : INT := -5;\n  ratio : REAL := 1.5;\n  on : BOOL := TRUE;\n  list : ARRAY [1..3] OF INT := 1, 2, 3;\n  name : STRING [8] := 'abc';\n  motor : STRUCT t : TIME := T#1S; w : WORD := W#16#00FF; END_STRUCT;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\nBEGIN\nL DB1.DBW 0\nT MW 0\nEND_ORGANIZATION_BLOCK\n";
+    let folder = Folder::with(&[("db.awl", source), ("s.csv", "symbol,address,type\nData,DB 1,DB 1\n")]);
+    let run = folder.run(&[
+        "exec",
+        "db.awl",
+        "s.csv",
+        "--json",
+        "--set",
+        "DB1.list[2]=7",
+        "--show",
+        "DB1.speed,DB1.ratio,DB1.on,DB1.list[2],DB1.name,DB1.motor.t,DB1.motor.w,\"Data\".speed,Data.list[3],Data.DBW 0,DB1.DBW0,MW0",
+    ]);
+    assert_eq!(
+        run.code(0).lines()[0]["values"],
+        serde_json::json!({
+            "DB1.speed": -5, "DB1.ratio": 1.5, "DB1.on": 1, "DB1.list[2]": 7, "DB1.name": "'abc'", "DB1.motor.t": "T#1S", "DB1.motor.w": "16#00FF",
+            "\"Data\".speed": -5, "Data.list[3]": 3, "Data.DBW 0": "16#FFFB", "DB1.DBW0": "16#FFFB", "MW0": "16#FFFB",
+        })
+    );
+    for (name, expected) in [
+        ("DB1.sped", "its fields begin with speed, ratio"),
+        ("DB1.list[4]", "`DB 1` has no `list[4]`"),
+        ("DB1.list", "no single value"),
+        ("DB1.motor", "no single value"),
+    ] {
+        folder.run(&["exec", "db.awl", "--show", name]).code(2).stderr(expected);
+    }
+}
+
+#[test]
+fn a_new_project_checks_runs_and_is_not_overwritten() {
+    let folder = Folder::new();
+    folder.run(&["new", "pump"]).code(0).stdout("sieben check pump");
+    folder.run(&["check", "pump"]).code(0).stdout("1 block in 1 source, no errors, no warnings.");
+    folder.run(&["check", "pump/sieben.toml"]).code(0);
+    let run = folder.run(&[
+        "exec",
+        "pump",
+        "--set",
+        "Stop=1",
+        "--set",
+        "Start=1",
+        "--at",
+        "1s",
+        "Start=0",
+        "--for",
+        "5s",
+        "--show",
+        "Motor,Lamp",
+    ]);
+    assert_eq!(run.code(0).stdout, "Motor = 1\nLamp  = 1\n");
+    folder.run(&["run", "pump", "--for", "100ms"]).code(0).stdout("RUN: ran for 100.00 ms");
+    folder.run(&["run", "pump", "--speed", "max", "--for", "1h", "--cycle", "1s", "--json"]).code(0).stdout("\"scans\":3600");
+    folder.run(&["symbols", "pump/symbols.csv"]).code(0).stdout("Technological name").stdout("K1");
+    folder.run(&["fmt", "--check", "pump"]).code(0);
+    folder.run(&["new", "pump"]).code(2).stderr("P6014");
+    assert!(folder.read("pump/README.md").starts_with(b"# pump\n"));
+}
+
+#[test]
+fn a_project_file_is_checked_key_by_key() {
+    let toml = "[project]\nsuorces = [\"src/*.awl\"]\nsources = [\"../x.awl\", \"src/mian.awl\", \"src/*.awl\"]\n[cpu]\ntype = \"315\"\nretain = { m = \"0..15\" }\n";
+    let folder = Folder::with(&[("sieben.toml", toml), ("src/main.awl", ADD)]);
+    let run = folder.run(&["check", "--json"]).code(3);
+    let list = run.json();
+    let codes: Vec<&str> = list.as_array().expect("a list").iter().filter_map(|item| item["code"].as_str()).collect();
+    assert_eq!(codes, ["P6008", "P6010", "P6011", "P6009", "P6012"]);
+    assert_eq!(list[0]["file"], "sieben.toml");
+    assert_eq!((&list[0]["line"], &list[0]["column"], &list[0]["end_column"]), (&2.into(), &1.into(), &8.into()));
+    assert_eq!(list[0]["fix"]["replacement"], "sources");
+    folder.run(&["check"]).code(3).stderr("P6008").stderr("sieben explain P6").stderr("3 errors, 2 warnings");
+}
+
+#[test]
+fn diagnostics_have_places_and_a_count() {
+    let folder = Folder::with(&[("bad.awl", "A I 0.0\r\nFOO M 1.0\r\n= Q 0.0\r\n")]);
+    let run = folder.run(&["check", "bad.awl", "--json"]).code(3);
+    let list = run.json();
+    assert_eq!(list[0]["file"], "bad.awl");
+    assert_eq!(list[0]["line"], 2);
+    assert_eq!(list[0]["column"], 1);
+    assert_eq!(list[0]["severity"], "error");
+    assert!(list[0]["message"].as_str().is_some_and(|text| text.contains("FOO")));
+    folder.run(&["check", "bad.awl"]).code(3).stderr("bad.awl:2:1").stderr("1 error. `sieben explain").stderr("FOO M 1.0");
+    folder.run(&["exec", "bad.awl", "--show", "Q0.0"]).code(3);
+}
+
+#[test]
+fn code_pages_and_line_ends_survive_every_rewriting() {
+    let folder = Folder::new();
+    // "// Ventil öffnen" in code page 1252, with the line ends of DOS.
+    let german = b"      U     E 0.0; // Ventil \xF6ffnen\r\n      =     A 4.0;\r\n";
+    folder.write("ventil.awl", german);
+    folder.run(&["convert", "ventil.awl", "--mnemonics", "en", "--write"]).code(0);
+    let english = folder.read("ventil.awl");
+    assert!(english.windows(11).any(|bytes| bytes == b"Ventil \xF6ffn"), "{english:?}");
+    assert!(english.windows(5).any(|bytes| bytes == b"Q 4.0"));
+    assert_eq!(english.iter().filter(|&&byte| byte == b'\n').count(), 2);
+    assert_eq!(english.iter().filter(|&&byte| byte == b'\r').count(), 2);
+    folder.run(&["convert", "ventil.awl", "--mnemonics", "de", "--write"]).code(0);
+    assert_eq!(folder.read("ventil.awl"), german);
+    folder.run(&["fmt", "ventil.awl", "--write"]).code(0);
+    let formatted = folder.read("ventil.awl");
+    assert!(formatted.contains(&0xF6) && formatted.ends_with(b"\r\n"));
+    folder.run(&["fmt", "ventil.awl", "--check"]).code(0);
+    folder.run(&["fmt", "ventil.awl", "--write", "--utf8"]).code(0);
+    assert!(String::from_utf8(folder.read("ventil.awl")).is_ok_and(|text| text.contains("öffnen")));
+}
+
+#[test]
+fn symbol_tables_change_their_format() {
+    let folder = Folder::with(&[("s.csv", "symbol,address,type,comment,number,unit,tag,remark\nStart,I 0.0,BOOL,Größe,1,-,S1,x\n")]);
+    folder.run(&["symbols", "s.csv", "--to", "sdf", "-o", "s.sdf"]).code(0);
+    let sdf = folder.read("s.sdf");
+    assert!(sdf.windows(5).any(|bytes| bytes == b"Gr\xF6\xDFe"));
+    folder.run(&["symbols", "s.sdf", "--to", "csv"]).code(0).stdout("Start,I").stdout("Größe");
+    folder.run(&["symbols", "s.csv", "--csv"]).code(0).stdout("No.,Address,Unit,Technological name,Description,Remark");
+    folder.run(&["symbols", "s.csv", "--json"]).code(0).stdout("\"technological_name\": \"S1\"");
+    folder.run(&["symbols", "s.csv", "--to", "asc", "-o", "/nowhere/x.asc"]).code(2).stderr("P6013");
+}
+
+#[test]
+fn explain_knows_instructions_problems_and_cpu_types() {
+    let folder = Folder::new();
+    for (word, expected) in [
+        ("SPB", "JC (English), SPB (German)"),
+        ("jc", "Jumps if the RLO is 1"),
+        ("A(", "Opens a bracket"),
+        ("+I", "16-bit"),
+        ("-I", "16-bit"),
+        ("SE", "Careful"),
+        ("p6001", "P6001 (error): a file that cannot be read"),
+        ("416-3", "accumulators          4"),
+        ("cpu", "417-4"),
+        ("problems", "P2001"),
+        ("instructions", "SPBN"),
+    ] {
+        folder.run(&["explain", word]).code(0).stdout(expected);
+    }
+}
+
+#[test]
+fn every_problem_and_every_instruction_can_be_explained() {
+    let folder = Folder::new();
+    let list = folder.run(&["explain", "problems"]).code(0).stdout;
+    assert_eq!(list.lines().count(), sieben_model::problems::Problem::ALL.len());
+    for row in sieben_lang::stl::instructions::Instruction::ALL.iter().step_by(7) {
+        folder.run(&["explain", row.german()]).code(0).stdout(row.doc());
+    }
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_failure() {
+    let folder = Folder::with(&[("add.awl", ADD)]);
+    let mut child = sieben(folder.path(), &["exec", "add.awl", "--scans", "100000", "--every", "--show", "MW4"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the binary starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("the binary ends");
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_reported() {
+    let folder = Folder::with(&[("add.awl", ADD)]);
+    let full = fs::OpenOptions::new().write(true).open("/dev/full").expect("Linux has /dev/full");
+    let output = sieben(folder.path(), &["exec", "add.awl", "--show", "MW4"]).stdout(full).output().expect("the binary starts");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("P6013"));
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_stops_a_run_cleanly() {
+    let folder = Folder::with(&[("add.awl", ADD), ("loop.awl", "M001: NOP 0\nJU M001\n")]);
+    for speed in ["1x", "2x", "max"] {
+        let child = sieben(folder.path(), &["run", "add.awl", "--speed", speed])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the binary starts");
+        // Ctrl-C before the handler stands would end the process without a word.
+        std::thread::sleep(std::time::Duration::from_millis(500));
+        let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill exists");
+        assert!(killed.success());
+        let output = child.wait_with_output().expect("the binary ends");
+        assert_eq!(output.status.code(), Some(0), "{speed}: {}", String::from_utf8_lossy(&output.stderr));
+        assert!(String::from_utf8_lossy(&output.stdout).contains("stopped by Ctrl-C"), "{speed}");
+    }
+    folder.run(&["run", "loop.awl", "--speed", "max", "--for", "1s"]).code(4).stdout("STOP");
+}
