@@ -55,6 +55,15 @@ pub(super) fn in_word(character: char) -> bool {
     character == '_' || character.is_alphanumeric()
 }
 
+fn is_blank(character: char) -> bool {
+    matches!(character, ' ' | '\t' | '\u{feff}' | '\u{a0}')
+}
+
+/// The text without the blanks at its end.
+pub(super) fn trim_blanks(text: &str) -> &str {
+    text.trim_end_matches(is_blank)
+}
+
 /// The token that begins at byte `start`: its look and the byte behind it.
 pub(super) fn token(text: &str, start: usize) -> (Raw, usize) {
     let rest = &text[start..];
@@ -64,10 +73,10 @@ pub(super) fn token(text: &str, start: usize) -> (Raw, usize) {
     match first {
         '\r' if second == b'\n' => (Raw::Newline, one + 1),
         '\r' | '\n' | '\u{c}' => (Raw::Newline, one),
-        ' ' | '\t' | '\u{feff}' | '\u{a0}' => (Raw::Blank, while_in(text, one, |c| matches!(c, ' ' | '\t' | '\u{feff}' | '\u{a0}'))),
+        first if is_blank(first) => (Raw::Blank, while_in(text, one, is_blank)),
         '/' if second == b'/' => {
             let line = &rest[..rest.find(['\r', '\n']).unwrap_or(rest.len())];
-            (Raw::LineComment, start + line.trim_end().len())
+            (Raw::LineComment, start + trim_blanks(line).len())
         }
         '(' if second == b'*' => (Raw::BlockComment, text[one + 1..].find("*)").map_or(text.len(), |end| one + 1 + end + 2)),
         '(' => (Raw::ParenOpen, one),
@@ -122,7 +131,7 @@ fn quoted(text: &str, start: usize, quote: char) -> usize {
     let mut escaped = false;
     for (at, character) in text[start..].char_indices() {
         match character {
-            '\r' | '\n' => return start + text[start..start + at].trim_end().len(),
+            '\r' | '\n' => return start + trim_blanks(&text[start..start + at]).len(),
             _ if escaped => escaped = false,
             '$' if quote == '\'' => escaped = true,
             _ if character == quote => return start + at + 1,

@@ -9,7 +9,7 @@ use super::Parser;
 use crate::stl::ast::{
     Assignment, Block, BlockName, Constant, Declaration, File, Header, Initial, Network, PathElement, TypeKind, TypeName, VarSection, Word,
 };
-use crate::stl::lexer::{Raw, token};
+use crate::stl::lexer::{Raw, token, trim_blanks};
 use crate::stl::syntax::SyntaxKind;
 
 /// The keywords that begin and end blocks.
@@ -360,8 +360,8 @@ impl Parser<'_> {
         }
         let rest = &self.text[self.position..];
         let line = &rest[..rest.find(['\r', '\n']).unwrap_or(rest.len())];
-        let end = self.position + line.trim_end().len();
-        let word = Word { text: line.trim_end().to_owned(), span: self.span(self.position, end) };
+        let end = self.position + trim_blanks(line).len();
+        let word = Word { text: trim_blanks(line).to_owned(), span: self.span(self.position, end) };
         self.bump_to(SyntaxKind::HeaderText, end);
         self.finish();
         word

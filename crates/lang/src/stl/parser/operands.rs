@@ -290,10 +290,10 @@ impl Parser<'_> {
         }
         if matches!(word.as_ref(), "B" | "W" | "D" | "b" | "w" | "d") {
             // `W [AR1,P#2.0]`: the area is in the register.
-            let at = self.behind_blanks(end);
-            let inside = self.behind_blanks(at + 1);
-            let register = token(self.text, at).0 == Raw::BracketOpen
-                && self.text.get(inside..inside + 2).is_some_and(|letters| letters.eq_ignore_ascii_case("AR"));
+            let (raw, bracket_end) = token(self.text, self.behind_blanks(end));
+            let inside = self.behind_blanks(bracket_end);
+            let register =
+                raw == Raw::BracketOpen && self.text.get(inside..inside + 2).is_some_and(|letters| letters.eq_ignore_ascii_case("AR"));
             if register {
                 let letters = word.to_ascii_uppercase();
                 self.bump(SyntaxKind::AddressLetters);

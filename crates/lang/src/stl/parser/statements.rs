@@ -6,7 +6,7 @@ use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 
 use super::blocks::Keyword;
-use super::{Parser, latin};
+use super::{DIAGNOSTICS_MAX, Parser, latin};
 use crate::stl::ast::{Argument, Block, Call, Operand, Statement, Word};
 use crate::stl::instructions::Instruction;
 use crate::stl::lexer::{Raw, in_word, token};
@@ -387,7 +387,7 @@ impl Parser<'_> {
 
     /// `:=` or a slip for it behind the byte.
     fn argument_sign_at(&self, end: usize) -> bool {
-        let at = self.behind_trivia(end);
+        let at = self.behind_blanks(end);
         let rest = &self.text[at..];
         rest.starts_with(":=") || rest.starts_with("=:") || rest.starts_with("=>")
     }
@@ -457,7 +457,8 @@ impl Parser<'_> {
         let mut taken: HashSet<String> = labels().map(|label| label.text.clone()).collect();
         let mut short = HashMap::new();
         let mut wrong = Vec::new();
-        for label in labels().filter(|label| label.text.chars().count() > LABEL_MAX) {
+        // A free name is searched for each; more than are shown would cost time for nothing.
+        for label in labels().filter(|label| label.text.chars().count() > LABEL_MAX).take(DIAGNOSTICS_MAX) {
             let name = short.entry(label.text.clone()).or_insert_with(|| {
                 let name = shorten(&label.text, &taken);
                 taken.insert(name.clone());
