@@ -14,22 +14,22 @@ use crate::{duration, settings};
 /// What every verb that compiles a program takes.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct ProgramArguments {
-    /// CPU type; sets areas, accumulators and limits [default: that of the project, else 315-2PN/DP]
+    /// CPU type: areas, accumulators, limits [default: the project's, else 315-2PN/DP]
     #[arg(long, value_name = "NAME")]
     cpu: Option<String>,
-    /// Mnemonic language of the sources; auto judges each file as a whole [default: that of the project, else auto]
-    #[arg(long, value_name = "LANGUAGE", hide_possible_values = false)]
+    /// Mnemonic language of the sources; auto judges each file as a whole [default: the project's, else auto]
+    #[arg(long, value_name = "LANGUAGE")]
     mnemonics: Option<MnemonicsArgument>,
 }
 
 /// A mnemonic language, or the judgement over the whole file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum MnemonicsArgument {
-    /// Judged over each whole file
+    // Judged over each whole file.
     Auto,
-    /// International: A, JC, OPN
+    // International: A, JC, OPN.
     En,
-    /// SIMATIC: U, SPB, AUF
+    // SIMATIC: U, SPB, AUF.
     De,
 }
 
@@ -58,12 +58,12 @@ impl ProgramArguments {
 /// Which engine runs the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum EngineArgument {
-    /// The fastest there is
+    // The fastest there is.
     #[default]
     Auto,
-    /// The interpreter
+    // The interpreter.
     Interpreter,
-    /// Machine code
+    // Machine code.
     #[value(hide = true)]
     Jit,
 }

@@ -95,7 +95,7 @@ impl Project {
                 project.source(path, &mut seen)?;
             }
         }
-        project.require_text();
+        project.require_text(paths);
         Ok(project)
     }
 
@@ -108,7 +108,11 @@ impl Project {
             syntax_only,
             system_blocks: system_blocks(),
         };
-        let compiled = sieben_lang::compile(&self.texts.program, &self.symbols, &options);
+        let nothing = self.findings.iter().any(|finding| finding.diagnostic.problem == Problem::P6005);
+        let compiled = match nothing {
+            true => Compiled::default(),
+            false => sieben_lang::compile(&self.texts.program, &self.symbols, &options),
+        };
         let mut findings = self.findings.clone();
         findings.extend(compiled.diagnostics.iter().cloned().map(Finding::program));
         report::sort(&mut findings);
@@ -131,8 +135,12 @@ impl Project {
         listing.walk(folder, 0)?;
         let default_symbols =
             |path: &Path| is_symbol_table(path) || path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("symbols.csv"));
-        let symbols = self.chosen(&listing, settings.symbols.as_deref(), default_symbols);
+        let mut symbols = self.chosen(&listing, settings.symbols.as_deref(), default_symbols);
         let sources = self.chosen(&listing, settings.sources.as_deref(), |path| has_ending(path, &SOURCE_ENDINGS));
+        // `.asc` also ends the names of signatures: without a program there is nothing that they could name.
+        if sources.is_empty() && settings.symbols.is_none() {
+            symbols.clear();
+        }
         self.settings = settings;
         for relative in symbols {
             self.symbol_table(&join(folder, &relative), seen)?;
@@ -210,16 +218,21 @@ impl Project {
         Ok(())
     }
 
-    /// A program needs at least one statement's worth of text.
-    fn require_text(&mut self) {
-        let unreadable = report::has_errors(&self.findings);
-        if !unreadable && self.sources.iter().all(|source| source.decoded.text.trim().is_empty()) {
-            let (path, message) = match self.sources.first() {
-                None => (String::new(), "no STL source was found".to_owned()),
-                Some(_) => (String::new(), "all sources are empty".to_owned()),
-            };
-            self.findings.push(Finding::file(Problem::P6005, path, message));
+    /// A program needs at least one source with something in it.
+    fn require_text(&mut self, paths: &[PathBuf]) {
+        let blank = |source: &SourceFile| source.decoded.text.trim().is_empty();
+        if report::has_errors(&self.findings) || !self.sources.iter().all(blank) {
+            return;
         }
+        self.findings.retain(|finding| finding.diagnostic.problem != Problem::P6004);
+        let (path, message) = match (self.sources.as_slice(), paths) {
+            ([], [path]) if path.as_os_str() == "." => (String::new(), "there is no STL source in this folder".to_owned()),
+            ([], [path]) => (shown(path), format!("there is no STL source in `{}`", shown(path))),
+            ([], _) => (String::new(), "no STL source is among these files".to_owned()),
+            ([source], _) => (shown(&source.path), format!("`{}` is empty", shown(&source.path))),
+            _ => (String::new(), "all sources are empty".to_owned()),
+        };
+        self.findings.push(Finding::file(Problem::P6005, path, message));
     }
 }
 

@@ -12,9 +12,9 @@ use crate::{output, report};
 /// Report everything that is wrong with a program.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
-  sieben check                       the project in this folder\n  \
-  sieben check line4.awl symbols.sdf a source with its symbol table\n  \
-  sieben check pump --json           for an editor or a script\n\n\
+  sieben check                        the project in this folder\n  \
+  sieben check line4.awl symbols.sdf  a source with its symbol table\n  \
+  sieben check pump --json            for an editor or a script\n\n\
 Exit codes: 0 no errors, 3 errors.")]
 pub(crate) struct Arguments {
     /// Source files, symbol tables, or a project folder [default: this folder]

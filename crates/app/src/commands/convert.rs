@@ -16,8 +16,8 @@ use crate::rewriting::{Destination, Rewriting};
   sieben convert --mnemonics en line4.awl              print it with A, JC, OPN\n  \
   sieben convert --mnemonics de main.awl -o deutsch.awl\n  \
   sieben convert --mnemonics en --write pump           all sources of a project in place\n\n\
-Only instructions, addresses and status words change; layout, comments, encoding and line ends stay.\n\
-A source with syntax errors is left alone (exit 3).")]
+Only instructions, addresses and status words change; layout, comments, encoding\n\
+and line ends stay. A source with syntax errors is left alone (exit 3).")]
 pub(crate) struct Arguments {
     /// Source files or a project folder
     #[arg(required = true, value_name = "PATH")]
@@ -25,7 +25,7 @@ pub(crate) struct Arguments {
     /// The language to change to
     #[arg(long, value_name = "LANGUAGE")]
     mnemonics: Target,
-    /// The language that the sources are in [default: that of the project, else judged over each file]
+    /// The language that the sources are in [default: judged over each file]
     #[arg(long, value_name = "LANGUAGE")]
     from: Option<MnemonicsArgument>,
     /// Replace the files instead of printing
@@ -42,9 +42,9 @@ pub(crate) struct Arguments {
 /// A mnemonic language to change to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Target {
-    /// International: A, JC, OPN
+    // International: A, JC, OPN.
     En,
-    /// SIMATIC: U, SPB, AUF
+    // SIMATIC: U, SPB, AUF.
     De,
 }
 

@@ -20,12 +20,13 @@ use crate::{controller, duration, output};
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
   sieben exec add.awl --set MW0=2 --set MW2=3 --show MW4\n  \
-  sieben exec lamp.awl --set I0.0=1 --scans 3 --show Q0.0,\"T 1\",STW.RLO --every\n  \
+  sieben exec lamp.awl --set I0.0=1 --scans 3 --every --show Q0.0,T1\n  \
   sieben exec delay.awl --at 100ms I0.0=1 --for 3s --show Q0.0 --json\n  \
   sieben exec plant --set Start=1 --show Motor,DB1.speed\n\n\
-Time is virtual: scan k begins at k x cycle, the first at 0. A file of bare statements is the body of OB 1.\n\
-A register that is set gets what `L` would load (`ACCU1=-1` is 16#0000_FFFF, `ACCU1=L#-1` all ones); an address\n\
-or variable gets the number in its own width. STW is nine characters: BR CC1 CC0 OV OS OR STA RLO /FC.\n\n\
+Time is virtual: scan k begins at k x cycle, the first at 0. A file of bare\n\
+statements is the body of OB 1. A register gets what `L` would load\n\
+(`ACCU1=-1` is 16#0000_FFFF), an address or variable the number in its own\n\
+width. STW is nine characters: BR CC1 CC0 OV OS OR STA RLO /FC.\n\n\
 Exit codes: 0 ok, 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
 pub(crate) struct Arguments {
     /// Source files, symbol tables, or a project folder
@@ -45,7 +46,7 @@ pub(crate) struct Arguments {
     /// Run all scans that begin before this time
     #[arg(long = "for", value_name = "DURATION", id = "duration", conflicts_with = "scan_at", value_parser = duration_argument)]
     duration: Option<Duration>,
-    /// Time from one scan to the next [default: that of the project, else 10ms]
+    /// Time from one scan to the next [default: the project's, else 10ms]
     #[arg(long, value_name = "DURATION", conflicts_with = "scan_at", value_parser = duration_argument)]
     cycle: Option<Duration>,
     /// Scan exactly at these times instead of every cycle
@@ -129,7 +130,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
     match cpu.stop_cause() {
         Some(cause) if cpu.mode() == OperatingMode::Stop => {
-            output::message(&controller::stop_text(&build, cause));
+            if !arguments.json {
+                output::message(&controller::stop_text(&build, cause));
+            }
             Ok(Exit::Stopped)
         }
         _ => Ok(Exit::Success),

@@ -30,7 +30,7 @@ pub(crate) struct Arguments {
     /// Write UTF-8 instead of the encoding of the file
     #[arg(long)]
     utf8: bool,
-    /// Mnemonic language of the sources [default: that of the project, else judged over each file]
+    /// Mnemonic language of the sources [default: the project's, else judged over each file]
     #[arg(long, value_name = "LANGUAGE")]
     mnemonics: Option<MnemonicsArgument>,
 }

@@ -52,7 +52,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     output::print(&format!(
         "Made `{shown}`: a motor with self-holding START and STOP buttons.\n\n  \
          sieben check {shown}\n  \
-         sieben exec {shown} --set Start=1 --show Motor\n  \
+         sieben exec {shown} --set Stop=1 --set Start=1 --show Motor\n  \
          sieben run {shown} --for 5s\n\n\
          The program is in {}.\n",
         folder.join("src/main.awl").display(),

@@ -34,9 +34,9 @@ const STOP_BY_SWITCH: u16 = 0x4303;
 /// Run a project.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
-  sieben run                        the project in this folder, until Ctrl-C\n  \
-  sieben run pump --for 10s         ten seconds, then exit 0\n  \
-  sieben run pump --speed max --for 1h  one hour of virtual time, as fast as it goes\n\n\
+  sieben run                            the project in this folder, until Ctrl-C\n  \
+  sieben run pump --for 10s             ten seconds, then exit 0\n  \
+  sieben run pump --speed max --for 1h  an hour of virtual time, at full speed\n\n\
 Ctrl-C stops cleanly; a second Ctrl-C stops at once.\n\
 Exit codes: 0 ok, 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
 pub(crate) struct Arguments {
@@ -45,7 +45,7 @@ pub(crate) struct Arguments {
     paths: Vec<PathBuf>,
     #[command(flatten)]
     program: ProgramArguments,
-    /// Time from one scan to the next; 0 runs free [default: that of the project, else 10ms]
+    /// Time from one scan to the next; 0 runs free [default: the project's, else 10ms]
     #[arg(long, value_name = "DURATION", value_parser = duration_argument)]
     cycle: Option<Duration>,
     /// 1x is real time, 10x ten times as fast, max as fast as it goes in virtual time
@@ -228,8 +228,7 @@ impl Status {
     fn new() -> Self {
         let bar = std::io::stderr().is_terminal().then(|| {
             let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
-            // A template without placeholders that could be misspelled.
-            bar.set_style(ProgressStyle::default_spinner());
+            bar.set_style(ProgressStyle::with_template("{msg}").unwrap_or_else(|_| ProgressStyle::default_spinner()));
             bar
         });
         Self { bar, drawn: std::cell::Cell::new(Instant::now()) }
@@ -240,8 +239,7 @@ impl Status {
             return;
         }
         self.drawn.set(Instant::now());
-        bar.set_message(format!("{}  scan {scans}  {}  (Ctrl-C stops)", cpu.mode(), cycle_text(cpu)));
-        bar.tick();
+        bar.set_message(format!("{}  scan {scans}{}  (Ctrl-C stops)", cpu.mode(), cycle_text(cpu)));
     }
     fn clear(&self) {
         if let Some(bar) = &self.bar {
@@ -250,11 +248,14 @@ impl Status {
     }
 }
 
-/// `cycle 10.02 ms (min 9.98 ms, max 10.40 ms)`.
+/// `, cycle 10.02 ms (min 9.98 ms, max 10.40 ms)`; nothing before the second scan, when no cycle is complete.
 fn cycle_text(cpu: &Cpu) -> String {
     let times = cpu.cycle_times();
+    if times.max == 0 {
+        return String::new();
+    }
     let show = |us| duration::show(Duration::from_micros(us));
-    format!("cycle {} (min {}, max {})", show(times.last), show(times.min), show(times.max))
+    format!(", cycle {} (min {}, max {})", show(times.last), show(times.min), show(times.max))
 }
 
 /// Says how it went.
@@ -280,9 +281,10 @@ fn report(arguments: &Arguments, build: &Build, cpu: &Cpu, outcome: &Outcome) ->
         let time = duration::show(Duration::from_micros(outcome.time_us));
         let how = if outcome.interrupted { "stopped by Ctrl-C after" } else { "ran for" };
         let scans = if outcome.scans == 1 { "1 scan".to_owned() } else { format!("{} scans", outcome.scans) };
-        output::print(&format!("{mode}: {how} {time}, {scans}, {}\n", cycle_text(cpu)))?;
+        output::print(&format!("{mode}: {how} {time}, {scans}{}\n", cycle_text(cpu)))?;
     }
     match stopped {
+        Some(_) if arguments.json => Ok(Exit::Stopped),
         Some(cause) => {
             output::message(&controller::stop_text(build, cause));
             let entries = cpu.diagnostic_buffer().entries().take(ENTRIES_SHOWN);

@@ -16,11 +16,12 @@ use crate::{files, output, project, symbol_files};
 /// Print the assignment table, or convert symbol tables.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
-  sieben symbols symbols.csv                      the assignment table\n  \
-  sieben symbols symbols.csv --csv                the same for a spreadsheet\n  \
-  sieben symbols plant.sdf --to csv -o symbols.csv convert an export of STEP 7\n\n\
-Without --to the assignment table is printed: number, address, unit, technological name, description, remark.\n\
-Formats are csv (native), sdf and asc (STEP 7 V5, code page 1252 unless a file read had another).")]
+  sieben symbols symbols.csv         the assignment table\n  \
+  sieben symbols symbols.csv --csv   the same for a spreadsheet\n  \
+  sieben symbols plant.sdf --to csv -o symbols.csv\n\n\
+Without --to the assignment table is printed: number, address, unit,\n\
+technological name, description, remark. The formats sdf and asc are those of\n\
+STEP 7 V5, written in code page 1252 unless a file that was read had another.")]
 pub(crate) struct Arguments {
     /// Symbol tables: .csv, .sdf or .asc; several become one
     #[arg(required = true, value_name = "FILE")]
@@ -45,11 +46,11 @@ pub(crate) struct Arguments {
 /// A format to write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum FormatArgument {
-    /// Native, UTF-8
+    // Native, UTF-8.
     Csv,
-    /// STEP 7 V5, quoted fields
+    // STEP 7 V5, quoted fields.
     Sdf,
-    /// STEP 7 V5, fixed widths
+    // STEP 7 V5, fixed widths.
     Asc,
 }
 
