@@ -122,6 +122,7 @@ problems! {
     P4013 Warning "a call without parameters of a block that has some" "Use CALL, which passes the parameters and opens the instance.";
     P4014 Error "a pointer that lies where it cannot be used" "Put the pointer into M, L, DB or DI: a double word for addresses, a word for the numbers of timers, counters and blocks.";
     P4015 Error "an address that is not complete" "A bit has two numbers as in `M 10.3`, all else one as in `MW 10`.";
+    P4016 Warning "an edge memory in temporary data" "Use a bit of M, of a data block or a static variable of the function block, and each for one edge only.";
     P4201 Error "a constant outside the range of its notation" "Use a value inside the range that the message names, or a notation with more bits, such as L# or DW#16#.";
     P4202 Error "a constant whose prefix is known, but not what follows it" "Write it the way the message shows.";
     P4203 Error "a date that the calendar does not have" "Check the month and the day; February has 29 days only in leap years.";

@@ -9,5 +9,5 @@ pub(crate) mod values;
 /// Bytes a data block, structure or instance may have; with it every position in bits fits 32 bits.
 pub(crate) const BLOCK_BYTES_MAX: u64 = 65_536;
 
-/// STRUCTs, arrays, UDTs and instances inside one another; STEP 7 allows eight of a kind.
-pub(crate) const NESTING_MAX: usize = 16;
+/// Steps from a type to the types inside it; STEP 7 allows eight structures inside one another, and a step of each kind counts here.
+pub(crate) const NESTING_MAX: usize = 32;

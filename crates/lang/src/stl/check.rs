@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use sieben_model::address::Area;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::interface::{Interface, Section};
@@ -13,7 +14,7 @@ use sieben_model::source::Span;
 use super::ast;
 use super::instructions::Instruction;
 use super::lower::{ResolvedBlock, Statement};
-use super::operands::{BlockOperand, NumberOperand, Operand, OperandClass};
+use super::operands::{BlockOperand, Location, NumberOperand, Operand, OperandClass};
 use super::parser::DIAGNOSTICS_MAX;
 use super::resolve::{Known, Resolver};
 
@@ -76,6 +77,7 @@ pub(crate) fn block(
     structure(&statements, &labels, &mut diagnostics);
     for statement in &statements {
         calls(known, statement, &mut diagnostics);
+        edge_memory(statement, &mut diagnostics);
     }
     whole &= !diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error);
     Checked { block: ResolvedBlock { id, interface: interface.clone(), statements }, diagnostics, whole }
@@ -343,5 +345,15 @@ fn calls(known: &Known<'_>, statement: &Statement, diagnostics: &mut Vec<Diagnos
     } else if statics {
         let message = format!("`{id}` has static variables, but this call opens no instance");
         diagnostics.push(Diagnostic::new(Problem::P4013, statement.span, message));
+    }
+}
+
+/// Edge memory has to keep its value until the next cycle.
+fn edge_memory(statement: &Statement, diagnostics: &mut Vec<Diagnostic>) {
+    if let (Instruction::EdgePositive | Instruction::EdgeNegative, Operand::Memory(access)) = (statement.instruction, &statement.operand)
+        && matches!(access.location, Location::Fixed { area: Area::Local, .. })
+    {
+        let message = "this edge memory lies in temporary data, which the next cycle does not find again".to_owned();
+        diagnostics.push(Diagnostic::new(Problem::P4016, statement.span, message));
     }
 }
