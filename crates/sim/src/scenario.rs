@@ -1,1 +1,601 @@
 //! Scenarios: what happens to a CPU and what is expected of it, one line each.
+//!
+//! The language of executable pages, recordings and `*.scenario` files:
+//!
+//! ```text
+//! cpu 416-3                            the CPU type (default: that of the caller)
+//! cycle 10ms                           distance of two scans (default 10ms)
+//! modules 0..63                        only these peripheral bytes have a module (default: all); `modules none`
+//! set I 0.0=1 MW10=16#0102 ACCU1=5     before the next scan
+//! scan | scan 3 | scan until 400ms | scan at 410ms
+//! at 310ms I 0.0=0                     when a scan begins at that time or later
+//! interrupt OB 40 at safe point 17
+//! restart warm | restart hot | restart cold
+//! expect Q 0.0=1 T 1=70 STW.RLO=1
+//! expect Q 4.0=1 within 20ms           scans until it is so
+//! expect stop 16#2522                  the first cause, or the event of the STOP
+//! expect mode RUN
+//! table I 0.0 I 0.1 -> Q 0.0           rows of values follow: each a fresh CPU, `set`, one scan, `expect`
+//! known-gap "why"                      the scenario is expected to fail
+//! // a comment
+//! ```
+//! Scan k begins at k times the cycle, the first at 0. A table row begins with the `set` lines above it.
+
+use std::fmt;
+use std::ops::Range;
+
+use sieben_cpu::{Cpu, OperatingMode, Restart};
+use sieben_model::cpu_type::CpuType;
+use sieben_model::symbols::SymbolTable;
+
+use crate::names::{self, Name};
+
+/// A line that is not understood, or an expectation that did not come true.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ScenarioError {
+    /// The line of the scenario, from 1.
+    pub line: usize,
+    /// What is wrong.
+    pub message: String,
+}
+
+impl fmt::Display for ScenarioError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}: {}", self.line, self.message)
+    }
+}
+
+impl std::error::Error for ScenarioError {}
+
+/// A scenario, read and ready to run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scenario {
+    /// The CPU type that it asks for.
+    pub cpu: Option<&'static CpuType>,
+    /// Peripheral bytes that have a module; `None` = all.
+    pub modules: Option<Range<u32>>,
+    /// Why it is expected to fail, if it is.
+    pub known_gap: Option<String>,
+    cycle_us: u64,
+    lines: Vec<Line>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Line {
+    number: usize,
+    command: Command,
+}
+
+type Assignments = Vec<(String, String)>;
+
+#[derive(Clone, Debug, PartialEq)]
+enum Command {
+    Set(Assignments),
+    Scan(u32),
+    ScanUntil(u64),
+    ScanAt(u64),
+    At(u64, Assignments),
+    Interrupt(u16),
+    Restart(Restart),
+    Expect(Assignments, Option<u64>),
+    ExpectStop(u16),
+    ExpectMode(OperatingMode),
+    Table { inputs: Vec<String>, outputs: Vec<String>, rows: Vec<(usize, Vec<String>)> },
+}
+
+/// The cycle of a scenario that does not say.
+const CYCLE_US: u64 = 10_000;
+/// Most scans that one line may ask for; a slip of the pen shall not run for hours.
+const SCANS_MAX: u64 = 1_000_000;
+/// Latest time that a line may name: a hundred days.
+const TIME_MAX_US: u64 = 100 * 86_400 * 1_000_000;
+
+/// The words a line can begin with.
+const WORDS: &str = "`cpu`, `cycle`, `modules`, `set`, `scan`, `at`, `interrupt`, `restart`, `expect`, `table` or `known-gap`";
+
+impl Scenario {
+    /// Reads a scenario.
+    ///
+    /// # Errors
+    /// All lines that are not understood.
+    pub fn parse(text: &str) -> Result<Self, Vec<ScenarioError>> {
+        let mut scenario = Self { cycle_us: CYCLE_US, ..Self::default() };
+        let mut errors = Vec::new();
+        for (index, line) in text.lines().enumerate() {
+            let number = index + 1;
+            let line = without_comment(line).trim();
+            if line.is_empty() {
+                continue;
+            }
+            if let Err(message) = scenario.line(number, line) {
+                errors.push(ScenarioError { line: number, message });
+            }
+        }
+        for line in &scenario.lines {
+            if let Command::Table { rows, .. } = &line.command
+                && rows.is_empty()
+            {
+                errors.push(ScenarioError {
+                    line: line.number,
+                    message: "the table has no row; write one row of values per line".to_owned(),
+                });
+            }
+        }
+        if errors.is_empty() { Ok(scenario) } else { Err(errors) }
+    }
+
+    /// Whether it expects anything at all.
+    pub fn expects(&self) -> bool {
+        self.lines.iter().any(|line| {
+            matches!(line.command, Command::Expect(..) | Command::ExpectStop(_) | Command::ExpectMode(_) | Command::Table { .. })
+        })
+    }
+
+    /// The distance of two scans, in microseconds.
+    pub fn cycle_us(&self) -> u64 {
+        self.cycle_us
+    }
+
+    fn line(&mut self, number: usize, line: &str) -> Result<(), String> {
+        let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
+        let rest = rest.trim();
+        let command = match word {
+            "cpu" => {
+                self.cpu = Some(CpuType::by_name(rest).ok_or_else(|| {
+                    let names: Vec<&str> = CpuType::ALL.iter().map(|cpu| cpu.name).collect();
+                    format!("no CPU type is called `{rest}`; there are {}", names.join(", "))
+                })?);
+                return Ok(());
+            }
+            "cycle" => {
+                self.cycle_us = duration(rest)?;
+                if self.cycle_us == 0 {
+                    return Err("a cycle lasts more than 0".to_owned());
+                }
+                return Ok(());
+            }
+            "modules" => {
+                self.modules = Some(byte_range(rest)?);
+                return Ok(());
+            }
+            "known-gap" => {
+                let why = rest.trim_matches('"').trim();
+                if why.is_empty() {
+                    return Err("say why: `known-gap \"the reason\"`".to_owned());
+                }
+                self.known_gap = Some(why.to_owned());
+                return Ok(());
+            }
+            "set" => Command::Set(assignments(rest)?),
+            "scan" => scan(rest)?,
+            "at" => {
+                let (time, values) =
+                    rest.split_once(char::is_whitespace).ok_or("write a time and what changes then: `at 310ms I 0.0=0`")?;
+                Command::At(duration(time)?, assignments(values)?)
+            }
+            "interrupt" => interrupt(rest)?,
+            "restart" => Command::Restart(match rest.to_ascii_lowercase().as_str() {
+                "warm" => Restart::Warm,
+                "hot" => Restart::Hot,
+                "cold" => Restart::Cold,
+                _ => return Err(format!("`{rest}` is no kind of restart; write `warm`, `hot` or `cold`")),
+            }),
+            "expect" => expect(rest)?,
+            "table" => {
+                let (inputs, outputs) =
+                    rest.split_once("->").ok_or("write the inputs, `->` and the outputs: `table I 0.0 I 0.1 -> Q 0.0`")?;
+                let (inputs, outputs) = (name_list(inputs), name_list(outputs));
+                if inputs.is_empty() || outputs.is_empty() {
+                    return Err("a table has at least one input and one output".to_owned());
+                }
+                Command::Table { inputs, outputs, rows: Vec::new() }
+            }
+            _ => return self.table_row(number, line, word),
+        };
+        self.lines.push(Line { number, command });
+        Ok(())
+    }
+
+    fn table_row(&mut self, number: usize, line: &str, word: &str) -> Result<(), String> {
+        let Some(Line { command: Command::Table { inputs, outputs, rows }, .. }) = self.lines.last_mut() else {
+            return Err(format!("`{word}` begins no line; write {WORDS}"));
+        };
+        let values: Vec<String> = line.split_whitespace().filter(|&word| !matches!(word, "->" | "|")).map(str::to_owned).collect();
+        let wanted = inputs.len() + outputs.len();
+        if values.len() != wanted {
+            return Err(format!("the row has {} values, the table has {wanted} columns", values.len()));
+        }
+        rows.push((number, values));
+        Ok(())
+    }
+
+    /// Runs the scenario. `fresh` makes a CPU in STOP with the program loaded.
+    /// What did not come true is returned; a [`Self::known_gap`] is the caller's to judge.
+    pub fn run(&self, symbols: &SymbolTable, fresh: &mut dyn FnMut() -> Cpu) -> Vec<ScenarioError> {
+        let mut failures = Vec::new();
+        let mut run: Option<Run<'_>> = None;
+        for (index, line) in self.lines.iter().enumerate() {
+            if let Command::Table { inputs, outputs, rows } = &line.command {
+                for (number, values) in rows {
+                    let mut row = Run::start(fresh(), symbols, self.cycle_us);
+                    row.line = *number;
+                    for above in &self.lines[..index] {
+                        if let Command::Set(assignments) = &above.command {
+                            row.set(assignments);
+                        }
+                    }
+                    let (given, expected) = values.split_at(inputs.len());
+                    let pairs = |names: &[String], values: &[String]| names.iter().cloned().zip(values.iter().cloned()).collect::<Vec<_>>();
+                    row.set(&pairs(inputs, given));
+                    row.scan();
+                    row.expect(&pairs(outputs, expected), None);
+                    row.finish();
+                    failures.append(&mut row.failures);
+                }
+                continue;
+            }
+            let run = run.get_or_insert_with(|| Run::start(fresh(), symbols, self.cycle_us));
+            run.line = line.number;
+            run.command(&line.command);
+        }
+        if let Some(mut run) = run {
+            run.finish();
+            failures.append(&mut run.failures);
+        }
+        failures.sort_by_key(|failure| failure.line);
+        failures
+    }
+}
+
+/// A CPU on its way through a scenario.
+struct Run<'a> {
+    cpu: Cpu,
+    symbols: &'a SymbolTable,
+    cycle_us: u64,
+    /// When the last scan began.
+    last_us: Option<u64>,
+    /// When the next scan begins.
+    next_us: u64,
+    /// Changes to come, with the line that orders them.
+    changes: Vec<(u64, usize, Assignments)>,
+    /// The line that is carried out.
+    line: usize,
+    stop_expected: bool,
+    failures: Vec<ScenarioError>,
+}
+
+impl<'a> Run<'a> {
+    fn start(mut cpu: Cpu, symbols: &'a SymbolTable, cycle_us: u64) -> Self {
+        cpu.restart(Restart::Warm);
+        Self { cpu, symbols, cycle_us, last_us: None, next_us: 0, changes: Vec::new(), line: 1, stop_expected: false, failures: Vec::new() }
+    }
+
+    fn fail(&mut self, message: impl Into<String>) {
+        self.failures.push(ScenarioError { line: self.line, message: message.into() });
+    }
+
+    fn command(&mut self, command: &Command) {
+        match command {
+            Command::Set(assignments) => self.set(assignments),
+            Command::Scan(count) => (0..*count).for_each(|_| self.scan()),
+            Command::ScanUntil(end) => {
+                if (end.saturating_sub(self.next_us)) / self.cycle_us > SCANS_MAX {
+                    return self.fail(format!("that is more than {SCANS_MAX} scans; choose a longer cycle"));
+                }
+                while self.next_us <= *end {
+                    self.scan();
+                }
+            }
+            Command::ScanAt(time) => match self.last_us {
+                Some(last) if *time < last => self.fail(format!("the last scan was already at {}", spell_us(last))),
+                _ => {
+                    self.next_us = *time;
+                    self.scan();
+                }
+            },
+            Command::At(time, assignments) => match self.last_us {
+                Some(last) if *time <= last => {
+                    self.fail(format!("the last scan was already at {}; write `at` before the scan that shall see it", spell_us(last)));
+                }
+                _ => self.changes.push((*time, self.line, assignments.clone())),
+            },
+            Command::Interrupt(number) => self.fail(format!("starting OB {number} inside a scan is not available yet")),
+            Command::Restart(restart) => {
+                self.cpu.restart(*restart);
+                self.stop_expected = false;
+            }
+            Command::Expect(assignments, within) => self.expect(assignments, *within),
+            Command::ExpectStop(event) => self.expect_stop(*event),
+            Command::ExpectMode(mode) => {
+                self.stop_expected |= *mode == OperatingMode::Stop;
+                if self.cpu.mode() != *mode {
+                    let got = self.cpu.mode();
+                    self.fail(format!("expected the mode {mode}, got {got}{}", self.why_stopped()));
+                }
+            }
+            Command::Table { .. } => {}
+        }
+    }
+
+    fn set(&mut self, assignments: &Assignments) {
+        for (name, value) in assignments {
+            let done = Name::parse(name, self.symbols, self.cpu.program()).and_then(|name| name.write(&mut self.cpu, value));
+            if let Err(error) = done {
+                self.fail(error.to_string());
+            }
+        }
+    }
+
+    fn scan(&mut self) {
+        let now = self.next_us;
+        let line = self.line;
+        self.changes.sort_by_key(|change| change.0);
+        let due = self.changes.iter().take_while(|change| change.0 <= now).count();
+        for (_, line, assignments) in self.changes.drain(..due).collect::<Vec<_>>() {
+            self.line = line;
+            self.set(&assignments);
+        }
+        self.line = line;
+        self.cpu.scan(now);
+        self.last_us = Some(now);
+        self.next_us = now + self.cycle_us;
+    }
+
+    fn expect(&mut self, assignments: &Assignments, within: Option<u64>) {
+        let deadline = self.last_us.unwrap_or(self.next_us) + within.unwrap_or(0);
+        loop {
+            let wrong: Vec<String> = assignments.iter().filter_map(|(name, value)| self.differs(name, value)).collect();
+            if wrong.is_empty() {
+                return self.check_stop();
+            }
+            if within.is_none() || self.next_us > deadline {
+                let when =
+                    self.last_us.map_or_else(|| "before the first scan".to_owned(), |last| format!("after the scan at {}", spell_us(last)));
+                self.fail(format!("{} {when}{}", wrong.join(", "), self.why_stopped()));
+                self.stop_expected = true;
+                return;
+            }
+            self.scan();
+        }
+    }
+
+    /// How a value differs from the expected one.
+    fn differs(&self, name: &str, expected: &str) -> Option<String> {
+        let compared = Name::parse(name, self.symbols, self.cpu.program()).and_then(|parsed| match parsed.holds(&self.cpu, expected)? {
+            true => Ok(None),
+            false => Ok(Some(format!("expected {name} = {expected}, got {}", parsed.read(&self.cpu)?))),
+        });
+        compared.unwrap_or_else(|error| Some(error.to_string()))
+    }
+
+    fn expect_stop(&mut self, event: u16) {
+        self.stop_expected = true;
+        match self.cpu.stop_cause() {
+            Some(cause) if cause.first_event == event || cause.event == event => {}
+            Some(cause) => {
+                let got = cause.first_event;
+                self.fail(format!("expected STOP with 16#{event:04X}, got 16#{got:04X}{}", self.why_stopped()));
+            }
+            None => self.fail(format!("expected STOP with 16#{event:04X}, but the CPU is in {}", self.cpu.mode())),
+        }
+    }
+
+    /// A STOP that no line expects is a failure.
+    fn check_stop(&mut self) {
+        if self.cpu.mode() == OperatingMode::Stop && !self.stop_expected {
+            self.stop_expected = true;
+            self.fail(self.why_stopped().trim_start_matches("; ").to_owned());
+        }
+    }
+
+    fn why_stopped(&self) -> String {
+        match self.cpu.stop_cause() {
+            Some(cause) if self.cpu.mode() == OperatingMode::Stop => {
+                format!("; the CPU is in STOP, event 16#{:04X}: {}", cause.first_event, cause.text)
+            }
+            _ => String::new(),
+        }
+    }
+
+    fn finish(&mut self) {
+        self.check_stop();
+        for (time, line, _) in std::mem::take(&mut self.changes) {
+            self.line = line;
+            self.fail(format!("no scan came at {} or later", spell_us(time)));
+        }
+    }
+}
+
+/// Cuts a comment: a line that begins with `//`, or the rest behind ` //`.
+fn without_comment(line: &str) -> &str {
+    if line.trim_start().starts_with("//") {
+        return "";
+    }
+    line.split_once(" //").map_or(line, |(before, _)| before)
+}
+
+fn assignments(text: &str) -> Result<Assignments, String> {
+    let out = names::assignments(text).map_err(|error| error.to_string())?;
+    if out.is_empty() { Err("write at least one `NAME=VALUE`".to_owned()) } else { Ok(out) }
+}
+
+fn scan(rest: &str) -> Result<Command, String> {
+    let mut words = rest.split_whitespace();
+    let command = match (words.next(), words.next()) {
+        (None, _) => Command::Scan(1),
+        (Some("until"), Some(time)) => Command::ScanUntil(duration(time)?),
+        (Some("at"), Some(time)) => Command::ScanAt(duration(time)?),
+        (Some(count), None) if !matches!(count, "until" | "at") => {
+            let count = count.parse().ok().filter(|&count| u64::from(count) <= SCANS_MAX);
+            Command::Scan(count.ok_or_else(|| format!("`{rest}` is no number of scans up to {SCANS_MAX}"))?)
+        }
+        _ => return Err(format!("`scan {rest}` is not understood; write `scan`, `scan 3`, `scan until 400ms` or `scan at 400ms`")),
+    };
+    match words.next() {
+        Some(word) => Err(format!("`{word}` does not belong here")),
+        None => Ok(command),
+    }
+}
+
+fn interrupt(rest: &str) -> Result<Command, String> {
+    let plain: Vec<String> = rest.split_whitespace().map(str::to_ascii_lowercase).collect();
+    let words: Vec<&str> = plain.iter().map(String::as_str).collect();
+    let number = match words.as_slice() {
+        ["ob", number, "at", "safe", "point", point] if point.parse::<u64>().is_ok() => number.parse().ok(),
+        [number, "at", "safe", "point", point] if point.parse::<u64>().is_ok() => {
+            number.strip_prefix("ob").and_then(|number| number.parse().ok())
+        }
+        _ => None,
+    };
+    number.map(Command::Interrupt).ok_or_else(|| format!("`interrupt {rest}` is not understood; write `interrupt OB 40 at safe point 17`"))
+}
+
+fn expect(rest: &str) -> Result<Command, String> {
+    let (word, behind) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
+    match word {
+        "stop" => {
+            let digits = behind.trim().strip_prefix("16#").unwrap_or(behind.trim());
+            let event = u16::from_str_radix(digits, 16).map_err(|_| format!("`{}` is no event such as 16#2522", behind.trim()))?;
+            return Ok(Command::ExpectStop(event));
+        }
+        "mode" => {
+            let modes = [OperatingMode::Stop, OperatingMode::Startup, OperatingMode::Run, OperatingMode::Hold];
+            let mode = modes.into_iter().find(|mode| mode.to_string().eq_ignore_ascii_case(behind.trim()));
+            return mode
+                .map(Command::ExpectMode)
+                .ok_or_else(|| format!("`{}` is no mode; write RUN, STOP, STARTUP or HOLD", behind.trim()));
+        }
+        _ => {}
+    }
+    let (values, within) = match rest.rsplit_once(" within ") {
+        Some((values, time)) => (values, Some(duration(time.trim())?)),
+        None => (rest, None),
+    };
+    Ok(Command::Expect(assignments(values)?, within))
+}
+
+/// Splits `I 0.0 MW10 "a name" DB1.x` into names: a word that begins with a digit belongs to the one before it.
+fn name_list(text: &str) -> Vec<String> {
+    let mut out: Vec<String> = Vec::new();
+    let (mut quoted, mut start) = (false, None);
+    let mut words = Vec::new();
+    for (at, c) in text.char_indices() {
+        quoted ^= c == '"';
+        match (c.is_whitespace() && !quoted, start) {
+            (true, Some(begin)) => {
+                words.push(&text[begin..at]);
+                start = None;
+            }
+            (false, None) => start = Some(at),
+            _ => {}
+        }
+    }
+    words.extend(start.map(|begin| &text[begin..]));
+    for word in words {
+        match out.last_mut() {
+            Some(before) if word.starts_with(|c: char| c.is_ascii_digit()) => {
+                before.push(' ');
+                before.push_str(word);
+            }
+            _ => out.push(word.to_owned()),
+        }
+    }
+    out
+}
+
+/// `0..63` or `none`: bytes, the last one included.
+fn byte_range(text: &str) -> Result<Range<u32>, String> {
+    if text == "none" {
+        return Ok(0..0);
+    }
+    let parse = |text: &str| text.trim().parse::<u32>().ok().filter(|&byte| byte < 65_536);
+    match text.split_once("..").map(|(first, last)| (parse(first), parse(last))) {
+        Some((Some(first), Some(last))) if first <= last => Ok(first..last + 1),
+        _ => Err(format!("`{text}` are no bytes; write `0..63` or `none`")),
+    }
+}
+
+/// A time such as `10ms`, `1.5s`, `1s500ms` or `2m`, in microseconds.
+fn duration(text: &str) -> Result<u64, String> {
+    let wrong = || format!("`{text}` is no time; write `310ms`, `1.5s`, `2m` or `1h`, at most 100 days");
+    let mut total = 0.0_f64;
+    let mut rest = text.trim();
+    if rest.is_empty() {
+        return Err(wrong());
+    }
+    while !rest.is_empty() {
+        let digits = rest.find(|c: char| !c.is_ascii_digit() && c != '.').ok_or_else(wrong)?;
+        let (number, behind) = rest.split_at(digits);
+        let letters = behind.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(behind.len());
+        let (unit, next) = behind.split_at(letters);
+        let factor = match unit {
+            "us" => 1.0,
+            "ms" => 1e3,
+            "s" => 1e6,
+            "m" | "min" => 6e7,
+            "h" => 3.6e9,
+            _ => return Err(wrong()),
+        };
+        total += number.parse::<f64>().map_err(|_| wrong())? * factor;
+        rest = next;
+    }
+    // The bound makes the conversion exact.
+    if total <= TIME_MAX_US as f64 { Ok(total.round() as u64) } else { Err(wrong()) }
+}
+
+fn spell_us(us: u64) -> String {
+    if us.is_multiple_of(1000) { format!("{}ms", us / 1000) } else { format!("{us}us") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_of_line_is_read() {
+        let text = "cpu 416-3\ncycle 20ms\nmodules 0..3\nset I 0.0=1 MW10 = 16#0102 ACCU1=5 // a comment\n\n// another\nscan\nscan 3\nscan until 1.5s\n\
+                    scan at 1510ms\nat 1s500ms I 0.0=0\ninterrupt OB 40 at safe point 17\nrestart cold\nexpect Q 0.0=1 T 1=70 STW.RLO=1\n\
+                    expect Q 4.0=1 within 20ms\nexpect stop 16#2522\nexpect mode run\ntable I 0.0 \"my name\" MW10 -> Q 0.0 STW\n0 1 2 0 000000000\n1 1 5 | 1 000000110\nscan\nknown-gap \"later\"";
+        let scenario = Scenario::parse(text).expect("a scenario");
+        assert_eq!(scenario.cpu.map(|cpu| cpu.name), Some("416-3"));
+        assert_eq!((scenario.cycle_us(), scenario.modules.clone(), scenario.known_gap.as_deref()), (20_000, Some(0..4), Some("later")));
+        assert!(scenario.expects());
+        assert_eq!(scenario.lines.len(), 14);
+        let Command::Table { inputs, outputs, rows } = &scenario.lines[12].command else { panic!("a table") };
+        assert_eq!(
+            (inputs.as_slice(), outputs.as_slice()),
+            (["I 0.0", "\"my name\"", "MW10"].map(str::to_owned).as_slice(), ["Q 0.0", "STW"].map(str::to_owned).as_slice())
+        );
+        assert_eq!((rows.len(), rows[1].0), (2, 20));
+    }
+
+    #[test]
+    fn a_line_that_is_not_understood_is_named() {
+        for (text, word) in [
+            ("scna", "begins no line"),
+            ("cpu 999", "no CPU type"),
+            ("cycle 0ms", "more than 0"),
+            ("cycle soon", "no time"),
+            ("set", "NAME=VALUE"),
+            ("set I 0.0", "NAME=VALUE"),
+            ("set I 0.0=", "NAME=VALUE"),
+            ("scan many", "no number"),
+            ("scan until", "not understood"),
+            ("scan 99999999", "no number"),
+            ("at 10ms", "a time and what"),
+            ("expect stop soon", "no event"),
+            ("expect mode fast", "no mode"),
+            ("table I 0.0", "->"),
+            ("table I 0.0 -> Q 0.0", "no row"),
+            ("table I 0.0 -> Q 0.0\n1", "1 values"),
+            ("known-gap", "why"),
+            ("interrupt OB 40", "safe point"),
+            ("restart", "kind of restart"),
+            ("modules 5", "no bytes"),
+            ("scan until 9999999h", "no time"),
+        ] {
+            let errors = Scenario::parse(text).expect_err(text);
+            assert!(errors.iter().any(|error| error.message.contains(word)), "{text}: {errors:?}");
+        }
+    }
+}

@@ -75,7 +75,7 @@ impl Timer {
                 if rising {
                     self.stop(now_us);
                     self.status = true;
-                } else if falling && self.status {
+                } else if falling {
                     self.begin(kind, s5time, now_us);
                     self.status = self.running;
                 }

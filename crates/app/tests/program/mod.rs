@@ -1,0 +1,69 @@
+//! From a source text to CPUs: what the executable pages and the vectors share.
+
+use std::sync::Arc;
+
+use sieben_cpu::{Cpu, IoModule, Rack, Settings, SimulatedModule};
+use sieben_engine::{Engine, Interpreter, Layout, Program};
+use sieben_lang::{Compiled, Options, SystemBlock};
+use sieben_model::cpu_type::CpuType;
+use sieben_model::diagnostic::Severity;
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::source::Sources;
+use sieben_model::symbols::SymbolTable;
+
+/// Loads a program into an engine.
+pub(crate) type Load = fn(Arc<Program>, &Layout) -> Arc<dyn Engine>;
+
+/// All engines that a program runs on.
+pub(crate) const ENGINES: &[(&str, Load)] = &[("interpreter", |program, layout| Arc::new(Interpreter::load(program, layout)))];
+
+/// A text and its translation into the other mnemonic language, with the language's name.
+pub(crate) fn both_languages(english: &str) -> Result<[(&'static str, Mnemonics, String); 2], String> {
+    let german = convert(english, Mnemonics::English, Mnemonics::German)?;
+    let back = convert(&german, Mnemonics::German, Mnemonics::English)?;
+    if back != english {
+        return Err(format!("converted to German mnemonics and back it is another text:\n{back}"));
+    }
+    Ok([("English", Mnemonics::English, english.to_owned()), ("German", Mnemonics::German, german)])
+}
+
+fn convert(text: &str, from: Mnemonics, to: Mnemonics) -> Result<String, String> {
+    sieben_lang::stl::convert::convert(text, Some(from), to).map_err(|diagnostics| {
+        format!("cannot be converted: {}", diagnostics.iter().map(|found| found.message.clone()).collect::<Vec<_>>().join("; "))
+    })
+}
+
+/// Compiles a text for a CPU type.
+pub(crate) fn compile(text: &str, mnemonics: Mnemonics, cpu: &'static CpuType) -> Result<Compiled, String> {
+    let mut sources = Sources::default();
+    sources.add("page.awl", text);
+    let system_blocks = sieben_cpu::system::interfaces()
+        .into_iter()
+        .map(|block| SystemBlock { block: block.block, name: block.name, interface: block.interface })
+        .collect();
+    let options = Options { cpu: Some(cpu), mnemonics: Some(mnemonics), system_blocks, ..Options::default() };
+    let compiled = sieben_lang::compile(&sources, &SymbolTable::default(), &options);
+    let errors: Vec<String> = compiled
+        .diagnostics
+        .iter()
+        .filter(|diagnostic| diagnostic.severity() == Severity::Error)
+        .map(|diagnostic| {
+            let (line, column) = sources.line_column(diagnostic.span);
+            format!("{}:{line}:{column}: {}", diagnostic.problem.code(), diagnostic.message)
+        })
+        .collect();
+    if errors.is_empty() { Ok(compiled) } else { Err(format!("does not compile: {}", errors.join("; "))) }
+}
+
+/// A CPU in STOP with the program loaded. `modules` are the peripheral bytes that answer; `None` = all.
+pub(crate) fn cpu(program: &Arc<Program>, cpu: &'static CpuType, load: Load, modules: Option<std::ops::Range<u32>>) -> Cpu {
+    let engine = load(Arc::clone(program), &Cpu::layout_for(cpu, program));
+    let rack = match modules {
+        None => Rack::simulated(cpu),
+        Some(bytes) => {
+            let module: Box<dyn IoModule> = Box::new(SimulatedModule::new("simulated", bytes));
+            Rack::with_only(cpu, vec![module]).expect("the modules of a page lie inside the peripheral area")
+        }
+    };
+    Cpu::new(cpu, Arc::clone(program), engine, rack, Settings::default())
+}

@@ -1,0 +1,238 @@
+//! Runs the executable manual: every section of every page under spec/, in both mnemonic languages, on every engine.
+
+mod program;
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
+use sieben_lang::stl::ast::Operand;
+use sieben_lang::stl::instructions::Instruction;
+use sieben_lang::stl::operands::OperandClass;
+use sieben_lang::stl::parser::parse;
+use sieben_model::cpu_type::CpuType;
+use sieben_model::literal::Value;
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::source::FileId;
+use sieben_model::symbols::SymbolTable;
+use sieben_sim::scenario::Scenario;
+
+/// The part of a page under one heading.
+#[derive(Default)]
+struct Section {
+    heading: String,
+    line: usize,
+    /// All `stl` fences, one project.
+    stl: String,
+    /// `check` fences with the page's line before their first one.
+    checks: Vec<(usize, String)>,
+}
+
+fn spec_folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec")
+}
+
+/// The pages of a folder under spec/, by name.
+fn pages(folder: &str) -> Vec<(String, String)> {
+    let path = spec_folder().join(folder);
+    let mut pages: Vec<(String, String)> = fs::read_dir(&path)
+        .unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+        .filter_map(|entry| entry.ok().map(|entry| entry.path()))
+        .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
+        .map(|path| {
+            let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+            (format!("spec/{folder}/{name}"), fs::read_to_string(&path).unwrap_or_else(|error| panic!("{name}: {error}")))
+        })
+        .collect();
+    pages.sort();
+    assert!(!pages.is_empty(), "no page in {}", path.display());
+    pages
+}
+
+fn sections(page: &str) -> Vec<Section> {
+    let mut sections = vec![Section::default()];
+    let (mut in_heading, mut fence) = (false, None::<(String, usize)>);
+    let mut content = String::new();
+    for (event, range) in Parser::new(page).into_offset_iter() {
+        let line = page[..range.start].bytes().filter(|&byte| byte == b'\n').count() + 1;
+        let section = sections.last_mut().expect("there is always a section");
+        match event {
+            Event::Start(Tag::Heading { .. }) => {
+                in_heading = true;
+                sections.push(Section { line, ..Section::default() });
+            }
+            Event::End(TagEnd::Heading(_)) => in_heading = false,
+            Event::Text(text) | Event::Code(text) if in_heading => section.heading.push_str(&text),
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) => {
+                content.clear();
+                fence = Some((info.trim().to_owned(), line));
+            }
+            Event::Text(text) if fence.is_some() => content.push_str(&text),
+            Event::End(TagEnd::CodeBlock) => match fence.take() {
+                Some((info, _)) if info == "stl" => section.stl.push_str(&content),
+                Some((info, line)) if info == "check" => section.checks.push((line, content.clone())),
+                _ => {}
+            },
+            _ => {}
+        }
+    }
+    sections
+}
+
+/// Everything that is wrong with a section.
+fn failures(page: &str, section: &Section) -> Vec<String> {
+    let mut out = Vec::new();
+    let place = |line: usize| format!("{page}:{line} ({})", section.heading);
+    if section.stl.is_empty() != section.checks.is_empty() {
+        out.push(format!("{}: `stl` and `check` belong together", place(section.line)));
+    }
+    for (line, text) in &section.checks {
+        let scenario = match Scenario::parse(text) {
+            Ok(scenario) => scenario,
+            Err(errors) => {
+                out.extend(errors.iter().map(|error| format!("{}: {}", place(line + error.line), error.message)));
+                continue;
+            }
+        };
+        if !scenario.expects() {
+            out.push(format!("{}: the check expects nothing", place(*line)));
+        }
+        let found = run(section, &scenario);
+        match (&scenario.known_gap, found.is_empty()) {
+            (Some(why), true) => out.push(format!("{}: works now; remove `known-gap \"{why}\"`", place(*line))),
+            (Some(_), false) => {}
+            (None, _) => out.extend(found.into_iter().map(|(at, message)| format!("{}: {message}", place(line + at)))),
+        }
+    }
+    out
+}
+
+/// Runs a scenario in both languages on all engines; lines of the check with what went wrong there.
+fn run(section: &Section, scenario: &Scenario) -> Vec<(usize, String)> {
+    let cpu_type = scenario.cpu.unwrap_or(&CpuType::ALL[0]);
+    let languages = match program::both_languages(&section.stl) {
+        Ok(languages) => languages,
+        Err(message) => return vec![(0, message)],
+    };
+    let mut out = Vec::new();
+    for (language, mnemonics, text) in &languages {
+        let compiled = match program::compile(text, *mnemonics, cpu_type) {
+            Ok(compiled) => Arc::new(compiled.program),
+            Err(message) => {
+                out.push((0, format!("[{language}] {message}\n{text}")));
+                continue;
+            }
+        };
+        for (engine, load) in program::ENGINES {
+            let failed = scenario.run(&SymbolTable::default(), &mut || program::cpu(&compiled, cpu_type, *load, scenario.modules.clone()));
+            out.extend(failed.into_iter().map(|failure| (failure.line, format!("[{language}, {engine}] {}", failure.message))));
+        }
+    }
+    out
+}
+
+/// Runs all pages of a folder and reports every failure at once.
+fn run_folder(folder: &str) {
+    let mut report = String::new();
+    let mut checks = 0;
+    for (name, page) in pages(folder) {
+        let sections = sections(&page);
+        assert!(sections.iter().any(|section| !section.checks.is_empty()), "{name} checks nothing");
+        for section in &sections {
+            checks += section.checks.len();
+            let found = failures(&name, section);
+            if !found.is_empty() {
+                let _ = writeln!(report, "{}", found.join("\n"));
+                let _ = writeln!(report, "    {}\n", section.stl.trim_end().replace('\n', "\n    "));
+            }
+        }
+    }
+    assert!(report.is_empty(), "pages that do not come true ({checks} checks ran):\n\n{report}");
+}
+
+#[test]
+fn the_course_pages_come_true() {
+    run_folder("course");
+}
+
+#[test]
+fn the_stl_pages_come_true() {
+    run_folder("stl");
+}
+
+#[test]
+fn the_cpu_pages_come_true() {
+    run_folder("cpu");
+}
+
+#[test]
+fn every_example_of_the_courses_has_a_section() {
+    let headings: Vec<String> = pages("course").iter().flat_map(|(_, page)| sections(page)).map(|section| section.heading).collect();
+    let ids =
+        (1..=28).map(|n| format!("S0-{n:02}")).chain((1..=11).map(|n| format!("S1-{n:02}"))).chain((1..=9).map(|n| format!("S3-{n:02}")));
+    let missing: Vec<String> = ids.filter(|id| !headings.iter().any(|heading| heading.starts_with(id.as_str()))).collect();
+    assert!(missing.is_empty(), "no section for {}", missing.join(", "));
+}
+
+#[test]
+fn every_instruction_occurs_in_a_page() {
+    let mut seen = BTreeSet::new();
+    for (_, page) in ["course", "stl", "cpu"].into_iter().flat_map(pages) {
+        for section in sections(&page).iter().filter(|section| !section.checks.is_empty()) {
+            for block in parse(FileId::default(), &section.stl, Some(Mnemonics::English)).file.blocks {
+                for statement in block.statements {
+                    seen.extend(
+                        Instruction::candidates(&statement.mnemonic.text, Mnemonics::English)
+                            .filter(|instruction| fits(instruction.operand(), &statement.operand)),
+                    );
+                }
+            }
+        }
+    }
+    let missing: Vec<String> = Instruction::ALL
+        .iter()
+        .filter(|instruction| !seen.contains(instruction))
+        .map(|instruction| format!("{} ({})", instruction.english(), instruction.name()))
+        .collect();
+    assert!(missing.is_empty(), "instructions without a page: {}", missing.join(", "));
+}
+
+/// Whether an operand belongs to this row among the rows with the same mnemonic.
+fn fits(class: OperandClass, operand: &Operand) -> bool {
+    let letters = match operand {
+        Operand::Absolute { letters, .. } | Operand::Indirect { letters, .. } => letters.as_str(),
+        _ => "",
+    };
+    let word = match operand {
+        Operand::Name { word, .. } => word.text.to_ascii_uppercase(),
+        _ => String::new(),
+    };
+    let status = word == "STW";
+    let info = matches!(word.as_str(), "DBNO" | "DBLG" | "DINO" | "DILG");
+    let constant = match operand {
+        Operand::Constant(constant) => constant.value.as_ref(),
+        _ => None,
+    };
+    match class {
+        OperandClass::None => *operand == Operand::None,
+        OperandClass::StatusWord => status,
+        OperandClass::DataBlockInfo => info,
+        OperandClass::Timer => letters == "T",
+        OperandClass::Counter => letters == "C",
+        OperandClass::Zero => constant == Some(&Value::Int(0)),
+        OperandClass::One => constant == Some(&Value::Int(1)),
+        OperandClass::DoubleIntConstant => matches!(constant, Some(Value::DoubleInt(_))),
+        OperandClass::IntConstant => matches!(constant, Some(Value::Int(_))),
+        OperandClass::AssignBit => !matches!(letters, "T" | "C" | "Z"),
+        OperandClass::Load | OperandClass::Transfer => !status && !info,
+        OperandClass::OptionalPointerOffset
+        | OperandClass::ShiftCount16
+        | OperandClass::ShiftCount32
+        | OperandClass::OptionalConstant16
+        | OperandClass::OptionalConstant32 => true,
+        _ => *operand != Operand::None,
+    }
+}
