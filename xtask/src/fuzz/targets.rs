@@ -33,6 +33,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "lang-compile", fuzz: compile, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "cpu-run", fuzz: run, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "lang-encoding", fuzz: encoding, corpus: "encoding", fences: &[], words: no_words },
+    Target { name: "lang-stl", fuzz: sieben_lang::stl::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "lang-symbols", fuzz: sieben_lang::symbols::fuzz, corpus: "symbols", fences: &[], words: symbol_words },
     Target { name: "model-literal", fuzz: literal, corpus: "literal", fences: &[], words: literal_words },
 ];

@@ -68,6 +68,7 @@ pub fn parse(file: FileId, text: &str, mnemonics: Option<Mnemonics>) -> Parsed {
         foreign: Vec::new(),
         comments: Vec::new(),
         depth: 0,
+        statement_over: false,
     };
     parser.advance(0);
     if let Some((start, end)) = ambiguous {
@@ -126,6 +127,8 @@ struct Parser<'t> {
     /// Line comments since they were last taken.
     comments: Vec<(usize, usize)>,
     depth: usize,
+    /// A parameter list without its end was reported; the next statement begins at the current token.
+    statement_over: bool,
 }
 
 impl<'t> Parser<'t> {

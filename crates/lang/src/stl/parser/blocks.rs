@@ -31,6 +31,8 @@ const SECTIONS: [(&str, Section); 5] = [
 
 const HEADER_FLAGS: [&str; 6] = ["KNOW_HOW_PROTECT", "READ_ONLY", "UNLINKED", "NON_RETAIN", "STANDARD", "CODE_VERSION1"];
 
+const HEADER_FIELDS: [&str; 4] = ["AUTHOR", "FAMILY", "NAME", "VERSION"];
+
 /// What a word means where declarations or statements may stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Keyword {
@@ -157,6 +159,9 @@ impl Parser<'_> {
             block.return_type = Some(self.type_name());
         }
         let data = matches!(kind, BlockKind::DataBlock | BlockKind::UserDefinedType);
+        if !data {
+            self.end_of_first_line();
+        }
         self.header(&mut block, data);
         if self.keyword() == Some(Keyword::Begin) {
             self.bump(SyntaxKind::Keyword);
@@ -199,6 +204,25 @@ impl Parser<'_> {
         self.finish();
         self.check_labels(&mut block);
         block
+    }
+
+    /// What stands behind name and type on their line must belong to the header.
+    fn end_of_first_line(&mut self) {
+        self.blanks();
+        let belongs = match self.raw {
+            Raw::BraceOpen => true,
+            Raw::Word => {
+                self.keyword().is_some()
+                    || HEADER_FLAGS.iter().chain(&HEADER_FIELDS).any(|word| self.at_word(word))
+                    || self.raw_behind_blanks() == Raw::Colon
+            }
+            _ => self.at_statement_end(),
+        };
+        if !belongs {
+            let message = format!("{} does not belong behind the name of a block", self.shown());
+            self.error(Problem::P2010, self.position, self.end, message);
+            self.skip_statement();
+        }
     }
 
     /// `FC 1`, `FC1`, `"Dosing"`.
@@ -312,7 +336,7 @@ impl Parser<'_> {
             self.comments.clear();
             return true;
         }
-        let Some(field) = ["AUTHOR", "FAMILY", "NAME", "VERSION"].into_iter().find(|field| is(field)) else { return false };
+        let Some(field) = HEADER_FIELDS.into_iter().find(|field| is(field)) else { return false };
         self.start(SyntaxKind::HeaderLine);
         self.bump(SyntaxKind::Keyword);
         self.blanks();
@@ -542,7 +566,7 @@ impl Parser<'_> {
         }
         self.blanks();
         declaration.span = self.span(start, self.position);
-        let missing_is_usual = self.at_statement_end() || matches!(self.keyword(), Some(Keyword::EndVar | Keyword::EndStruct));
+        let missing_is_usual = self.at_statement_end() || self.keyword().is_some();
         if missing_is_usual {
             let behind = self.behind_trivia(self.position);
             if token(self.text, behind).0 == Raw::Semicolon {
@@ -675,6 +699,10 @@ impl Parser<'_> {
                 } else {
                     let message = format!("{} where the bounds of an array stand; write `ARRAY [1..5] OF INT`", self.shown());
                     self.error(Problem::P2021, self.position, self.end, message);
+                    bounds.clear();
+                    while !self.at_statement_end() && self.raw != Raw::BracketClose {
+                        self.bump_unexpected();
+                    }
                     break;
                 }
                 self.trivia();
@@ -700,7 +728,7 @@ impl Parser<'_> {
             }
         }
         let element = Box::new(self.type_name());
-        TypeKind::Array { bounds, element }
+        if bounds.is_empty() { TypeKind::Missing } else { TypeKind::Array { bounds, element } }
     }
 
     /// Constants with commas; a comma may end a line.

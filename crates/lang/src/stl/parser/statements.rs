@@ -133,7 +133,10 @@ impl Parser<'_> {
         let mut operand_start = end;
         let mut operand = Operand::None;
         let behind = self.behind_blanks(end);
-        if !matches!(token(self.text, behind).0, Raw::Semicolon | Raw::Newline | Raw::LineComment | Raw::End) {
+        if mnemonic.text.ends_with('(') {
+            // A bracket has no operand; what follows on the line is the next statement even without `;`.
+            self.blanks();
+        } else if !matches!(token(self.text, behind).0, Raw::Semicolon | Raw::Newline | Raw::LineComment | Raw::End) {
             self.blanks();
             operand_start = self.position;
             operand = match mnemonic.text.eq_ignore_ascii_case("CALL") {
@@ -150,13 +153,14 @@ impl Parser<'_> {
             end = self.position.max(operand_start);
         }
         self.report_foreign();
+        let opens = mnemonic.text.ends_with('(');
         let operand_span = self.span(operand_start, end);
         let statement = Statement { label, mnemonic, operand, operand_span, span: self.span(start, end) };
         block.statements.push(statement);
-        if self.at_next_on_line() {
-            return;
+        let over = std::mem::take(&mut self.statement_over) || (opens && !self.at_statement_end()) || self.at_next_on_line();
+        if !over {
+            self.statement_end();
         }
-        self.statement_end();
     }
 
     /// Brackets are closed on the line of their last scan in many sources: `A( ; … )` needs no `;` before the `)`.
@@ -409,7 +413,14 @@ impl Parser<'_> {
                     let argument = self.argument();
                     arguments.push(argument);
                 }
+                Raw::Semicolon if self.parameter_follows() => {
+                    let span = self.span(self.position, self.end);
+                    let diagnostic = Diagnostic::new(Problem::P2030, span, "`;` ends a statement; parameters are separated by `,`");
+                    self.report(diagnostic.fix(span, ",", "write `,`"));
+                    self.bump(SyntaxKind::Unexpected);
+                }
                 Raw::End | Raw::Semicolon | Raw::Word => {
+                    self.statement_over = self.raw == Raw::Word;
                     let message = format!("this parameter list has no `)` before {}", self.shown());
                     self.error(Problem::P2031, opened.0, opened.1, message);
                     return;
@@ -421,6 +432,12 @@ impl Parser<'_> {
                 }
             }
         }
+    }
+
+    /// Behind the current token stands `name :=`.
+    fn parameter_follows(&self) -> bool {
+        let (raw, end) = token(self.text, self.behind_trivia(self.end));
+        raw == Raw::Word && self.argument_sign_at(end)
     }
 
     fn argument(&mut self) -> Argument {
