@@ -1,5 +1,5 @@
 //! Measures parsing, formatting and converting of 100,000 statements: `cargo run --release -p sieben-lang --example stl_speed`.
-#![allow(clippy::print_stdout)] // It is a measurement for a person.
+#![allow(clippy::print_stdout, clippy::disallowed_methods)] // It is a measurement for a person.
 
 use std::time::Instant;
 
