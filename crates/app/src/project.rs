@@ -212,7 +212,19 @@ impl Project {
         }
         let file = crate::symbol_files::read(path, &mut self.texts.documents)?;
         self.findings.extend(file.findings);
+        // Twice in one table is found where the table is read; here are the tables before this one.
+        let before = self.symbols.clone();
         for symbol in file.read.table.symbols() {
+            if let Some(other) = before.find(&symbol.name).filter(|other| other.operand() != symbol.operand()) {
+                let message = format!(
+                    "`{}` is `{}` in `{}` and `{}` in another symbol table",
+                    symbol.name,
+                    symbol.address.trim(),
+                    shown(path),
+                    other.address.trim()
+                );
+                self.findings.push(Finding::file(Problem::P6101, shown(path), message));
+            }
             self.symbols.push(symbol.clone());
         }
         Ok(())

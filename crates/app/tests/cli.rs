@@ -426,6 +426,13 @@ fn symbol_tables_change_their_format() {
     folder.run(&["symbols", "s.sdf", "--to", "csv"]).code(0).stdout("Start,I").stdout("Größe");
     folder.run(&["symbols", "s.csv", "--csv"]).code(0).stdout("No.,Address,Unit,Technological name,Description,Remark");
     folder.run(&["symbols", "s.csv", "--json"]).code(0).stdout("\"technological_name\": \"S1\"");
+    folder.write("other.csv", b"symbol,address\nSTART,I 0.1\n");
+    folder.write("main.awl", b"A \"Start\"\n= Q 0.0\n");
+    folder
+        .run(&["check", "main.awl", "s.csv", "other.csv"])
+        .code(3)
+        .stderr("`START` is `I 0.1` in `other.csv` and `I 0.0` in another symbol table");
+    folder.run(&["check", "main.awl", "s.csv", "s.sdf"]).code(0);
     folder.run(&["symbols", "s.csv", "--to", "asc", "-o", "/nowhere/x.asc"]).code(2).stderr("P6013");
 }
 
@@ -442,6 +449,9 @@ fn explain_knows_instructions_problems_and_cpu_types() {
         ("p6001", "P6001 (error): a file that cannot be read"),
         ("416-3", "accumulators          4"),
         ("cpu", "417-4"),
+        ("sfc46", "SFC 46 \"STP\""),
+        ("stp", "no parameters"),
+        ("16#4562", "OB 121 is not loaded"),
         ("problems", "P2001"),
         ("instructions", "SPBN"),
     ] {

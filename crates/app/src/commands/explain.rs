@@ -1,10 +1,13 @@
-//! `sieben explain WORD`: an instruction, a problem code or a CPU type, from the tables.
+//! `sieben explain WORD`: an instruction, a problem code, a CPU type, a system function or an event, from the tables.
 
 use clap::Args;
+use sieben_cpu::diagnostic_buffer::event_text;
+use sieben_cpu::system::SystemBlock;
 use sieben_lang::stl::instructions::Instruction;
 use sieben_lang::stl::operands::OperandClass;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
+use sieben_model::interface::Section;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 
@@ -15,13 +18,15 @@ use crate::output;
 /// The pages of all problems by code.
 const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/problem_pages.rs"));
 
-/// Explain an instruction, a problem code or a CPU type.
+/// Explain an instruction, a problem code, a CPU type, a system function or an event.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
   sieben explain SPB           an instruction, in either mnemonic language\n  \
   sieben explain 'A('          quote what the shell would take\n  \
   sieben explain P2001         a problem code\n  \
   sieben explain 416-3         a CPU type\n  \
+  sieben explain 'SFC 46'      a system function, also by its name: STP\n  \
+  sieben explain 16#4562       an event of the diagnostic buffer\n  \
   sieben explain instructions  all of them; also: problems, cpu")]
 pub(crate) struct Arguments {
     /// What to explain
@@ -47,7 +52,42 @@ fn explain(word: &str) -> Option<String> {
     if word.eq_ignore_ascii_case("instructions") {
         return Some(instructions());
     }
-    instruction(word).or_else(|| Problem::from_code(word).map(problem)).or_else(|| CpuType::by_name(word).map(cpu_type))
+    instruction(word)
+        .or_else(|| system_function(word))
+        .or_else(|| event(word))
+        .or_else(|| Problem::from_code(word).map(problem))
+        .or_else(|| CpuType::by_name(word).map(cpu_type))
+}
+
+/// A system function by number or name, with its parameters.
+fn system_function(word: &str) -> Option<String> {
+    let compact: String = word.split_whitespace().collect();
+    let named = |block: &SystemBlock| {
+        block.name.eq_ignore_ascii_case(&compact) || block.block.to_string().replace(' ', "").eq_ignore_ascii_case(&compact)
+    };
+    let block = sieben_cpu::system::interfaces().into_iter().find(named)?;
+    let mut text = format!("{} \"{}\", a system function of the CPU\n", block.block, block.name);
+    for parameter in block.interface.parameters() {
+        let section = match parameter.section {
+            Section::Input => "IN",
+            Section::Output => "OUT",
+            Section::InOut => "IN_OUT",
+            _ => "RET_VAL",
+        };
+        text.push_str(&format!("  {section:<7} {:<12} {}\n", parameter.name, parameter.comment));
+    }
+    if block.interface.parameters().next().is_none() {
+        text.push_str("  no parameters\n");
+    }
+    Some(text)
+}
+
+/// An event of the diagnostic buffer: `16#4562`.
+fn event(word: &str) -> Option<String> {
+    let digits = word.to_ascii_uppercase();
+    let number = u16::from_str_radix(digits.strip_prefix("W#16#").or(digits.strip_prefix("16#"))?, 16).ok()?;
+    let text = event_text(number);
+    (text != event_text(0)).then(|| format!("16#{number:04X}, an event of the diagnostic buffer: {text}\n"))
 }
 
 /// All instructions with this word in either mnemonic language.

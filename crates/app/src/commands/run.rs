@@ -103,6 +103,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     };
     let mut cpu = controller::load(&build, settings);
     let interrupt = Interrupt::watch(&cpu)?;
+    if !arguments.json {
+        let name = project.name.as_deref().map_or_else(String::new, |name| format!(" `{name}`"));
+        let end = arguments.duration.map_or_else(|| "Ctrl-C stops".to_owned(), |end| format!("for {}", duration::show(end)));
+        let pace = if cycle.is_zero() { "free running".to_owned() } else { format!("cycle {}", duration::show(cycle)) };
+        output::message(&format!("Running{name} on a CPU {}, {pace}; {end}.\n", build.cpu.name));
+    }
     let status = Status::new();
     let end_us = arguments.duration.map_or(u64::MAX, micros);
     let pace = Pace { speed: arguments.speed, cycle_us: micros(cycle), end_us };
