@@ -4,8 +4,11 @@
 //! `UPDATE_DOCUMENTS=1 cargo test --test documents` writes the printed lines into the pages.
 
 use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
 
 use sieben_model::problems::Problem;
 
@@ -89,23 +92,50 @@ fn words(command: &str) -> Vec<String> {
     words
 }
 
+/// Commands in documents take milliseconds; one that takes so long hangs.
+const DEADLINE: Duration = Duration::from_secs(20);
+
 /// What a command prints, errors behind the rest, and its exit code if it is not 0.
 fn run(folder: &Path, command: &str) -> String {
-    let output = Command::new(env!("CARGO_BIN_EXE_sieben"))
+    let mut child = Command::new(env!("CARGO_BIN_EXE_sieben"))
         .args(words(command))
         .current_dir(folder)
         .env("NO_COLOR", "1")
         .env("COLUMNS", "100")
         .stdin(Stdio::null())
-        .output()
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
         .expect("the binary can be started");
-    let mut text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    let (mut stdout, mut stderr) = (child.stdout.take().expect("stdout is piped"), child.stderr.take().expect("stderr is piped"));
+    let stdout = thread::spawn(move || read_all(&mut stdout));
+    let stderr = thread::spawn(move || read_all(&mut stderr));
+    let started = Instant::now();
+    let status = loop {
+        match child.try_wait().expect("the child can be asked") {
+            Some(status) => break status.code(),
+            None if started.elapsed() > DEADLINE => {
+                child.kill().expect("the child can be ended");
+                child.wait().expect("the child can be asked");
+                break None;
+            }
+            None => thread::sleep(Duration::from_millis(2)),
+        }
+    };
+    let mut text = stdout.join().expect("stdout is read") + &stderr.join().expect("stderr is read");
     text.truncate(text.trim_end().len());
-    match output.status.code() {
+    match status {
         Some(0) => text,
         Some(code) => format!("{text}\n[exit code {code}]"),
-        None => format!("{text}\n[killed]"),
+        None => format!("{text}\n[did not end]"),
     }
+}
+
+fn read_all(pipe: &mut impl Read) -> String {
+    let mut bytes = Vec::new();
+    // What was printed before the pipe broke still counts.
+    let _ = pipe.read_to_end(&mut bytes);
+    String::from_utf8_lossy(&bytes).into_owned()
 }
 
 /// The lines that a `console` fence should have.

@@ -30,7 +30,8 @@ pub struct Target {
 /// All targets.
 #[rustfmt::skip] // A table.
 pub const TARGETS: &[Target] = &[
-    Target { name: "lang-compile", fuzz: compile, corpus: "stl", fences: &["stl"], words: stl_words },
+    Target { name: "lang-parse", fuzz: sieben_lang::stl::parser::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
+    Target { name: "lang-compile", fuzz: sieben_lang::project::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "cpu-run", fuzz: run, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "lang-encoding", fuzz: encoding, corpus: "encoding", fences: &[], words: no_words },
     Target { name: "lang-stl", fuzz: sieben_lang::stl::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
@@ -45,11 +46,6 @@ fn compiled(data: &[u8]) -> sieben_lang::Compiled {
     let mut sources = Sources::default();
     sources.add("fuzz.awl", String::from_utf8_lossy(data));
     sieben_lang::compile(&sources, &SymbolTable::default(), &Options::default())
-}
-
-/// Compiles the input as the only source of a project.
-fn compile(data: &[u8]) {
-    compiled(data);
 }
 
 /// Compiles the input and, if it has no errors, runs three scans of it.
