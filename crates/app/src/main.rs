@@ -59,7 +59,7 @@ enum Verb {
     Check(commands::check::Arguments),
     /// Run a few scans in virtual time and print values
     Exec(commands::exec::Arguments),
-    /// Explain an instruction, a problem code or a CPU type
+    /// Explain an instruction, a problem code, a CPU type, a system function or an event
     Explain(commands::explain::Arguments),
     /// Bring STL sources into one layout
     Fmt(commands::fmt::Arguments),

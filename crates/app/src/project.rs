@@ -123,13 +123,18 @@ impl Project {
         let project_file = join(folder, Path::new(settings::FILE_NAME));
         let mut settings = Settings::default();
         if project_file.is_file() {
-            let text = String::from_utf8(files::read(&project_file)?)
-                .map_err(|_| Failure::usage(Problem::P6007, format!("`{}` is not UTF-8 text", project_file.display())))?;
-            let text = text.strip_prefix('\u{FEFF}').unwrap_or(&text).to_owned();
-            let file = self.texts.documents.add(shown(&project_file), text);
-            let (parsed, diagnostics) = settings::parse(&self.texts.documents.file(file).text, file);
-            self.findings.extend(diagnostics.into_iter().map(Finding::document));
-            settings = parsed;
+            match String::from_utf8(files::read(&project_file)?) {
+                Ok(text) => {
+                    let file = self.texts.documents.add(shown(&project_file), text.strip_prefix('\u{FEFF}').unwrap_or(&text));
+                    let (parsed, diagnostics) = settings::parse(&self.texts.documents.file(file).text, file);
+                    self.findings.extend(diagnostics.into_iter().map(Finding::document));
+                    settings = parsed;
+                }
+                Err(_) => {
+                    let message = format!("`{}` is not UTF-8 text", shown(&project_file));
+                    self.findings.push(Finding::file(Problem::P6007, shown(&project_file), message));
+                }
+            }
         }
         let mut listing = Listing { files: Vec::new(), root: folder };
         listing.walk(folder, 0)?;
@@ -210,7 +215,15 @@ impl Project {
         if !is_new(path, seen) {
             return Ok(());
         }
-        let file = crate::symbol_files::read(path, &mut self.texts.documents)?;
+        let file = match crate::symbol_files::read(path, &mut self.texts.documents) {
+            Ok(file) => file,
+            // What lies inside the project is a matter of the project, not of the command line.
+            Err(failure) if failure.problem == Problem::P1101 => {
+                self.findings.push(Finding::file(failure.problem, shown(path), failure.message));
+                return Ok(());
+            }
+            Err(failure) => return Err(failure),
+        };
         self.findings.extend(file.findings);
         // Twice in one table is found where the table is read; here are the tables before this one.
         let before = self.symbols.clone();

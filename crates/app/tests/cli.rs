@@ -1,6 +1,7 @@
 //! The command line as its users meet it: arguments and files in, text and exit code out.
 
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -498,17 +499,20 @@ fn a_full_disk_is_reported() {
 fn ctrl_c_stops_a_run_cleanly() {
     let folder = Folder::with(&[("add.awl", ADD), ("loop.awl", "M001: NOP 0\nJU M001\n")]);
     for speed in ["1x", "2x", "max"] {
-        let child = sieben(folder.path(), &["run", "add.awl", "--speed", speed])
+        let mut child = sieben(folder.path(), &["run", "add.awl", "--speed", speed])
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()
             .expect("the binary starts");
-        // Ctrl-C before the handler stands would end the process without a word.
-        std::thread::sleep(std::time::Duration::from_millis(500));
+        // The first line says that Ctrl-C is watched.
+        let mut stderr = BufReader::new(child.stderr.take().expect("stderr is a pipe"));
+        let mut line = String::new();
+        stderr.read_line(&mut line).expect("UTF-8 on stderr");
+        assert!(line.starts_with("Running on a CPU 315-2PN/DP, cycle 10.00 ms; Ctrl-C stops."), "{line}");
         let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill exists");
         assert!(killed.success());
         let output = child.wait_with_output().expect("the binary ends");
-        assert_eq!(output.status.code(), Some(0), "{speed}: {}", String::from_utf8_lossy(&output.stderr));
+        assert_eq!(output.status.code(), Some(0), "{speed}");
         assert!(String::from_utf8_lossy(&output.stdout).contains("stopped by Ctrl-C"), "{speed}");
     }
     folder.run(&["run", "loop.awl", "--speed", "max", "--for", "1s"]).code(4).stdout("STOP");

@@ -38,10 +38,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     if arguments.json {
         output::print_json(&report::to_json(findings, &build.project.texts), true)?;
     } else if findings.is_empty() {
-        let blocks = build.compiled.program.code.len() + build.compiled.program.data.len();
-        let files = build.project.sources.len();
         let plural = |count: usize, word: &str| if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") };
-        output::print(&format!("{} in {}, no errors, no warnings.\n", plural(blocks, "block"), plural(files, "source")))?;
+        let sources = plural(build.project.sources.len(), "source");
+        let program = &build.compiled.program;
+        let what = match arguments.syntax_only {
+            true => sources,
+            false => format!("{} in {sources}", plural(program.code.len() + program.data.len(), "block")),
+        };
+        output::print(&format!("{what}, no errors, no warnings.\n"))?;
     } else {
         project::print_findings(findings, &build.project.texts, false);
     }
