@@ -236,3 +236,31 @@ fn fits(class: OperandClass, operand: &Operand) -> bool {
         _ => *operand != Operand::None,
     }
 }
+
+/// All failures of a page that exists only here.
+fn failures_of(page: &str) -> Vec<String> {
+    sections(page).iter().flat_map(|section| failures("a page", section)).collect()
+}
+
+#[test]
+fn the_runner_sees_what_is_wrong() {
+    let stl = "# Title\n\n## A part\n\n```stl\nA I 0.0; = Q 0.0;\n```\n";
+    let cases = [
+        ("```check\ntable I 0.0 -> Q 0.0\n1 1\n```\n", None),
+        ("```check\ntable I 0.0 -> Q 0.0\n0 0\n1 0\n```\n", Some("a page:11 (A part): [English, interpreter] expected Q 0.0 = 0, got 1")),
+        ("```check\nscan\n```\n", Some("expects nothing")),
+        ("```check\nscna\n```\n", Some("a page:9 (A part): `scna` begins no line")),
+        ("no check\n", Some("belong together")),
+        ("```check\nknown-gap \"to come\"\nscan\nexpect Q 0.0=1\n```\n", None),
+        ("```check\nknown-gap \"to come\"\nscan\nexpect Q 0.0=0\n```\n", Some("works now; remove `known-gap \"to come\"`")),
+    ];
+    for (check, wanted) in cases {
+        let found = failures_of(&format!("{stl}{check}"));
+        match wanted {
+            None => assert!(found.is_empty(), "{check}: {found:?}"),
+            Some(text) => assert!(found.iter().any(|failure| failure.contains(text)), "{check}: {found:?}"),
+        }
+    }
+    let broken = failures_of("## A part\n```stl\nA I 0.0 = Q;\n```\n```check\nscan\nexpect Q 0.0=1\n```\n");
+    assert!(!broken.is_empty(), "a source that does not compile is a failure");
+}

@@ -260,10 +260,9 @@ impl Name {
                 _ => Err(NameError::new(format!("`{text}` is no value of the bit `{}`; write 0 or 1", self.text))),
             };
         }
-        match (self.data_type(), text.parse::<f32>()) {
-            // `DB1.speed=5` means the number where the field is a REAL.
-            (Some(DataType::Real), Ok(number)) => return Ok(u64::from(number.to_bits())),
-            _ => {}
+        // `DB1.speed=5` means the number where the field is a REAL.
+        if let (Some(DataType::Real), Ok(number)) = (self.data_type(), text.parse::<f32>()) {
+            return Ok(u64::from(number.to_bits()));
         }
         if let Ok(number) = text.parse::<i64>() {
             return self.integer(text, number);

@@ -1,0 +1,198 @@
+//! Names and scenarios over a CPU whose program does nothing: what is set is what is there.
+
+use std::sync::Arc;
+
+use sieben_cpu::{Cpu, Rack, Restart, Settings};
+use sieben_engine::{Interpreter, Program};
+use sieben_model::cpu_type::CpuType;
+use sieben_model::literal::Value;
+use sieben_model::program::DataBlock;
+use sieben_model::symbols::{Symbol, SymbolTable};
+use sieben_model::types::{DataType, Field, Structure};
+use sieben_sim::names::{Name, assignments};
+use sieben_sim::scenario::Scenario;
+
+fn field(name: &str, data_type: DataType, offset: u32) -> Field {
+    Field { name: name.to_owned(), data_type, offset: offset * 8, initial: Vec::<Value>::new(), comment: String::new() }
+}
+
+/// DB 7 with a field of many types.
+fn program() -> Program {
+    let inner = Structure { name: None, fields: vec![field("deep", DataType::Int, 0), field("flag", DataType::Bool, 2)], size: 4 };
+    let array = DataType::Array { bounds: vec![(1, 3)], element: Box::new(DataType::Int) };
+    let fields = vec![
+        field("speed", DataType::Real, 0),
+        field("count", DataType::DoubleInt, 4),
+        field("list", array, 8),
+        field("sub", DataType::Struct(Arc::new(inner)), 14),
+        field("when", DataType::DateAndTime, 18),
+        field("word", DataType::String(4), 26),
+        field("pause", DataType::Time, 32),
+    ];
+    let structure = Arc::new(Structure { name: None, fields, size: 36 });
+    let mut image = vec![0; 36];
+    image[26..32].copy_from_slice(&[4, 2, b'a', b'b', 0, 0]);
+    let block = DataBlock { number: 7, based_on: None, structure, image, read_only: false, non_retain: false, unlinked: false };
+    Program { data: [(7, block)].into(), ..Program::default() }
+}
+
+fn cpu(cpu_type: &'static CpuType) -> Cpu {
+    let program = Arc::new(program());
+    let engine = Interpreter::load(Arc::clone(&program), &Cpu::layout_for(cpu_type, &program));
+    Cpu::new(cpu_type, program, Arc::new(engine), Rack::simulated(cpu_type), Settings::default())
+}
+
+fn symbols() -> SymbolTable {
+    let symbol = |name: &str, address: &str, data_type: &str| Symbol {
+        name: name.to_owned(),
+        address: address.to_owned(),
+        data_type: data_type.to_owned(),
+        ..Symbol::default()
+    };
+    SymbolTable::new(vec![
+        symbol("Motor on", "A 4.0", "BOOL"),
+        symbol("Level", "MW 20", "INT"),
+        symbol("Store", "DB 7", "DB 7"),
+        symbol("Broken", "somewhere", "BOOL"),
+    ])
+}
+
+#[test]
+fn what_is_set_is_shown_by_its_type() {
+    let mut cpu = cpu(&CpuType::ALL[0]);
+    cpu.restart(Restart::Warm);
+    for (name, value, shown) in [
+        ("M 0.3", "1", "1"),
+        ("M0.3", "TRUE", "1"),
+        ("mb 1", "16#A5", "16#A5"),
+        ("MB1", "-1", "16#FF"),
+        ("MW10", "-5", "16#FFFB"),
+        ("MD 12", "-5", "16#FFFF_FFFB"),
+        ("MD12", "DW#16#0102_0304", "16#0102_0304"),
+        ("MD12", "1.5", "16#3FC0_0000"),
+        ("EW 0", "W#16#0102", "16#0102"),
+        ("PIW 0", "300", "16#012C"),
+        ("AB 4", "2#1010", "16#0A"),
+        ("C 1", "42", "42"),
+        ("Z 1", "C#123", "123"),
+        ("T 1", "S5T#2S", "200"),
+        ("DB7.DBD 4", "L#70000", "16#0001_1170"),
+        ("DB7.count", "-7", "-7"),
+        ("DB7.speed", "5", "5.0e+000"),
+        ("DB7.speed", "-2.5", "-2.5e+000"),
+        ("DB7.list[2]", "-3", "-3"),
+        ("DB7.sub.deep", "9", "9"),
+        ("DB7.sub.flag", "1", "1"),
+        ("DB7.pause", "T#1S", "T#1S"),
+        ("\"Motor on\"", "1", "1"),
+        ("Level", "-12", "-12"),
+        ("\"Store\".list[3]", "8", "8"),
+        ("Store.count", "L#-70000", "-70000"),
+    ] {
+        let parsed = Name::parse(name, &symbols(), cpu.program()).unwrap_or_else(|error| panic!("{name}: {error}"));
+        parsed.write(&mut cpu, value).unwrap_or_else(|error| panic!("{name}={value}: {error}"));
+        // Inputs come into the process image with the next scan.
+        cpu.scan(0);
+        assert_eq!(parsed.read(&cpu).unwrap_or_else(|error| panic!("{name}: {error}")).to_string(), shown, "{name}={value}");
+        assert_eq!(parsed.holds(&cpu, value).ok(), Some(name != "T 1"), "{name}={value}");
+    }
+    let word = Name::parse("DB7.word", &symbols(), cpu.program()).expect("a name");
+    assert_eq!(word.read(&cpu).map(|shown| shown.to_string()).as_deref(), Ok("'ab'"));
+}
+
+#[test]
+fn what_is_no_name_or_no_value_is_said_in_the_users_words() {
+    let mut cpu = cpu(&CpuType::ALL[0]);
+    cpu.restart(Restart::Warm);
+    for (name, value, word) in [
+        ("nonsense", "1", "nothing is called `nonsense`"),
+        ("", "1", "nothing is called"),
+        ("M 0.8", "1", "nothing is called"),
+        ("STW.XX", "1", "no bit `XX`"),
+        ("DB7.nothing", "1", "no `nothing`"),
+        ("DB7.list[9]", "1", "no `list[9]`"),
+        ("DB7.list[1,1]", "1", "no `list[1,1]`"),
+        ("DB7.list", "1", "no single value"),
+        ("DB9.x", "1", "no `DB 9`"),
+        ("FC 1", "1", "is a block"),
+        ("Store", "1", "is DB 7"),
+        ("Broken", "1", "which is none"),
+        ("M 0.0", "2", "write 0 or 1"),
+        ("MB 0", "256", "8 bits"),
+        ("MB 0", "16#FFF", "8 bits"),
+        ("MW 0", "1.5", "16 bits"),
+        ("MW 0", "soon", "not a constant"),
+        ("MW 60000", "1", "outside"),
+        ("DB7.DBW 36", "1", "outside"),
+        ("DB8.DBW 0", "1", "not loaded"),
+        ("LW 0", "1", "between two scans"),
+        ("T1.q", "1", "only be read"),
+        ("T 999", "S5T#1S", "outside"),
+        ("C 1", "1000", "999"),
+        ("ACCU3", "1", "accumulators 1 and 2"),
+        ("DBNO", "1", "only be read"),
+        ("STW", "11", "nine characters"),
+    ] {
+        let error = match Name::parse(name, &symbols(), cpu.program()).and_then(|name| name.write(&mut cpu, value)) {
+            Ok(()) => panic!("{name}={value} was taken"),
+            Err(error) => error.to_string(),
+        };
+        assert!(error.contains(word), "{name}={value}: {error}");
+    }
+}
+
+#[test]
+fn assignments_are_split_at_blanks_outside_of_values() {
+    let split =
+        |text: &str| assignments(text).map(|pairs| pairs.into_iter().map(|(name, value)| format!("{name}|{value}")).collect::<Vec<_>>());
+    assert_eq!(
+        split("I 0.0=1 MW10 = 16#0102 MD4=B#(1, 2, 3, 4) \"a = b\"='x y'"),
+        Ok(vec!["I 0.0|1".to_owned(), "MW10|16#0102".to_owned(), "MD4|B#(1, 2, 3, 4)".to_owned(), "\"a = b\"|'x y'".to_owned()])
+    );
+    assert!(split("I 0.0").is_err() && split("=1").is_err() && split("I 0.0=").is_err());
+}
+
+fn run(text: &str) -> Vec<String> {
+    let scenario = Scenario::parse(text).unwrap_or_else(|errors| panic!("{errors:?}"));
+    let cpu_type = scenario.cpu.unwrap_or(&CpuType::ALL[0]);
+    scenario.run(&symbols(), &mut || cpu(cpu_type)).iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn a_scenario_that_comes_true_says_nothing() {
+    for text in [
+        "set MW0=5\nscan\nexpect MW0=5 Level=0",
+        "at 15ms I 0.0=1\nscan 2\nexpect I 0.0=0\nscan\nexpect I 0.0=1",
+        "cycle 100ms\nat 250ms M 0.0=1\nscan until 200ms\nexpect M 0.0=0\nexpect M 0.0=1 within 200ms",
+        "table MW0 MW2 -> MW2 MW0\n1 2 2 1\n3 4 4 3",
+        "cpu 416-3\nset ACCU4=7\nexpect mode RUN",
+        "set DB7.count=3\nrestart cold\nexpect DB7.count=0",
+    ] {
+        assert_eq!(run(text), Vec::<String>::new(), "{text}");
+    }
+}
+
+#[test]
+fn a_scenario_that_does_not_come_true_says_where_and_what() {
+    for (text, line, word) in [
+        ("set MW0=5\nscan\nexpect MW0=6", 3, "expected MW0 = 6, got 16#0005 after the scan at 0ms"),
+        ("expect MW0=6", 1, "before the first scan"),
+        ("scan\nexpect nobody=1", 2, "nothing is called `nobody`"),
+        ("scan\nexpect M 0.0=1 within 50ms", 2, "after the scan at 50ms"),
+        ("scan\nexpect stop 16#2522", 2, "but the CPU is in RUN"),
+        ("scan\nexpect mode STOP", 2, "expected the mode STOP, got RUN"),
+        ("scan 3\nat 10ms I 0.0=1\nscan", 2, "the last scan was already at 20ms"),
+        ("at 500ms I 0.0=1\nscan", 1, "no scan came at 500ms"),
+        ("scan at 50ms\nscan at 20ms", 2, "already at 50ms"),
+        ("interrupt OB 40 at safe point 17", 1, "not available yet"),
+        ("table MW0 -> MW2\n1 0\n2 9", 3, "expected MW2 = 9"),
+        ("set ACCU3=1", 1, "accumulators 1 and 2"),
+        ("cycle 1us\nscan until 1h", 2, "more than 1000000 scans"),
+    ] {
+        let failures = run(text);
+        assert!(
+            failures.iter().any(|failure| failure.starts_with(&format!("line {line}:")) && failure.contains(word)),
+            "{text}: {failures:?}"
+        );
+    }
+}
