@@ -7,7 +7,7 @@ use ariadne::{Cache, CharSet, Color, Config, IndexType, Label, LabelAttach, Repo
 use serde_json::{Value, json};
 use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::problems::Problem;
-use sieben_model::source::{FileId, Sources, Span};
+use sieben_model::source::{FileId, SourceFile, Sources, Span};
 
 /// Most diagnostics shown on a terminal: behind the first hundred the rest is mostly their consequence.
 const SHOWN_MAX: usize = 100;
@@ -63,6 +63,12 @@ pub(crate) struct Texts {
 }
 
 impl Texts {
+    fn get(&self, id: TextId) -> &SourceFile {
+        match id.shelf {
+            Shelf::Documents => self.documents.file(id.file),
+            Shelf::Program => self.program.file(id.file),
+        }
+    }
     fn of(&self, origin: &Origin) -> Option<&Sources> {
         match origin {
             Origin::File(_) => None,
@@ -249,10 +255,24 @@ fn clamp(text: &str, at: u32) -> usize {
     at
 }
 
+/// Which of the two collections of [`Texts`] a text belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Shelf {
+    Documents,
+    Program,
+}
+
+/// A text by its collection and its number there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct TextId {
+    shelf: Shelf,
+    file: FileId,
+}
+
 /// A span of one text, as ariadne wants it.
 #[derive(Clone, Debug)]
 struct Place {
-    id: (bool, FileId),
+    id: TextId,
     start: usize,
     end: usize,
 }
@@ -265,11 +285,11 @@ impl Place {
         // One statement may run over lines; its first line is enough to find it.
         let end = clamp(text, span.end).max(start);
         let end = text[start..end].find(['\r', '\n']).map_or(end, |at| start + at);
-        Some(Self { id: (*origin == Origin::Program, span.file), start, end })
+        let shelf = if *origin == Origin::Program { Shelf::Program } else { Shelf::Documents };
+        Some(Self { id: TextId { shelf, file: span.file }, start, end })
     }
     fn is_drawable(&self, texts: &Texts) -> bool {
-        let sources = if self.id.0 { &texts.program } else { &texts.documents };
-        let text = &sources.file(self.id.1).text;
+        let text = &texts.get(self.id).text;
         if text.is_empty() {
             return false;
         }
@@ -280,7 +300,7 @@ impl Place {
 }
 
 impl ariadne::Span for Place {
-    type SourceId = (bool, FileId);
+    type SourceId = TextId;
     fn source(&self) -> &Self::SourceId {
         &self.id
     }
@@ -295,19 +315,17 @@ impl ariadne::Span for Place {
 /// The texts cut into lines for ariadne, each once.
 struct TextCache<'a> {
     texts: &'a Texts,
-    sources: BTreeMap<(bool, FileId), Source<&'a str>>,
+    sources: BTreeMap<TextId, Source<&'a str>>,
 }
 
-impl<'a> Cache<(bool, FileId)> for TextCache<'a> {
+impl<'a> Cache<TextId> for TextCache<'a> {
     type Storage = &'a str;
 
-    fn fetch(&mut self, id: &(bool, FileId)) -> Result<&Source<&'a str>, impl fmt::Debug> {
-        let sources = if id.0 { &self.texts.program } else { &self.texts.documents };
-        Ok::<_, &str>(self.sources.entry(*id).or_insert_with(|| Source::from(sources.file(id.1).text.as_str())))
+    fn fetch(&mut self, id: &TextId) -> Result<&Source<&'a str>, impl fmt::Debug> {
+        Ok::<_, &str>(self.sources.entry(*id).or_insert_with(|| Source::from(self.texts.get(*id).text.as_str())))
     }
 
-    fn display<'b>(&self, id: &'b (bool, FileId)) -> Option<impl fmt::Display + 'b> {
-        let sources = if id.0 { &self.texts.program } else { &self.texts.documents };
-        Some(sources.file(id.1).name.clone())
+    fn display<'b>(&self, id: &'b TextId) -> Option<impl fmt::Display + 'b> {
+        Some(self.texts.get(*id).name.clone())
     }
 }
