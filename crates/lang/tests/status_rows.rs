@@ -218,6 +218,21 @@ fn status_rows_are_true() {
 }
 
 #[test]
+fn the_code_of_every_instruction_keeps_the_rules_of_the_ir() {
+    for &instruction in Instruction::ALL {
+        for cpu in CpuType::ALL {
+            for (operand, &frame) in
+                samples(instruction).iter().flat_map(|operand| frames(instruction).iter().map(move |frame| (operand, frame)))
+            {
+                for block in program(instruction, operand, frame, cpu).code.values() {
+                    assert_eq!(sieben_engine::ir::verify(&block.code), Ok(()), "{instruction:?} {operand:?}\n{}", block.code);
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn mnemonics_are_found_in_both_languages() {
     for &instruction in Instruction::ALL {
         for mnemonics in [Mnemonics::English, Mnemonics::German] {

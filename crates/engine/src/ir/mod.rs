@@ -4,7 +4,9 @@ pub mod builder;
 pub mod code;
 pub mod ops;
 pub mod text;
+pub mod verify;
 
 pub use builder::Builder;
 pub use code::{Callee, Code, DataRegister, Inst, OnFault, Place, Target, Var};
 pub use ops::Op;
+pub use verify::verify;

@@ -1,0 +1,161 @@
+//! The rules that code keeps, checked: engines rely on them.
+
+use std::collections::HashSet;
+
+use super::code::{Code, Inst, OnFault, Place, Target, Var};
+use crate::machine::Register;
+
+/// A rule that code breaks.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Violation {
+    /// The statement.
+    pub statement: usize,
+    /// The instruction in the statement.
+    pub instruction: usize,
+    /// The broken rule.
+    pub rule: &'static str,
+}
+
+/// Checks the code of a block:
+///
+/// * every target is a statement, every table lies inside the list of tables;
+/// * a temporary is written before it is read, in the same statement, and not across a call;
+/// * behind a load that delivers 0 only its result is still readable;
+/// * no register is changed before an instruction that may make the statement count as NOP;
+/// * the block ends with a return.
+///
+/// # Errors
+/// The first broken rule.
+pub fn verify(code: &Code) -> Result<(), Violation> {
+    let count = code.statement_count();
+    let violation = |statement, instruction, rule| Violation { statement, instruction, rule };
+    if !matches!(code.insts.last(), Some(Inst::Return)) {
+        return Err(violation(count, 0, "the last instruction is a return"));
+    }
+    for statement in 0..count {
+        let mut written: HashSet<Var> = HashSet::new();
+        let mut changed_register = false;
+        let mut called = false;
+        for (instruction, inst) in code.statement(statement).iter().enumerate() {
+            let broken = |rule| Err(violation(statement, instruction, rule));
+            if targets(inst, code).is_none_or(|targets| targets.iter().any(|target| target.0 as usize >= count)) {
+                return broken("a target is a statement of the block");
+            }
+            if reads(inst).into_iter().any(|var| var.register().is_none() && !written.contains(&var)) {
+                return broken("a temporary is written before it is read");
+            }
+            // The parameter code of a CALL changes registers between its parts, as on the real CPU.
+            let skips = match inst {
+                Inst::Load { on_fault, .. } => *on_fault != OnFault::DeliverZero,
+                Inst::Store { .. } | Inst::Intrinsic { .. } | Inst::Require { .. } | Inst::RequireStack { .. } => true,
+                _ => false,
+            };
+            let passes = code.statement(statement).iter().any(|inst| matches!(inst, Inst::Call { .. }));
+            if skips && changed_register && !called && !passes {
+                return broken("what may fail stands before the first register that the statement changes");
+            }
+            match inst {
+                Inst::Call { .. } => {
+                    written.clear();
+                    called = true;
+                }
+                Inst::Load { on_fault: OnFault::DeliverZero, .. } => written.clear(),
+                _ => {}
+            }
+            if let Some(dst) = writes(inst) {
+                // Access through a POINTER takes its address into AR1 first, as the compiled access of the real CPU does.
+                changed_register |= dst.register().is_some_and(|register| register != Register::Ar1);
+                written.insert(dst);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Where an instruction may go on; `None` if its table lies outside the list.
+fn targets(inst: &Inst, code: &Code) -> Option<Vec<Target>> {
+    Some(match *inst {
+        Inst::Jump { to } | Inst::Branch { to, .. } => vec![to],
+        Inst::JumpTable { first, count, otherwise, .. } => {
+            let table = code.tables.get(first as usize..first as usize + count as usize)?;
+            table.iter().copied().chain([otherwise]).collect()
+        }
+        _ => Vec::new(),
+    })
+}
+
+/// The variables that an instruction reads.
+fn reads(inst: &Inst) -> Vec<Var> {
+    let place = |place: Place| match place {
+        Place::Fixed { .. } => None,
+        Place::Indirect { pointer, .. } | Place::Crossing { pointer, .. } => Some(pointer),
+    };
+    match *inst {
+        Inst::Compute { op, args, .. } => args[..op.arity()].to_vec(),
+        Inst::Intrinsic { intrinsic, args, .. } => args[..intrinsic.arity()].to_vec(),
+        Inst::Load { place: from, .. } => place(from).into_iter().collect(),
+        Inst::Store { place: to, src, .. } => place(to).into_iter().chain([src]).collect(),
+        Inst::PassParameter { src } => vec![src],
+        Inst::Require { condition, register, .. } => vec![condition, register],
+        Inst::RequireStack { condition, .. } | Inst::Branch { condition, .. } => vec![condition],
+        Inst::Open { number, .. } => vec![number],
+        Inst::JumpTable { index, .. } => vec![index],
+        Inst::Call { callee: super::Callee::Number(_, number), .. } => vec![number],
+        Inst::Constant { .. } | Inst::Parameter { .. } | Inst::Jump { .. } | Inst::Call { .. } | Inst::Return => Vec::new(),
+    }
+}
+
+/// The variable that an instruction writes.
+fn writes(inst: &Inst) -> Option<Var> {
+    match *inst {
+        Inst::Constant { dst, .. }
+        | Inst::Compute { dst, .. }
+        | Inst::Load { dst, .. }
+        | Inst::Parameter { dst, .. }
+        | Inst::Intrinsic { dst, .. } => Some(dst),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Inst, Var, verify};
+    use crate::ir::{Builder, Op, Target};
+    use crate::machine::Register;
+
+    #[test]
+    fn broken_rules_are_found() {
+        let temporary = Var::temporary(3).expect("a temporary");
+        let cases: [(&str, Vec<Inst>); 4] = [
+            ("target", vec![Inst::Jump { to: Target(9) }]),
+            ("written before", vec![Inst::Compute { op: Op::Not, dst: Register::Rlo.into(), args: [temporary; 4] }]),
+            (
+                "stands before",
+                vec![
+                    Inst::Constant { dst: Register::Rlo.into(), value: 1 },
+                    Inst::Require { condition: Register::Rlo.into(), code: 0x21, register: Register::Rlo.into() },
+                ],
+            ),
+            (
+                "written before",
+                vec![
+                    Inst::Constant { dst: temporary, value: 1 },
+                    Inst::Call { callee: crate::ir::Callee::Block(sieben_model::block::BlockId::fc(1)), parameters: 0 },
+                    Inst::PassParameter { src: temporary },
+                ],
+            ),
+        ];
+        for (rule, insts) in cases {
+            let mut builder = Builder::default();
+            builder.begin_statement();
+            insts.into_iter().for_each(|inst| builder.push(inst));
+            let violation = verify(&builder.finish()).expect_err(rule);
+            assert!(violation.rule.contains(rule), "{violation:?}");
+        }
+    }
+
+    #[test]
+    fn an_empty_block_is_right() {
+        assert_eq!(verify(&Builder::default().finish()), Ok(()));
+    }
+}
