@@ -12,6 +12,7 @@ use sieben_model::diagnostic::Severity;
 use sieben_model::literal;
 use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
+use sieben_sim::scenario::Scenario;
 
 /// Something that must survive any input.
 pub struct Target {
@@ -30,12 +31,12 @@ pub struct Target {
 /// All targets.
 #[rustfmt::skip] // A table.
 pub const TARGETS: &[Target] = &[
-    Target { name: "lang-parse", fuzz: sieben_lang::stl::parser::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "lang-compile", fuzz: sieben_lang::project::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "cpu-run", fuzz: run, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "lang-encoding", fuzz: encoding, corpus: "encoding", fences: &[], words: no_words },
     Target { name: "lang-stl", fuzz: sieben_lang::stl::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "lang-symbols", fuzz: sieben_lang::symbols::fuzz, corpus: "symbols", fences: &[], words: symbol_words },
+    Target { name: "sim-scenario", fuzz: scenario, corpus: "scenario", fences: &["check"], words: scenario_words },
     Target { name: "model-literal", fuzz: literal, corpus: "literal", fences: &[], words: literal_words },
 ];
 
@@ -90,8 +91,38 @@ fn literal(data: &[u8]) {
     }
 }
 
+/// Reads the input as a scenario.
+fn scenario(data: &[u8]) {
+    // What is wrong with it is said line by line.
+    let _ = Scenario::parse(&String::from_utf8_lossy(data));
+}
+
 fn no_words() -> Vec<&'static str> {
     Vec::new()
+}
+
+fn scenario_words() -> Vec<&'static str> {
+    vec![
+        "cpu 416-3",
+        "cycle 10ms",
+        "set I 0.0=1",
+        "scan",
+        "scan 3",
+        "scan until 400ms",
+        "at 310ms",
+        "expect",
+        "expect stop 16#2522",
+        "within 20ms",
+        "table",
+        "->",
+        "STW.RLO=1",
+        "modules 0..63",
+        "restart warm",
+        "interrupt OB 40 at safe point 17",
+        "known-gap \"why\"",
+        "ACCU1=",
+        "DB1.DBD4=1.5",
+    ]
 }
 
 fn symbol_words() -> Vec<&'static str> {

@@ -10,9 +10,6 @@ use crate::workspace::TextFile;
 /// Tasks of `cargo xtask`.
 const TASKS: &[&str] = &["test", "tidy", "generate", "fuzz", "help"];
 
-/// Verbs of the first release whose files are still to come.
-const COMING: &[&str] = &["demo", "run", "exec", "fmt", "convert", "symbols"];
-
 /// Where each verb of `sieben` has its file.
 const VERBS: &str = "crates/app/src/commands/";
 
@@ -53,10 +50,8 @@ fn judge(root: &Path, files: &[TextFile], command: &str) -> Result<(), String> {
 
 fn verb(root: &Path, files: &[TextFile], words: &[&str]) -> Result<(), String> {
     let Some((verb, arguments)) = words.split_first() else { return Ok(()) };
-    let known = verb.starts_with('-')
-        || *verb == "help"
-        || COMING.contains(verb)
-        || files.iter().any(|file| file.path == format!("{VERBS}{}.rs", verb.replace('-', "_")));
+    let known =
+        verb.starts_with('-') || *verb == "help" || files.iter().any(|file| file.path == format!("{VERBS}{}.rs", verb.replace('-', "_")));
     if !known {
         return Err(format!("`sieben {verb}` is no verb: there is no {VERBS}{verb}.rs"));
     }

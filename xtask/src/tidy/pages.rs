@@ -13,7 +13,7 @@ use crate::workspace::TextFile;
 pub const PROBLEM_PAGES: &str = "docs/problems/";
 
 /// Code in a sentence that begins so is a path, and exists.
-const PATH_STARTS: &[&str] = &["crates/", "docs/", "xtask/", "examples/", "library/", ".ci/", ".cargo/"];
+const PATH_STARTS: &[&str] = &["crates/", "docs/", "spec/", "xtask/", "examples/", "library/", ".ci/", ".cargo/"];
 
 /// Words in a path that the reader replaces.
 const PLACEHOLDERS: &[&str] = &["NNN", "VERB", "PNNNN"];
