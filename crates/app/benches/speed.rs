@@ -1,6 +1,7 @@
 //! How fast sources are compiled and how fast the interpreter runs: `cargo bench -p sieben-app --bench speed`.
 //!
 //! Prints the best of several repetitions, because other work on the machine only ever adds time.
+#![allow(clippy::print_stdout)] // A measurement prints its figures.
 
 use std::fmt::Write as _;
 use std::sync::Arc;
