@@ -2,7 +2,7 @@
 //! and without a type of the engine. Values are random; edges come often.
 
 use std::collections::HashMap;
-use std::sync::{Arc, LazyLock};
+use std::sync::{Arc, LazyLock, Mutex};
 
 use proptest::prelude::*;
 use sieben_engine::machine::Registers;
@@ -49,11 +49,15 @@ struct Outcome {
     fault: bool,
 }
 
+/// Loaded one-statement programs by word and constant.
+type Cache = HashMap<(String, Option<i16>), Arc<(Interpreter, Arc<Layout>)>>;
+
+static LOADED: LazyLock<Mutex<Cache>> = LazyLock::new(Default::default);
+
 /// Runs one instruction through table, IR and interpreter.
 fn engine(word: &str, operand: Option<i16>, accu1: u32, accu2: u32) -> Outcome {
-    type Loaded = (Interpreter, Arc<Layout>);
-    static LOADED: LazyLock<std::sync::Mutex<HashMap<(String, Option<i16>), Arc<Loaded>>>> = LazyLock::new(Default::default);
-    let loaded = Arc::clone(LOADED.lock().expect("no panic while loading").entry((word.to_owned(), operand)).or_insert_with(|| {
+    let mut cache = LOADED.lock().expect("no panic while loading");
+    let loaded = Arc::clone(cache.entry((word.to_owned(), operand)).or_insert_with(|| {
         let operand = operand.map_or(Operand::None, |value| Operand::Constant(Value::Int(value)));
         let instruction = Instruction::candidates(word, Mnemonics::English)
             .find(|row| row.operand().accepts(&operand))
@@ -65,6 +69,7 @@ fn engine(word: &str, operand: Option<i16>, accu1: u32, accu2: u32) -> Outcome {
         let layout = Arc::new(Layout::new(&CpuType::default(), &program));
         Arc::new((Interpreter::load(Arc::new(program), &layout), layout))
     }));
+    drop(cache);
     let mut machine = Machine::new(loaded.1.clone());
     let registers = Registers { accu1: u64::from(accu1), accu2: u64::from(accu2), ..Registers::fresh() };
     let entry = Entry { block: BlockId::ob(1), start_information: [0; 20], registers: Some(registers) };
