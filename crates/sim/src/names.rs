@@ -164,7 +164,7 @@ impl Name {
     /// The CPU has nothing of that name.
     pub fn read(&self, cpu: &Cpu) -> Result<Shown, NameError> {
         if let Target::Field { db, byte, data_type } = &self.target
-            && data_type.bits() != 64
+            && *data_type != DataType::DateAndTime
         {
             return self.read_long(cpu, *db, *byte, data_type);
         }
@@ -194,7 +194,7 @@ impl Name {
                 cpu.modify(operand, bits as u32).map_err(|error| NameError::new(format!("cannot set `{}`: {error}", self.text)))
             }
             Target::TimerStatus(_) => Err(NameError::new(format!("`{}` can only be read; set `T n` to an S5TIME instead", self.text))),
-            Target::Field { db, byte, data_type } if data_type.bits() == 64 => {
+            Target::Field { db, byte, data_type: DataType::DateAndTime } => {
                 for (offset, half) in [(0, bits >> 32), (4, bits & 0xFFFF_FFFF)] {
                     let address = Address { area: Area::SharedData, width: Width::DoubleWord, byte: byte + offset, bit: 0 };
                     cpu.modify(&Operand::InDataBlock { db: *db, address }, half as u32)
@@ -224,7 +224,7 @@ impl Name {
     /// The expected value is none or does not fit, or the CPU has nothing of that name.
     pub fn holds(&self, cpu: &Cpu, expected: &str) -> Result<bool, NameError> {
         if let Target::Field { data_type, .. } = &self.target
-            && data_type.bits() != 64
+            && *data_type != DataType::DateAndTime
         {
             return Ok(self.read(cpu)?.to_string() == expected);
         }
@@ -478,7 +478,9 @@ fn target_of_field(db: u16, offset: u32, data_type: DataType, text: &str) -> Res
     if matches!(data_type, DataType::Array { .. } | DataType::Struct(_) | DataType::Instance { .. }) {
         return Err(NameError::new(format!("`{text}` is no single value; name one of its elements, such as `[1]` or `.name`")));
     }
-    let width = match data_type.bits() {
+    // A short STRING has as many bits as a number, but is none.
+    let bits = if matches!(data_type, DataType::String(_)) { 0 } else { data_type.bits() };
+    let width = match bits {
         1 => Width::Bit,
         8 => Width::Byte,
         16 => Width::Word,

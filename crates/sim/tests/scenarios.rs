@@ -28,10 +28,14 @@ fn program() -> Program {
         field("when", DataType::DateAndTime, 18),
         field("word", DataType::String(4), 26),
         field("pause", DataType::Time, 32),
+        field("tiny", DataType::String(2), 36),
+        field("six", DataType::String(6), 40),
     ];
-    let structure = Arc::new(Structure { name: None, fields, size: 36 });
-    let mut image = vec![0; 36];
+    let structure = Arc::new(Structure { name: None, fields, size: 48 });
+    let mut image = vec![0; 48];
     image[26..32].copy_from_slice(&[4, 2, b'a', b'b', 0, 0]);
+    image[36..40].copy_from_slice(&[2, 1, b'x', 0]);
+    image[40..48].copy_from_slice(&[6, 3, b'a', b'b', b'c', 0, 0, 0]);
     let block = DataBlock { number: 7, based_on: None, structure, image, read_only: false, non_retain: false, unlinked: false };
     Program { data: [(7, block)].into(), ..Program::default() }
 }
@@ -96,8 +100,11 @@ fn what_is_set_is_shown_by_its_type() {
         assert_eq!(parsed.read(&cpu).unwrap_or_else(|error| panic!("{name}: {error}")).to_string(), shown, "{name}={value}");
         assert_eq!(parsed.holds(&cpu, value).ok(), Some(name != "T 1"), "{name}={value}");
     }
-    let word = Name::parse("DB7.word", &symbols(), cpu.program()).expect("a name");
-    assert_eq!(word.read(&cpu).map(|shown| shown.to_string()).as_deref(), Ok("'ab'"));
+    for (name, shown) in [("DB7.word", "'ab'"), ("DB7.tiny", "'x'"), ("DB7.six", "'abc'")] {
+        let text = Name::parse(name, &symbols(), cpu.program()).expect("a name");
+        assert_eq!(text.read(&cpu).map(|text| text.to_string()).as_deref(), Ok(shown), "{name}");
+        assert_eq!(text.holds(&cpu, shown), Ok(true), "{name}");
+    }
 }
 
 #[test]
@@ -123,7 +130,7 @@ fn what_is_no_name_or_no_value_is_said_in_the_users_words() {
         ("MW 0", "1.5", "16 bits"),
         ("MW 0", "soon", "not a constant"),
         ("MW 60000", "1", "outside"),
-        ("DB7.DBW 36", "1", "outside"),
+        ("DB7.DBW 48", "1", "outside"),
         ("DB8.DBW 0", "1", "not loaded"),
         ("LW 0", "1", "between two scans"),
         ("T1.q", "1", "only be read"),
