@@ -98,6 +98,8 @@ impl Parser<'_> {
         }
         let keyword = keyword_of(self.current())?;
         match self.raw_behind_blanks() {
+            // A block that has lost its name; no label is as long as the word.
+            Raw::Colon if matches!(keyword, Keyword::BlockStart(_)) && self.current().len() > super::statements::LABEL_MAX => Some(keyword),
             Raw::Colon | Raw::Becomes | Raw::Comma => None,
             _ => Some(keyword),
         }

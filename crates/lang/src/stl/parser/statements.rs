@@ -15,7 +15,7 @@ use crate::stl::operands::OperandClass;
 use crate::stl::syntax::SyntaxKind;
 
 /// A label has at most this many characters.
-const LABEL_MAX: usize = 4;
+pub(super) const LABEL_MAX: usize = 4;
 
 impl Parser<'_> {
     /// Networks and statements up to the end of the block, the beginning of another one or the end of the source.
