@@ -223,7 +223,9 @@ fn find_blocks<'a>(files: &'a [SyntaxOfFile], scope: &Scope, cpu: &CpuType, diag
             let id = match block_of_name(scope, &block.name) {
                 Ok(id) => id,
                 Err(message) => {
-                    let problem = match block.name {
+                    let problem = match &block.name {
+                        // The parser has reported a name that is missing.
+                        ast::BlockName::Symbol(word) if word.text.is_empty() => continue,
                         ast::BlockName::Symbol(_) => Problem::P3003,
                         ast::BlockName::Absolute { .. } => Problem::P5003,
                     };
