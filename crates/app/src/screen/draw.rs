@@ -328,6 +328,15 @@ mod tests {
     }
 
     #[test]
+    fn the_picture_in_the_readme_is_what_the_screen_shows() {
+        let readme = include_str!("../../../../README.md");
+        let picture = readme.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a picture in the README");
+        let screen = screen(&after(7, &[]), 80, 24);
+        let shown: Vec<&str> = screen.lines().map(|line| line.trim_matches('"').trim_end()).collect();
+        assert_eq!(picture.lines().collect::<Vec<_>>(), shown);
+    }
+
+    #[test]
     fn a_larger_terminal_shows_the_networks_too() {
         insta::assert_snapshot!(screen(&after(13, &[Action::Meter, Action::Push(Button::Start)]), 110, 30));
     }
