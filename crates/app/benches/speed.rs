@@ -56,9 +56,7 @@ fn load(text: &str) -> Cpu {
     let errors: Vec<_> = compiled.diagnostics.iter().map(|diagnostic| &diagnostic.message).collect();
     assert!(compiled.diagnostics.iter().all(|diagnostic| diagnostic.severity() < sieben_model::diagnostic::Severity::Error), "{errors:?}");
     let program = Arc::new(compiled.program);
-    let layout = Cpu::layout_for(cpu_type, &program);
-    let engine = Arc::new(Interpreter::load(program.clone(), &layout));
-    let mut cpu = Cpu::new(cpu_type, program, engine, Rack::simulated(cpu_type), Settings::default());
+    let mut cpu = Cpu::load(cpu_type, program, Interpreter::load, Rack::simulated(cpu_type), Settings::default());
     cpu.restart(Restart::Warm);
     cpu
 }

@@ -12,8 +12,7 @@ use crate::project::Build;
 /// A CPU in STOP with the program loaded and a simulated module at every address.
 pub(crate) fn load(build: &Build, settings: Settings) -> Cpu {
     let program = Arc::new(build.compiled.program.clone());
-    let engine = Interpreter::load(Arc::clone(&program), &Cpu::layout_for(build.cpu, &program));
-    Cpu::new(build.cpu, program, Arc::new(engine), Rack::simulated(build.cpu), settings)
+    Cpu::load(build.cpu, program, Interpreter::load, Rack::simulated(build.cpu), settings)
 }
 
 /// Why the CPU stopped, with the line of the source that did it.

@@ -106,7 +106,7 @@ impl Project {
             cpu: Some(cpu),
             mnemonics: overrides.mnemonics.unwrap_or(self.settings.mnemonics),
             syntax_only,
-            system_blocks: system_blocks(),
+            system_blocks: sieben_cpu::system::interfaces(),
         };
         let nothing = self.findings.iter().any(|finding| finding.diagnostic.problem == Problem::P6005);
         let compiled = match nothing {
@@ -276,14 +276,6 @@ pub(crate) fn print_findings(findings: &[Finding], texts: &Texts, json: bool) {
     let text =
         if json { format!("{:#}\n", report::to_json(findings, texts)) } else { report::render(findings, texts, crate::output::colour()) };
     crate::output::message(&text);
-}
-
-/// The system blocks of the CPU as the compiler wants them.
-pub(crate) fn system_blocks() -> Vec<sieben_lang::SystemBlock> {
-    sieben_cpu::system::interfaces()
-        .into_iter()
-        .map(|block| sieben_lang::SystemBlock { block: block.block, name: block.name, interface: block.interface })
-        .collect()
 }
 
 /// Paths of all files of a folder.

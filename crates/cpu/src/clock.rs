@@ -1,11 +1,11 @@
 //! The CPU's time of day and its clock memory byte.
 
+use sieben_model::literal;
+
 /// A point in time as the CPU keeps it: milliseconds since 1990-01-01 00:00.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DateAndTime(u64);
 
-/// The first year of DATE_AND_TIME.
-const YEAR_FIRST: u16 = 1990;
 /// Days that DATE_AND_TIME can tell apart, those of 1990 to 2089; then it begins again.
 const CENTURY_DAYS: u64 = 100 * 365 + 25;
 const DAY_MS: u64 = 86_400_000;
@@ -28,21 +28,7 @@ impl DateAndTime {
     /// The eight bytes of DATE_AND_TIME: BCD year, month, day, hour, minute, second, milliseconds and weekday (1 = Sunday).
     pub fn to_bcd(self) -> [u8; 8] {
         let days = self.0 / DAY_MS % CENTURY_DAYS;
-        let weekday = (days + 1) % 7 + 1;
-        let (year, month, day) = date(days);
-        let ms = self.0 % DAY_MS;
-        let bcd = |value: u64| (((value / 10 % 10) << 4) | (value % 10)) as u8;
-        let (second, milli) = (ms / 1000, ms % 1000);
-        [
-            bcd(u64::from(year)),
-            bcd(month),
-            bcd(day),
-            bcd(second / 3600),
-            bcd(second / 60 % 60),
-            bcd(second % 60),
-            bcd(milli / 10),
-            ((milli % 10) << 4 | weekday) as u8,
-        ]
+        literal::date_and_time_bytes(days as u16, (self.0 % DAY_MS) as u32)
     }
 
     /// The point in time as `1994-01-01 00:00:00.000`.
@@ -57,33 +43,6 @@ impl Default for DateAndTime {
     fn default() -> Self {
         Self::DEFAULT
     }
-}
-
-const fn leap(year: u16) -> bool {
-    year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400))
-}
-
-fn days_of_year(year: u16) -> u16 {
-    if leap(year) { 366 } else { 365 }
-}
-
-/// Year, month and day of a day counted from 1990-01-01.
-fn date(mut days: u64) -> (u16, u64, u64) {
-    let mut year = YEAR_FIRST;
-    while days >= u64::from(days_of_year(year)) {
-        days -= u64::from(days_of_year(year));
-        year += 1;
-    }
-    let february = if leap(year) { 29 } else { 28 };
-    let mut month = 1;
-    for length in [31, february, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31] {
-        if days < length {
-            break;
-        }
-        days -= length;
-        month += 1;
-    }
-    (year, month, days + 1)
 }
 
 /// Half periods of the clock memory bits 0 to 7, in microseconds: 10, 5, 2.5, 2, 1.25, 1, 0.625 and 0.5 Hz.
@@ -116,7 +75,6 @@ mod tests {
     #[test]
     fn date_and_time_begins_again_after_2089() {
         let _ = DateAndTime::from_ms_since_1990(u64::MAX).to_bcd();
-        assert_eq!(CENTURY_DAYS, (1990..2090).map(|year| u64::from(days_of_year(year))).sum());
         assert_eq!(DateAndTime::from_ms_since_1990(CENTURY_DAYS * DAY_MS - 1).to_bcd()[..3], [0x89, 0x12, 0x31]);
         assert_eq!(DateAndTime::from_ms_since_1990(CENTURY_DAYS * DAY_MS).to_bcd()[..3], [0x90, 1, 1]);
     }

@@ -139,14 +139,17 @@ pub struct Cpu {
 }
 
 impl Cpu {
-    /// The layout of a program on a CPU type, for loading an engine with it.
-    pub fn layout_for(cpu_type: &CpuType, program: &Program) -> Layout {
-        Layout::new(cpu_type, program)
-    }
-
-    /// A CPU in STOP with a loaded program. The engine was loaded with the same program and the layout of [`Self::layout_for`].
-    pub fn new(cpu_type: &'static CpuType, program: Arc<Program>, engine: Arc<dyn Engine>, rack: Rack, settings: Settings) -> Self {
-        let machine = Machine::new(Arc::new(Self::layout_for(cpu_type, &program)));
+    /// A CPU in STOP with a loaded program. `load` makes the engine for the program and the layout that it has on the CPU type.
+    pub fn load(
+        cpu_type: &'static CpuType,
+        program: Arc<Program>,
+        load: impl FnOnce(&Program, &Layout) -> Arc<dyn Engine>,
+        rack: Rack,
+        settings: Settings,
+    ) -> Self {
+        let layout = Arc::new(Layout::new(cpu_type, &program));
+        let engine = load(&program, &layout);
+        let machine = Machine::new(layout);
         let registers = machine.registers.clone();
         let mut cpu = Self {
             cpu_type,

@@ -274,7 +274,7 @@ fn an_address_without_a_module_is_an_access_error() {
     let rack = Rack::with_only(cpu_type, vec![Box::new(SimulatedModule::new("inputs", 0..4))]).unwrap();
     let steps = [Step::Copy("MW0", "PIW2"), Step::Copy("MW2", "PIW4"), Step::Set("PQB4", 1)];
     let script = Script::new(&[(1, &steps), (122, &[Step::StartInformation(0, "MW8")])]);
-    let mut cpu = Cpu::new(cpu_type, Arc::new(Program::default()), Arc::new(script), rack, Settings::default());
+    let mut cpu = Cpu::load(cpu_type, Arc::new(Program::default()), |_, _| Arc::new(script), rack, Settings::default());
     cpu.restart(Restart::Warm);
     assert_eq!(cpu.modify(&operand("PIW4"), 1), Err(AccessError::NoModule));
     assert_eq!(cpu.read(&operand("PQD2")), Err(AccessError::NoModule));
@@ -319,7 +319,7 @@ fn with_data() -> Cpu {
     ]);
     let program = Arc::new(Program { data, ..Program::default() });
     let cpu_type = cpu_type("315-2PN/DP");
-    Cpu::new(cpu_type, program, Arc::new(Script::new(&[(1, &[])])), Rack::simulated(cpu_type), Settings::default())
+    Cpu::load(cpu_type, program, |_, _| Arc::new(Script::new(&[(1, &[])])), Rack::simulated(cpu_type), Settings::default())
 }
 
 #[test]

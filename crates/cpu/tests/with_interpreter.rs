@@ -46,9 +46,8 @@ fn cpu(blocks: &[(u16, Build<'_>)]) -> Cpu {
         .collect();
     let program = Arc::new(Program { code, ..Program::default() });
     let cpu_type = CpuType::by_name("315-2PN/DP").expect("a CPU type");
-    let engine = Interpreter::load(Arc::clone(&program), &Cpu::layout_for(cpu_type, &program));
     let settings = Settings { virtual_safe_points: 10_000, ..Settings::default() };
-    let mut cpu = Cpu::new(cpu_type, program, Arc::new(engine), Rack::simulated(cpu_type), settings);
+    let mut cpu = Cpu::load(cpu_type, program, Interpreter::load, Rack::simulated(cpu_type), settings);
     cpu.restart(Restart::Warm);
     cpu.scan(0);
     cpu

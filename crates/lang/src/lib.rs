@@ -8,4 +8,4 @@ mod scope;
 pub mod stl;
 pub mod symbols;
 
-pub use project::{Compiled, Options, SystemBlock, compile};
+pub use project::{Compiled, Options, compile};

@@ -6,7 +6,7 @@ use sieben_engine::Program;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::{Diagnostic, Severity};
-use sieben_model::interface::Interface;
+use sieben_model::interface::SystemBlock;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Sources, Span};
@@ -24,17 +24,6 @@ use crate::stl::resolve::{Known, plain_callee, plain_data_block};
 
 /// Bytes that all data blocks of a project may have together: the work memory of the largest CPU type.
 const DATA_BYTES_MAX: usize = 32 << 20;
-
-/// A system function or system function block of the CPU, as data.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SystemBlock {
-    /// `SFC 46`.
-    pub block: BlockId,
-    /// `STP`.
-    pub name: &'static str,
-    /// Its parameters.
-    pub interface: Interface,
-}
 
 /// How to compile.
 #[derive(Clone, Debug, Default)]

@@ -5,9 +5,9 @@ use std::collections::HashMap;
 
 use sieben_model::address::Operand;
 use sieben_model::block::BlockId;
+use sieben_model::interface::SystemBlock;
 use sieben_model::symbols::SymbolTable;
 
-use crate::project::SystemBlock;
 use crate::stl::ast;
 
 /// Suggestions cost a look at every name; a source full of unknown names gets this many.

@@ -6,9 +6,9 @@
 use std::fmt::Write as _;
 
 use proptest::prelude::*;
-use sieben_lang::{Compiled, Options, SystemBlock, compile};
+use sieben_lang::{Compiled, Options, compile};
 use sieben_model::block::{BlockId, BlockKind};
-use sieben_model::interface::{Interface, Section, Variable};
+use sieben_model::interface::{Interface, Section, SystemBlock, Variable};
 use sieben_model::source::{FileId, Sources, Span};
 use sieben_model::symbols::{Symbol, SymbolTable};
 use sieben_model::types::{DataType, Structure};

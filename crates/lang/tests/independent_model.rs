@@ -50,7 +50,7 @@ struct Outcome {
 }
 
 /// Loaded one-statement programs by word and constant.
-type Cache = HashMap<(String, Option<i16>), Arc<(Interpreter, Arc<Layout>)>>;
+type Cache = HashMap<(String, Option<i16>), Arc<(Arc<dyn Engine>, Arc<Layout>)>>;
 
 static LOADED: LazyLock<Mutex<Cache>> = LazyLock::new(Default::default);
 
@@ -67,7 +67,7 @@ fn engine(word: &str, operand: Option<i16>, accu1: u32, accu2: u32) -> Outcome {
         let mut program = Program::default();
         program.code.insert(block.id, lower(&block, &CpuType::default()));
         let layout = Arc::new(Layout::new(&CpuType::default(), &program));
-        Arc::new((Interpreter::load(Arc::new(program), &layout), layout))
+        Arc::new((Interpreter::load(&program, &layout), layout))
     }));
     drop(cache);
     let mut machine = Machine::new(loaded.1.clone());

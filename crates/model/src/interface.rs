@@ -1,5 +1,6 @@
 //! The interface of a block: its declared parameters and variables.
 
+use crate::block::BlockId;
 use crate::literal::Value;
 use crate::source::Span;
 use crate::types::DataType;
@@ -68,4 +69,15 @@ impl Interface {
     pub fn parameters(&self) -> impl Iterator<Item = &Variable> {
         self.variables.iter().filter(|variable| variable.is_parameter())
     }
+}
+
+/// A system function or system function block as its callers see it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SystemBlock {
+    /// `SFC 46`.
+    pub block: BlockId,
+    /// `STP`.
+    pub name: &'static str,
+    /// Its parameters.
+    pub interface: Interface,
 }

@@ -42,8 +42,7 @@ fn program() -> Program {
 
 fn cpu(cpu_type: &'static CpuType) -> Cpu {
     let program = Arc::new(program());
-    let engine = Interpreter::load(Arc::clone(&program), &Cpu::layout_for(cpu_type, &program));
-    Cpu::new(cpu_type, program, Arc::new(engine), Rack::simulated(cpu_type), Settings::default())
+    Cpu::load(cpu_type, program, Interpreter::load, Rack::simulated(cpu_type), Settings::default())
 }
 
 fn symbols() -> SymbolTable {

@@ -15,9 +15,8 @@ fn operand(text: &str) -> Operand {
 fn plant(settings: TankSettings) -> Result<Cpu, sieben_cpu::RackError> {
     let cpu_type = CpuType::by_name("315-2PN/DP").expect("a CPU type");
     let program = Arc::new(Program::default());
-    let engine = Interpreter::load(Arc::clone(&program), &Cpu::layout_for(cpu_type, &program));
     let rack = Rack::with_background(cpu_type, vec![Box::new(Tank::new(settings))])?;
-    Ok(Cpu::new(cpu_type, program, Arc::new(engine), rack, Settings::default()))
+    Ok(Cpu::load(cpu_type, program, Interpreter::load, rack, Settings::default()))
 }
 
 #[test]

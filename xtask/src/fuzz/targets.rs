@@ -57,9 +57,8 @@ fn run(data: &[u8]) {
     }
     let cpu_type = &CpuType::ALL[data.len() % CpuType::ALL.len()];
     let program = Arc::new(compiled.program);
-    let engine = Interpreter::load(Arc::clone(&program), &Cpu::layout_for(cpu_type, &program));
     let settings = Settings { virtual_safe_points: SAFE_POINTS_MAX, ..Settings::default() };
-    let mut cpu = Cpu::new(cpu_type, program, Arc::new(engine), Rack::simulated(cpu_type), settings);
+    let mut cpu = Cpu::load(cpu_type, program, Interpreter::load, Rack::simulated(cpu_type), settings);
     cpu.restart(Restart::Warm);
     for scan in 0..3 {
         cpu.scan(scan * 10_000);

@@ -2,12 +2,11 @@
 
 use clap::Args;
 use sieben_cpu::diagnostic_buffer::event_text;
-use sieben_cpu::system::SystemBlock;
 use sieben_lang::stl::instructions::Instruction;
 use sieben_lang::stl::operands::OperandClass;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
-use sieben_model::interface::Section;
+use sieben_model::interface::{Section, SystemBlock};
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 

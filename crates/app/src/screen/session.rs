@@ -91,9 +91,8 @@ impl Session {
 
     fn start(cpu_type: &'static CpuType, program: Program, symbols: SymbolTable, sources: &Sources) -> Self {
         let program = Arc::new(program);
-        let engine = Interpreter::load(Arc::clone(&program), &Cpu::layout_for(cpu_type, &program));
         let rack = Rack::with_background(cpu_type, vec![Box::new(Plant::new())]).expect("one module at byte 0 fits every CPU type");
-        let mut cpu = Cpu::new(cpu_type, Arc::clone(&program), Arc::new(engine), rack, Settings::default());
+        let mut cpu = Cpu::load(cpu_type, Arc::clone(&program), Interpreter::load, rack, Settings::default());
         cpu.restart(Restart::Warm);
         Self {
             lines: listing::lines(sources, &program, &symbols),

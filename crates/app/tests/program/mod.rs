@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use sieben_cpu::{Cpu, IoModule, Rack, Settings, SimulatedModule};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
-use sieben_lang::{Compiled, Options, SystemBlock};
+use sieben_lang::{Compiled, Options};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
 use sieben_model::mnemonics::Mnemonics;
@@ -12,10 +12,10 @@ use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
 
 /// Loads a program into an engine.
-pub(crate) type Load = fn(Arc<Program>, &Layout) -> Arc<dyn Engine>;
+pub(crate) type Load = fn(&Program, &Layout) -> Arc<dyn Engine>;
 
 /// All engines that a program runs on.
-pub(crate) const ENGINES: &[(&str, Load)] = &[("interpreter", |program, layout| Arc::new(Interpreter::load(program, layout)))];
+pub(crate) const ENGINES: &[(&str, Load)] = &[("interpreter", Interpreter::load)];
 
 /// A text and its translation into the other mnemonic language, with the language's name.
 pub(crate) fn both_languages(english: &str) -> Result<[(&'static str, Mnemonics, String); 2], String> {
@@ -37,11 +37,8 @@ fn convert(text: &str, from: Mnemonics, to: Mnemonics) -> Result<String, String>
 pub(crate) fn compile(text: &str, mnemonics: Mnemonics, cpu: &'static CpuType) -> Result<Compiled, String> {
     let mut sources = Sources::default();
     sources.add("page.awl", text);
-    let system_blocks = sieben_cpu::system::interfaces()
-        .into_iter()
-        .map(|block| SystemBlock { block: block.block, name: block.name, interface: block.interface })
-        .collect();
-    let options = Options { cpu: Some(cpu), mnemonics: Some(mnemonics), system_blocks, ..Options::default() };
+    let options =
+        Options { cpu: Some(cpu), mnemonics: Some(mnemonics), system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
     let compiled = sieben_lang::compile(&sources, &SymbolTable::default(), &options);
     let errors: Vec<String> = compiled
         .diagnostics
@@ -57,7 +54,6 @@ pub(crate) fn compile(text: &str, mnemonics: Mnemonics, cpu: &'static CpuType) -
 
 /// A CPU in STOP with the program loaded. `modules` are the peripheral bytes that answer; `None` = all.
 pub(crate) fn cpu(program: &Arc<Program>, cpu: &'static CpuType, load: Load, modules: Option<std::ops::Range<u32>>) -> Cpu {
-    let engine = load(Arc::clone(program), &Cpu::layout_for(cpu, program));
     let rack = match modules {
         None => Rack::simulated(cpu),
         Some(bytes) => {
@@ -65,5 +61,5 @@ pub(crate) fn cpu(program: &Arc<Program>, cpu: &'static CpuType, load: Load, mod
             Rack::with_only(cpu, vec![module]).expect("the modules of a page lie inside the peripheral area")
         }
     };
-    Cpu::new(cpu, Arc::clone(program), engine, rack, Settings::default())
+    Cpu::load(cpu, Arc::clone(program), load, rack, Settings::default())
 }

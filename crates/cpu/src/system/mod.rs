@@ -5,20 +5,9 @@ mod sfc046_stp;
 
 use sieben_engine::{Machine, Reaction};
 use sieben_model::block::{BlockId, BlockKind};
-use sieben_model::interface::Interface;
+use sieben_model::interface::{Interface, SystemBlock};
 
 use crate::host::CpuHost;
-
-/// A system function or system function block as its callers see it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SystemBlock {
-    /// `SFC 46`.
-    pub block: BlockId,
-    /// `STP`.
-    pub name: &'static str,
-    /// Its parameters.
-    pub interface: Interface,
-}
 
 /// A call: the machine, the CPU behind it, and the first parameter pointer.
 pub(crate) struct Call<'a, 'h> {

@@ -214,5 +214,5 @@ pub(crate) fn cpu(blocks: &[(u16, &[Step])], settings: Settings) -> Cpu {
 
 pub(crate) fn cpu_of(name: &str, blocks: &[(u16, &[Step])], settings: Settings) -> Cpu {
     let cpu_type = cpu_type(name);
-    Cpu::new(cpu_type, Arc::new(Program::default()), Arc::new(Script::new(blocks)), Rack::simulated(cpu_type), settings)
+    Cpu::load(cpu_type, Arc::new(Program::default()), |_, _| Arc::new(Script::new(blocks)), Rack::simulated(cpu_type), settings)
 }

@@ -22,11 +22,11 @@ pub struct Interpreter {
 
 impl Interpreter {
     /// Prepares all blocks of a program for a layout.
-    pub fn load(program: Arc<Program>, layout: &Layout) -> Self {
+    pub fn load(program: &Program, layout: &Layout) -> Arc<dyn Engine> {
         let index: HashMap<BlockId, u32> = program.code.keys().enumerate().map(|(index, &id)| (id, index as u32)).collect();
         let find = |id: BlockId| index.get(&id).copied();
         let blocks = program.code.iter().map(|(&id, block)| prepare::prepare(id, block, layout, &find)).collect();
-        Self { blocks, index }
+        Arc::new(Self { blocks, index })
     }
 }
 

@@ -264,70 +264,79 @@ fn step(inst: &Inst, statement: usize, code: &Code, layout: &Layout, find: &dyn 
     }
 }
 
+/// Byte and bit of a position in an area of this length, if the access lies inside and begins at a byte unless it is a bit.
+fn inside(length: usize, position: u32, width: Width) -> Option<(u32, u8)> {
+    let (byte, bit) = (position / 8, (position % 8) as u8);
+    let aligned = width == Width::Bit || bit == 0;
+    (aligned && (byte + width.bytes()) as usize <= length).then_some((byte, bit))
+}
+
 /// The arena address of a constant place in I, Q or M, if it lies inside the area.
 fn fixed(area: Area, position: u32, width: Width, layout: &Layout) -> Option<(u32, u8)> {
-    if width != Width::Bit && !position.is_multiple_of(8) {
-        return None;
-    }
     let range = layout.area(area)?;
-    let byte = (position / 8) as usize;
-    (byte + width.bytes() as usize <= range.len()).then(|| ((range.start + byte) as u32, (position % 8) as u8))
+    let (byte, bit) = inside(range.len(), position, width)?;
+    Some((range.start as u32 + byte, bit))
 }
 
-/// Byte and bit of a constant place in the local data of the block, if it lies inside.
-fn local(area: Area, position: u32, width: Width, out: &Block) -> Option<(u32, u8)> {
-    let aligned = width == Width::Bit || position.is_multiple_of(8);
-    (area == Area::Local && aligned && position / 8 + width.bytes() <= out.local_size).then_some((position / 8, (position % 8) as u8))
+/// What is known of a place before the program runs.
+enum Prepared {
+    /// An address in I, Q or M: arena byte and bit.
+    Arena(u32, u8),
+    /// An address in the local data of the block: byte and bit.
+    Local(u32, u8),
+    /// A position in the open data block.
+    Data(DataRegister, u32),
+    /// All else: the index of the place.
+    Place(u32),
 }
 
-fn data_register(area: Area) -> Option<DataRegister> {
-    match area {
-        Area::SharedData => Some(DataRegister::Shared),
-        Area::InstanceData => Some(DataRegister::Instance),
-        _ => None,
+fn prepare_place(place: Place, width: Width, layout: &Layout, out: &mut Block) -> Prepared {
+    if let Place::Fixed { area, position } = place {
+        match area {
+            Area::SharedData => return Prepared::Data(DataRegister::Shared, position),
+            Area::InstanceData => return Prepared::Data(DataRegister::Instance, position),
+            Area::Local => {
+                if let Some((byte, bit)) = inside(out.local_size as usize, position, width) {
+                    return Prepared::Local(byte, bit);
+                }
+            }
+            _ => {
+                if let Some((at, bit)) = fixed(area, position, width, layout) {
+                    return Prepared::Arena(at, bit);
+                }
+            }
+        }
     }
+    out.places.push(place);
+    Prepared::Place(out.places.len() as u32 - 1)
 }
 
 fn load(dst: Var, place: Place, width: Width, on_fault: OnFault, layout: &Layout, out: &mut Block) -> Step {
     let dst = dst.0;
-    if let Place::Fixed { area, position } = place {
-        if let Some((at, bit)) = fixed(area, position, width, layout) {
-            return match width {
-                Width::Bit => Step::LoadBit { dst, bit, at },
-                Width::Byte => Step::LoadByte { dst, at },
-                Width::Word => Step::LoadWord { dst, at },
-                Width::DoubleWord => Step::LoadDouble { dst, at },
-            };
-        }
-        if let Some((byte, bit)) = local(area, position, width, out) {
-            return Step::LoadLocal { dst, bit, width, byte };
-        }
-        if let Some(register) = data_register(area) {
-            return Step::LoadData { dst, register, width, on_fault, position };
-        }
+    match prepare_place(place, width, layout, out) {
+        Prepared::Arena(at, bit) => match width {
+            Width::Bit => Step::LoadBit { dst, bit, at },
+            Width::Byte => Step::LoadByte { dst, at },
+            Width::Word => Step::LoadWord { dst, at },
+            Width::DoubleWord => Step::LoadDouble { dst, at },
+        },
+        Prepared::Local(byte, bit) => Step::LoadLocal { dst, bit, width, byte },
+        Prepared::Data(register, position) => Step::LoadData { dst, register, width, on_fault, position },
+        Prepared::Place(place) => Step::LoadPlace { dst, width, on_fault, place },
     }
-    out.places.push(place);
-    Step::LoadPlace { dst, width, on_fault, place: out.places.len() as u32 - 1 }
 }
 
 fn store(src: Var, place: Place, width: Width, layout: &Layout, out: &mut Block) -> Step {
     let src = src.0;
-    if let Place::Fixed { area, position } = place {
-        if let Some((at, bit)) = fixed(area, position, width, layout) {
-            return match width {
-                Width::Bit => Step::StoreBit { src, bit, at },
-                Width::Byte => Step::StoreByte { src, at },
-                Width::Word => Step::StoreWord { src, at },
-                Width::DoubleWord => Step::StoreDouble { src, at },
-            };
-        }
-        if let Some((byte, bit)) = local(area, position, width, out) {
-            return Step::StoreLocal { src, bit, width, byte };
-        }
-        if let Some(register) = data_register(area) {
-            return Step::StoreData { src, register, width, position };
-        }
+    match prepare_place(place, width, layout, out) {
+        Prepared::Arena(at, bit) => match width {
+            Width::Bit => Step::StoreBit { src, bit, at },
+            Width::Byte => Step::StoreByte { src, at },
+            Width::Word => Step::StoreWord { src, at },
+            Width::DoubleWord => Step::StoreDouble { src, at },
+        },
+        Prepared::Local(byte, bit) => Step::StoreLocal { src, bit, width, byte },
+        Prepared::Data(register, position) => Step::StoreData { src, register, width, position },
+        Prepared::Place(place) => Step::StorePlace { src, width, place },
     }
-    out.places.push(place);
-    Step::StorePlace { src, width, place: out.places.len() as u32 - 1 }
 }

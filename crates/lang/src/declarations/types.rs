@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::diagnostic::Diagnostic;
-use sieben_model::interface::{Interface, Section};
+use sieben_model::interface::{Interface, Section, SystemBlock};
 use sieben_model::literal::Value;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
@@ -14,7 +14,6 @@ use sieben_model::types::{DataType, Field, Structure, place};
 use super::interface::{Declared, declared_of, lay_out};
 use super::values::{Misfit, coerce};
 use super::{BLOCK_BYTES_MAX, NESTING_MAX};
-use crate::project::SystemBlock;
 use crate::scope::{Scope, did_you_mean, key};
 use crate::stl::ast;
 
