@@ -100,21 +100,22 @@ impl Scope {
             return None;
         }
         self.suggestions.set(self.suggestions.get() + 1);
-        let wanted: Vec<char> = key(name).chars().collect();
-        let limit = match wanted.len() {
+        let wanted = key(name);
+        let length = wanted.chars().count();
+        let limit = match length {
             0 => return None,
             1..=2 => 1,
             3..=5 => 2,
-            length => length / 3,
+            _ => length / 3,
         };
         candidates
             .filter_map(|candidate| {
-                let other: Vec<char> = key(candidate).chars().collect();
-                if other.len().abs_diff(wanted.len()) > limit || other.is_empty() {
+                let other = key(candidate);
+                if other.chars().count().abs_diff(length) > limit || other.is_empty() {
                     return None;
                 }
-                let distance = edit_distance(&wanted, &other);
-                (distance <= limit && distance < wanted.len()).then_some((distance, candidate))
+                let distance = strsim::osa_distance(&wanted, &other);
+                (distance <= limit && distance < length).then_some((distance, candidate))
             })
             .min()
             .map(|(_, candidate)| candidate.to_owned())
@@ -139,35 +140,4 @@ pub(crate) fn block_of_name(scope: &Scope, name: &ast::BlockName) -> Result<Bloc
 /// `; did you mean `Start`?`, or nothing.
 pub(crate) fn did_you_mean(name: Option<String>) -> String {
     name.map_or_else(String::new, |name| format!("; did you mean `{name}`?"))
-}
-
-/// Number of characters to insert, remove, replace or exchange with their neighbour.
-fn edit_distance(a: &[char], b: &[char]) -> usize {
-    let mut before_last = vec![0; b.len() + 1];
-    let mut last: Vec<usize> = (0..=b.len()).collect();
-    for i in 1..=a.len() {
-        let mut row = vec![i; b.len() + 1];
-        for j in 1..=b.len() {
-            let change = usize::from(a[i - 1] != b[j - 1]);
-            row[j] = (last[j] + 1).min(row[j - 1] + 1).min(last[j - 1] + change);
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                row[j] = row[j].min(before_last[j - 2] + 1);
-            }
-        }
-        before_last = std::mem::replace(&mut last, row);
-    }
-    last[b.len()]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn distance_counts_an_exchange_once() {
-        let chars = |text: &str| text.chars().collect::<Vec<_>>();
-        assert_eq!(edit_distance(&chars("start"), &chars("satrt")), 1);
-        assert_eq!(edit_distance(&chars("start"), &chars("stop")), 3);
-        assert_eq!(edit_distance(&chars(""), &chars("abc")), 3);
-    }
 }

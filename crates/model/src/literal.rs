@@ -587,7 +587,7 @@ const POINTER_AREAS: [(&str, u8); 14] = [
 ];
 
 /// The type codes of an ANY with the words that name them; the first word of a code is the one that is written.
-const ANY_TYPES: [(&str, u8); 23] = [
+const ANY_TYPES: [(&str, u8); 24] = [
     ("VOID", 0x00),
     ("NIL", 0x00),
     ("BOOL", 0x01),
@@ -604,6 +604,7 @@ const ANY_TYPES: [(&str, u8); 23] = [
     ("TIME", 0x0B),
     ("S5TIME", 0x0C),
     ("DATE_AND_TIME", 0x0E),
+    ("DT", 0x0E),
     ("STRING", 0x13),
     ("BLOCK_FB", 0x17),
     ("BLOCK_FC", 0x18),
@@ -612,6 +613,11 @@ const ANY_TYPES: [(&str, u8); 23] = [
     ("COUNTER", 0x1C),
     ("TIMER", 0x1D),
 ];
+
+/// Whether a word, without regard to case, names the type in an ANY: `P#M 0.0 BYTE 4`.
+pub fn is_any_type(word: &str) -> bool {
+    ANY_TYPES.iter().any(|(name, _)| name.eq_ignore_ascii_case(word))
+}
 
 const POINTER_FORMS: &str = "a pointer is P#byte.bit, P#M 10.0, P#DBX 10.0, P#DB5.DBX 10.0, or one of these with a type and a count, such as P#DB5.DBX 10.0 BYTE 20";
 
@@ -1068,6 +1074,7 @@ mod tests {
     fn any_literals_have_their_ten_bytes() {
         for (text, expected) in [
             ("P#DB10.DBX12.0 REAL 20", [0x10, 8, 0, 0x14, 0, 0x0A, 0x84, 0, 0, 0x60]),
+            ("P#DB1.DBX 0.0 DT 1", [0x10, 0x0E, 0, 1, 0, 1, 0x84, 0, 0, 0]),
             ("p#m 10.0 byte 4", [0x10, 2, 0, 4, 0, 0, 0x83, 0, 0, 0x50]),
             ("P#T 5 TIMER 1", [0x10, 0x1D, 0, 1, 0, 0, 0, 0, 0, 5]),
             ("P#Z 7 COUNTER 1", [0x10, 0x1C, 0, 1, 0, 0, 0, 0, 0, 7]),

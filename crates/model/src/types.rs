@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::address::Width;
 use crate::block::BlockId;
 use crate::literal::Value;
 
@@ -80,7 +81,67 @@ impl Structure {
     }
 }
 
+/// The types that one word names; of two words for one type the first is written.
+const WORDS: &[(&str, DataType)] = &[
+    ("BOOL", DataType::Bool),
+    ("BYTE", DataType::Byte),
+    ("CHAR", DataType::Char),
+    ("WORD", DataType::Word),
+    ("INT", DataType::Int),
+    ("DWORD", DataType::DoubleWord),
+    ("DINT", DataType::DoubleInt),
+    ("REAL", DataType::Real),
+    ("DATE", DataType::Date),
+    ("TIME_OF_DAY", DataType::TimeOfDay),
+    ("TOD", DataType::TimeOfDay),
+    ("TIME", DataType::Time),
+    ("S5TIME", DataType::S5Time),
+    ("DATE_AND_TIME", DataType::DateAndTime),
+    ("DT", DataType::DateAndTime),
+    ("STRING", DataType::String(STRING_LENGTH_MAX)),
+    ("POINTER", DataType::Pointer),
+    ("ANY", DataType::Any),
+    ("TIMER", DataType::Timer),
+    ("COUNTER", DataType::Counter),
+    ("BLOCK_FC", DataType::BlockFunction),
+    ("BLOCK_FB", DataType::BlockFunctionBlock),
+    ("BLOCK_DB", DataType::BlockData),
+    ("BLOCK_SDB", DataType::BlockSystemData),
+    ("VOID", DataType::Void),
+];
+
+/// Characters that a STRING may have, and has if its declaration does not say.
+pub const STRING_LENGTH_MAX: u8 = 254;
+
 impl DataType {
+    /// The type that a word names, without regard to case: `INT`, `TOD`, `STRING` of the greatest length.
+    pub fn from_word(word: &str) -> Option<Self> {
+        WORDS.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)).map(|(_, data_type)| data_type.clone())
+    }
+
+    /// The words that name a type by themselves.
+    pub fn words() -> impl Iterator<Item = &'static str> {
+        WORDS.iter().map(|&(word, _)| word)
+    }
+
+    /// The word of a type that one word names.
+    pub fn word(&self) -> Option<&'static str> {
+        WORDS.iter().find(|(_, data_type)| data_type == self).map(|&(word, _)| word)
+    }
+
+    /// The width of an elementary type.
+    pub fn width(&self) -> Option<Width> {
+        if !self.is_elementary() {
+            return None;
+        }
+        Some(match self.bits() {
+            1 => Width::Bit,
+            8 => Width::Byte,
+            16 => Width::Word,
+            _ => Width::DoubleWord,
+        })
+    }
+
     /// Length in bits: 1 for BOOL, a multiple of 8 for all else; padded to words for complex types.
     pub fn bits(&self) -> u64 {
         match self {

@@ -447,7 +447,7 @@ fn symbolic(text: &str, symbols: &SymbolTable, program: &Program) -> Result<Targ
     {
         return match symbol.operand() {
             Some(Operand::Block(block)) => Err(NameError::new(format!("`{text}` is {block}, which has no value; name a field in it"))),
-            Some(operand) => Ok(Target::Operand(operand, elementary(&symbol.data_type))),
+            Some(operand) => Ok(Target::Operand(operand, DataType::from_word(symbol.data_type.trim()).filter(DataType::is_elementary))),
             None => Err(NameError::new(format!("the symbol `{text}` has the address `{}`, which is none", symbol.address))),
         };
     }
@@ -533,25 +533,6 @@ fn field<'a>(structure: &Structure, path: &'a str) -> Result<(u32, DataType), &'
         }
         _ => Err(path),
     }
-}
-
-/// The elementary type of a symbol, as its column says.
-fn elementary(name: &str) -> Option<DataType> {
-    Some(match name.trim().to_ascii_uppercase().as_str() {
-        "BOOL" => DataType::Bool,
-        "BYTE" => DataType::Byte,
-        "CHAR" => DataType::Char,
-        "WORD" => DataType::Word,
-        "INT" => DataType::Int,
-        "DWORD" => DataType::DoubleWord,
-        "DINT" => DataType::DoubleInt,
-        "REAL" => DataType::Real,
-        "DATE" => DataType::Date,
-        "TIME_OF_DAY" | "TOD" => DataType::TimeOfDay,
-        "TIME" => DataType::Time,
-        "S5TIME" => DataType::S5Time,
-        _ => return None,
-    })
 }
 
 /// Splits `I 0.0=1 MW10=16#0102` into names and values; blanks around `=` and inside names are free.

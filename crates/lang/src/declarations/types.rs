@@ -9,7 +9,7 @@ use sieben_model::interface::{Interface, Section, SystemBlock};
 use sieben_model::literal::Value;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
-use sieben_model::types::{DataType, Field, Structure, place};
+use sieben_model::types::{DataType, Field, STRING_LENGTH_MAX, Structure, place};
 
 use super::interface::{Declared, declared_of, lay_out};
 use super::values::{Misfit, coerce};
@@ -19,37 +19,6 @@ use crate::stl::ast;
 
 /// Dimensions an array may have.
 const DIMENSIONS_MAX: usize = 6;
-
-/// Words that can stand for a type; those behind the blank are other spellings.
-const TYPE_WORDS: [&str; 27] = [
-    "BOOL",
-    "BYTE",
-    "CHAR",
-    "WORD",
-    "INT",
-    "DWORD",
-    "DINT",
-    "REAL",
-    "DATE",
-    "TIME_OF_DAY",
-    "TOD",
-    "TIME",
-    "S5TIME",
-    "DATE_AND_TIME",
-    "DT",
-    "STRING",
-    "ARRAY",
-    "STRUCT",
-    "POINTER",
-    "ANY",
-    "TIMER",
-    "COUNTER",
-    "BLOCK_FC",
-    "BLOCK_FB",
-    "BLOCK_DB",
-    "BLOCK_SDB",
-    "VOID",
-];
 
 /// Where a type stands, which decides what it may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -201,13 +170,13 @@ impl<'a> Types<'a> {
         let span = name.span;
         match &name.kind {
             ast::TypeKind::Missing => None,
-            ast::TypeKind::Word(word) => match elementary(word) {
+            ast::TypeKind::Word(word) => match DataType::from_word(word) {
                 Some(data_type) => Some(data_type),
                 None => self.type_of_symbol(word, span),
             },
-            ast::TypeKind::String(None) => Some(DataType::String(254)),
+            ast::TypeKind::String(None) => Some(DataType::String(STRING_LENGTH_MAX)),
             ast::TypeKind::String(Some(length)) => match u8::try_from(*length) {
-                Ok(length @ 0..=254) => Some(DataType::String(length)),
+                Ok(length @ 0..=STRING_LENGTH_MAX) => Some(DataType::String(length)),
                 _ => {
                     self.report(Problem::P4004, span, format!("a STRING has 0 to 254 characters, not {length}"));
                     None
@@ -245,7 +214,8 @@ impl<'a> Types<'a> {
         if let Some(block) = self.scope.block(symbol) {
             return self.type_of_block(block, span);
         }
-        let nearest = self.scope.nearest(symbol, TYPE_WORDS.into_iter()).or_else(|| self.scope.nearest_symbol(symbol));
+        let nearest =
+            self.scope.nearest(symbol, DataType::words().chain(["ARRAY", "STRUCT"])).or_else(|| self.scope.nearest_symbol(symbol));
         let message = format!("there is no type `{symbol}`{}", did_you_mean(nearest));
         self.report(Problem::P3015, span, message);
         None
@@ -440,36 +410,6 @@ struct Room {
     full: Option<Span>,
 }
 
-/// The type that a word stands for.
-pub(crate) fn elementary(word: &str) -> Option<DataType> {
-    Some(match word {
-        "BOOL" => DataType::Bool,
-        "BYTE" => DataType::Byte,
-        "CHAR" => DataType::Char,
-        "WORD" => DataType::Word,
-        "INT" => DataType::Int,
-        "DWORD" => DataType::DoubleWord,
-        "DINT" => DataType::DoubleInt,
-        "REAL" => DataType::Real,
-        "DATE" => DataType::Date,
-        "TIME_OF_DAY" | "TOD" => DataType::TimeOfDay,
-        "TIME" => DataType::Time,
-        "S5TIME" => DataType::S5Time,
-        "DATE_AND_TIME" | "DT" => DataType::DateAndTime,
-        "STRING" => DataType::String(254),
-        "POINTER" => DataType::Pointer,
-        "ANY" => DataType::Any,
-        "TIMER" => DataType::Timer,
-        "COUNTER" => DataType::Counter,
-        "BLOCK_FC" => DataType::BlockFunction,
-        "BLOCK_FB" => DataType::BlockFunctionBlock,
-        "BLOCK_DB" => DataType::BlockData,
-        "BLOCK_SDB" => DataType::BlockSystemData,
-        "VOID" => DataType::Void,
-        _ => return None,
-    })
-}
-
 /// Why the type may not stand here, if it may not.
 fn misplaced(data_type: &DataType, usage: Usage) -> Option<&'static str> {
     let parameter = matches!(usage, Usage::Variable(_, Section::Input | Section::Output | Section::InOut));
@@ -497,19 +437,6 @@ fn misplaced(data_type: &DataType, usage: Usage) -> Option<&'static str> {
 /// The type in the user's words.
 pub(crate) fn describe(data_type: &DataType) -> String {
     match data_type {
-        DataType::Bool => "BOOL".into(),
-        DataType::Byte => "BYTE".into(),
-        DataType::Char => "CHAR".into(),
-        DataType::Word => "WORD".into(),
-        DataType::Int => "INT".into(),
-        DataType::DoubleWord => "DWORD".into(),
-        DataType::DoubleInt => "DINT".into(),
-        DataType::Real => "REAL".into(),
-        DataType::Date => "DATE".into(),
-        DataType::TimeOfDay => "TIME_OF_DAY".into(),
-        DataType::Time => "TIME".into(),
-        DataType::S5Time => "S5TIME".into(),
-        DataType::DateAndTime => "DATE_AND_TIME".into(),
         DataType::String(length) => format!("STRING[{length}]"),
         DataType::Array { element, bounds } => {
             let bounds: Vec<String> = bounds.iter().map(|(low, high)| format!("{low}..{high}")).collect();
@@ -517,15 +444,7 @@ pub(crate) fn describe(data_type: &DataType) -> String {
         }
         DataType::Struct(structure) => structure.name.clone().unwrap_or_else(|| "STRUCT".into()),
         DataType::Instance { block, .. } => block.to_string(),
-        DataType::Pointer => "POINTER".into(),
-        DataType::Any => "ANY".into(),
-        DataType::Timer => "TIMER".into(),
-        DataType::Counter => "COUNTER".into(),
-        DataType::BlockFunction => "BLOCK_FC".into(),
-        DataType::BlockFunctionBlock => "BLOCK_FB".into(),
-        DataType::BlockData => "BLOCK_DB".into(),
-        DataType::BlockSystemData => "BLOCK_SDB".into(),
-        DataType::Void => "VOID".into(),
+        simple => simple.word().unwrap_or_default().to_owned(),
     }
 }
 

@@ -21,7 +21,7 @@ use super::operands::{
 use crate::declarations::data_block::DataLayout;
 use crate::declarations::interface::is_complex;
 use crate::declarations::path::{FieldNames, follow};
-use crate::declarations::types::{BlockInterface, describe, elementary};
+use crate::declarations::types::{BlockInterface, describe};
 use crate::declarations::values::{Misfit, coerce, natural};
 use crate::scope::{Global, Scope, block_of_name, did_you_mean, key};
 
@@ -95,7 +95,7 @@ impl<'a> Resolver<'a> {
     pub(crate) fn operand(&mut self, operand: &ast::Operand, span: Span) -> Option<Operand> {
         match self.meaning(operand, span)? {
             Meaning::Operand(operand) => Some(operand),
-            Meaning::Variable { location, data_type, .. } => match width_of(&data_type) {
+            Meaning::Variable { location, data_type, .. } => match data_type.width() {
                 Some(width) => Some(Operand::Memory(Access { width, location })),
                 None => {
                     let message = format!(
@@ -305,7 +305,7 @@ impl<'a> Resolver<'a> {
 
     fn of_table(&mut self, operand: &address::Operand, global: &Global, span: Span) -> Option<Meaning> {
         let variable = |resolver: &mut Self, location, width| {
-            let data_type = elementary(&global.data_type).filter(|data_type| width_of(data_type) == Some(width));
+            let data_type = DataType::from_word(&global.data_type).filter(|data_type| data_type.width() == Some(width));
             resolver.check_area(&location, width, span);
             let declared = data_type.is_some();
             let data_type = data_type.unwrap_or_else(|| bare_type(width));
@@ -545,7 +545,7 @@ impl<'a> Resolver<'a> {
     fn pointer(&mut self, pointer: &ast::Operand, wanted: Width, span: Span) -> Option<Location> {
         let what = if wanted == Width::Word { "a word (MW, LW, DBW, DIW)" } else { "a double word (MD, LD, DBD, DID)" };
         match self.meaning(pointer, span)? {
-            Meaning::Variable { location, data_type, .. } if width_of(&data_type) == Some(wanted) => match location {
+            Meaning::Variable { location, data_type, .. } if data_type.width() == Some(wanted) => match location {
                 Location::Fixed { area: Area::BitMemory | Area::Local | Area::SharedData | Area::InstanceData, .. }
                 | Location::Instance { .. } => Some(location),
                 Location::Parameter { .. } | Location::InstancePointer { .. } => {
@@ -792,7 +792,7 @@ impl<'a> Resolver<'a> {
 
     fn elementary_actual(&mut self, argument: &ast::Argument, formal: &Variable, meaning: Meaning) -> Option<Actual> {
         let span = argument.span;
-        let width = width_of(&formal.data_type)?;
+        let width = formal.data_type.width()?;
         match meaning {
             Meaning::Operand(Operand::Constant(value)) => {
                 if formal.section != Section::Input {
@@ -825,7 +825,7 @@ impl<'a> Resolver<'a> {
                 }
             }
             Meaning::Variable { location, data_type, declared } => {
-                if width_of(&data_type) != Some(width) {
+                if data_type.width() != Some(width) {
                     let wanted = match width {
                         Width::Bit => "a bit",
                         Width::Byte => "a byte",
@@ -954,19 +954,6 @@ fn shifted(location: Location, bits: u32) -> Location {
         Location::Instance { position } => Location::Instance { position: position + bits },
         other @ (Location::MemoryIndirect { .. } | Location::RegisterIndirect { .. }) => other,
     }
-}
-
-/// How wide an access to a variable of this type is; `None` if it does not fit an accumulator.
-pub(crate) fn width_of(data_type: &DataType) -> Option<Width> {
-    if !data_type.is_elementary() {
-        return None;
-    }
-    Some(match data_type.bits() {
-        1 => Width::Bit,
-        8 => Width::Byte,
-        16 => Width::Word,
-        _ => Width::DoubleWord,
-    })
 }
 
 /// The type of an address of which only the width is known.

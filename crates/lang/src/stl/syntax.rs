@@ -1,33 +1,5 @@
 //! The lossless tree of an STL source: every byte of the text is in one of its tokens.
 
-/// Type names of an ANY constant.
-pub(super) const ANY_TYPES: [&str; 24] = [
-    "BOOL",
-    "BYTE",
-    "CHAR",
-    "WORD",
-    "INT",
-    "DWORD",
-    "DINT",
-    "REAL",
-    "DATE",
-    "TOD",
-    "TIME_OF_DAY",
-    "TIME",
-    "S5TIME",
-    "DT",
-    "DATE_AND_TIME",
-    "STRING",
-    "COUNTER",
-    "TIMER",
-    "BLOCK_FC",
-    "BLOCK_FB",
-    "BLOCK_DB",
-    "BLOCK_SDB",
-    "VOID",
-    "NIL",
-];
-
 macro_rules! kinds {
     ($( $(#[doc = $doc:literal])* $Name:ident, )*) => {
         /// The kinds of tokens and nodes.

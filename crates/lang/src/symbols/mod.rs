@@ -12,6 +12,7 @@ use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
 use sieben_model::symbols::{Symbol, SymbolTable};
+use sieben_model::types::DataType;
 
 /// Longest name that STEP 7 V5 takes, in characters.
 pub const NAME_MAX: usize = 24;
@@ -251,30 +252,22 @@ fn check_operand(symbol: &Symbol, operand: &Operand, span: Span, diagnostics: &m
         (Operand::Timer(_), "TIMER") | (Operand::Counter(_), "COUNTER") => None,
         (Operand::Timer(_), _) => Some("TIMER"),
         (Operand::Counter(_), _) => Some("COUNTER"),
-        (Operand::Address(inner) | Operand::InDataBlock { address: inner, .. }, _) => match (width_of_type(&word), inner.width) {
-            (Some(width), wanted) if width == wanted => None,
-            (None, _) => None,
-            (_, Width::Bit) => Some("BOOL"),
-            (_, Width::Byte) => Some("BYTE or CHAR"),
-            (_, Width::Word) => Some("WORD, INT, S5TIME or DATE"),
-            (_, Width::DoubleWord) => Some("DWORD, DINT, REAL, TIME or TIME_OF_DAY"),
-        },
+        (Operand::Address(inner) | Operand::InDataBlock { address: inner, .. }, _) => {
+            match (DataType::from_word(&word).and_then(|data_type| data_type.width()), inner.width) {
+                (Some(width), wanted) if width == wanted => None,
+                (None, _) => None,
+                (_, Width::Bit) => Some("BOOL"),
+                (_, Width::Byte) => Some("BYTE or CHAR"),
+                (_, Width::Word) => Some("WORD, INT, S5TIME or DATE"),
+                (_, Width::DoubleWord) => Some("DWORD, DINT, REAL, TIME or TIME_OF_DAY"),
+            }
+        }
         (Operand::Block(_), _) => None,
     };
     if let Some(valid) = valid {
         let message = format!("the type `{}` does not fit the address `{address}`, which is {valid}", symbol.data_type.trim());
         diagnostics.push(Diagnostic::new(Problem::P6109, span, message));
     }
-}
-
-fn width_of_type(word: &str) -> Option<Width> {
-    Some(match word {
-        "BOOL" => Width::Bit,
-        "BYTE" | "CHAR" => Width::Byte,
-        "WORD" | "INT" | "S5TIME" | "DATE" => Width::Word,
-        "DWORD" | "DINT" | "REAL" | "TIME" | "TIME_OF_DAY" | "TOD" => Width::DoubleWord,
-        _ => return None,
-    })
 }
 
 /// The four fields of STEP 7 V5, each cut to its width; every cut is a loss.
