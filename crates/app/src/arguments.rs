@@ -9,7 +9,7 @@ use sieben_model::problems::Problem;
 
 use crate::failure::Failure;
 use crate::project::Overrides;
-use crate::{duration, settings};
+use crate::settings;
 
 /// What every verb that compiles a program takes.
 #[derive(Args, Clone, Debug)]
@@ -80,5 +80,5 @@ impl EngineArgument {
 
 /// Reads a duration argument.
 pub(crate) fn duration_argument(text: &str) -> Result<Duration, String> {
-    duration::parse(text)
+    sieben_sim::duration::parse(text)
 }

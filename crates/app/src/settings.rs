@@ -11,7 +11,6 @@ use sieben_model::source::{FileId, Span};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::duration;
 use crate::nearest::{nearest, one_of};
 
 /// Name of the file that makes a folder a project.
@@ -236,7 +235,7 @@ impl Reader {
             self.wrong(value, &format!("`{name}` is a duration in quotes: `{name} = \"10ms\"`"));
             return None;
         };
-        match duration::parse(text) {
+        match sieben_sim::duration::parse(text) {
             Ok(duration) => Some(duration),
             Err(message) => {
                 self.wrong(value, &message);

@@ -7,6 +7,7 @@ use std::time::Duration;
 use sieben_engine::machine::Registers;
 use sieben_engine::{Context, Engine, Entry, Exit, FaultPlace, Layout, Machine, Program, StopReason, Tracer};
 use sieben_model::address::{Address, Area, Operand, Width};
+use sieben_model::bcd;
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 
@@ -619,13 +620,12 @@ impl Station for Cpu {
                 let now = self.machine.clock_us;
                 let timer = self.machine.timers.get_mut(usize::from(*number)).ok_or(AccessError::Outside)?;
                 let word = u16::try_from(value).map_err(|_| AccessError::Value)?;
-                let digits = [word >> 8 & 0xF, word >> 4 & 0xF, word & 0xF];
-                if digits.iter().any(|&digit| digit > 9) {
+                if !bcd::is_decimal(u32::from(word), 3) {
                     return Err(AccessError::Value);
                 }
                 timer.refresh(now);
                 timer.base = (word >> 12 & 3) as u8;
-                timer.value = digits[0] * 100 + digits[1] * 10 + digits[2];
+                timer.value = bcd::decode(u32::from(word), 3) as u16;
                 timer.started_us = now;
                 timer.refresh(now);
                 Ok(())

@@ -1,5 +1,7 @@
 //! Functions over the machine that both engines call: what is larger than an expression.
 
+use sieben_model::bcd;
+
 use crate::fault::Fault;
 use crate::machine::{Machine, TimerKind};
 
@@ -62,7 +64,7 @@ impl Intrinsic {
             Self::TimerStart(kind) => {
                 let timer = machine.timers.get_mut(index).ok_or(no_timer)?;
                 let starts = if kind == TimerKind::OffDelay { !rlo && timer.start_edge } else { rlo && !timer.start_edge };
-                if starts && !digits(word) {
+                if starts && !bcd::is_decimal(u32::from(word), 3) {
                     return Err(bad_digit);
                 }
                 timer.start(kind, rlo, word, now);
@@ -93,7 +95,7 @@ impl Intrinsic {
             Self::CounterDown => machine.counters.get_mut(index).ok_or(no_counter)?.down(rlo),
             Self::CounterSet => {
                 let counter = machine.counters.get_mut(index).ok_or(no_counter)?;
-                if rlo && !counter.set_edge && !digits(word) {
+                if rlo && !counter.set_edge && !bcd::is_decimal(u32::from(word), 3) {
                     return Err(bad_digit);
                 }
                 counter.set(rlo, word);
@@ -111,9 +113,4 @@ impl Intrinsic {
         }
         Ok(0)
     }
-}
-
-/// Whether bits 0 to 11 are three BCD digits.
-fn digits(word: u16) -> bool {
-    (0..3).all(|digit| word >> (4 * digit) & 0xF <= 9)
 }

@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 pub mod address;
+pub mod bcd;
 pub mod block;
 pub mod cpu_type;
 pub mod diagnostic;

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::bcd;
 use crate::problems::Problem;
 use crate::types::DataType;
 
@@ -342,23 +343,15 @@ fn parse_byte_list(text: &str) -> Parsed {
 
 fn parse_counter(text: &str) -> Parsed {
     match parse_decimal(text) {
-        Some(number @ 0..=999) => Ok(Value::Counter(to_bcd(number as u32) as u16)),
+        Some(number @ 0..=999) => Ok(Value::Counter(bcd::encode(number as u32) as u16)),
         Some(_) => Err(LiteralErrorKind::OutOfRange(COUNTER_RANGE)),
         None => Err(LiteralErrorKind::Malformed("`C#` wants a decimal number from 0 to 999")),
     }
 }
 
-/// The decimal digits of a number as nibbles.
-fn to_bcd(number: u32) -> u32 {
-    (0..8).fold(0, |word, digit| word | (number / 10_u32.pow(digit) % 10) << (4 * digit))
-}
-
 /// The number whose decimal digits are these nibbles, if all of them are decimal.
 fn from_bcd(word: u32) -> Option<u32> {
-    (0..8).rev().try_fold(0_u32, |number, digit| {
-        let nibble = word >> (4 * digit) & 0xF;
-        (nibble <= 9).then(|| number * 10 + nibble)
-    })
+    bcd::is_decimal(word, 8).then(|| bcd::decode(word, 8))
 }
 
 /// The word of an S5TIME: the finest base that holds the time, the remainder cut. `None` beyond 9990 s.
@@ -370,7 +363,7 @@ pub fn s5time_word(milliseconds: u64) -> Option<u16> {
         999_001..=S5TIME_MAX_MS => (3, 10_000),
         _ => return None,
     };
-    Some(base << 12 | to_bcd((milliseconds / step) as u32) as u16)
+    Some(base << 12 | bcd::encode((milliseconds / step) as u32) as u16)
 }
 
 /// The time of an S5TIME word in milliseconds, if its three digits are decimal; bits 14 and 15 do not count.
@@ -536,19 +529,19 @@ fn parse_date_and_time(text: &str) -> Parsed {
 /// The eight BCD bytes of a DATE_AND_TIME; years repeat after 2089, as the two digits of the format do.
 pub fn date_and_time_bytes(days: u16, milliseconds_of_day: u32) -> [u8; 8] {
     let (year, month, day) = calendar_date(days);
-    let bcd = |number: u32| to_bcd(number % 100) as u8;
+    let digits = |number: u32| bcd::encode(number % 100) as u8;
     let milliseconds = milliseconds_of_day % DAY_MS;
     let (seconds, part) = (milliseconds / 1_000, milliseconds % 1_000);
     // 1990-01-01 was a Monday; the week begins with Sunday = 1.
     let weekday = (u32::from(days) + 1) % 7 + 1;
     [
-        bcd(year),
-        bcd(month),
-        bcd(day),
-        bcd(seconds / 3_600),
-        bcd(seconds / 60 % 60),
-        bcd(seconds % 60),
-        bcd(part / 10),
+        digits(year),
+        digits(month),
+        digits(day),
+        digits(seconds / 3_600),
+        digits(seconds / 60 % 60),
+        digits(seconds % 60),
+        digits(part / 10),
         ((part % 10) << 4 | weekday) as u8,
     ]
 }
@@ -1151,7 +1144,7 @@ mod tests {
             any::<u32>().prop_map(Value::DoubleWord),
             proptest::collection::vec(any::<u8>(), 0..20).prop_map(Value::Characters),
             (0..=S5TIME_MAX_MS).prop_map(|milliseconds| Value::S5Time(s5time_word(milliseconds).expect("in range"))),
-            (0..=999_u32).prop_map(|number| Value::Counter(to_bcd(number) as u16)),
+            (0..=999_u32).prop_map(|number| Value::Counter(bcd::encode(number) as u16)),
             any::<i32>().prop_map(Value::Time),
             (0..=DATE_MAX).prop_map(Value::Date),
             (0..DAY_MS).prop_map(Value::TimeOfDay),

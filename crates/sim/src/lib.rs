@@ -2,5 +2,6 @@
 #![forbid(unsafe_code)]
 
 pub mod devices;
+pub mod duration;
 pub mod names;
 pub mod scenario;

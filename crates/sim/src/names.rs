@@ -8,6 +8,7 @@ use sieben_cpu::{Cpu, Station};
 use sieben_engine::Program;
 use sieben_engine::machine::{Register, StatusWord};
 use sieben_model::address::{Address, Area, Operand, Width};
+use sieben_model::bcd;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::literal::{self, Value};
 use sieben_model::symbols::SymbolTable;
@@ -273,8 +274,8 @@ impl Name {
             _ => {}
         }
         let value = literal::parse(text).map_err(|error| NameError::new(error.to_string()))?;
-        if let (Target::Operand(Operand::Counter(_), _), Value::Counter(bcd)) = (&self.target, &value) {
-            return Ok([8, 4, 0].iter().fold(0, |count, shift| count * 10 + u64::from(bcd >> shift & 0xF)));
+        if let (Target::Operand(Operand::Counter(_), _), Value::Counter(count)) = (&self.target, &value) {
+            return Ok(u64::from(bcd::decode(u32::from(*count), 3)));
         }
         let bits = value.bits().ok_or_else(|| NameError::new(format!("`{text}` is no value of at most 64 bits")))?;
         match width {

@@ -28,6 +28,7 @@ use sieben_cpu::{Cpu, OperatingMode, Restart};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::symbols::SymbolTable;
 
+use crate::duration;
 use crate::names::{self, Name};
 
 /// A line that is not understood, or an expectation that did not come true.
@@ -87,8 +88,6 @@ enum Command {
 const CYCLE_US: u64 = 10_000;
 /// Most scans that one line may ask for; a slip of the pen shall not run for hours.
 const SCANS_MAX: u64 = 1_000_000;
-/// Latest time that a line may name: a hundred days.
-const TIME_MAX_US: u64 = 100 * 86_400 * 1_000_000;
 
 /// The words a line can begin with.
 const WORDS: &str = "`cpu`, `cycle`, `modules`, `set`, `scan`, `at`, `interrupt`, `restart`, `expect`, `table` or `known-gap`";
@@ -279,11 +278,10 @@ impl<'a> Run<'a> {
             Command::Set(assignments) => self.set(assignments),
             Command::Scan(count) => (0..*count).for_each(|_| self.scan()),
             Command::ScanUntil(end) => {
-                if (end.saturating_sub(self.next_us)) / self.cycle_us > SCANS_MAX {
-                    return self.fail(format!("that is more than {SCANS_MAX} scans; choose a longer cycle"));
-                }
-                while self.next_us <= *end {
-                    self.scan();
+                if self.reachable(*end) {
+                    while self.next_us <= *end {
+                        self.scan();
+                    }
                 }
             }
             Command::ScanAt(time) => match self.last_us {
@@ -326,6 +324,15 @@ impl<'a> Run<'a> {
         }
     }
 
+    /// Whether a time can be reached with a bearable number of scans; says so if not.
+    fn reachable(&mut self, end: u64) -> bool {
+        let bearable = end.saturating_sub(self.next_us) / self.cycle_us <= SCANS_MAX && end < u64::MAX;
+        if !bearable {
+            self.fail(format!("that is more than {SCANS_MAX} scans; choose a longer cycle"));
+        }
+        bearable
+    }
+
     fn scan(&mut self) {
         let now = self.next_us;
         let line = self.line;
@@ -338,11 +345,14 @@ impl<'a> Run<'a> {
         self.line = line;
         self.cpu.scan(now);
         self.last_us = Some(now);
-        self.next_us = now + self.cycle_us;
+        self.next_us = now.saturating_add(self.cycle_us);
     }
 
     fn expect(&mut self, assignments: &Assignments, within: Option<u64>) {
-        let deadline = self.last_us.unwrap_or(self.next_us) + within.unwrap_or(0);
+        let deadline = self.last_us.unwrap_or(self.next_us).saturating_add(within.unwrap_or(0));
+        if within.is_some() && !self.reachable(deadline) {
+            return;
+        }
         loop {
             let wrong: Vec<String> = assignments.iter().filter_map(|(name, value)| self.differs(name, value)).collect();
             if wrong.is_empty() {
@@ -515,32 +525,10 @@ fn byte_range(text: &str) -> Result<Range<u32>, String> {
     }
 }
 
-/// A time such as `10ms`, `1.5s`, `1s500ms` or `2m`, in microseconds.
+/// A duration in microseconds.
 fn duration(text: &str) -> Result<u64, String> {
-    let wrong = || format!("`{text}` is no time; write `310ms`, `1.5s`, `2m` or `1h`, at most 100 days");
-    let mut total = 0.0_f64;
-    let mut rest = text.trim();
-    if rest.is_empty() {
-        return Err(wrong());
-    }
-    while !rest.is_empty() {
-        let digits = rest.find(|c: char| !c.is_ascii_digit() && c != '.').ok_or_else(wrong)?;
-        let (number, behind) = rest.split_at(digits);
-        let letters = behind.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(behind.len());
-        let (unit, next) = behind.split_at(letters);
-        let factor = match unit {
-            "us" => 1.0,
-            "ms" => 1e3,
-            "s" => 1e6,
-            "m" | "min" => 6e7,
-            "h" => 3.6e9,
-            _ => return Err(wrong()),
-        };
-        total += number.parse::<f64>().map_err(|_| wrong())? * factor;
-        rest = next;
-    }
-    // The bound makes the conversion exact.
-    if total <= TIME_MAX_US as f64 { Ok(total.round() as u64) } else { Err(wrong()) }
+    // Ten years of microseconds fit.
+    duration::parse(text).map(|duration| duration.as_micros() as u64)
 }
 
 fn spell_us(us: u64) -> String {
@@ -575,7 +563,7 @@ mod tests {
             ("scna", "begins no line"),
             ("cpu 999", "no CPU type"),
             ("cycle 0ms", "more than 0"),
-            ("cycle soon", "no time"),
+            ("cycle soon", "not a duration"),
             ("set", "NAME=VALUE"),
             ("set I 0.0", "NAME=VALUE"),
             ("set I 0.0=", "NAME=VALUE"),
@@ -592,7 +580,7 @@ mod tests {
             ("interrupt OB 40", "safe point"),
             ("restart", "kind of restart"),
             ("modules 5", "no bytes"),
-            ("scan until 9999999h", "no time"),
+            ("scan until 9999999h", "ten years"),
         ] {
             let errors = Scenario::parse(text).expect_err(text);
             assert!(errors.iter().any(|error| error.message.contains(word)), "{text}: {errors:?}");

@@ -166,7 +166,7 @@ fn schedule(arguments: &Arguments, project_cycle: Option<Duration>) -> Result<Sc
 fn timed(words: &[String], symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(Duration, Assignment)>, Failure> {
     let mut timed = Vec::new();
     for pair in words.chunks_exact(2) {
-        let time = duration::parse(&pair[0]).map_err(|message| Failure::usage(Problem::P7005, message))?;
+        let time = sieben_sim::duration::parse(&pair[0]).map_err(|message| Failure::usage(Problem::P7005, message))?;
         let assignment = Assignment::parse(&pair[1], symbols, cpu)?;
         if assignment.name.is_register() {
             return Err(

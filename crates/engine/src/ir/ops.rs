@@ -3,6 +3,8 @@
 //! The Rust expression is the definition. The interpreter and the constant folder run it through
 //! [`Op::eval`]; machine code calls it through [`Op::shim`] until it has an inline form.
 
+use sieben_model::bcd;
+
 /// A value as a variable holds it: 64 bits, narrowed by each operation's own types.
 pub type Word = u64;
 
@@ -325,17 +327,17 @@ ops! {
 
     // Conversion.
     /// Whether the three digits of a BCD word are digits.
-    is_bcd16 = IsBcd16(a: u16) -> bool = is_bcd(u32::from(a), 3);
+    is_bcd16 = IsBcd16(a: u16) -> bool = bcd::is_decimal(u32::from(a), 3);
     /// Whether the seven digits of a BCD double word are digits.
-    is_bcd32 = IsBcd32(a: u32) -> bool = is_bcd(a, 7);
+    is_bcd32 = IsBcd32(a: u32) -> bool = bcd::is_decimal(a, 7);
     /// BCD word (three digits, sign in bit 15) to integer.
     bcd_to_i16 = BcdToI16(a: u16) -> i16 = {
-        let magnitude = from_bcd(u32::from(a), 3) as i16;
+        let magnitude = bcd::decode(u32::from(a), 3) as i16;
         if a & 0x8000 != 0 { -magnitude } else { magnitude }
     };
     /// BCD double word (seven digits, sign in bit 31) to integer.
     bcd_to_i32 = BcdToI32(a: u32) -> i32 = {
-        let magnitude = from_bcd(a, 7) as i32;
+        let magnitude = bcd::decode(a, 7) as i32;
         if a & 0x8000_0000 != 0 { -magnitude } else { magnitude }
     };
     /// Whether a 16-bit integer does not fit three BCD digits.
@@ -345,12 +347,12 @@ ops! {
     /// Integer to BCD word; the word itself if it does not fit.
     i16_to_bcd = I16ToBcd(a: i16) -> u16 = {
         let magnitude = u32::from(a.unsigned_abs());
-        if magnitude > 999 { a as u16 } else { to_bcd(magnitude) as u16 | if a < 0 { 0xF000 } else { 0 } }
+        if magnitude > 999 { a as u16 } else { bcd::encode(magnitude) as u16 | if a < 0 { 0xF000 } else { 0 } }
     };
     /// Integer to BCD double word; the double word itself if it does not fit.
     i32_to_bcd = I32ToBcd(a: i32) -> u32 = {
         let magnitude = a.unsigned_abs();
-        if magnitude > 9_999_999 { a as u32 } else { to_bcd(magnitude) | if a < 0 { 0xF000_0000 } else { 0 } }
+        if magnitude > 9_999_999 { a as u32 } else { bcd::encode(magnitude) | if a < 0 { 0xF000_0000 } else { 0 } }
     };
     /// Integer to REAL, nearest even.
     i32_to_f32 = I32ToF32(a: i32) -> f32 = a as f32;
@@ -441,25 +443,6 @@ fn quiet(a: f32) -> f32 {
 /// A function computed in f64 and rounded to f32: the same bits on every machine.
 fn through_f64(a: f32, function: fn(f64) -> f64) -> f32 {
     quiet(function(f64::from(a)) as f32)
-}
-
-fn is_bcd(value: u32, digits: u32) -> bool {
-    (0..digits).all(|digit| value >> (4 * digit) & 0xF <= 9)
-}
-
-fn from_bcd(value: u32, digits: u32) -> u32 {
-    (0..digits).rev().fold(0, |sum, digit| sum * 10 + (value >> (4 * digit) & 0xF))
-}
-
-fn to_bcd(mut value: u32) -> u32 {
-    let mut bcd = 0;
-    let mut shift = 0;
-    while value > 0 {
-        bcd |= (value % 10) << shift;
-        value /= 10;
-        shift += 4;
-    }
-    bcd
 }
 
 #[cfg(test)]

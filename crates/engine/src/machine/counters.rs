@@ -1,5 +1,7 @@
 //! The S5 counters.
 
+use sieben_model::bcd;
+
 /// Greatest count.
 pub const COUNT_MAX: u16 = 999;
 
@@ -34,9 +36,9 @@ impl Counter {
         self.down_edge = rlo;
     }
     /// S with this RLO and BCD preset. The digits were checked before.
-    pub fn set(&mut self, rlo: bool, bcd: u16) {
+    pub fn set(&mut self, rlo: bool, preset: u16) {
         if rlo && !self.set_edge {
-            self.count = (bcd >> 8 & 0xF) * 100 + (bcd >> 4 & 0xF) * 10 + (bcd & 0xF);
+            self.count = bcd::decode(u32::from(preset), 3) as u16;
         }
         self.set_edge = rlo;
     }
@@ -55,6 +57,6 @@ impl Counter {
     }
     /// The count as LC delivers it, three BCD digits.
     pub fn bcd(&self) -> u16 {
-        (self.count / 100) << 8 | (self.count / 10 % 10) << 4 | (self.count % 10)
+        bcd::encode(u32::from(self.count)) as u16
     }
 }

@@ -2,6 +2,8 @@
 //!
 //! One edge memory serves all start instructions of a timer, as the manuals do not say otherwise (docs/decisions).
 
+use sieben_model::bcd;
+
 /// What starts a timer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum TimerKind {
@@ -100,7 +102,7 @@ impl Timer {
     fn begin(&mut self, kind: TimerKind, s5time: u16, now_us: u64) {
         self.kind = kind;
         self.base = (s5time >> 12 & 3) as u8;
-        self.value = (s5time >> 8 & 0xF) * 100 + (s5time >> 4 & 0xF) * 10 + (s5time & 0xF);
+        self.value = bcd::decode(u32::from(s5time), 3) as u16;
         self.started_us = now_us;
         self.running = self.value > 0;
     }
@@ -128,7 +130,6 @@ impl Timer {
 
     /// The value as LC delivers it: time base in bits 12 and 13, three BCD digits.
     pub fn bcd(&self, now_us: u64) -> u16 {
-        let value = self.remaining(now_us);
-        u16::from(self.base & 3) << 12 | (value / 100) << 8 | (value / 10 % 10) << 4 | (value % 10)
+        u16::from(self.base & 3) << 12 | bcd::encode(u32::from(self.remaining(now_us))) as u16
     }
 }

@@ -11,6 +11,7 @@
 use std::ops::Range;
 
 use sieben_cpu::IoModule;
+use sieben_model::bcd;
 
 /// Microlitres in a litre.
 const LITRE: u64 = 1_000_000;
@@ -153,10 +154,8 @@ impl Tank {
     }
     /// The number on the BCD display; `None` if a digit is greater than 9.
     pub fn display_number(&self) -> Option<u16> {
-        (0..4).rev().try_fold(0, |number, digit| {
-            let digit = self.display() >> (4 * digit) & 0xF;
-            (digit <= 9).then_some(number * 10 + digit)
-        })
+        let word = u32::from(self.display());
+        bcd::is_decimal(word, 4).then(|| bcd::decode(word, 4) as u16)
     }
     /// Litres that have passed the flow meter since the beginning.
     pub fn litres_delivered(&self) -> f64 {
