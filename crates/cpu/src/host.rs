@@ -92,8 +92,8 @@ impl Watchdog {
 
     /// Takes back what is left of the budget.
     pub(crate) fn settle(&mut self, machine: &Machine) {
-        // The safe point that asks finds the budget at -1; whoever settles again finds nothing new.
-        let left = machine.budget.clamp(-1, self.granted.max(-1));
+        // The safe point that asks finds the budget below 0; whoever settles again finds nothing new.
+        let left = machine.budget.min(self.granted);
         let passed = self.granted - left;
         self.granted = left;
         self.passed = self.passed.saturating_add(passed);

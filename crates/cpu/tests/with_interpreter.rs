@@ -123,3 +123,19 @@ fn re_trigr_keeps_the_watchdog_quiet_for_ever() {
     })]);
     assert_eq!((cpu.mode(), cpu.registers().accu1), (OperatingMode::Run, 1));
 }
+
+#[test]
+fn an_endless_loop_of_many_statements_is_stopped_as_soon_as_a_short_one() {
+    let cpu = cpu(&[(1, &|builder| {
+        let again = builder.begin_statement();
+        let one = builder.constant(1);
+        builder.compute_into(Register::Accu1, Op::AddU32, &[Register::Accu1.into(), one]);
+        for _ in 0..6399 {
+            builder.begin_statement();
+        }
+        builder.begin_statement();
+        builder.push(Inst::Jump { to: again });
+    })]);
+    // 10,000 / (1 + 6400 / 64): entering the block takes as much as one round.
+    assert_eq!((cpu.mode(), cpu.registers().accu1), (OperatingMode::Stop, 10_000 / 101));
+}

@@ -69,11 +69,11 @@ pub(super) enum Step {
     /// Forward jump.
     Jump { to: u32 },
     /// Backward jump: a safe point.
-    JumpBack { to: u32 },
+    JumpBack { weight: u16, to: u32 },
     /// Forward jump if the condition is 1.
     Branch { condition: u8, to: u32 },
     /// Backward jump if the condition is 1: a safe point.
-    BranchBack { condition: u8, to: u32 },
+    BranchBack { condition: u8, weight: u16, to: u32 },
     /// Jump table, from the block's list of tables.
     JumpTable { index: u8, table: u32 },
     /// Enters a block of the engine's list.
@@ -98,6 +98,8 @@ pub(super) struct Table {
 pub(super) struct Block {
     pub(super) id: BlockId,
     pub(super) local_size: u32,
+    /// What entering it takes from the safe-point budget.
+    pub(super) weight: u16,
     pub(super) steps: Vec<Step>,
     /// The first step of each statement.
     pub(super) statements: Vec<u32>,
@@ -119,11 +121,18 @@ impl Block {
     }
 }
 
+/// What a safe point takes from the budget: 1, and 1 more for every 64 statements of a block that is entered or that a
+/// jump leads back over. Long blocks in an endless loop would keep the watchdog away for hours if all safe points were alike.
+pub(super) fn weight(statements: usize) -> u16 {
+    u16::try_from(1 + statements / 64).unwrap_or(u16::MAX)
+}
+
 /// Prepares one block; `find` gives the index of a loaded block.
 pub(super) fn prepare(id: BlockId, block: &CodeBlock, layout: &Layout, find: &dyn Fn(BlockId) -> Option<u32>) -> Block {
     let mut out = Block {
         id,
         local_size: block.local_size,
+        weight: weight(block.code.statement_count()),
         steps: Vec::with_capacity(block.code.insts.len()),
         statements: Vec::with_capacity(block.code.statements.len()),
         places: Vec::new(),
@@ -152,7 +161,7 @@ pub(super) fn prepare(id: BlockId, block: &CodeBlock, layout: &Layout, find: &dy
     let resolve = |to: u32| statements.get(to as usize).copied().unwrap_or(last);
     for step in &mut out.steps {
         match step {
-            Step::Jump { to } | Step::JumpBack { to } | Step::Branch { to, .. } | Step::BranchBack { to, .. } => *to = resolve(*to),
+            Step::Jump { to } | Step::JumpBack { to, .. } | Step::Branch { to, .. } | Step::BranchBack { to, .. } => *to = resolve(*to),
             _ => {}
         }
     }
@@ -244,9 +253,11 @@ fn step(inst: &Inst, statement: usize, code: &Code, layout: &Layout, find: &dyn 
         Inst::Require { condition, code, register } => Step::Require { condition: condition.0, code, register: register.0 },
         Inst::RequireStack { condition, abort } => Step::RequireStack { condition: condition.0, abort },
         Inst::Open { register, number } => Step::Open { register, number: number.0 },
-        Inst::Jump { to: Target(to) } if to as usize <= statement => Step::JumpBack { to },
+        Inst::Jump { to: Target(to) } if to as usize <= statement => Step::JumpBack { weight: weight(statement - to as usize), to },
         Inst::Jump { to: Target(to) } => Step::Jump { to },
-        Inst::Branch { condition, to: Target(to) } if to as usize <= statement => Step::BranchBack { condition: condition.0, to },
+        Inst::Branch { condition, to: Target(to) } if to as usize <= statement => {
+            Step::BranchBack { condition: condition.0, weight: weight(statement - to as usize), to }
+        }
         Inst::Branch { condition, to: Target(to) } => Step::Branch { condition: condition.0, to },
         Inst::JumpTable { index, first, count, otherwise } => {
             let targets = code.tables.iter().skip(first as usize).take(count as usize).map(|target| target.0).collect();

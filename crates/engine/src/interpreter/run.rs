@@ -5,7 +5,7 @@ use sieben_model::block::{BlockId, BlockKind};
 
 use super::Interpreter;
 use super::access::{File, Target, data_registers, in_data_block, locate};
-use super::prepare::{Block, Step};
+use super::prepare::{Block, Step, weight};
 use crate::fault::{Abort, Fault, Place};
 use crate::host::{Context, Entry, Exit, Reaction, StopReason};
 use crate::ir::{Callee, DataRegister, OnFault};
@@ -94,7 +94,7 @@ impl Interpreter {
             let first_parameter = frame.parameters as usize;
             let mut at = frame.resume as usize;
             if at == 0 {
-                context.machine.budget -= 1;
+                context.machine.budget -= i64::from(block.weight);
                 if context.machine.budget < 0 {
                     match self.safe_point(context, &mut file, block, 0) {
                         Next::At(_) => {}
@@ -261,10 +261,10 @@ impl Interpreter {
                             continue;
                         }
                     }
-                    Step::JumpBack { to } => go!(self.jump_back(context, &mut file, block, to)),
-                    Step::BranchBack { condition, to } => {
+                    Step::JumpBack { weight, to } => go!(self.jump_back(context, &mut file, block, weight, to)),
+                    Step::BranchBack { condition, weight, to } => {
                         if var!(condition) & 1 != 0 {
-                            go!(self.jump_back(context, &mut file, block, to));
+                            go!(self.jump_back(context, &mut file, block, weight, to));
                         }
                     }
                     Step::JumpTable { index, table } => {
@@ -272,7 +272,8 @@ impl Interpreter {
                         let index = usize::try_from(var!(index)).unwrap_or(usize::MAX);
                         let to = table.targets.get(index).copied().unwrap_or(table.otherwise) as usize;
                         if to <= at {
-                            go!(self.jump_back(context, &mut file, block, to as u32));
+                            let weight = weight((block.statement_of(at) - block.statement_of(to)) as usize);
+                            go!(self.jump_back(context, &mut file, block, weight, to as u32));
                         }
                         at = to;
                         continue;
@@ -372,8 +373,8 @@ impl Interpreter {
         self.react(context, file, block, at + 1, reaction, None)
     }
 
-    fn jump_back(&self, context: &mut Context<'_>, file: &mut File, block: &Block, to: u32) -> Next {
-        context.machine.budget -= 1;
+    fn jump_back(&self, context: &mut Context<'_>, file: &mut File, block: &Block, weight: u16, to: u32) -> Next {
+        context.machine.budget -= i64::from(weight);
         if context.machine.budget < 0 {
             return self.safe_point(context, file, block, to as usize);
         }

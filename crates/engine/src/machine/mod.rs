@@ -33,7 +33,7 @@ pub struct Machine {
     pub parameters: Vec<u32>,
     /// Time that the CPU has spent in STARTUP and RUN, in microseconds: what timers count by.
     pub clock_us: u64,
-    /// Safe points until the Host is asked again.
+    /// Safe points, by weight, until the Host is asked again.
     pub budget: i64,
 }
 

@@ -234,7 +234,10 @@ impl Parser<'_> {
             return operand;
         }
         let behind = self.raw_behind_blanks();
-        let declared = !matches!(behind, Raw::Number) && !self.declared.is_empty() && self.declared.contains(&word.to_ascii_uppercase());
+        // `t : TIMER` may be declared beside `A T 5`, `A T [MW 2]` and `L T [AR1,P#0.0]`; `t[1]` is no address anyway.
+        let declared = !matches!(behind, Raw::Number | Raw::BracketOpen)
+            && !self.declared.is_empty()
+            && self.declared.contains(&word.to_ascii_uppercase());
         if !declared && let Some(operand) = self.address() {
             return operand;
         }
