@@ -140,7 +140,7 @@ fn problem_page(problem: Problem, old: Option<&str>) -> String {
     };
     let head = format!("# {}: {}\n\n{kind}\n\n**What to do.** {}\n\n{HEAD_END}", problem.code(), problem.title(), problem.help());
     let rest = old.and_then(|page| page.split_once(HEAD_END)).map(|(_, rest)| rest.to_owned());
-    let rest = rest.unwrap_or_else(|| format!("\n## How it arises\n\nThe message names the place: {}.\n", problem.title()));
+    let rest = rest.unwrap_or_else(|| "\n## An example\n\n```stl\n```\n\n## Mended\n\n```stl\n```\n".to_owned());
     head + &rest
 }
 

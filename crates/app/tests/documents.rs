@@ -221,6 +221,31 @@ fn the_page_of_a_problem_produces_it() {
 }
 
 #[test]
+fn the_mended_example_of_a_problem_compiles_without_it() {
+    let mut failures = Vec::new();
+    for (name, text) in pages() {
+        let Some(code) = name.strip_prefix("docs/problems/").and_then(|name| name.strip_suffix(".md")) else { continue };
+        let lines: Vec<&str> = text.split('\n').collect();
+        let sources: Vec<Fence<'_>> = fences(&lines).into_iter().filter(|fence| fence.language == "stl" && fence.name.is_empty()).collect();
+        let mended = match sources.as_slice() {
+            [] => continue,
+            [_, mended] => mended,
+            _ => {
+                failures.push(format!("{name}: shows the mended source behind the wrong one, and no others"));
+                continue;
+            }
+        };
+        let folder = folder_of(&format!("{name}-mended"), &[]);
+        fs::write(folder.join("example.awl"), mended.lines.join("\n") + "\n").expect("a file of the test can be written");
+        let printed = run(&folder, "check --json example.awl");
+        if printed.contains(code) || printed.contains("[exit code") {
+            failures.push(format!("{name}:{}: the mended source still has a problem\n{printed}\n", mended.first));
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
 fn programs_in_documents_compile() {
     let mut failures = Vec::new();
     for (name, text) in pages().iter().filter(|(name, _)| !name.starts_with("docs/problems/")) {
