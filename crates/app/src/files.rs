@@ -76,6 +76,10 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
             .and_then(|mut file| file.write_all(bytes))
             .map_err(|error| unwritable(path, &error));
     }
+    // Renaming asks only the folder, not the file.
+    if fs::metadata(&target).is_ok_and(|metadata| metadata.permissions().readonly()) {
+        return Err(Failure::usage(Problem::P6013, format!("`{}` is read-only", path.display())));
+    }
     let temporary = temporary_beside(&target);
     let written = File::create_new(&temporary).and_then(|mut file| {
         file.write_all(bytes)?;

@@ -136,7 +136,7 @@ impl Project {
                 }
             }
         }
-        let mut listing = Listing { files: Vec::new(), root: folder };
+        let mut listing = Listing { files: Vec::new(), links_outside: Vec::new(), root: folder };
         listing.walk(folder, 0)?;
         let default_symbols =
             |path: &Path| is_symbol_table(path) || path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("symbols.csv"));
@@ -159,6 +159,7 @@ impl Project {
     /// The files that match the patterns, in the order of the patterns, then by path; without patterns those of the default.
     fn chosen(&mut self, listing: &Listing<'_>, patterns: Option<&[Placed]>, default: impl Fn(&Path) -> bool) -> Vec<PathBuf> {
         let Some(patterns) = patterns else {
+            self.links_outside(listing, &default);
             return listing.files.iter().filter(|path| default(path)).cloned().collect();
         };
         let mut chosen = Vec::new();
@@ -180,11 +181,23 @@ impl Project {
                     chosen.push(path.clone());
                 }
             }
+            matched |= self.links_outside(listing, |path| pattern.matches(&slashed(path)));
             if !matched {
                 self.findings.push(Finding::document(no_match(&placed.text, placed.span, listing)));
             }
         }
         chosen
+    }
+
+    /// Says which of the links out of the folder would have been read, and whether there are any.
+    fn links_outside(&mut self, listing: &Listing<'_>, wanted: impl Fn(&Path) -> bool) -> bool {
+        let before = self.findings.len();
+        for relative in listing.links_outside.iter().filter(|path| wanted(path)) {
+            let path = shown(&join(listing.root, relative));
+            let message = format!("`{path}` is a link to a file outside the project folder");
+            self.findings.push(Finding::file(Problem::P6010, path, message));
+        }
+        self.findings.len() > before
     }
 
     fn source(&mut self, path: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<(), Failure> {
@@ -282,10 +295,20 @@ pub(crate) fn print_findings(findings: &[Finding], texts: &Texts, json: bool) {
 struct Listing<'a> {
     /// Relative to the folder, in order.
     files: Vec<PathBuf>,
+    /// Links to files elsewhere: a project that somebody sends must not read what is not its own.
+    links_outside: Vec<PathBuf>,
     root: &'a Path,
 }
 
 impl Listing<'_> {
+    /// Whether a link leads to a file of the folder.
+    fn holds(&self, link: &Path) -> bool {
+        match (fs::canonicalize(link), fs::canonicalize(self.root)) {
+            (Ok(target), Ok(root)) => target.starts_with(root),
+            _ => false,
+        }
+    }
+
     /// Collects the files of a folder and those below. Hidden folders are left out, links to folders are not followed.
     fn walk(&mut self, folder: &Path, depth: usize) -> Result<(), Failure> {
         let unreadable = |error| Failure::usage(Problem::P6001, format!("the folder `{}` cannot be read: {error}", folder.display()));
@@ -308,7 +331,9 @@ impl Listing<'_> {
                 && path.is_file()
                 && let Ok(relative) = path.strip_prefix(self.root)
             {
-                self.files.push(relative.to_path_buf());
+                let inside = !kind.is_symlink() || self.holds(&path);
+                let list = if inside { &mut self.files } else { &mut self.links_outside };
+                list.push(relative.to_path_buf());
             }
         }
         Ok(())

@@ -16,6 +16,9 @@ use crate::nearest::{nearest, one_of};
 /// Name of the file that makes a folder a project.
 pub(crate) const FILE_NAME: &str = "sieben.toml";
 
+/// What the cycle monitoring time can be set to.
+const WATCHDOG: std::ops::RangeInclusive<Duration> = Duration::from_millis(1)..=Duration::from_secs(6);
+
 /// A text with its place.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Placed {
@@ -142,7 +145,7 @@ impl Reader {
                         _ => self.duration(value, name),
                     }
                 }
-                ("cpu", "watchdog") => self.settings.watchdog = self.duration(value, name),
+                ("cpu", "watchdog") => self.watchdog(value),
                 ("cpu", "min_cycle") => self.settings.min_cycle = self.duration(value, name),
                 ("cpu", "clock_memory_byte") => self.clock_memory_byte(value),
                 _ => {}
@@ -230,6 +233,15 @@ impl Reader {
         }
     }
 
+    /// The monitoring time of the cycle, as far as a CPU can set it.
+    fn watchdog(&mut self, value: &Value<'_>) {
+        match self.duration(value, "watchdog") {
+            Some(time) if WATCHDOG.contains(&time) => self.settings.watchdog = Some(time),
+            Some(_) => self.wrong(value, "a CPU monitors a cycle for 1 ms to 6 s: `watchdog = \"150ms\"`"),
+            None => {}
+        }
+    }
+
     fn duration(&mut self, value: &Value<'_>, name: &str) -> Option<Duration> {
         let DeValue::String(text) = value.get_ref() else {
             self.wrong(value, &format!("`{name}` is a duration in quotes: `{name} = \"10ms\"`"));
@@ -286,6 +298,8 @@ mod tests {
             ("cpu = 1\n", "P6009: `cpu` is a table: write `[cpu]` on a line of its own, and its keys below"),
             ("[cpu]\ncycle = 10\n", "P6009: `cycle` is a duration in quotes: `cycle = \"10ms\"`"),
             ("[cpu]\ncycle = \"10\"\n", "P6009: `10` is not a duration; write a number with its unit: `10ms`, `1.5s`, `2m` or `1h`"),
+            ("[cpu]\nwatchdog = \"0ms\"\n", "P6009: a CPU monitors a cycle for 1 ms to 6 s: `watchdog = \"150ms\"`"),
+            ("[cpu]\nwatchdog = \"6001ms\"\n", "P6009: a CPU monitors a cycle for 1 ms to 6 s: `watchdog = \"150ms\"`"),
             ("[project]\nsources = 1\n", "P6009: `sources` is a list of patterns: `sources = [\"src/**/*.awl\"]`"),
             ("[project]\nname = true\n", "P6009: `name` is a text in quotes: `name = \"…\"`"),
             ("[project]\nmnemonics = \"fr\"\n", "P6009: `fr` is no mnemonic language: write `auto`, `en` or `de`"),

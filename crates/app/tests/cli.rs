@@ -382,6 +382,34 @@ fn a_project_file_is_checked_key_by_key() {
     folder.run(&["check"]).code(3).stderr("P6008").stderr("sieben explain P6").stderr("3 errors, 2 warnings");
 }
 
+#[cfg(unix)]
+#[test]
+fn a_project_reads_no_link_that_leads_out_of_it() {
+    use std::os::unix::fs::symlink;
+    let folder = Folder::with(&[("secret.awl", "SECRET"), ("p/src/main.awl", "L 1\n")]);
+    let link = |target: &str, name: &str| symlink(target, folder.path().join(name)).expect("a link");
+    link("main.awl", "p/src/same.awl");
+    link("..", "p/src/round");
+    folder.run(&["check", "p"]).code(0);
+    link("../../secret.awl", "p/src/out.awl");
+    for toml in ["", "[project]\nsources = [\"src/*.awl\"]\n"] {
+        folder.write("p/sieben.toml", toml.as_bytes());
+        let run = folder.run(&["check", "p"]).code(3).stderr("P6010").stderr("out.awl` is a link to a file outside");
+        assert!(!run.stderr.contains("SECRET"));
+    }
+}
+
+#[test]
+fn a_read_only_file_stays_as_it_is() {
+    let folder = Folder::with(&[("main.awl", "L 1\n")]);
+    let path = folder.path().join("main.awl");
+    let mut permissions = std::fs::metadata(&path).expect("the file").permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&path, permissions).expect("a read-only file");
+    folder.run(&["fmt", "--write", "main.awl"]).code(2).stderr("P6013").stderr("read-only");
+    assert_eq!(folder.read("main.awl"), b"L 1\n");
+}
+
 #[test]
 fn diagnostics_have_places_and_a_count() {
     let folder = Folder::with(&[("bad.awl", "A I 0.0\r\nFOO M 1.0\r\n= Q 0.0\r\n")]);
