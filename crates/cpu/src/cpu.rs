@@ -313,11 +313,6 @@ impl Cpu {
         &self.machine
     }
 
-    /// All state that the program can touch, to change between two scans.
-    pub fn machine_mut(&mut self) -> &mut Machine {
-        &mut self.machine
-    }
-
     /// The modules.
     pub fn rack(&self) -> &Rack {
         &self.rack

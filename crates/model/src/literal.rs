@@ -460,7 +460,7 @@ fn days_since_1990(year: u32, month: u32, day: u32) -> u32 {
 }
 
 /// Year, month and day of a DATE, for every 16-bit number of days.
-pub fn calendar_date(days: u16) -> (u32, u32, u32) {
+fn calendar_date(days: u16) -> (u32, u32, u32) {
     let mut left = u32::from(days);
     let mut year = 1990;
     while left >= days_of_year(year) {
@@ -547,7 +547,7 @@ pub fn date_and_time_bytes(days: u16, milliseconds_of_day: u32) -> [u8; 8] {
 }
 
 /// Days since 1990 and milliseconds of the day of a DATE_AND_TIME, if its bytes are a valid date; the weekday does not count.
-pub fn date_and_time_parts(bytes: &[u8; 8]) -> Option<(u16, u32)> {
+fn date_and_time_parts(bytes: &[u8; 8]) -> Option<(u16, u32)> {
     let number = |byte: u8| from_bcd(u32::from(byte));
     let year = number(bytes[0])?;
     let year = year + if year >= 90 { 1900 } else { 2000 };
@@ -607,9 +607,9 @@ const ANY_TYPES: [(&str, u8); 24] = [
     ("TIMER", 0x1D),
 ];
 
-/// Whether a word, without regard to case, names the type in an ANY: `P#M 0.0 BYTE 4`.
-pub fn is_any_type(word: &str) -> bool {
-    ANY_TYPES.iter().any(|(name, _)| name.eq_ignore_ascii_case(word))
+/// The code of the type in an ANY that a word names, without regard to case: `P#M 0.0 BYTE 4`.
+pub fn any_type_code(word: &str) -> Option<u8> {
+    ANY_TYPES.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)).map(|&(_, code)| code)
 }
 
 const POINTER_FORMS: &str = "a pointer is P#byte.bit, P#M 10.0, P#DBX 10.0, P#DB5.DBX 10.0, or one of these with a type and a count, such as P#DB5.DBX 10.0 BYTE 20";
@@ -688,7 +688,7 @@ fn parse_type_and_count(text: &str) -> Result<(u8, u16), LiteralErrorKind> {
     use LiteralErrorKind::{Malformed, OutOfRange};
     let end = text.find(|character: char| character.is_whitespace()).unwrap_or(text.len());
     let (word, count) = text.split_at(end);
-    let &(_, code) = ANY_TYPES.iter().find(|&&(name, _)| name == word).ok_or(Malformed(POINTER_FORMS))?;
+    let code = any_type_code(word).ok_or(Malformed(POINTER_FORMS))?;
     let count = parse_decimal(count.trim()).ok_or(Malformed(POINTER_FORMS))?;
     Ok((code, u16::try_from(count).map_err(|_| OutOfRange("a count of 0 to 65535"))?))
 }

@@ -156,7 +156,7 @@ impl DataType {
             Self::Pointer => 48,
             Self::Any => 80,
             Self::String(length) => (u64::from(*length) + 2).next_multiple_of(2) * 8,
-            Self::Array { .. } => array_bits(self).next_multiple_of(16),
+            Self::Array { .. } => round_up(array_bits(self), 16),
             Self::Struct(structure) | Self::Instance { structure, .. } => u64::from(structure.size) * 8,
         }
     }
@@ -205,7 +205,7 @@ impl DataType {
             return flat.saturating_mul(step);
         }
         // The innermost dimension of BOOL, BYTE and CHAR is padded to a word when there are several dimensions.
-        let row = inner.saturating_mul(step).next_multiple_of(16);
+        let row = round_up(inner.saturating_mul(step), 16);
         (flat / inner).saturating_mul(row).saturating_add((flat % inner) * step)
     }
 }
@@ -231,8 +231,28 @@ fn array_bits(array: &DataType) -> u64 {
 pub fn place(cursor: u64, data_type: &DataType) -> (u64, u64) {
     let start = match data_type {
         DataType::Bool => cursor,
-        DataType::Byte | DataType::Char => cursor.next_multiple_of(8),
-        _ => cursor.next_multiple_of(16),
+        DataType::Byte | DataType::Char => round_up(cursor, 8),
+        _ => round_up(cursor, 16),
     };
     (start, start.saturating_add(data_type.bits()))
+}
+
+/// The next multiple, saturating: a type in a source can be larger than any number.
+fn round_up(bits: u64, to: u64) -> u64 {
+    bits.checked_next_multiple_of(to).unwrap_or(u64::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_array_has_a_length() {
+        for element in [DataType::Bool, DataType::Byte, DataType::Real, DataType::String(STRING_LENGTH_MAX)] {
+            let array = DataType::Array { bounds: vec![(i32::MIN, i32::MAX); 6], element: Box::new(element) };
+            assert!(array.bits() > u64::MAX / 2);
+            let (start, end) = place(1, &DataType::Array { bounds: vec![(0, 9); 2], element: Box::new(array) });
+            assert_eq!((start, end), (16, u64::MAX));
+        }
+    }
 }

@@ -149,11 +149,6 @@ impl Name {
         &self.text
     }
 
-    /// Whether the name means an input, which can change at any time and not only at the cycle control point.
-    pub fn is_input(&self) -> bool {
-        matches!(&self.target, Target::Operand(Operand::Address(Address { area: Area::Input | Area::PeripheralInput, .. }), _))
-    }
-
     /// Whether the name means a register.
     pub fn is_register(&self) -> bool {
         matches!(self.target, Target::Register(_) | Target::Status)

@@ -3,7 +3,7 @@
 //! The parser asks for the token at a byte and may take less of it (`I0` is letters and a number)
 //! or several at once (`=`, `=` and `I` are one instruction).
 
-use sieben_model::literal::is_any_type;
+use sieben_model::literal::any_type_code;
 
 /// What a token looks like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -216,7 +216,7 @@ fn pointer(text: &str, start: usize) -> (Raw, usize) {
     }
     let type_end = while_in(text, at, in_word);
     let count = blanks(type_end);
-    let known = is_any_type(&text[at..type_end]);
+    let known = any_type_code(&text[at..type_end]).is_some();
     if known && count > type_end && bytes.get(count).is_some_and(u8::is_ascii_digit) {
         end = while_in(text, count, |c| c.is_ascii_digit());
     }

@@ -4,7 +4,7 @@ use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Op, Place, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 use sieben_model::interface::Section;
-use sieben_model::literal::Value;
+use sieben_model::literal::{Value, any_type_code};
 use sieben_model::types::DataType;
 
 use super::WRONG_OPERAND;
@@ -16,6 +16,8 @@ use crate::stl::operands::{Access, Actual, BlockOperand, Call, CallInstance, Cal
 const CALLER_LOCAL: u32 = 0x8700_0000;
 /// What AR2 holds in a function block called with its own instance: P#DBX 0.0.
 const INSTANCE_START: u64 = 0x8400_0000;
+/// Type code of an ANY to bytes.
+const ANY_OF_BYTES: u8 = 0x02;
 
 /// `UC`.
 pub(crate) fn unconditional(l: &mut Lowering<'_>, operand: &Operand) {
@@ -477,21 +479,9 @@ fn build_pointer(l: &mut Lowering<'_>, location: &Location, data_type: &DataType
 
 /// Type code and count of an ANY: complex values count as bytes.
 fn any_type(data_type: &DataType) -> (u8, u32) {
-    let code = match data_type {
-        DataType::Bool => 0x01,
-        DataType::Byte => 0x02,
-        DataType::Char => 0x03,
-        DataType::Word => 0x04,
-        DataType::Int => 0x05,
-        DataType::DoubleWord => 0x06,
-        DataType::DoubleInt => 0x07,
-        DataType::Real => 0x08,
-        DataType::Date => 0x09,
-        DataType::TimeOfDay => 0x0A,
-        DataType::Time => 0x0B,
-        DataType::S5Time => 0x0C,
-        DataType::DateAndTime => 0x0E,
-        _ => return (0x02, bytes_of(data_type)),
-    };
-    (code, 1)
+    let single = data_type.is_elementary() || *data_type == DataType::DateAndTime;
+    match data_type.word().filter(|_| single).and_then(any_type_code) {
+        Some(code) => (code, 1),
+        None => (ANY_OF_BYTES, bytes_of(data_type)),
+    }
 }
