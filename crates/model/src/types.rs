@@ -196,6 +196,20 @@ impl DataType {
         }
     }
 
+    /// The number of the array element with these indexes, counted from 0 with the last index running fastest;
+    /// `None` if the array has other dimensions or bounds.
+    pub fn element_number(&self, indexes: &[i64]) -> Option<u64> {
+        let Self::Array { bounds, .. } = self else { return None };
+        if indexes.len() != bounds.len() {
+            return None;
+        }
+        indexes.iter().zip(bounds).try_fold(0_u64, |number, (&index, &(low, high))| {
+            let (low, high) = (i64::from(low), i64::from(high));
+            let count = u64::try_from(high - low + 1).ok()?;
+            (low..=high).contains(&index).then(|| number.saturating_mul(count).saturating_add(index.abs_diff(low)))
+        })
+    }
+
     /// Offset in bits of the array element with this index (counted from 0 over all dimensions, last index fastest).
     pub fn element_offset(&self, flat: u64) -> u64 {
         let Self::Array { bounds, element } = self else { return 0 };

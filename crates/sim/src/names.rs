@@ -503,20 +503,10 @@ fn field<'a>(structure: &Structure, path: &'a str) -> Result<(u32, DataType), &'
     let (mut offset, mut data_type, mut rest) = (u64::from(head_field.offset), head_field.data_type.clone(), rest);
     while let Some(bracket) = rest.strip_prefix('[') {
         let (indices, behind) = bracket.split_once(']').ok_or(path)?;
-        let DataType::Array { bounds, element } = &data_type else { return Err(path) };
-        let indices: Vec<i32> = indices.split(',').map(|index| index.trim().parse().map_err(|_| path)).collect::<Result<_, _>>()?;
-        if indices.len() != bounds.len() {
-            return Err(path);
-        }
-        let mut flat = 0_u64;
-        for (index, &(low, high)) in indices.iter().zip(bounds) {
-            if !(low..=high).contains(index) {
-                return Err(path);
-            }
-            let count = u64::try_from(i64::from(high) - i64::from(low) + 1).unwrap_or(1);
-            flat = flat.saturating_mul(count) + u64::from(index.abs_diff(low));
-        }
-        offset = offset.saturating_add(data_type.element_offset(flat));
+        let DataType::Array { element, .. } = &data_type else { return Err(path) };
+        let indices: Vec<i64> = indices.split(',').map(|index| index.trim().parse().map_err(|_| path)).collect::<Result<_, _>>()?;
+        let number = data_type.element_number(&indices).ok_or(path)?;
+        offset = offset.saturating_add(data_type.element_offset(number));
         data_type = (**element).clone();
         rest = behind;
     }

@@ -81,11 +81,10 @@ pub(crate) fn follow(
             }
             ast::PathElement::Index(indexes, span) => match at {
                 DataType::Array { bounds, element } => {
-                    let flat = match flat_index(bounds, indexes) {
-                        Ok(flat) => flat,
-                        Err(message) => return error(Problem::P4005, *span, message),
+                    let Some(number) = at.element_number(indexes) else {
+                        return error(Problem::P4005, *span, wrong_indexes(bounds, indexes));
                     };
-                    offset += at.element_offset(flat);
+                    offset += at.element_offset(number);
                     at = element;
                 }
                 // A character of a string, behind its two length bytes.
@@ -109,18 +108,11 @@ pub(crate) fn follow(
     Ok(Reached { offset, data_type: at.clone() })
 }
 
-/// The number of an element, counted from 0 with the last index running fastest.
-fn flat_index(bounds: &[(i32, i32)], indexes: &[i64]) -> Result<u64, String> {
-    if bounds.len() != indexes.len() {
-        return Err(format!("this array has {} dimensions, {} indexes are given", bounds.len(), indexes.len()));
+/// Why an array has no element with these indexes.
+fn wrong_indexes(bounds: &[(i32, i32)], indexes: &[i64]) -> String {
+    let outside = bounds.iter().zip(indexes).find(|&(&(low, high), &index)| !(i64::from(low)..=i64::from(high)).contains(&index));
+    match outside {
+        Some(((low, high), index)) if bounds.len() == indexes.len() => format!("index {index} is outside {low}..{high}"),
+        _ => format!("this array has {} dimensions, {} indexes are given", bounds.len(), indexes.len()),
     }
-    let mut flat = 0u64;
-    for (&(low, high), &index) in bounds.iter().zip(indexes) {
-        let (low, high) = (i64::from(low), i64::from(high));
-        if !(low..=high).contains(&index) {
-            return Err(format!("index {index} is outside {low}..{high}"));
-        }
-        flat = flat * (high - low + 1) as u64 + (index - low) as u64;
-    }
-    Ok(flat)
 }
