@@ -1,5 +1,6 @@
 //! Arguments that several verbs take.
 
+use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
@@ -7,9 +8,10 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 
+use crate::document::Document;
 use crate::failure::Failure;
 use crate::project::Overrides;
-use crate::settings;
+use crate::{files, output, settings};
 
 /// What every verb that compiles a program takes.
 #[derive(Args, Clone, Debug)]
@@ -52,6 +54,40 @@ impl ProgramArguments {
             Some(name) => Some(CpuType::by_name(name).ok_or_else(|| Failure::usage(Problem::P7002, settings::unknown_cpu(name)))?),
         };
         Ok(Overrides { cpu, mnemonics: self.mnemonics.map(MnemonicsArgument::language) })
+    }
+}
+
+/// How a verb that only reports prints what it found.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct ReportArguments {
+    /// Print JSON
+    #[arg(long, conflicts_with = "html")]
+    json: bool,
+    /// Print a web page that needs nothing beside it, for reading and printing
+    #[arg(long)]
+    html: bool,
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+impl ReportArguments {
+    /// Whether diagnostics should be JSON too.
+    pub(crate) fn json(&self) -> bool {
+        self.json
+    }
+
+    /// Prints a document in the form that was asked for.
+    pub(crate) fn put(&self, document: &Document, json: impl FnOnce() -> serde_json::Value) -> Result<(), Failure> {
+        let text = match (self.json, self.html) {
+            (true, _) => format!("{:#}\n", json()),
+            (_, true) => document.html(),
+            _ => document.text(),
+        };
+        match &self.output {
+            Some(path) => files::write_whole(path, text.as_bytes()),
+            None => output::print(&text),
+        }
     }
 }
 

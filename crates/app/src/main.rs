@@ -4,6 +4,7 @@
 mod arguments;
 mod commands;
 mod controller;
+mod document;
 mod duration;
 mod failure;
 mod files;
@@ -12,6 +13,7 @@ mod names;
 mod nearest;
 mod output;
 mod panics;
+mod places;
 mod project;
 mod report;
 mod rewriting;
@@ -67,6 +69,12 @@ enum Verb {
     Convert(commands::convert::Arguments),
     /// Print the assignment table, or convert symbol tables
     Symbols(commands::symbols::Arguments),
+    /// Print where every address, timer, counter and block is used
+    Refs(commands::refs::Arguments),
+    /// Print which block calls which, and the local data of every path
+    Structure(commands::structure::Arguments),
+    /// Print which inputs, outputs, bit memory, timers and counters are used
+    Assignments(commands::assignments::Arguments),
     /// Make a project that runs and checks at once
     New(commands::new::Arguments),
     /// Print the completions for a shell
@@ -94,6 +102,9 @@ fn run(line: CommandLine) -> Exit {
         Some(Verb::Fmt(arguments)) => commands::fmt::run(&arguments),
         Some(Verb::Convert(arguments)) => commands::convert::run(&arguments),
         Some(Verb::Symbols(arguments)) => commands::symbols::run(&arguments),
+        Some(Verb::Refs(arguments)) => commands::refs::run(&arguments),
+        Some(Verb::Structure(arguments)) => commands::structure::run(&arguments),
+        Some(Verb::Assignments(arguments)) => commands::assignments::run(&arguments),
         Some(Verb::New(arguments)) => commands::new::run(&arguments),
         Some(Verb::Completions(arguments)) => commands::completions::run(&arguments),
     };

@@ -282,6 +282,11 @@ impl Build {
         }
         if report::has_errors(&self.findings) { Err(Exit::DoesNotCompile) } else { Ok(self) }
     }
+
+    /// The same for a verb that only reports on a program: warnings are no matter of its, `check` tells them.
+    pub(crate) fn or_errors(self, json: bool) -> Result<Self, Exit> {
+        if report::has_errors(&self.findings) { self.or_report(json) } else { Ok(self) }
+    }
 }
 
 /// Prints findings where messages go.

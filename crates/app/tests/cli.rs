@@ -113,12 +113,12 @@ fn help_names_every_verb_with_an_example() {
     let folder = Folder::new();
     for arguments in [&["--help"][..], &["help"], &["-h"]] {
         let run = folder.run(arguments).code(0);
-        for verb in ["demo", "run", "check", "exec", "explain", "fmt", "convert", "symbols", "new"] {
+        for verb in ["demo", "run", "check", "exec", "explain", "fmt", "convert", "symbols", "refs", "structure", "assignments", "new"] {
             assert!(run.stdout.contains(&format!("\n  {verb} ")), "{verb}");
         }
         assert!(!run.stdout.contains("bench") && !run.stdout.contains("jit"));
     }
-    for verb in ["run", "check", "exec", "explain", "fmt", "convert", "symbols", "new"] {
+    for verb in ["run", "check", "exec", "explain", "fmt", "convert", "symbols", "refs", "structure", "assignments", "new"] {
         folder.run(&[verb, "--help"]).code(0).stdout("Example").stdout(&format!("sieben {verb}"));
     }
 }
@@ -544,4 +544,96 @@ fn ctrl_c_stops_a_run_cleanly() {
         assert!(String::from_utf8_lossy(&output.stdout).contains("stopped by Ctrl-C"), "{speed}");
     }
     folder.run(&["run", "loop.awl", "--speed", "max", "--for", "1s"]).code(4).stdout("STOP");
+}
+
+const REFERENCES: &str = "\
+FUNCTION FC 1 : VOID
+BEGIN
+L MW 10
+T MW [MD 20]
+END_FUNCTION
+FUNCTION FC 2 : VOID
+BEGIN
+UC FC 1
+END_FUNCTION
+ORGANIZATION_BLOCK OB 1
+BEGIN
+A \"Start <1>\"
+S M 10.3
+CC FC 1
+CALL SFC 46
+END_ORGANIZATION_BLOCK
+";
+
+#[test]
+fn reference_data_is_printed_as_text_json_and_a_page() {
+    let table = "symbol,address,type,comment\nStart <1>,I 0.0,BOOL,a & b\nSpare,M 90.0,BOOL,\n";
+    let folder = Folder::with(&[("main.awl", REFERENCES), ("symbols.csv", table)]);
+    for arguments in [&["refs"][..], &["refs", "--unused"], &["structure"], &["assignments"]] {
+        let run = folder.run(arguments).code(0);
+        assert_eq!(run.stderr, "", "warnings are no matter of {arguments:?}");
+        let html = folder.run(&[arguments, &["--html"]].concat()).code(0).stdout("<!DOCTYPE html>").stdout("</html>").stdout;
+        assert_eq!(html.matches("<tr>").count(), html.matches("</tr>").count());
+        assert!(!html.contains("http") && !html.contains("<script") && !html.contains("Start <1>"), "{html}");
+        assert!(!folder.run(&[arguments, &["--json"]].concat()).code(0).json().is_null());
+    }
+    folder.run(&["refs"]).stdout("I 0.0         Start <1>  R     OB 1").stdout("MW [MD 20] *             W     FC 1");
+    folder.run(&["refs", "--html", "-o", "refs.html"]).code(0);
+    assert!(String::from_utf8(folder.read("refs.html")).expect("a page is UTF-8").contains("<td>Start &lt;1&gt;</td>"));
+    let json = folder.run(&["refs", "MW10", "--overlaps", "--json"]).code(0).json();
+    assert_eq!(json[0]["overlaps"], serde_json::json!(["M 10.3"]));
+    assert_eq!((&json[1]["address"], &json[1]["references"][0]["type"]), (&"M 10.3".into(), &"W".into()));
+    let json = folder.run(&["structure", "--json"]).code(0).json();
+    assert_eq!((&json["not_called"], &json["blocks"]["OB 1"]["path_depth"]), (&serde_json::json!(["FC 2"]), &2.into()));
+    folder.run(&["symbols", "symbols.csv", "--html"]).code(0).stdout("<title>Assignment table</title>").stdout("a &amp; b");
+}
+
+#[test]
+fn references_are_asked_for_by_address_symbol_and_variable() {
+    let program = "\
+DATA_BLOCK DB 5
+STRUCT
+ level : INT;
+END_STRUCT
+BEGIN
+END_DATA_BLOCK
+ORGANIZATION_BLOCK OB 1
+VAR_TEMP
+ info : ARRAY [0..19] OF BYTE;
+ help : INT;
+END_VAR
+BEGIN
+U E 0.0
+L \"Data\".level
+T #help
+END_ORGANIZATION_BLOCK
+";
+    let folder = Folder::with(&[
+        ("main.awl", program),
+        ("symbols.csv", "symbol,address,type\nStart,E 0.0,BOOL\nData,DB 5,DB 5\nSpare,M 1.0,BOOL\n"),
+    ]);
+    for (name, address) in [
+        ("e0.0", "E 0.0"),
+        ("I 0.0", "E 0.0"),
+        ("%I0.0", "E 0.0"),
+        ("start", "E 0.0"),
+        ("\"Start\"", "E 0.0"),
+        ("DB5", "DB5.DBW 0"),
+        ("Data", "DB5.DBW 0"),
+        ("DB5.DBW0", "DB5.DBW 0"),
+        ("data.level", "DB5.DBW 0"),
+        ("\"Data\".level", "DB5.DBW 0"),
+        ("#help", "#help"),
+        ("help", "#help"),
+    ] {
+        let json = folder.run(&["refs", ".", name, "--json"]).code(0).json();
+        assert_eq!(json.as_array().map(Vec::len), Some(1), "{name}");
+        assert_eq!(json[0]["address"], address, "{name}");
+    }
+    folder.run(&["refs", "MW 100"]).code(0).stdout("MW 100 is not used in this program.");
+    folder.run(&["refs", "Spare"]).code(0).stdout("Spare is not used in this program.");
+    folder.run(&["refs", "man.awl"]).code(2).stderr("neither a file nor an address, symbol or variable");
+    folder.run(&["refs", "--unused", "Start"]).code(2).stderr("P7001");
+    folder.write("bad.awl", b"A \"Strat\"\n");
+    folder.run(&["refs", "bad.awl"]).code(3).stderr("P3020");
 }

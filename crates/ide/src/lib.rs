@@ -1,2 +1,9 @@
-//! Editor services as plain data (none yet).
+//! Editor services as plain data: reference data of a compiled program.
 #![forbid(unsafe_code)]
+
+pub mod assignment_list;
+pub mod call_structure;
+pub mod cross_reference;
+pub mod target;
+pub mod unused;
+mod variables;

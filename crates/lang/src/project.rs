@@ -18,7 +18,7 @@ use crate::declarations::types::{BlockInterface, Types};
 use crate::scope::{Scope, block_of_name};
 use crate::stl::ast;
 use crate::stl::check;
-use crate::stl::lower::lower;
+use crate::stl::lower::{ResolvedBlock, lower};
 use crate::stl::parser::parse;
 use crate::stl::resolve::{Known, plain_callee, plain_data_block};
 
@@ -47,6 +47,8 @@ pub struct Compiled {
     pub diagnostics: Vec<Diagnostic>,
     /// The mnemonic language of each file.
     pub mnemonics: BTreeMap<FileId, Mnemonics>,
+    /// The statements of every code block of the program with all names resolved, for reference data and editors.
+    pub blocks: BTreeMap<BlockId, ResolvedBlock>,
     /// Symbols of blocks and their comments, for display: `FC 1` → `Dosing`.
     pub block_names: BTreeMap<BlockId, String>,
 }
@@ -166,6 +168,7 @@ pub fn compile_syntax(
         diagnostics.append(&mut checked.diagnostics);
         if checked.whole {
             compiled.program.code.insert(*id, lower(&checked.block, &cpu));
+            compiled.blocks.insert(*id, checked.block);
         }
     }
     if !files.is_empty() && !blocks.contains_key(&BlockId::ob(1)) {

@@ -1,5 +1,6 @@
 //! The verbs, one file each.
 
+pub(crate) mod assignments;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod convert;
@@ -8,5 +9,7 @@ pub(crate) mod exec;
 pub(crate) mod explain;
 pub(crate) mod fmt;
 pub(crate) mod new;
+pub(crate) mod refs;
 pub(crate) mod run;
+pub(crate) mod structure;
 pub(crate) mod symbols;

@@ -9,6 +9,7 @@ use sieben_lang::symbols::{self, Format, Layout, assignment};
 use sieben_model::problems::Problem;
 use sieben_model::symbols::SymbolTable;
 
+use crate::document::{Document, Section};
 use crate::failure::{Exit, Failure};
 use crate::report::{self, Texts};
 use crate::{files, output, project, symbol_files};
@@ -18,6 +19,7 @@ use crate::{files, output, project, symbol_files};
 #[command(after_help = "Examples:\n  \
   sieben symbols symbols.csv         the assignment table\n  \
   sieben symbols symbols.csv --csv   the same for a spreadsheet\n  \
+  sieben symbols symbols.csv --html -o table.html  a page to print\n  \
   sieben symbols plant.sdf --to csv -o symbols.csv\n\n\
 Without --to the assignment table is printed: number, address, unit,\n\
 technological name, description, remark. The formats sdf and asc are those of\n\
@@ -35,6 +37,9 @@ pub(crate) struct Arguments {
     /// Print the assignment table as CSV
     #[arg(long)]
     csv: bool,
+    /// Print the assignment table as a web page that needs nothing beside it
+    #[arg(long, conflicts_with_all = ["to", "csv", "json"])]
+    html: bool,
     /// Print the assignment table, or the diagnostics if it has errors, as JSON
     #[arg(long, conflicts_with_all = ["to", "csv"])]
     json: bool,
@@ -102,6 +107,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
                 assignment::csv(&table)
             } else if arguments.json {
                 format!("{:#}\n", as_json(&table))
+            } else if arguments.html {
+                as_document(&table).html()
             } else {
                 assignment::text(&table)
             };
@@ -136,6 +143,12 @@ fn put(arguments: &Arguments, bytes: &[u8]) -> Result<(), Failure> {
         Some(path) => files::write_whole(path, bytes),
         None => output::print(&String::from_utf8_lossy(bytes)),
     }
+}
+
+fn as_document(table: &SymbolTable) -> Document {
+    let rows = assignment::rows(table).into_iter().map(|row| row.to_vec()).collect();
+    let section = Section { headings: assignment::HEADINGS.to_vec(), rows, ..Section::default() };
+    Document { title: "Assignment table".to_owned(), sections: vec![section] }
 }
 
 fn as_json(table: &SymbolTable) -> serde_json::Value {

@@ -14,7 +14,7 @@ use super::meaning::{
     accumulators, address_registers, bit_logic, compare, conversion, counters, data_blocks, integer_math, jumps, load_transfer,
     logic_control, mcr, null, real_math, shift_rotate, timers, word_logic,
 };
-use super::operands::{Operand, OperandClass, StatusScan};
+use super::operands::{Direction, Operand, OperandClass, StatusScan};
 
 /// What one status bit experiences: the manual's `-`, `0`, `1`, `x`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,6 +84,15 @@ macro_rules! instructions {
 }
 
 impl Instruction {
+    /// What a statement with this instruction does with its variable; `None` if its operand is none.
+    pub fn direction(self) -> Option<Direction> {
+        match self {
+            // The edge memory is compared with the RLO before it takes it.
+            Self::EdgePositive | Self::EdgeNegative => Some(Direction::ReadWrite),
+            _ => self.operand().direction(),
+        }
+    }
+
     /// The mnemonic in a language.
     pub fn mnemonic(self, mnemonics: Mnemonics) -> &'static str {
         match mnemonics {

@@ -4,6 +4,7 @@ use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::Section;
 use sieben_model::literal::Value;
+use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
 /// The operand of a statement.
@@ -202,6 +203,10 @@ pub enum CallInstance {
 /// One parameter of a `CALL`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CallParameter {
+    /// Its name in the callee.
+    pub name: String,
+    /// Where the caller gives it; the callee's name in the call if it is omitted.
+    pub span: Span,
     /// Its section in the callee.
     pub section: Section,
     /// Its type in the callee.
@@ -232,6 +237,28 @@ pub enum Actual {
         /// Its type.
         data_type: DataType,
     },
+}
+
+/// What a statement does with its operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Direction {
+    /// Reads it.
+    Read,
+    /// Writes it. What the old value was makes no difference to anything but itself.
+    Write,
+    /// Reads it and writes it.
+    ReadWrite,
+}
+
+impl Direction {
+    /// What a caller lets the called block do with an actual parameter of this section.
+    pub fn of_parameter(section: Section) -> Self {
+        match section {
+            Section::Input => Self::Read,
+            Section::Output | Section::Return => Self::Write,
+            Section::InOut | Section::Static | Section::Temp => Self::ReadWrite,
+        }
+    }
 }
 
 /// What operand an instruction takes: the operand column of the instruction table.
@@ -296,6 +323,37 @@ pub enum OperandClass {
 }
 
 impl OperandClass {
+    /// What the instructions of this class do with a variable; `None` if the operand is none.
+    ///
+    /// Edge instructions share a class with assignments: [`super::instructions::Instruction::direction`] knows them.
+    pub fn direction(self) -> Option<Direction> {
+        match self {
+            Self::ScanBit | Self::Load | Self::TimerOrCounter | Self::PointerSource | Self::PointerSourceWithoutAr2 => {
+                Some(Direction::Read)
+            }
+            Self::AssignBit | Self::Transfer | Self::Timer | Self::Counter | Self::PointerTarget | Self::PointerTargetWithoutAr2 => {
+                Some(Direction::Write)
+            }
+            Self::None
+            | Self::StatusWord
+            | Self::DataBlockInfo
+            | Self::OptionalPointerOffset
+            | Self::ByteConstant
+            | Self::IntConstant
+            | Self::DoubleIntConstant
+            | Self::ShiftCount16
+            | Self::ShiftCount32
+            | Self::OptionalConstant16
+            | Self::OptionalConstant32
+            | Self::Label
+            | Self::CallBlock
+            | Self::Call
+            | Self::OpenBlock
+            | Self::Zero
+            | Self::One => None,
+        }
+    }
+
     /// What it takes, in words for a message: "`L` takes …".
     pub fn describe(self) -> &'static str {
         match self {

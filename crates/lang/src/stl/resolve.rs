@@ -666,6 +666,8 @@ impl<'a> Resolver<'a> {
                 }
             };
             parameters.push(CallParameter {
+                name: parameter.name.clone(),
+                span: arguments.get(&key(&parameter.name)).map_or(call.callee_span, |argument| argument.name.span.to(argument.span)),
                 section: parameter.section,
                 data_type: parameter.data_type.clone(),
                 position: parameter.offset,
