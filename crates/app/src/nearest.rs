@@ -3,11 +3,12 @@
 /// The candidate closest to a word, without regard to case, if it is close enough to be a slip of the fingers.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word = word.to_lowercase();
-    let limit = (word.chars().count() / 3).max(1);
+    let length = word.chars().count();
+    let limit = (length / 3).max(1);
     candidates
         .into_iter()
         .map(|candidate| (strsim::damerau_levenshtein(&word, &candidate.to_lowercase()), candidate))
-        .filter(|&(distance, _)| distance <= limit)
+        .filter(|&(distance, _)| distance <= limit && distance < length)
         .min_by_key(|&(distance, _)| distance)
         .map(|(_, candidate)| candidate)
 }
@@ -31,5 +32,6 @@ mod tests {
         assert_eq!(nearest("soruces", ["sources", "symbols"]), Some("sources"));
         assert_eq!(nearest("CYCLE", ["cycle", "type"]), Some("cycle"));
         assert_eq!(nearest("xyz", ["sources", "symbols"]), None);
+        assert_eq!(nearest("", ["A"]).or(nearest("€", ["A"])), None);
     }
 }

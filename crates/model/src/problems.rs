@@ -77,7 +77,7 @@ problems! {
     P2206 Error "a jump into or out of a bracket" "Jump before the bracket is opened or after it is closed.";
     P2207 Warning "MCR zones that are not balanced" "Open every zone with `MCR(` and close it with `)MCR` in the same block, at most eight inside one another.";
     P2208 Warning "a statement that is never reached" "Remove it, or put a label before it that a jump leads to.";
-    P2209 Error "a jump list that is none" "Write only `JU` between `JL` and the statement with its label, at most 255 of them.";
+    P2209 Error "a jump list with something else than its jumps" "Write only `JU` between `JL` and the statement with its label, at most 255 of them.";
     P2210 Error "a data block or type without a structure" "Write `STRUCT … END_STRUCT`, or the UDT, FB or SFB that it is based on.";
     P2211 Error "a STRUCT without fields" "Declare at least one field.";
     P2212 Warning "an initial value where none is kept" "Remove it, and assign the value with a statement.";
@@ -110,7 +110,7 @@ problems! {
     // 4xxx types and ranges
     P4001 Error "a constant outside its range" "Use a value inside the range.";
     P4002 Error "an operand that the instruction does not take" "Use an operand of the kind that the message names.";
-    P4004 Error "the bounds of an array or the length of a string" "An array has 1 to 6 dimensions with bounds from -32768 to 32767, a string 0 to 254 characters.";
+    P4004 Error "array bounds or a string length outside their range" "An array has 1 to 6 dimensions with bounds from -32768 to 32767, a string 0 to 254 characters.";
     P4005 Error "an array index outside the bounds" "Use an index inside the bounds of the declaration, one for each dimension.";
     P4006 Error "a value that does not fit the type" "Write the constant in the notation of the type.";
     P4007 Error "more values than variables" "Remove the values that are too many.";
@@ -154,7 +154,7 @@ problems! {
     P6015 Error "a folder with too many files" "Name the sources in `sieben.toml`, so that the whole folder need not be searched.";
     P6101 Error "a symbol that stands twice in the table" "Rename or delete one of the two rows; case does not distinguish symbols.";
     P6102 Warning "an address with two symbols" "Keep the symbol that the program uses.";
-    P6103 Error "an address in the symbol table that is none" "Write it as in a program, in either mnemonic language: `I 0.0`, `QW 4`, `T 1`, `DB 5`.";
+    P6103 Error "an address in the symbol table that is not understood" "Write it as in a program, in either mnemonic language: `I 0.0`, `QW 4`, `T 1`, `DB 5`.";
     P6104 Error "a symbol table without a necessary column" "Let the first line name the columns, at least `symbol,address`.";
     P6105 Error "a line of a symbol table that does not have the form of its format" "Compare the line with its neighbours, or export the table again.";
     P6106 Warning "a symbol longer than 24 characters" "Shorten it if the table has to go back into STEP 7 V5.";
@@ -170,7 +170,7 @@ problems! {
     P7004 Error "a value that does not fit its target" "Use a constant of STL, such as 5, W#16#00FF, 1.5 or S5T#2S; 0 or 1 for a bit.";
     P7005 Error "a duration that is not understood" "Write a number with its unit: `10ms`, `1.5s`, `2m` or `1h`.";
     P7006 Error "an engine that this version does not have" "Use `--engine interpreter` or `--engine auto`.";
-    P7007 Error "a word that is not in the tables" "Give an instruction (`A`, `SPB`), a problem code (`P2001`) or a CPU type (`416-3`).";
+    P7007 Error "a word that is not in the tables" "Give an instruction (`A`, `SPB`), a problem code (`P2001`), a system function (`SFC 46`), an event (`16#4562`) or a CPU type (`416-3`).";
     P7008 Error "a name that cannot be the name of a project" "Use letters, digits, `-` and `_`.";
     P7009 Error "times that make no sense together" "Give a cycle longer than 0, and times in rising order.";
 
