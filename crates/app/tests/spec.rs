@@ -169,6 +169,11 @@ fn the_cpu_pages_come_true() {
 }
 
 #[test]
+fn the_system_pages_come_true() {
+    run_folder("system");
+}
+
+#[test]
 fn every_example_of_the_courses_has_a_section() {
     let headings: Vec<String> = pages("course").iter().flat_map(|(_, page)| sections(page)).map(|section| section.heading).collect();
     let ids =
@@ -180,7 +185,7 @@ fn every_example_of_the_courses_has_a_section() {
 #[test]
 fn every_instruction_occurs_in_a_page() {
     let mut seen = BTreeSet::new();
-    for (_, page) in ["course", "stl", "cpu"].into_iter().flat_map(pages) {
+    for (_, page) in ["course", "stl", "cpu", "system"].into_iter().flat_map(pages) {
         for section in sections(&page).iter().filter(|section| !section.checks.is_empty()) {
             for block in parse(FileId::default(), &section.stl, Some(Mnemonics::English)).file.blocks {
                 for statement in block.statements {

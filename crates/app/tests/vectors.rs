@@ -9,7 +9,6 @@ use std::sync::Arc;
 use sieben_cpu::{Cpu, OperatingMode, Restart};
 use sieben_engine::Program;
 use sieben_model::cpu_type::CpuType;
-use sieben_model::mnemonics::Mnemonics;
 use sieben_model::symbols::SymbolTable;
 use sieben_sim::names::Name;
 
@@ -25,25 +24,6 @@ impl Row {
 /// Column and name of everything that is given before and checked after.
 const REGISTERS: &[(&str, &str)] =
     &[("accu1", "ACCU1"), ("accu2", "ACCU2"), ("accu3", "ACCU3"), ("accu4", "ACCU4"), ("ar1", "AR1"), ("ar2", "AR2"), ("stw", "STW")];
-
-/// Rows of `iec-trace` whose system function blocks the CPU does not have yet; the test fails when one of them compiles.
-const KNOWN_GAPS: &[(&str, u16)] = &[
-    ("V0816", 3),
-    ("V0817", 3),
-    ("V0819", 3),
-    ("V0820", 3),
-    ("V0822", 4),
-    ("V0823", 4),
-    ("V0825", 4),
-    ("V0826", 5),
-    ("V0828", 5),
-    ("V0829", 5),
-    ("V0831", 0),
-    ("V0832", 0),
-    ("V0834", 1),
-    ("V0835", 1),
-    ("V0837", 2),
-];
 
 fn rows() -> Vec<Row> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec/vectors/vectors.csv");
@@ -88,8 +68,11 @@ fn run_source(row: &Row, source: &str, cpu_type: &'static CpuType, stop: Option<
         for (engine, load) in program::ENGINES {
             let mut cpu = program::cpu(&program, cpu_type, *load, None);
             cpu.restart(Restart::Warm);
-            let wrong =
-                if row.get("group") == "timer-trace" { trace(row, &mut cpu, &program) } else { once(row, &mut cpu, &program, stop) };
+            let wrong = match row.get("group") {
+                "timer-trace" => trace(row, &mut cpu, &program),
+                "iec-trace" => iec_trace(row, &mut cpu, &program),
+                _ => once(row, &mut cpu, &program, stop),
+            };
             out.extend(wrong.into_iter().map(|message| format!("[{language}, {engine}] {message}")));
         }
     }
@@ -105,6 +88,11 @@ fn source(row: &Row) -> String {
         let time = code.split("L W#16#").nth(1).and_then(|rest| rest.get(..4)).expect("a time");
         return format!(
             "A I 0.2;\nFR T 1;\nA I 0.0;\nL W#16#{time};\n{start} T 1;\nA I 0.1;\nR T 1;\nA T 1;\n= Q 0.0;\nL T 1;\nT MW 10;\n"
+        );
+    }
+    if let Some((sfb, _)) = code.strip_prefix("CALL SFB ").and_then(|rest| rest.split_once(' ')) {
+        return format!(
+            "DATA_BLOCK DB 1 SFB {sfb}\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\nBEGIN\nCALL SFB {sfb}, DB 1;\nEND_ORGANIZATION_BLOCK\n"
         );
     }
     let mut body = code.replace("; ", ";\n");
@@ -171,6 +159,41 @@ fn trace(row: &Row, cpu: &mut Cpu, program: &Program) -> Vec<String> {
     out
 }
 
+/// Scans with the inputs written to the instance, DB 1. A trace of a timer begins each step with a time, one of a counter has the
+/// inputs for all steps in front and a scan every 10 ms.
+fn iec_trace(row: &Row, cpu: &mut Cpu, program: &Program) -> Vec<String> {
+    let mut out = Vec::new();
+    let in_instance = |name: &str| name_of(&format!("DB1.{name}"), program);
+    let mut steps: Vec<&str> = row.get("in_mem").split('|').map(str::trim).collect();
+    let results: Vec<&str> = row.get("out_mem").split('|').collect();
+    if steps.len() == results.len() + 1 {
+        let (name, value) = steps.remove(0).split_once('=').expect("an input for all steps");
+        out.extend(in_instance(name).write(cpu, value).err().map(|error| error.to_string()));
+    }
+    assert_eq!(steps.len(), results.len(), "{}: a result for every step", row.get("id"));
+    for (index, (before, after)) in steps.into_iter().zip(results).enumerate() {
+        let mut ms = index as u64 * 10;
+        for word in before.split_whitespace() {
+            let Some((name, value)) = word.split_once('=') else {
+                ms = word.strip_suffix("ms").and_then(|time| time.parse().ok()).expect("a time");
+                continue;
+            };
+            let value = match value.strip_suffix("ms") {
+                Some(time) if time.starts_with('-') => format!("T#-{}MS", &time[1..]),
+                Some(time) => format!("T#{time}MS"),
+                None => value.to_owned(),
+            };
+            out.extend(in_instance(name).write(cpu, &value).err().map(|error| error.to_string()));
+        }
+        cpu.scan(ms * 1000);
+        for (name, value) in after.split_whitespace().filter_map(|word| word.split_once('=')) {
+            let value = if name == "ET" { format!("T#{value}MS") } else { value.to_owned() };
+            out.extend(differs(&format!("DB1.{name}"), &value, cpu, program).map(|message| format!("at {ms}ms: {message}")));
+        }
+    }
+    out
+}
+
 fn name_of(name: &str, program: &Program) -> Name {
     Name::parse(name, &SymbolTable::default(), program).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -192,7 +215,7 @@ fn every_vector_comes_true() {
     let mut report = Vec::new();
     let rows = rows();
     assert!(rows.len() > 600, "{} rows", rows.len());
-    for row in rows.iter().filter(|row| row.get("group") != "iec-trace") {
+    for row in &rows {
         let wrong = run(row);
         if !wrong.is_empty() {
             report.push(format!(
@@ -206,19 +229,4 @@ fn every_vector_comes_true() {
         }
     }
     assert!(report.is_empty(), "{} vectors do not come true:\n{}", report.len(), report.join("\n"));
-}
-
-#[test]
-fn the_iec_timers_and_counters_are_still_to_come() {
-    let traces: Vec<String> = rows().iter().filter(|row| row.get("group") == "iec-trace").map(|row| row.get("id").to_owned()).collect();
-    assert_eq!(traces, KNOWN_GAPS.iter().map(|(id, _)| (*id).to_owned()).collect::<Vec<_>>(), "every row of the group is listed as a gap");
-    for (id, number) in KNOWN_GAPS {
-        let source = format!(
-            "DATA_BLOCK DB {number}0 SFB {number}\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\nBEGIN\nCALL SFB {number}, DB {number}0;\nEND_ORGANIZATION_BLOCK\n"
-        );
-        assert!(
-            program::compile(&source, Mnemonics::English, &CpuType::ALL[0]).is_err(),
-            "SFB {number} is there now: run the trace {id} as the timer traces are run"
-        );
-    }
 }

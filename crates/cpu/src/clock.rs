@@ -25,6 +25,30 @@ impl DateAndTime {
         Self(self.0.saturating_add(us / 1000))
     }
 
+    /// Earlier by this many microseconds; before 1990 comes 2089.
+    #[must_use]
+    pub(crate) const fn minus_us(self, us: u64) -> Self {
+        let century = CENTURY_DAYS * DAY_MS;
+        Self((self.0 % century + century - us / 1000 % century) % century)
+    }
+
+    /// A point in time from the eight bytes of DATE_AND_TIME; the weekday is not looked at.
+    pub(crate) fn from_bcd(bytes: [u8; 8]) -> Result<Self, NoDateAndTime> {
+        let bcd = |byte: u8| (byte >> 4 <= 9 && byte & 0xF <= 9).then(|| (byte >> 4) * 10 + (byte & 0xF));
+        let [year, month, day, hour, minute, second, centi, milli] = bytes;
+        let [Some(year), Some(month), Some(day)] = [year, month, day].map(bcd) else { return Err(NoDateAndTime::Date) };
+        let year = (if year >= 90 { 1900 } else { 2000 }) + u16::from(year);
+        let days = literal::days_to_date(year, month, day).ok_or(NoDateAndTime::Date)?;
+        let time = [hour, minute, second, centi, milli >> 4].map(bcd);
+        match time {
+            [Some(hour @ ..=23), Some(minute @ ..=59), Some(second @ ..=59), Some(centi), Some(milli)] => {
+                let [hour, minute, second, centi, milli] = [hour, minute, second, centi, milli].map(u64::from);
+                Ok(Self(u64::from(days) * DAY_MS + ((hour * 60 + minute) * 60 + second) * 1000 + centi * 10 + milli))
+            }
+            _ => Err(NoDateAndTime::Time),
+        }
+    }
+
     /// The eight bytes of DATE_AND_TIME: BCD year, month, day, hour, minute, second, milliseconds and weekday (1 = Sunday).
     pub fn to_bcd(self) -> [u8; 8] {
         let days = self.0 / DAY_MS % CENTURY_DAYS;
@@ -37,6 +61,15 @@ impl DateAndTime {
         let century = if year >= 0x90 { "19" } else { "20" };
         format!("{century}{year:02x}-{month:02x}-{day:02x} {hour:02x}:{minute:02x}:{second:02x}.{centi:02x}{:x}", milli >> 4)
     }
+}
+
+/// What is wrong with the bytes of a DATE_AND_TIME.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NoDateAndTime {
+    /// There is no such day.
+    Date,
+    /// There is no such time.
+    Time,
 }
 
 impl Default for DateAndTime {
@@ -70,6 +103,24 @@ mod tests {
             assert_eq!(DateAndTime::from_ms_since_1990(ms).to_bcd(), bytes, "{ms} ms");
         }
         assert_eq!(DateAndTime::DEFAULT.display(), "1994-01-01 00:00:00.000");
+    }
+
+    #[test]
+    fn date_and_time_is_read_from_bcd() {
+        for ms in [0, 4 * 365 * DAY_MS + 5, DateAndTime::DEFAULT.0 + 3_723_045, 3711 * DAY_MS - 1, CENTURY_DAYS * DAY_MS - 1] {
+            let point = DateAndTime(ms);
+            assert_eq!(DateAndTime::from_bcd(point.to_bcd()), Ok(point), "{}", point.display());
+        }
+        let date = |bytes: [u8; 3]| DateAndTime::from_bcd([bytes[0], bytes[1], bytes[2], 0, 0, 0, 0, 0]).err();
+        for bytes in [[0x94, 0, 1], [0x94, 0x13, 1], [0x94, 2, 0x29], [0x94, 2, 0], [0x9A, 1, 1], [0x94, 0x4, 0x31]] {
+            assert_eq!(date(bytes), Some(NoDateAndTime::Date), "{bytes:x?}");
+        }
+        assert_eq!(date([0x96, 2, 0x29]), None);
+        for bytes in [[0x24, 0, 0, 0, 0], [0, 0x60, 0, 0, 0], [0, 0, 0x60, 0, 0], [0, 0, 0, 0xA0, 0], [0, 0, 0, 0, 0xA0]] {
+            let [hour, minute, second, centi, milli] = bytes;
+            let read = DateAndTime::from_bcd([0x94, 1, 1, hour, minute, second, centi, milli]);
+            assert_eq!(read, Err(NoDateAndTime::Time), "{bytes:x?}");
+        }
     }
 
     #[test]

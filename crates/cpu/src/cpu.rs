@@ -20,6 +20,7 @@ use crate::mode::{OperatingMode, Restart};
 use crate::organization_blocks::{self as ob, StartInformation};
 use crate::process_image::{self, Overrides};
 use crate::station::{AccessError, Station, TimerReading};
+use crate::system;
 
 /// Where time comes from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -137,6 +138,7 @@ pub struct Cpu {
     registers: Registers,
     requests: Arc<Requests>,
     overrides: Overrides,
+    system: system::State,
 }
 
 impl Cpu {
@@ -173,6 +175,7 @@ impl Cpu {
             registers,
             requests: Arc::default(),
             overrides: Overrides::new(),
+            system: system::State::default(),
         };
         cpu.load_data_blocks(|_| true);
         cpu
@@ -197,6 +200,7 @@ impl Cpu {
         let stop_event = self.cause.take().map_or(0, |cause| cause.event);
         self.cycle = Cycle::default();
         self.class = StartInformation::startup(self.restart, stop_event, self.cpu_type.has_ob88);
+        self.system.restart(self.machine.clock_us, self.restart == Restart::Hot, self.class);
         self.mode = OperatingMode::Startup;
         self.log(StartInformation { event: 0x4301, ..self.class }, None);
         self.watchdog = Watchdog::new(true, self.now_us, self.watchdog_us(), self.settings.virtual_safe_points);
@@ -409,8 +413,13 @@ impl Cpu {
                 class: self.class,
                 first: None,
                 abort: None,
+                program: &self.program,
+                system: &mut self.system,
             };
             if !resume {
+                if let Some(entry) = &entry {
+                    host.system.begin(entry.block.number);
+                }
                 self.machine.frames.clear();
                 self.machine.parameters.clear();
             }
@@ -424,9 +433,10 @@ impl Cpu {
                 Some(entry) if !resume => engine.run(&mut context, entry),
                 _ => engine.resume(&mut context),
             };
-            let (abort, first, now_us) = (host.abort, host.first, host.time.now_us);
+            let (abort, first, now_us, start) = (host.abort, host.first, host.time.now_us, host.time.start);
             self.watchdog.settle(&self.machine);
             self.now_us = now_us;
+            self.settings.date_and_time = start;
             let registers = saved.get_or_insert_with(|| self.machine.registers.clone());
             match exit {
                 Exit::Stopped(_) if abort.is_some() => {

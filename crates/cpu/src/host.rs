@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use sieben_engine::{Engine, Fault, FaultPlace, Host, Machine, Reaction, StopReason};
+use sieben_engine::{Engine, Fault, FaultPlace, Host, Machine, Program, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
@@ -16,6 +16,9 @@ use crate::system;
 
 /// Greatest budget handed out at once: bounds how long a STOP request or the watchdog can go unseen.
 const BUDGET_MAX: i64 = 1024;
+
+/// Readings without progress after which a clock is taken to stand still.
+const CLOCK_STANDS_STILL: u32 = 1_000_000;
 
 /// Requests from other threads, seen at the next safe point.
 #[derive(Debug, Default)]
@@ -123,6 +126,10 @@ pub(crate) struct CpuHost<'a> {
     pub(crate) first: Option<DiagnosticEntry>,
     /// Start information for OB 88: the priority class is aborted, the CPU stays in RUN.
     pub(crate) abort: Option<StartInformation>,
+    /// What is loaded.
+    pub(crate) program: &'a Program,
+    /// What system functions remember.
+    pub(crate) system: &'a mut system::State,
 }
 
 impl CpuHost<'_> {
@@ -133,6 +140,42 @@ impl CpuHost<'_> {
         self.watchdog.passed = 0;
         self.watchdog.started_us = self.time.now_us;
         self.watchdog.grant(self.time.source, machine);
+    }
+
+    /// Brings the clocks up to now, in real time.
+    pub(crate) fn read_time(&mut self, machine: &mut Machine) {
+        self.time.read(machine);
+    }
+
+    /// The time of day as [`Self::read_time`] saw it.
+    pub(crate) fn date_and_time(&self) -> DateAndTime {
+        self.time.date_and_time()
+    }
+
+    /// Sets the time of day (SFC 0).
+    pub(crate) fn set_date_and_time(&mut self, wanted: DateAndTime) {
+        self.time.start = wanted.minus_us(self.time.now_us);
+    }
+
+    /// Lets this many microseconds pass (SFC 47); in virtual time at once.
+    pub(crate) fn wait(&mut self, machine: &mut Machine, us: u64) {
+        self.time.read(machine);
+        let until = self.time.now_us.saturating_add(us);
+        if self.time.source == TimeSource::Virtual {
+            machine.clock_us = machine.clock_us.saturating_add(until - self.time.now_us);
+            self.time.now_us = until;
+            return;
+        }
+        let mut asked = 0;
+        while self.time.now_us < until && !self.requests.stop.load(Ordering::Relaxed) {
+            let before = self.time.now_us;
+            self.time.read(machine);
+            asked = if self.time.now_us == before { asked + 1 } else { 0 };
+            // A clock that stands still must not hold the CPU for ever.
+            if asked > CLOCK_STANDS_STILL {
+                break;
+            }
+        }
     }
 
     fn enter(&mut self, fields: StartInformation, place: Option<FaultPlace>) -> DiagnosticEntry {
@@ -165,6 +208,13 @@ impl CpuHost<'_> {
 impl Host for CpuHost<'_> {
     fn fault(&mut self, machine: &mut Machine, fault: &Fault, place: FaultPlace) -> Reaction {
         self.time.read(machine);
+        if let Some((filter, bit)) = system::filter_bit(fault) {
+            let class = self.system.class(machine);
+            if class.masked[filter] & bit != 0 {
+                class.happened[filter] |= bit;
+                return Reaction::Continue;
+            }
+        }
         let class = self.class(machine);
         let info = StartInformation::fault(fault, place, &class);
         let entry = self.enter(info, Some(place));
@@ -183,6 +233,7 @@ impl Host for CpuHost<'_> {
         let block = if matches!(fault, Fault::IoAccess { .. }) { ob::IO_ACCESS_ERROR } else { ob::PROGRAMMING_ERROR };
         if self.engine.has_block(block) {
             self.first = None;
+            self.system.interrupt(machine, info);
             Reaction::Enter { block, start_information: info.bytes(self.time.date_and_time()) }
         } else {
             Reaction::Stop(StopReason { event: ob::missing(block), place: Some(place) })
@@ -229,6 +280,7 @@ impl Host for CpuHost<'_> {
             }
             self.watchdog.exceeded = true;
             self.restart_watchdog(machine);
+            self.system.interrupt(machine, info);
             return Reaction::Enter { block: ob::TIME_ERROR, start_information: info.bytes(self.time.date_and_time()) };
         }
         self.watchdog.grant(self.time.source, machine);
@@ -238,8 +290,8 @@ impl Host for CpuHost<'_> {
         Reaction::Continue
     }
 
-    fn system_function(&mut self, machine: &mut Machine, block: BlockId, _first_parameter: usize) -> Reaction {
-        let reaction = system::run(block, &mut system::Call { machine, host: self });
+    fn system_function(&mut self, machine: &mut Machine, block: BlockId, first_parameter: usize) -> Reaction {
+        let reaction = system::run(block, &mut system::Call { machine, host: self, first: first_parameter });
         // The engine asks `has_system_function` first.
         reaction.unwrap_or(Reaction::Continue)
     }

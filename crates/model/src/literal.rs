@@ -459,6 +459,13 @@ fn days_since_1990(year: u32, month: u32, day: u32) -> u32 {
     (1990..year).map(days_of_year).sum::<u32>() + (1..month).map(|month| days_of_month(year, month)).sum::<u32>() + day - 1
 }
 
+/// Days from 1990-01-01 to a date; `None` if there is no such day from then on.
+pub fn days_to_date(year: u16, month: u8, day: u8) -> Option<u32> {
+    let (year, month, day) = (u32::from(year), u32::from(month), u32::from(day));
+    let exists = year >= 1990 && (1..=12).contains(&month) && day >= 1 && day <= days_of_month(year, month);
+    exists.then(|| days_since_1990(year, month, day))
+}
+
 /// Year, month and day of a DATE, for every 16-bit number of days.
 fn calendar_date(days: u16) -> (u32, u32, u32) {
     let mut left = u32::from(days);

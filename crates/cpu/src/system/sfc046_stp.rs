@@ -2,11 +2,13 @@
 
 use sieben_engine::{Reaction, StopReason};
 
-use super::Call;
+use super::{Call, Row, Run, sfc};
 
 /// STOP by the program.
 const STOP_BY_PROGRAM: u16 = 0x457F;
 
-pub(super) fn run(_call: &mut Call<'_, '_>) -> Reaction {
+pub(super) const ROW: Row = sfc(46, "STP", &[], Run::Reaction(run));
+
+fn run(_call: &mut Call<'_, '_>) -> Reaction {
     Reaction::Stop(StopReason { event: STOP_BY_PROGRAM, place: None })
 }

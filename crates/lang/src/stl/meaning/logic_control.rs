@@ -111,7 +111,10 @@ fn call_function(l: &mut Lowering<'_>, call: &Call) {
                 }
             },
             Some(Actual::Complex { location, data_type }) => {
-                let hidden = build_pointer(l, location, data_type, parameter.data_type == DataType::Any);
+                let hidden = match ready_any(l, parameter, location, data_type) {
+                    Some(ready) => ready,
+                    None => build_pointer(l, location, data_type, parameter.data_type == DataType::Any),
+                };
                 Pass::Known(CALLER_LOCAL | hidden)
             }
         };
@@ -268,7 +271,10 @@ fn prepare(l: &mut Lowering<'_>, parameter: &CallParameter) -> Option<Prepared> 
                 None
             } else {
                 let any = parameter.data_type == DataType::Any;
-                let position = build_pointer(l, location, data_type, any);
+                let position = match ready_any(l, parameter, location, data_type) {
+                    Some(ready) => ready,
+                    None => build_pointer(l, location, data_type, any),
+                };
                 Some(Prepared { position, bytes: if any { 10 } else { 6 }, width: None })
             }
         }
@@ -414,6 +420,29 @@ fn split(bytes: &[u8]) -> Vec<(u32, Width)> {
         [a, b] => vec![(u32::from(u16::from_be_bytes([a, b])), Width::Word)],
         [a] => vec![(u32::from(a), Width::Byte)],
         _ => Vec::new(),
+    }
+}
+
+/// Where an ANY lies in the local data that is passed as it is: a variable of VAR_TEMP that the program has put together, or
+/// a parameter passed on. A pointer to it would mean the ten bytes themselves.
+fn ready_any(l: &mut Lowering<'_>, parameter: &CallParameter, location: &Location, data_type: &DataType) -> Option<u32> {
+    if parameter.data_type != DataType::Any || *data_type != DataType::Any {
+        return None;
+    }
+    match location {
+        Location::Fixed { area: Area::Local, position } => Some(*position),
+        Location::Parameter { index, .. } => {
+            let position = l.hidden(10);
+            for (offset, width) in [(0, Width::DoubleWord), (32, Width::DoubleWord), (64, Width::Word)] {
+                let own = l.b.temporary();
+                l.b.push(Inst::Parameter { dst: own, index: *index });
+                let value = l.b.load(Place::Crossing { pointer: own, offset }, width, OnFault::SkipStatement);
+                l.b.store(Place::Fixed { area: Area::Local, position: position + offset }, width, value);
+                l.b.release_temporaries();
+            }
+            Some(position)
+        }
+        _ => None,
     }
 }
 

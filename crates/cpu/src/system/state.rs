@@ -1,0 +1,100 @@
+//! What system functions remember from call to call.
+
+use std::collections::BTreeMap;
+
+use sieben_engine::{Machine, machine::Origin};
+
+use crate::organization_blocks::{self as ob, StartInformation};
+
+/// What a priority class has set; its end forgets it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Class {
+    /// Masked programming and access errors (SFC 36).
+    pub(crate) masked: [u32; 2],
+    /// Masked errors that happened (SFC 38).
+    pub(crate) happened: [u32; 2],
+    /// How often interrupts were delayed (SFC 41).
+    pub(crate) delayed: u16,
+}
+
+/// A run-time meter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Meter {
+    /// What it shows, in microseconds, when it was set or stopped.
+    pub(crate) shown_us: u64,
+    /// CPU clock when it was started, while it runs.
+    pub(crate) since_us: Option<u64>,
+}
+
+/// The memory of the system functions of a CPU.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct State {
+    /// Run-time meters.
+    pub(crate) meters: [Meter; 8],
+    /// Priority classes by the number of their organization block.
+    classes: BTreeMap<u16, Class>,
+    /// Start information of the last startup.
+    pub(crate) startup: StartInformation,
+    /// Organization blocks that interrupt others: number of frames below, start information.
+    interrupts: Vec<(usize, StartInformation)>,
+    /// CPU clock at the last restart that was no hot one.
+    pub(crate) restarted_us: u64,
+}
+
+impl State {
+    /// The CPU starts. Run-time meters keep what they show and stand still until the program starts them.
+    pub(crate) fn restart(&mut self, now_us: u64, hot: bool, startup: StartInformation) {
+        self.startup = startup;
+        self.classes.clear();
+        self.interrupts.clear();
+        if !hot {
+            self.restarted_us = now_us;
+            for meter in &mut self.meters {
+                meter.stop(now_us);
+            }
+        }
+    }
+
+    /// An organization block starts as an own priority class.
+    pub(crate) fn begin(&mut self, number: u16) {
+        self.classes.remove(&number);
+        self.interrupts.clear();
+    }
+
+    /// An organization block interrupts another.
+    pub(crate) fn interrupt(&mut self, machine: &Machine, info: StartInformation) {
+        let depth = machine.frames.len();
+        self.interrupts.retain(|&(below, _)| below < depth);
+        self.interrupts.push((depth, info));
+        if info.block != 121 && info.block != 122 {
+            self.classes.remove(&u16::from(info.block));
+        }
+    }
+
+    /// What the running priority class has set. Organization blocks of synchronous errors belong to the class of their cause.
+    pub(crate) fn class(&mut self, machine: &Machine) -> &mut Class {
+        let own = machine.frames.iter().rev().find(|frame| match frame.origin {
+            Origin::Start => true,
+            Origin::Interrupt { .. } => !matches!(frame.block, ob::PROGRAMMING_ERROR | ob::IO_ACCESS_ERROR),
+            Origin::Call(_) => false,
+        });
+        self.classes.entry(own.map_or(0, |frame| frame.block.number)).or_default()
+    }
+
+    /// Start information of the innermost organization block, if it interrupts another.
+    pub(crate) fn innermost(&self, machine: &Machine) -> Option<StartInformation> {
+        self.interrupts.iter().rev().find(|&&(below, _)| below < machine.frames.len()).map(|&(_, info)| info)
+    }
+}
+
+impl Meter {
+    /// What it shows now, in microseconds.
+    pub(crate) fn now(&self, now_us: u64) -> u64 {
+        self.since_us.map_or(self.shown_us, |since| self.shown_us.saturating_add(now_us.saturating_sub(since)))
+    }
+
+    /// Stands still and keeps what it shows.
+    pub(crate) fn stop(&mut self, now_us: u64) {
+        *self = Self { shown_us: self.now(now_us), since_us: None };
+    }
+}
