@@ -589,6 +589,17 @@ fn reference_data_is_printed_as_text_json_and_a_page() {
 }
 
 #[test]
+fn a_chain_of_calls_of_any_length_is_printed() {
+    let mut program = String::from("ORGANIZATION_BLOCK OB 1\nBEGIN\nUC FC 1\nEND_ORGANIZATION_BLOCK\n");
+    for number in 1..=3000 {
+        program.push_str(&format!("FUNCTION FC {number} : VOID\nBEGIN\nUC FC {}\nEND_FUNCTION\n", number % 3000 + 1));
+    }
+    let folder = Folder::with(&[("chain.awl", &program)]);
+    let run = folder.run(&["structure", "chain.awl"]).code(0).stdout("(3000) FC 3000").stdout("recursion");
+    assert!(run.stdout.lines().all(|line| line.chars().count() < 200));
+}
+
+#[test]
 fn references_are_asked_for_by_address_symbol_and_variable() {
     let program = "\
 DATA_BLOCK DB 5
@@ -633,6 +644,7 @@ END_ORGANIZATION_BLOCK
     folder.run(&["refs", "MW 100"]).code(0).stdout("MW 100 is not used in this program.");
     folder.run(&["refs", "Spare"]).code(0).stdout("Spare is not used in this program.");
     folder.run(&["refs", "man.awl"]).code(2).stderr("neither a file nor an address, symbol or variable");
+    folder.run(&["refs", ".", " "]).code(2).stderr("P7003");
     folder.run(&["refs", "--unused", "Start"]).code(2).stderr("P7001");
     folder.write("bad.awl", b"A \"Strat\"\n");
     folder.run(&["refs", "bad.awl"]).code(3).stderr("P3020");

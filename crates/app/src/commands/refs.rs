@@ -143,7 +143,9 @@ impl<'a> Chosen<'a> {
                     || match target {
                         Target::Memory(memory) => {
                             let in_block = memory.db.is_some_and(|db| wanted == Some(Target::Block(BlockId::db(db))));
-                            in_block || shared.contains(memory) || (wanted.is_none() && unquoted(&places.symbol(target)))
+                            in_block
+                                || shared.contains(memory)
+                                || (wanted.is_none() && !plain.is_empty() && unquoted(&places.symbol(target)))
                         }
                         Target::Local { name, .. } => wanted.is_none() && (same(name) || name.strip_prefix('#').is_some_and(same)),
                         Target::Indirect(_) => wanted.is_none() && same(&target.spell(places.mnemonics)),

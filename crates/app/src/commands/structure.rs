@@ -13,6 +13,9 @@ use crate::failure::{Exit, Failure};
 use crate::places::Places;
 use crate::project::{Build, Project};
 
+/// Levels that are indented: more than any CPU nests; deeper ones are numbered.
+const LEVELS_MAX: usize = 40;
+
 /// Print which block calls which, and the local data of every path.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
@@ -85,7 +88,8 @@ fn section(places: &Places<'_>, lines: &[Line<'_>], mark: &str) -> Section {
 
 fn row(places: &Places<'_>, line: &Line<'_>, mark: &str) -> Vec<String> {
     let own = if line.depth == 0 { mark } else { "" };
-    let indent = if line.depth == 0 { 0 } else { 2 * line.depth + mark.len() };
+    let indent = if line.depth == 0 { 0 } else { 2 * line.depth.min(LEVELS_MAX) + mark.len() };
+    let level = if line.depth > LEVELS_MAX { format!("({}) ", line.depth) } else { String::new() };
     let symbol = match &line.callee {
         Callee::Block(block) => places.block_symbol(*block),
         Callee::Unknown(_) => String::new(),
@@ -107,7 +111,7 @@ fn row(places: &Places<'_>, line: &Line<'_>, mark: &str) -> Vec<String> {
     let remark = remark(line.mark).to_owned();
     let (own_bytes, path_bytes) = (number(line.own), number(line.local_data));
     vec![
-        format!("{}{own}{}", " ".repeat(indent), callee_name(places, &line.callee)),
+        format!("{}{own}{level}{}", " ".repeat(indent), callee_name(places, &line.callee)),
         symbol,
         call,
         instance,
