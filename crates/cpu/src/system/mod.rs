@@ -1,6 +1,7 @@
 //! System functions: one file each, one row here.
 
 mod any;
+mod consistent_data;
 mod created_data_blocks;
 mod error_masks;
 mod iec_timer;
@@ -19,6 +20,8 @@ mod sfc002_set_rtm;
 mod sfc003_ctrl_rtm;
 mod sfc004_read_rtm;
 mod sfc006_rd_sinfo;
+mod sfc014_dprd_dat;
+mod sfc015_dpwr_dat;
 mod sfc020_blkmov;
 mod sfc021_fill;
 mod sfc022_creat_db;
@@ -35,6 +38,7 @@ mod sfc044_repl_val;
 mod sfc046_stp;
 mod sfc047_wait;
 mod sfc064_time_tck;
+mod sfc081_ublkmov;
 mod state;
 #[cfg(test)]
 mod tests;
@@ -124,6 +128,8 @@ static TABLE: &[Row] = &[
     sfc003_ctrl_rtm::ROW,
     sfc004_read_rtm::ROW,
     sfc006_rd_sinfo::ROW,
+    sfc014_dprd_dat::ROW,
+    sfc015_dpwr_dat::ROW,
     sfc020_blkmov::ROW,
     sfc021_fill::ROW,
     sfc022_creat_db::ROW,
@@ -140,6 +146,7 @@ static TABLE: &[Row] = &[
     sfc046_stp::ROW,
     sfc047_wait::ROW,
     sfc064_time_tck::ROW,
+    sfc081_ublkmov::ROW,
     sfb000_ctu::ROW,
     sfb001_ctd::ROW,
     sfb002_ctud::ROW,
