@@ -137,6 +137,7 @@ problems! {
     P5005 Warning "an access behind the end of a data block" "Make the data block longer, or correct the address.";
     P5006 Error "more data than a CPU holds" "Make the data blocks smaller, or fewer.";
     P5007 Warning "more local data than the CPU type has for a block" "Move large variables from VAR_TEMP into a data block.";
+    P5008 Warning "an instruction that the CPU type does not have" "Leave it out, or choose a CPU type with four accumulators, such as 416-3.";
 
     // 6xxx files and projects
     P6001 Error "a file that cannot be read" "Check the path and the permissions.";

@@ -78,6 +78,7 @@ pub(crate) fn block(
     for statement in &statements {
         calls(known, statement, &mut diagnostics);
         edge_memory(statement, &mut diagnostics);
+        accumulators(known, statement, &mut diagnostics);
     }
     whole &= !diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error);
     Checked { block: ResolvedBlock { id, interface: interface.clone(), statements }, diagnostics, whole }
@@ -355,5 +356,13 @@ fn edge_memory(statement: &Statement, diagnostics: &mut Vec<Diagnostic>) {
     {
         let message = "this edge memory lies in temporary data, which the next cycle does not find again".to_owned();
         diagnostics.push(Diagnostic::new(Problem::P4016, statement.span, message));
+    }
+}
+
+/// `ENT` and `LEAVE` are instructions of CPUs with four accumulators.
+fn accumulators(known: &Known<'_>, statement: &Statement, diagnostics: &mut Vec<Diagnostic>) {
+    if known.cpu.accumulators < 4 && matches!(statement.instruction, Instruction::Enter | Instruction::Leave) {
+        let message = format!("CPU {} has two accumulators, so that this statement does nothing", known.cpu.name);
+        diagnostics.push(Diagnostic::new(Problem::P5008, statement.span, message));
     }
 }

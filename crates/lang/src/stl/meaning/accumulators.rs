@@ -31,25 +31,22 @@ pub(crate) fn push(l: &mut Lowering<'_>) {
 /// `POP`.
 pub(crate) fn pop(l: &mut Lowering<'_>) {
     l.b.copy(Register::Accu1, ACCU2);
-    drop_accumulator2(l);
+    leave(l);
 }
 
 /// `ENT`; nothing on a CPU with two accumulators, for which the check reports it.
 pub(crate) fn enter(l: &mut Lowering<'_>) {
-    l.b.copy(Register::Accu4, Register::Accu3);
-    l.b.copy(Register::Accu3, Register::Accu2);
-}
-
-/// `LEAVE`.
-pub(crate) fn leave(l: &mut Lowering<'_>) {
-    l.b.copy(Register::Accu2, Register::Accu3);
-    l.b.copy(Register::Accu3, Register::Accu4);
-}
-
-/// Behind an operation on two accumulators, a CPU with four moves ACCU 3 and 4 down.
-pub(crate) fn drop_accumulator2(l: &mut Lowering<'_>) {
     if l.four_accumulators() {
-        leave(l);
+        l.b.copy(Register::Accu4, Register::Accu3);
+        l.b.copy(Register::Accu3, Register::Accu2);
+    }
+}
+
+/// `LEAVE`, and what stands behind an operation on two accumulators: a CPU with four moves ACCU 3 and 4 down.
+pub(crate) fn leave(l: &mut Lowering<'_>) {
+    if l.four_accumulators() {
+        l.b.copy(Register::Accu2, Register::Accu3);
+        l.b.copy(Register::Accu3, Register::Accu4);
     }
 }
 

@@ -5,7 +5,7 @@ use sieben_engine::machine::Register;
 use sieben_model::literal::Value;
 
 use super::WRONG_OPERAND;
-use super::accumulators::{ACCU1, ACCU2, drop_accumulator2};
+use super::accumulators::{ACCU1, ACCU2, leave};
 use crate::stl::lower::Lowering;
 use crate::stl::operands::Operand;
 
@@ -29,7 +29,7 @@ pub(crate) fn add16(l: &mut Lowering<'_>, op: Op) {
     let result = l.b.compute(op, &[ACCU2, ACCU1]);
     l.b.compute_into(Register::Accu1, Op::MergeLow16, &[ACCU1, result]);
     status16_wrapped(l, result);
-    drop_accumulator2(l);
+    leave(l);
 }
 
 /// `*I`: the whole product in ACCU 1, CC from it, OV if it leaves 16 bits.
@@ -40,7 +40,7 @@ pub(crate) fn multiply16(l: &mut Lowering<'_>) {
     l.b.compute_into(Register::Cc0, Op::NegativeI32, &[product]);
     let overflow = l.b.compute(Op::OverflowsI16, &[product]);
     set_overflow(l, overflow);
-    drop_accumulator2(l);
+    leave(l);
 }
 
 /// `/I`: CC from the exact quotient; by 0 CC 1 = CC 0 = OV = 1 and ACCU 1 stays.
@@ -52,7 +52,7 @@ pub(crate) fn divide16(l: &mut Lowering<'_>) {
     l.b.compute_into(Register::Cc1, Op::PositiveI32, &[quotient]);
     l.b.compute_into(Register::Cc0, Op::NegativeI32, &[quotient]);
     division_status(l, divisor, overflow);
-    drop_accumulator2(l);
+    leave(l);
 }
 
 /// `+D`, `-D`: CC from the result as it wraps.
@@ -60,7 +60,7 @@ pub(crate) fn add32(l: &mut Lowering<'_>, op: Op) {
     let result = l.b.compute(op, &[ACCU2, ACCU1]);
     l.b.compute_into(Register::Accu1, Op::Low32, &[result]);
     status32_wrapped(l, result);
-    drop_accumulator2(l);
+    leave(l);
 }
 
 /// `*D`: CC from the sign of the exact product.
@@ -70,7 +70,7 @@ pub(crate) fn multiply32(l: &mut Lowering<'_>) {
     status32_exact(l, product);
     let overflow = l.b.compute(Op::OverflowsI32, &[product]);
     set_overflow(l, overflow);
-    drop_accumulator2(l);
+    leave(l);
 }
 
 /// `/D`, `MOD`.
@@ -83,7 +83,7 @@ pub(crate) fn divide32(l: &mut Lowering<'_>, op: Op) {
     l.b.compute_into(Register::Accu1, Op::Select, &[divides, low, ACCU1]);
     status32_exact(l, result);
     division_status(l, divisor, overflow);
-    drop_accumulator2(l);
+    leave(l);
 }
 
 /// CC 1, CC 0, OV, OS from a 16-bit result that wraps.

@@ -3,7 +3,7 @@
 use sieben_engine::ir::{Op, Var};
 use sieben_engine::machine::Register;
 
-use super::accumulators::{ACCU1, ACCU2, drop_accumulator2};
+use super::accumulators::{ACCU1, ACCU2, leave};
 use super::integer_math::set_overflow;
 use crate::stl::lower::Lowering;
 
@@ -19,7 +19,7 @@ pub(crate) fn binary(l: &mut Lowering<'_>, op: Op) {
     };
     l.b.copy(Register::Accu1, result);
     status(l, result, overflow);
-    drop_accumulator2(l);
+    leave(l);
 }
 
 /// `SQR`, `SQRT`, `EXP`, `LN` and the trigonometric functions.
