@@ -333,7 +333,7 @@ fn width(extent: Extent) -> Width {
 fn is_parameter(interface: &Interface, kind: BlockKind, location: &Location) -> bool {
     let Location::Instance { position } = location else { return false };
     let Some((variable, 0)) = variables::variable(interface, among_of(kind), *position) else { return false };
-    variables::is_number(&variable.data_type)
+    variable.data_type.is_number()
 }
 
 fn block_kind(data_type: &DataType) -> BlockKind {

@@ -107,19 +107,6 @@ pub(crate) fn name(interface: &Interface, among: Among, position: u32, offset: u
     Some(format!("#{}{path}", variable.name))
 }
 
-/// Whether the type of a variable is a number: a timer, a counter or a block.
-pub(crate) fn is_number(data_type: &DataType) -> bool {
-    matches!(
-        data_type,
-        DataType::Timer
-            | DataType::Counter
-            | DataType::BlockFunction
-            | DataType::BlockFunctionBlock
-            | DataType::BlockData
-            | DataType::BlockSystemData
-    )
-}
-
 /// Where the variables of a block of this kind lie that are not temporary.
 pub(crate) fn among_of(kind: BlockKind) -> Among {
     if kind == BlockKind::Function { Among::Parameter } else { Among::Instance }

@@ -185,6 +185,14 @@ impl DataType {
         )
     }
 
+    /// Whether a value is the number of a timer, a counter or a block.
+    pub fn is_number(&self) -> bool {
+        matches!(
+            self,
+            Self::Timer | Self::Counter | Self::BlockFunction | Self::BlockFunctionBlock | Self::BlockData | Self::BlockSystemData
+        )
+    }
+
     /// Number of elements of an array (1 for all else), saturating.
     pub fn elements(&self) -> u64 {
         match self {

@@ -415,15 +415,7 @@ fn misplaced(data_type: &DataType, usage: Usage) -> Option<&'static str> {
     let parameter = matches!(usage, Usage::Variable(_, Section::Input | Section::Output | Section::InOut));
     Some(match data_type {
         DataType::Void => "it is only the result of a function",
-        DataType::Timer
-        | DataType::Counter
-        | DataType::BlockFunction
-        | DataType::BlockFunctionBlock
-        | DataType::BlockData
-        | DataType::BlockSystemData
-        | DataType::Pointer
-            if !parameter =>
-        {
+        passed if !parameter && (passed.is_number() || *passed == DataType::Pointer) => {
             "it is only for parameters (VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT)"
         }
         DataType::Any if !parameter && !matches!(usage, Usage::Variable(_, Section::Temp)) => "it is only for parameters and VAR_TEMP",
