@@ -6,6 +6,7 @@ mod created_data_blocks;
 mod error_masks;
 mod iec_timer;
 mod instance;
+mod output_bits;
 mod parameters;
 mod run_time_meters;
 mod sfb000_ctu;
@@ -38,6 +39,8 @@ mod sfc044_repl_val;
 mod sfc046_stp;
 mod sfc047_wait;
 mod sfc064_time_tck;
+mod sfc079_set;
+mod sfc080_rset;
 mod sfc081_ublkmov;
 mod state;
 #[cfg(test)]
@@ -146,6 +149,8 @@ static TABLE: &[Row] = &[
     sfc046_stp::ROW,
     sfc047_wait::ROW,
     sfc064_time_tck::ROW,
+    sfc079_set::ROW,
+    sfc080_rset::ROW,
     sfc081_ublkmov::ROW,
     sfb000_ctu::ROW,
     sfb001_ctd::ROW,

@@ -21,7 +21,7 @@ impl Refused {
     const INSTANCE_PROTECTED: Self = Self(0x31);
     const DB_NUMBER: Self = Self(0x32);
     const DB_NOT_LOADED: Self = Self(0x3A);
-    const PERIPHERAL: Self = Self(0x42);
+    pub(super) const PERIPHERAL: Self = Self(0x42);
 
     /// Codes that come in pairs are one higher for a write.
     pub(super) fn when(self, write: bool) -> Self {
