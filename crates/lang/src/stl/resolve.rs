@@ -754,8 +754,8 @@ impl<'a> Resolver<'a> {
             DataType::BlockData | DataType::BlockSystemData => block_actual(meaning, &[BlockKind::DataBlock], "a data block"),
             DataType::Any => match meaning {
                 Meaning::Operand(Operand::Constant(Value::Any(any))) => Ok(Actual::Constant(Value::Any(any))),
-                Meaning::Operand(Operand::Timer(number)) => Ok(Actual::Timer(number)),
-                Meaning::Operand(Operand::Counter(number)) => Ok(Actual::Counter(number)),
+                Meaning::Operand(Operand::Timer(NumberOperand::Fixed(number))) => Ok(any_of_number(0x1D, number)),
+                Meaning::Operand(Operand::Counter(NumberOperand::Fixed(number))) => Ok(any_of_number(0x1C, number)),
                 other => self.whole(other).ok_or_else(|| "a variable or a pointer such as `P#DB5.DBX 0.0 BYTE 10`".to_owned()),
             },
             DataType::Pointer => match meaning {
@@ -921,6 +921,12 @@ pub(crate) fn plain_data_block(scope: &Scope, operand: &ast::Operand) -> Option<
         }
         _ => None,
     }
+}
+
+/// The ANY of one timer or counter: its type, one of it, and its number in place of an address.
+fn any_of_number(type_code: u8, number: u16) -> Actual {
+    let [high, low] = number.to_be_bytes();
+    Actual::Constant(Value::Any([0x10, type_code, 0, 1, 0, 0, 0, 0, high, low]))
 }
 
 fn block_actual(meaning: Meaning, kinds: &[BlockKind], wanted: &str) -> Result<Actual, String> {
