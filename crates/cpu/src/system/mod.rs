@@ -8,6 +8,7 @@ mod iec_timer;
 mod instance;
 mod output_bits;
 mod parameters;
+mod process_image_partitions;
 mod run_time_meters;
 mod sfb000_ctu;
 mod sfb001_ctd;
@@ -29,6 +30,8 @@ mod sfc022_creat_db;
 mod sfc023_del_db;
 mod sfc024_test_db;
 mod sfc025_compress;
+mod sfc026_updat_pi;
+mod sfc027_updat_po;
 mod sfc036_msk_flt;
 mod sfc037_dmsk_flt;
 mod sfc038_read_err;
@@ -139,6 +142,8 @@ static TABLE: &[Row] = &[
     sfc023_del_db::ROW,
     sfc024_test_db::ROW,
     sfc025_compress::ROW,
+    sfc026_updat_pi::ROW,
+    sfc027_updat_po::ROW,
     sfc036_msk_flt::ROW,
     sfc037_dmsk_flt::ROW,
     sfc038_read_err::ROW,
