@@ -54,6 +54,8 @@ pub(super) enum Step {
     LoadPlace { dst: u8, width: Width, on_fault: OnFault, place: u32 },
     /// Anything else, from the block's table of places.
     StorePlace { src: u8, width: Width, place: u32 },
+    /// Bytes from one place to another, from the block's table of moves.
+    Move { index: u32 },
     /// Pointer of a parameter.
     Parameter { dst: u8, index: u16 },
     /// A parameter for the next call.
@@ -104,6 +106,8 @@ pub(super) struct Block {
     /// The first step of each statement.
     pub(super) statements: Vec<u32>,
     pub(super) places: Vec<Place>,
+    /// From, to, number of bytes.
+    pub(super) moves: Vec<(Place, Place, u32)>,
     pub(super) callees: Vec<Callee>,
     pub(super) tables: Vec<Table>,
     pub(super) constants: Vec<u64>,
@@ -136,6 +140,7 @@ pub(super) fn prepare(id: BlockId, block: &CodeBlock, layout: &Layout, find: &dy
         steps: Vec::with_capacity(block.code.insts.len()),
         statements: Vec::with_capacity(block.code.statements.len()),
         places: Vec::new(),
+        moves: Vec::new(),
         callees: Vec::new(),
         tables: Vec::new(),
         constants: Vec::new(),
@@ -247,6 +252,10 @@ fn step(inst: &Inst, statement: usize, code: &Code, layout: &Layout, find: &dyn 
         Inst::Compute { op, dst, args } => Step::Compute { op, dst: dst.0, args: args.map(|arg| arg.0) },
         Inst::Load { dst, place, width, on_fault } => load(dst, place, width, on_fault, layout, out),
         Inst::Store { place, width, src } => store(src, place, width, layout, out),
+        Inst::Move { from, to, bytes } => {
+            out.moves.push((from, to, bytes));
+            Step::Move { index: out.moves.len() as u32 - 1 }
+        }
         Inst::Parameter { dst, index } => Step::Parameter { dst: dst.0, index },
         Inst::PassParameter { src } => Step::PassParameter { src: src.0 },
         Inst::Intrinsic { dst, intrinsic, args } => Step::Intrinsic { dst: dst.0, intrinsic, args: args.map(|arg| arg.0) },

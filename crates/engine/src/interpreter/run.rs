@@ -8,7 +8,7 @@ use super::access::{File, Target, data_registers, in_data_block, locate};
 use super::prepare::{Block, Step, weight};
 use crate::fault::{Abort, Fault, Place};
 use crate::host::{Context, Entry, Exit, Reaction, StopReason};
-use crate::ir::{Callee, DataRegister, OnFault};
+use crate::ir::{Callee, DataRegister, OnFault, Place as IrPlace};
 use crate::machine::{CallerRegisters, Frame, Machine, Origin, Register, Registers};
 use crate::tracer::StatementEvent;
 
@@ -220,6 +220,11 @@ impl Interpreter {
                             Err(fault) => Err(fault),
                         };
                         if let Err(fault) = result {
+                            go!(self.fault(context, &mut file, block, at, &fault, None));
+                        }
+                    }
+                    Step::Move { index } => {
+                        if let Err(fault) = move_bytes(context.machine, &file, block.moves[index as usize]) {
                             go!(self.fault(context, &mut file, block, at, &fault, None));
                         }
                     }
@@ -492,6 +497,24 @@ fn read(machine: &Machine, at: usize, bit: u8, width: Width) -> u64 {
 #[inline(always)]
 fn write(machine: &mut Machine, at: usize, bit: u8, width: Width, value: u64) {
     machine.memory.write_at(at, bit, width, value as u32);
+}
+
+/// Moves bytes, overlapping or not; nothing is moved if either end lies outside.
+fn move_bytes(machine: &mut Machine, file: &File, (from, to, bytes): (IrPlace, IrPlace, u32)) -> Result<(), Fault> {
+    let Some(last) = bytes.checked_sub(1) else { return Ok(()) };
+    let ends = [(from, false), (to, true)];
+    for (place, write) in ends {
+        locate(machine, file, place.moved(last), Width::Byte, write)?;
+    }
+    let [from, to] = [locate(machine, file, from, Width::Byte, false)?, locate(machine, file, to, Width::Byte, true)?];
+    match (from, to) {
+        (Target::Arena(from, _), Target::Arena(to, _)) => {
+            machine.memory.arena.copy_within(from..from + bytes as usize, to);
+            Ok(())
+        }
+        (Target::Peripheral(byte), _) => Err(Fault::IoAccess { write: false, width: Width::Byte, byte }),
+        (_, Target::Peripheral(byte)) => Err(Fault::IoAccess { write: true, width: Width::Byte, byte }),
+    }
 }
 
 fn load_file(registers: &Registers) -> File {

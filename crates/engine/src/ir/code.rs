@@ -73,6 +73,19 @@ pub enum Place {
     },
 }
 
+impl Place {
+    /// The place `bytes` further on.
+    #[must_use]
+    pub fn moved(self, bytes: u32) -> Self {
+        let by = |position: u32| position.saturating_add(bytes.saturating_mul(8));
+        match self {
+            Self::Fixed { area, position } => Self::Fixed { area, position: by(position) },
+            Self::Indirect { area, pointer, offset } => Self::Indirect { area, pointer, offset: by(offset) },
+            Self::Crossing { pointer, offset } => Self::Crossing { pointer, offset: by(offset) },
+        }
+    }
+}
+
 /// What a failed load does after the Host let it go on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum OnFault {
@@ -105,6 +118,8 @@ pub enum Inst {
     Load { dst: Var, place: Place, width: Width, on_fault: OnFault },
     /// `memory := src`, its low bits.
     Store { place: Place, width: Width, src: Var },
+    /// `memory := memory`, so many bytes; both places are known to be bytes.
+    Move { from: Place, to: Place, bytes: u32 },
     /// `dst := pointer` that the caller gave for parameter `index` of an FC.
     Parameter { dst: Var, index: u16 },
     /// Gives the pointer of the next parameter to the call that follows.

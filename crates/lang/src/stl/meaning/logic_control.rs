@@ -344,36 +344,12 @@ fn copy(l: &mut Lowering<'_>, from: &Access, to: &Access) {
     l.b.release_temporaries();
 }
 
-/// Copies a complex value, four bytes at a time.
+/// Copies a complex value. At most one of the two places needs a data block or AR1 of its own.
 fn copy_bytes(l: &mut Lowering<'_>, from: &Location, to: &Location, bytes: u32) {
-    let mut done = 0;
-    while done < bytes {
-        let width = match bytes - done {
-            1 => Width::Byte,
-            2 | 3 => Width::Word,
-            _ => Width::DoubleWord,
-        };
-        let from = Access { width, location: moved(from, done * 8) };
-        let to = Access { width, location: moved(to, done * 8) };
-        copy(l, &from, &to);
-        done += width.bytes();
-    }
-}
-
-/// The place `by` bits further on.
-fn moved(location: &Location, by: u32) -> Location {
-    let mut location = location.clone();
-    match &mut location {
-        Location::Fixed { position, .. }
-        | Location::InDataBlock { position, .. }
-        | Location::InInstanceBlock { position, .. }
-        | Location::Instance { position } => *position += by,
-        Location::RegisterIndirect { offset, .. } | Location::Parameter { offset, .. } | Location::InstancePointer { offset, .. } => {
-            *offset += by
-        }
-        Location::MemoryIndirect { .. } => {}
-    }
-    location
+    let from = l.place(from);
+    let to = l.place(to);
+    l.b.push(Inst::Move { from, to, bytes });
+    l.b.release_temporaries();
 }
 
 /// Stores a constant in hidden local data; its position.
