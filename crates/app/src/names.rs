@@ -70,7 +70,7 @@ impl Assignment {
     pub(crate) fn parse(text: &str, symbols: &SymbolTable, cpu: &Cpu) -> Result<Self, Failure> {
         let (name, value) = split_assignment(text)?;
         let name = resolve(name, symbols, cpu)?;
-        name.value(value).map_err(|error| unfit(text, &error))?;
+        name.accepts(value).map_err(|error| unfit(text, &error))?;
         Ok(Self { name, value: value.to_owned() })
     }
 

@@ -184,6 +184,14 @@ impl Name {
     /// # Errors
     /// The value is none, does not fit, or the CPU has nothing of that name that could be set.
     pub fn write(&self, cpu: &mut Cpu, value: &str) -> Result<(), NameError> {
+        if let (Target::Field { db, byte, .. }, Some(bytes)) = (&self.target, self.characters(value)?) {
+            for (offset, &value) in (0_u32..).zip(&bytes) {
+                let address = Address { area: Area::SharedData, width: Width::Byte, byte: byte + offset, bit: 0 };
+                cpu.modify(&Operand::InDataBlock { db: *db, address }, u32::from(value))
+                    .map_err(|error| NameError::new(format!("cannot set `{}`: {error}", self.text)))?;
+            }
+            return Ok(());
+        }
         let bits = self.value(value)?;
         match &self.target {
             Target::Operand(operand, _) => {
@@ -231,6 +239,33 @@ impl Name {
             };
         }
         Ok(self.bits(cpu)? == self.value(expected)?)
+    }
+
+    /// Whether a value written by a user can be set here.
+    ///
+    /// # Errors
+    /// The text is no constant, or does not fit.
+    pub fn accepts(&self, text: &str) -> Result<(), NameError> {
+        match self.characters(text)? {
+            Some(_) => Ok(()),
+            None => self.value(text).map(drop),
+        }
+    }
+
+    /// The bytes of a STRING with these characters: maximum length, length, characters; `None` if this is no STRING.
+    fn characters(&self, text: &str) -> Result<Option<Vec<u8>>, NameError> {
+        let Target::Field { data_type: DataType::String(length_max), .. } = &self.target else { return Ok(None) };
+        let value = match text.trim() {
+            "''" => Value::Characters(Vec::new()),
+            text => literal::parse(text).map_err(|error| NameError::new(error.to_string()))?,
+        };
+        match value {
+            Value::Characters(characters) => match u8::try_from(characters.len()) {
+                Ok(length) if length <= *length_max => Ok(Some([*length_max, length].into_iter().chain(characters).collect())),
+                _ => Err(NameError::new(format!("`{text}` does not fit into `{}`, which holds {length_max} characters", self.text))),
+            },
+            _ => Err(NameError::new(format!("`{text}` is no value of the STRING `{}`; write characters in single quotes", self.text))),
+        }
     }
 
     /// The bits that a value written by a user has in this place.

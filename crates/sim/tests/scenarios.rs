@@ -91,6 +91,8 @@ fn what_is_set_is_shown_by_its_type() {
         ("Level", "-12", "-12"),
         ("\"Store\".list[3]", "8", "8"),
         ("Store.count", "L#-70000", "-70000"),
+        ("DB7.word", "'xyz'", "'xyz'"),
+        ("DB7.six", "''", "''"),
     ] {
         let parsed = Name::parse(name, &symbols(), cpu.program()).unwrap_or_else(|error| panic!("{name}: {error}"));
         parsed.write(&mut cpu, value).unwrap_or_else(|error| panic!("{name}={value}: {error}"));
@@ -99,7 +101,7 @@ fn what_is_set_is_shown_by_its_type() {
         assert_eq!(parsed.read(&cpu).unwrap_or_else(|error| panic!("{name}: {error}")).to_string(), shown, "{name}={value}");
         assert_eq!(parsed.holds(&cpu, value).ok(), Some(name != "T 1"), "{name}={value}");
     }
-    for (name, shown) in [("DB7.word", "'ab'"), ("DB7.tiny", "'x'"), ("DB7.six", "'abc'")] {
+    for (name, shown) in [("DB7.word", "'xyz'"), ("DB7.tiny", "'x'"), ("DB7.six", "''")] {
         let text = Name::parse(name, &symbols(), cpu.program()).expect("a name");
         assert_eq!(text.read(&cpu).map(|text| text.to_string()).as_deref(), Ok(shown), "{name}");
         assert_eq!(text.holds(&cpu, shown), Ok(true), "{name}");
@@ -138,6 +140,8 @@ fn what_is_no_name_or_no_value_is_said_in_the_users_words() {
         ("ACCU3", "1", "accumulators 1 and 2"),
         ("DBNO", "1", "only be read"),
         ("STW", "11", "nine characters"),
+        ("DB7.word", "'vwxyz'", "holds 4 characters"),
+        ("DB7.word", "5", "in single quotes"),
     ] {
         let error = match Name::parse(name, &symbols(), cpu.program()).and_then(|name| name.write(&mut cpu, value)) {
             Ok(()) => panic!("{name}={value} was taken"),
