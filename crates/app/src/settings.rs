@@ -290,6 +290,25 @@ mod tests {
         assert_eq!(settings.symbols.map(|list| list.len()), Some(1));
     }
 
+    /// The binary has no library that the fuzzer could reach, so its one parser is tried here.
+    #[test]
+    fn no_cut_and_no_exchange_of_words_panics() {
+        let text = "[project]\nname = \"p\"\nsources = [\"src/**/*.awl\"]\nmnemonics = \"de\"\n[cpu]\ntype = \"416-3\"\ncycle = \"1.5s\"\n\
+                    retain = { m = \"0..15\" }\n[[module]]\nkind = \"tank\"\n[cyclic.35]\ninterval = \"100ms\"\n";
+        let words: Vec<&str> = text.split_inclusive(|c: char| !c.is_alphanumeric()).collect();
+        for at in 0..words.len() {
+            parse(&words[..at].concat(), FileId(0));
+            parse(&words[at..].concat(), FileId(0));
+            for other in ["", "99999999999999999999", "\"ü\"", "-1", "[", "]]", "{", "= ", "#", "\u{0}", words[words.len() - 1 - at]] {
+                let mut changed = words.clone();
+                changed[at] = other;
+                for diagnostic in parse(&changed.concat(), FileId(0)).1 {
+                    assert!(diagnostic.span.end as usize <= changed.concat().len(), "the place lies in the file");
+                }
+            }
+        }
+    }
+
     #[test]
     fn every_mistake_has_a_sentence() {
         for (text, expected) in [
