@@ -152,15 +152,17 @@ fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, out: &
         .with_config(config)
         .with_code(diagnostic.problem.code())
         .with_message(&diagnostic.message)
-        .with_help(help)
-        .with_label(Label::new(place).with_color(shade).with_message(match &diagnostic.fix {
-            Some(fix) => fix.title.as_str(),
-            None => "here",
-        }));
-    for (span, word) in &diagnostic.related {
-        if let Some(place) = Place::of(&finding.origin, *span, cache.texts).filter(|place| place.is_drawable(cache.texts)) {
-            report = report.with_label(Label::new(place).with_color(Color::Fixed(147)).with_message(word));
-        }
+        .with_help(help);
+    let title = diagnostic.fix.as_ref().map_or("here", |fix| fix.title.as_str());
+    let mut labels = vec![(place, shade, title)];
+    labels.extend(diagnostic.related.iter().filter_map(|(span, word)| {
+        let place = Place::of(&finding.origin, *span, cache.texts).filter(|place| place.is_drawable(cache.texts))?;
+        Some((place, Color::Fixed(147), word.as_str()))
+    }));
+    // Lines of one text in their order are drawn as one piece.
+    labels.sort_by_key(|(place, ..)| place.start);
+    for (place, shade, word) in labels {
+        report = report.with_label(Label::new(place).with_color(shade).with_message(word));
     }
     let start = out.len();
     if report.finish().write(&mut *cache, &mut *out).is_err() {
