@@ -40,7 +40,10 @@ fn unreadable(path: &Path, error: &io::Error) -> Failure {
     match error.kind() {
         io::ErrorKind::NotFound => {
             Failure::usage(Problem::P6001, format!("there is no file or folder `{shown}`")).help(similar(path).map_or_else(
-                || "check the spelling of the path".to_owned(),
+                || match path.as_os_str() == "-" {
+                    true => "for standard input write `/dev/stdin`".to_owned(),
+                    false => "check the spelling of the path".to_owned(),
+                },
                 |name| format!("did you mean `{}`?", path.with_file_name(name).display()),
             ))
         }

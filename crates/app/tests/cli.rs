@@ -462,6 +462,10 @@ fn symbol_tables_change_their_format() {
         .code(3)
         .stderr("`START` is `I 0.1` in `other.csv` and `I 0.0` in another symbol table");
     folder.run(&["check", "main.awl", "s.csv", "s.sdf"]).code(0);
+    for (name, begin) in [("x.sdf", "\"Start"), ("x.ASC", "126,Start"), ("x.csv", "symbol,"), ("x.html", "<!"), ("x.txt", "No.")] {
+        folder.run(&["symbols", "s.csv", "-o", name]).code(0);
+        assert!(folder.read(name).starts_with(begin.as_bytes()), "{name}");
+    }
     folder.run(&["symbols", "s.csv", "--to", "asc", "-o", "/nowhere/x.asc"]).code(2).stderr("P6013");
 }
 
@@ -482,10 +486,14 @@ fn explain_knows_instructions_problems_and_cpu_types() {
         ("stp", "no parameters"),
         ("16#4562", "OB 121 is not loaded"),
         ("problems", "P2001"),
+        ("rlo", "RLO, a bit of the status word"),
+        ("BIE", "BR, a bit of the status word"),
+        ("ob121", "OB 121, an organization block"),
         ("instructions", "SPBN"),
     ] {
         folder.run(&["explain", word]).code(0).stdout(expected);
     }
+    folder.run(&["explain", "315"]).code(2).stderr("id you mean `315-2PN/DP`?");
 }
 
 #[test]

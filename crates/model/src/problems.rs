@@ -36,7 +36,7 @@ problems! {
     P1002 Error "characters without their closing apostrophe" "Write `'` behind the last character; an apostrophe inside is written `$'`.";
     P1003 Error "a quoted name without its closing quote" "Write `\"` behind the name, on the same line.";
     P1004 Error "a comment without its end" "Write `*)` where the comment ends.";
-    P1005 Error "a character that only looks like the right one" "Apply the fix: it writes the letter or digit that is meant.";
+    P1005 Error "a character that only looks like the right one" "Write the letter or digit that the message names.";
     P1101 Error "a binary file instead of a source text" "Name the source (.awl, .stl, .csv, .sdf), not a block, an archive or a project database.";
     P1102 Warning "bytes that mean nothing in the encoding of the file" "Choose another encoding, or save the file as UTF-8.";
     P1103 Error "a character that the encoding of the file does not have" "Save the file as UTF-8, or replace the character.";
@@ -44,13 +44,13 @@ problems! {
 
     // 2xxx syntax
     P2001 Error "a word where a statement should begin is not an instruction" "Use an instruction of the mnemonic language of the file.";
-    P2002 Error "a statement in the other mnemonic language" "Apply the fix, or name the language of the file with --mnemonics.";
+    P2002 Error "a statement in the other mnemonic language" "Write what the message names, or tell the language of the file with --mnemonics.";
     P2003 Warning "a word that both mnemonic languages have, and no other word to tell which" "Name the language of the file with --mnemonics.";
     P2004 Error "more text where a statement has ended" "Separate statements by `;` or a line end, and begin a comment with `//`.";
     P2005 Error "an operand that is not understood" "Write an address such as `M 1.0`, a symbol in quotes, `#local` or a constant.";
     P2006 Error "a label of more than four characters" "Use at most four letters and digits, beginning with a letter.";
     P2007 Error "a misprint of the assignment sign" "Write `:=`.";
-    P2008 Error "a known misprint of an instruction or operand" "Apply the fix.";
+    P2008 Error "a known misprint of an instruction or operand" "Write what the message names.";
     P2010 Error "a block without a name" "Write the kind and number of the block, such as `FC 1`, or a symbol in quotes.";
     P2011 Error "a block without its end" "Write the END_ keyword of the block behind its last statement.";
     P2012 Error "a block that ends with the keyword of another kind" "Use the END_ keyword that belongs to the first keyword of the block.";
@@ -86,7 +86,7 @@ problems! {
 
     // 3xxx names
     P3001 Error "a name that is not declared" "Declare it in the symbol table or in the VAR sections of the block.";
-    P3002 Error "two blocks with one number" "Give one of them another number.";
+    P3002 Error "two blocks with one number" "Give one of them another number, or name only the files that belong together.";
     P3003 Error "a block named by a symbol that is not in the symbol table" "Add the symbol with the number of the block as its address, for example `FC 1`.";
     P3004 Error "a jump to a label that does not exist" "Write the label before a statement of the same block; case matters.";
     P3005 Error "a label that stands twice in a block" "Rename one of them.";
@@ -171,7 +171,7 @@ problems! {
     P7004 Error "a value that does not fit its target" "Use a constant of STL, such as 5, W#16#00FF, 1.5 or S5T#2S; 0 or 1 for a bit.";
     P7005 Error "a duration that is not understood" "Write a number with its unit: `10ms`, `1.5s`, `2m` or `1h`.";
     P7006 Error "an engine that this version does not have" "Use `--engine interpreter` or `--engine auto`.";
-    P7007 Error "a word that is not in the tables" "Give an instruction (`A`, `SPB`), a problem code (`P2001`), a system function (`SFC 46`), an event (`16#4562`) or a CPU type (`416-3`).";
+    P7007 Error "a word that is not in the tables" "Give an instruction (`A`, `SPB`), a problem code (`P2001`), a status bit (`RLO`), an organization block (`OB 121`), a system function (`SFC 46`), an event (`16#4562`) or a CPU type (`416-3`).";
     P7008 Error "a name that cannot be the name of a project" "Use letters, digits, `-` and `_`.";
     P7009 Error "times that make no sense together" "Give a cycle longer than 0, and times in rising order.";
 

@@ -1,4 +1,4 @@
-//! `sieben explain WORD`: an instruction, a problem code, a CPU type, a system function or an event, from the tables.
+//! `sieben explain WORD`: an instruction, a problem code, a CPU type, a status bit, an OB, a system function or an event, from the tables.
 
 use clap::Args;
 use sieben_cpu::diagnostic_buffer::event_text;
@@ -14,6 +14,31 @@ use crate::failure::{Exit, Failure};
 use crate::nearest::nearest;
 use crate::output;
 
+/// The nine bits of the status word: name, other spellings, what it holds.
+const STATUS_BITS: &[(&str, &[&str], &str)] = &[
+    ("BR", &["BIE", "ENO"], "binary result: the RLO that SAVE kept; ENO of a block"),
+    ("CC1", &["CC 1", "A1"], "condition code, with CC0: 10 above 0 or greater, 01 below 0 or less, 00 zero or equal, 11 no number"),
+    ("CC0", &["CC 0", "A0"], "condition code, with CC1: 10 above 0 or greater, 01 below 0 or less, 00 zero or equal, 11 no number"),
+    ("OV", &[], "overflow: the last calculation left its range"),
+    ("OS", &[], "stored overflow: some calculation since the last JOS or call left its range"),
+    ("OR", &[], "an AND before OR is under way"),
+    ("STA", &["STATUS"], "the value of the bit that was addressed last"),
+    ("RLO", &["VKE"], "result of logic operation: the value of the chain so far"),
+    ("/FC", &["FC", "/ER"], "first check: 0 if the next scan of a bit begins a new chain"),
+];
+
+/// The organization blocks that the CPU calls, and what happens if they are needed and missing.
+const ORGANIZATION_BLOCKS: &[(u16, &str)] = &[
+    (1, "the cyclic program: called in every scan, between reading the inputs and writing the outputs"),
+    (80, "time error, as when a scan lasts longer than the watchdog allows; missing: STOP"),
+    (88, "a program was aborted, as by too many nested calls (S7-400); missing: STOP"),
+    (100, "warm restart: called once before the first scan"),
+    (101, "hot restart: called once before the first scan"),
+    (102, "cold restart: called once before the first scan"),
+    (121, "programming error, as BCD digits above 9 or a missing block; missing: STOP"),
+    (122, "error at the access to a module; missing: STOP"),
+];
+
 /// The pages of all problems by code.
 const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/problem_pages.rs"));
 
@@ -24,6 +49,8 @@ const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/problem_pages
   sieben explain 'A('          quote what the shell would take\n  \
   sieben explain P2001         a problem code\n  \
   sieben explain 416-3         a CPU type\n  \
+  sieben explain RLO           a bit of the status word\n  \
+  sieben explain 'OB 121'      an organization block\n  \
   sieben explain 'SFC 46'      a system function, also by its name: STP\n  \
   sieben explain 16#4562       an event of the diagnostic buffer\n  \
   sieben explain instructions  all of them; also: problems, cpu")]
@@ -56,6 +83,23 @@ fn explain(word: &str) -> Option<String> {
         .or_else(|| event(word))
         .or_else(|| Problem::from_code(word).map(problem))
         .or_else(|| CpuType::by_name(word).map(cpu_type))
+        .or_else(|| status_bit(word))
+        .or_else(|| organization_block(word))
+}
+
+/// A bit of the status word, in either language.
+fn status_bit(word: &str) -> Option<String> {
+    let named = |name: &&str| name.eq_ignore_ascii_case(word);
+    let (name, _, meaning) = STATUS_BITS.iter().find(|(name, others, _)| named(name) || others.iter().any(|other| named(&other)))?;
+    Some(format!("{name}, a bit of the status word\n  {meaning}\n"))
+}
+
+/// `OB 121`.
+fn organization_block(word: &str) -> Option<String> {
+    let compact: String = word.split_whitespace().collect::<String>().to_ascii_uppercase();
+    let wanted: u16 = compact.strip_prefix("OB")?.parse().ok()?;
+    let (number, meaning) = ORGANIZATION_BLOCKS.iter().find(|(number, _)| *number == wanted)?;
+    Some(format!("OB {number}, an organization block\n  {meaning}\n"))
 }
 
 /// A system function by number or name, with its parameters.
@@ -149,6 +193,15 @@ fn unknown(word: &str) -> Failure {
         .chain(Instruction::ALL.iter().flat_map(|row| [row.english(), row.german()]))
         .chain(["cpu", "problems", "instructions"]);
     let failure = Failure::usage(Problem::P7007, format!("nothing is known about `{word}`"));
+    // `315` is how everybody calls the 315-2PN/DP; as letters it is too far away to look alike.
+    let family: Vec<String> = CpuType::ALL
+        .iter()
+        .filter(|cpu| cpu.name.strip_prefix(word).is_some_and(|rest| rest.starts_with('-')))
+        .map(|cpu| format!("`{}`", cpu.name))
+        .collect();
+    if !family.is_empty() {
+        return failure.help(format!("did you mean {}?", family.join(" or ")));
+    }
     match nearest(word, words) {
         Some(near) => failure.help(format!("did you mean `{near}`?")),
         None => failure,

@@ -1,7 +1,8 @@
 //! `sieben symbols FILE…`: the assignment table, and symbol tables from one format to another.
 
+use std::ffi::OsStr;
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use sieben_lang::encoding::{self, Encoding};
@@ -20,7 +21,8 @@ use crate::{files, output, project, symbol_files};
   sieben symbols symbols.csv         the assignment table\n  \
   sieben symbols symbols.csv --csv   the same for a spreadsheet\n  \
   sieben symbols symbols.csv --html -o table.html  a page to print\n  \
-  sieben symbols plant.sdf --to csv -o symbols.csv\n\n\
+  sieben symbols plant.sdf --to csv -o symbols.csv\n  \
+  sieben symbols plant.sdf -o plant.asc          the name says the format\n\n\
 Without --to the assignment table is printed: number, address, unit,\n\
 technological name, description, remark. The formats sdf and asc are those of\n\
 STEP 7 V5, written in code page 1252 unless a file that was read had another.")]
@@ -101,13 +103,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     // A table with errors is still printed: seeing it is the way to mend it. Only a conversion must not lose rows.
     let failed = report::has_errors(&findings);
     let exit = if failed { Exit::CheckFailed } else { Exit::Success };
-    match arguments.to {
+    let (to, html) = meant(arguments);
+    match to {
         None => {
             let text = if arguments.csv {
                 assignment::csv(&table)
             } else if arguments.json {
                 format!("{:#}\n", as_json(&table))
-            } else if arguments.html {
+            } else if html {
                 as_document(&table).html()
             } else {
                 assignment::text(&table)
@@ -118,6 +121,22 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Some(to) => convert(arguments, to, &table, code_page)?,
     }
     Ok(exit)
+}
+
+/// What is written, from the options or, where they say nothing, from the name of the file: nobody who names `plant.asc` wants the
+/// printed table in it.
+fn meant(arguments: &Arguments) -> (Option<FormatArgument>, bool) {
+    if arguments.to.is_some() || arguments.assignments || arguments.csv || arguments.html || arguments.json {
+        return (arguments.to, arguments.html);
+    }
+    let extension = arguments.output.as_deref().and_then(Path::extension).and_then(OsStr::to_str).map(str::to_ascii_lowercase);
+    match extension.as_deref() {
+        Some("csv") => (Some(FormatArgument::Csv), false),
+        Some("sdf") => (Some(FormatArgument::Sdf), false),
+        Some("asc") => (Some(FormatArgument::Asc), false),
+        Some("html" | "htm") => (None, true),
+        _ => (None, false),
+    }
 }
 
 fn convert(arguments: &Arguments, to: FormatArgument, table: &SymbolTable, code_page: Option<Encoding>) -> Result<(), Failure> {

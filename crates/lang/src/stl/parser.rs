@@ -325,8 +325,18 @@ impl<'t> Parser<'t> {
                 _ => (Problem::P2004, format!("{shown} does not belong here: the statement ends before it")),
             };
             let end = self.end;
+            // `Q 0,1` and `2,5`: the comma of the languages in which most of these programs were commented.
+            let decimal = self.raw == Raw::Comma
+                && self.text[..start].ends_with(|before: char| before.is_ascii_digit())
+                && self.text[end..].starts_with(|behind: char| behind.is_ascii_digit());
             self.skip_statement();
-            self.error(problem, start, end, message);
+            if decimal {
+                let span = self.span(start, end);
+                let message = "a comma where STL writes a point: did you mean `.`?";
+                self.report(Diagnostic::new(problem, span, message).fix(span, ".", "write `.`"));
+            } else {
+                self.error(problem, start, end, message);
+            }
         }
         if self.raw == Raw::Semicolon {
             self.bump(SyntaxKind::Semicolon);

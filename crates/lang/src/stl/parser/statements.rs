@@ -338,6 +338,10 @@ impl Parser<'_> {
                 return Some(self.take_mnemonic(right, start, end));
             }
         }
+        if rest.starts_with("=:") && self.knows("=") {
+            self.slip(Problem::P2008, start, start + 2, "=", "is no assignment of STL");
+            return Some(self.take_mnemonic("=".to_owned(), start, start + 2));
+        }
         let sign = &rest[..1];
         self.knows(sign).then(|| self.take_mnemonic(sign.to_owned(), start, start + 1))
     }
