@@ -90,7 +90,7 @@ fn explain(word: &str) -> Option<String> {
 /// A bit of the status word, in either language.
 fn status_bit(word: &str) -> Option<String> {
     let named = |name: &&str| name.eq_ignore_ascii_case(word);
-    let (name, _, meaning) = STATUS_BITS.iter().find(|(name, others, _)| named(name) || others.iter().any(|other| named(&other)))?;
+    let (name, _, meaning) = STATUS_BITS.iter().find(|(name, others, _)| named(name) || others.iter().any(named))?;
     Some(format!("{name}, a bit of the status word\n  {meaning}\n"))
 }
 
