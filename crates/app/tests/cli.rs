@@ -411,6 +411,13 @@ fn a_read_only_file_stays_as_it_is() {
 }
 
 #[test]
+fn words_of_other_languages_are_answered_with_those_of_stl() {
+    let folder = Folder::with(&[("en.awl", "A I 0.0\nTON T 1\nIF\n"), ("de.awl", "U E 0.0\nADD\nJMPC m1\n= A 0.0\n")]);
+    folder.run(&["check", "en.awl"]).code(3).stderr("n STL this is `SD`").stderr("looks like Structured Text");
+    folder.run(&["check", "de.awl"]).code(3).stderr("n STL this is `+I` or `+D` or `+R`").stderr("n STL this is `SPB`");
+}
+
+#[test]
 fn diagnostics_have_places_and_a_count() {
     let folder = Folder::with(&[("bad.awl", "A I 0.0\r\nFOO M 1.0\r\n= Q 0.0\r\n")]);
     let run = folder.run(&["check", "bad.awl", "--json"]).code(3);

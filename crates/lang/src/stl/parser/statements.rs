@@ -3,6 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use sieben_model::diagnostic::Diagnostic;
+use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 
 use super::blocks::Keyword;
@@ -16,6 +17,59 @@ use crate::stl::syntax::SyntaxKind;
 
 /// A label has at most this many characters.
 pub(super) const LABEL_MAX: usize = 4;
+
+/// Words of IEC instruction list and of ladder logic, and the STL instructions that do the same.
+const ELSEWHERE: &[(&[&str], &[&str])] = &[
+    (&["AND", "UND"], &["A"]),
+    (&["ANDN"], &["AN"]),
+    (&["OR", "ODER"], &["O"]),
+    (&["ORN"], &["ON"]),
+    (&["XOR"], &["X"]),
+    (&["LD", "LOAD"], &["A", "L"]),
+    (&["LDN"], &["AN"]),
+    (&["ST", "STORE", "OUT"], &["=", "T"]),
+    (&["MOV", "MOVE"], &["L", "T"]),
+    (&["JMP", "GOTO"], &["JU"]),
+    (&["JMPC"], &["JC"]),
+    (&["JMPCN"], &["JCN"]),
+    (&["CAL"], &["CALL"]),
+    (&["RET"], &["BEU"]),
+    (&["RETC"], &["BEC"]),
+    (&["ADD"], &["+I", "+D", "+R"]),
+    (&["SUB"], &["-I", "-D", "-R"]),
+    (&["MUL"], &["*I", "*D", "*R"]),
+    (&["DIV"], &["/I", "/D", "/R"]),
+    (&["EQ"], &["==I", "==D", "==R"]),
+    (&["NE"], &["<>I", "<>D", "<>R"]),
+    (&["GT"], &[">I", ">D", ">R"]),
+    (&["GE"], &[">=I", ">=D", ">=R"]),
+    (&["LT"], &["<I", "<D", "<R"]),
+    (&["LE"], &["<=I", "<=D", "<=R"]),
+    (&["TP"], &["SE"]),
+    (&["TON"], &["SD"]),
+    (&["TOF"], &["SF"]),
+    (&["CTU"], &["CU"]),
+    (&["CTD"], &["CD"]),
+];
+
+/// Words that begin a statement of Structured Text.
+const STRUCTURED_TEXT: &[&str] = &[
+    "IF",
+    "ELSIF",
+    "ELSE",
+    "END_IF",
+    "CASE",
+    "END_CASE",
+    "FOR",
+    "END_FOR",
+    "WHILE",
+    "END_WHILE",
+    "REPEAT",
+    "UNTIL",
+    "END_REPEAT",
+    "RETURN",
+    "EXIT",
+];
 
 impl Parser<'_> {
     /// Networks and statements up to the end of the block, the beginning of another one or the end of the source.
@@ -179,8 +233,11 @@ impl Parser<'_> {
             Raw::Unknown => Diagnostic::new(Problem::P1001, span, format!("{shown} is no character of STL")),
             Raw::Word => {
                 let diagnostic = Diagnostic::new(Problem::P2001, span, format!("{shown} is no instruction"));
-                match self.similar(self.current()) {
-                    Some(word) => diagnostic.help(format!("did you mean `{word}`?")),
+                match self
+                    .known_elsewhere(self.current())
+                    .or_else(|| self.similar(self.current()).map(|word| format!("did you mean `{word}`?")))
+                {
+                    Some(help) => diagnostic.help(help),
                     None => diagnostic,
                 }
             }
@@ -189,6 +246,23 @@ impl Parser<'_> {
         self.report(diagnostic);
         self.bump_unexpected();
         self.skip_statement();
+    }
+
+    /// What STL has for a word of another language of controllers; a similar looking instruction would mislead there.
+    fn known_elsewhere(&self, word: &str) -> Option<String> {
+        let word = word.to_ascii_uppercase();
+        if STRUCTURED_TEXT.contains(&word.as_str()) {
+            return Some("this looks like Structured Text or SCL; in STL a jump such as `JC` or `LOOP` does it".to_owned());
+        }
+        let (_, own) = ELSEWHERE.iter().find(|(words, _)| words.contains(&word.as_str()))?;
+        let own: Vec<String> = own
+            .iter()
+            .map(|&english| match self.mnemonics {
+                Mnemonics::English => format!("`{english}`"),
+                Mnemonics::German => format!("`{}`", translate_instruction(english, Mnemonics::English).unwrap_or(english)),
+            })
+            .collect();
+        Some(format!("in STL this is {}", own.join(" or ")))
     }
 
     /// An instruction of the file's language that differs in one letter.
@@ -338,12 +412,37 @@ impl Parser<'_> {
                 return Some(self.take_mnemonic(right, start, end));
             }
         }
+        if run > 0
+            && let Some(word) = self.torn_apart(run)
+        {
+            return Some(word);
+        }
         if rest.starts_with("=:") && self.knows("=") {
             self.slip(Problem::P2008, start, start + 2, "=", "is no assignment of STL");
             return Some(self.take_mnemonic("=".to_owned(), start, start + 2));
         }
         let sign = &rest[..1];
         self.knows(sign).then(|| self.take_mnemonic(sign.to_owned(), start, start + 1))
+    }
+
+    /// `+ I`, `>= D`: signs and type with a blank between them, and nothing behind.
+    fn torn_apart(&mut self, run: usize) -> Option<Word> {
+        let start = self.position;
+        let at = self.behind_blanks(start + run);
+        let (raw, end) = token(self.text, at);
+        let over = matches!(token(self.text, self.behind_blanks(end)).0, Raw::Semicolon | Raw::Newline | Raw::LineComment | Raw::End);
+        if raw != Raw::Word || at == start + run || !over || !matches!(&self.text[at..end], "I" | "D" | "R" | "i" | "d" | "r") {
+            return None;
+        }
+        let right = format!("{}{}", self.slice(start, start + run), self.slice(at, end));
+        if !self.knows(&right) {
+            return None;
+        }
+        self.slip(Problem::P2008, start, end, &right, "has a blank inside");
+        self.bump_to(SyntaxKind::Mnemonic, start + run);
+        self.blanks();
+        self.bump_to(SyntaxKind::Mnemonic, end);
+        Some(Word { text: right, span: self.span(start, end) })
     }
 
     /// What stands behind CALL.
