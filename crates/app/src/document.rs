@@ -24,6 +24,9 @@ pub(crate) struct Section {
     pub(crate) notes: Vec<String>,
 }
 
+/// Widest column that is lined up; longer cells push the rest of their row aside, not every row.
+const WIDTH_MAX: usize = 160;
+
 impl Section {
     fn text(&self) -> String {
         let mut text = String::new();
@@ -34,7 +37,7 @@ impl Section {
             let widths: Vec<usize> = (0..self.headings.len())
                 .map(|column| {
                     let cells = self.rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count());
-                    cells.chain([self.headings[column].chars().count()]).max().unwrap_or(0)
+                    cells.chain([self.headings[column].chars().count()]).max().unwrap_or(0).min(WIDTH_MAX)
                 })
                 .collect();
             let mut line = |cells: &mut dyn Iterator<Item = &str>| {
@@ -153,5 +156,15 @@ mod tests {
         let row = |cells: [&str; 2]| cells.map(str::to_owned).to_vec();
         let section = Section { headings: vec!["A", "B"], rows: vec![row(["Zähler", "1"]), row(["x", "2"])], ..Section::default() };
         assert_eq!(Document { title: String::new(), sections: vec![section] }.text(), "A       B\n──────  ─\nZähler  1\nx       2\n");
+    }
+
+    #[test]
+    fn a_very_long_cell_does_not_make_every_row_long() {
+        let row = |cells: [&str; 2]| cells.map(str::to_owned).to_vec();
+        let long = "x".repeat(100_000);
+        let section = Section { headings: vec!["A", "B"], rows: vec![row([&long, "1"]), row(["x", &long])], ..Section::default() };
+        let text = Document { title: String::new(), sections: vec![section] }.text();
+        assert!(text.contains(&format!("{long}  1\n")) && text.contains(&format!("  {long}\n")));
+        assert!(text.len() < 210_000, "{}", text.len());
     }
 }

@@ -664,3 +664,14 @@ END_ORGANIZATION_BLOCK
     folder.write("bad.awl", b"A \"Strat\"\n");
     folder.run(&["refs", "bad.awl"]).code(3).stderr("P3020");
 }
+
+#[test]
+fn names_may_be_longer_than_any_column() {
+    let long = "b".repeat(70_000);
+    let symbols = format!("Symbol,Address,Type,Comment\n{long},M 1.1,BOOL,{long}\n");
+    let folder = Folder::with(&[("one.awl", "SET;\n= M 1.1;\n"), ("symbols.csv", &symbols)]);
+    let shown = format!("\"{long}\",M1.1");
+    folder.run(&["exec", "one.awl", "symbols.csv", "--show", &shown]).code(0).stdout("bbb\" = 1");
+    folder.run(&["symbols", "symbols.csv"]).code(0).stdout("M 1.1");
+    folder.run(&["refs", "one.awl", "symbols.csv", "--overlaps"]).code(0).stdout("M 1.1");
+}

@@ -1,5 +1,6 @@
 //! The call structure: which block calls which, with the local data of every path.
 
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 
 use sieben_lang::Compiled;
@@ -140,10 +141,11 @@ impl CallStructure {
     /// The blocks of the program that a block calls, each once.
     fn callees(&self, id: BlockId) -> Vec<BlockId> {
         let mut callees = Vec::new();
+        let mut known = BTreeSet::new();
         for site in self.blocks.get(&id).map_or(&[][..], |caller| &caller.calls) {
             if let Callee::Block(callee) = site.callee
                 && self.blocks.contains_key(&callee)
-                && !callees.contains(&callee)
+                && known.insert(callee)
             {
                 callees.push(callee);
             }
@@ -255,8 +257,10 @@ impl CallStructure {
         shown.insert(root);
         let sites = |id: BlockId| self.blocks.get(&id).map_or(&[][..], |caller| &caller.calls).iter();
         let mut path = vec![(root, own(root), sites(root))];
-        while let Some((_, local_data, rest)) = path.last_mut() {
+        let mut on_path = BTreeSet::from([root]);
+        while let Some((id, local_data, rest)) = path.last_mut() {
             let Some(site) = rest.next() else {
+                on_path.remove(id);
                 path.pop();
                 continue;
             };
@@ -271,9 +275,10 @@ impl CallStructure {
                     line.own = own(id);
                     line.local_data = above.saturating_add(line.own);
                     let calls = self.blocks.get(&id).is_some_and(|caller| !caller.calls.is_empty());
-                    if path.iter().any(|(on_path, ..)| *on_path == id) {
+                    if on_path.contains(&id) {
                         line.mark = Mark::Recursion;
                     } else if shown.insert(id) {
+                        on_path.insert(id);
                         path.push((id, line.local_data, sites(id)));
                     } else if calls {
                         line.mark = Mark::Above;
@@ -289,6 +294,7 @@ impl CallStructure {
 /// The calls of a block; the instance of a call stands behind its callee.
 fn calls(references: &[Reference]) -> Vec<CallSite> {
     let mut calls: Vec<CallSite> = Vec::new();
+    let mut known: BTreeMap<(Callee, CallKind, Option<Target>), usize> = BTreeMap::new();
     for (index, reference) in references.iter().enumerate() {
         if reference.usage != Usage::Call {
             continue;
@@ -302,9 +308,12 @@ fn calls(references: &[Reference]) -> Vec<CallSite> {
         let instance = instance.map(|next| next.target.clone());
         let kind = CallKind::of(reference.instruction);
         let place = (reference.network, reference.statement, reference.span);
-        match calls.iter_mut().find(|site| site.callee == callee && site.kind == kind && site.instance == instance) {
-            Some(site) => site.places.push(place),
-            None => calls.push(CallSite { callee, kind, instance, places: vec![place] }),
+        match known.entry((callee.clone(), kind, instance.clone())) {
+            Entry::Occupied(index) => calls[*index.get()].places.push(place),
+            Entry::Vacant(index) => {
+                index.insert(calls.len());
+                calls.push(CallSite { callee, kind, instance, places: vec![place] });
+            }
         }
     }
     calls

@@ -108,27 +108,29 @@ pub struct Overlaps {
     areas: BTreeMap<(Area, Option<u16>), InArea>,
 }
 
-#[derive(Clone, Debug, Default)]
-struct InArea {
-    /// In the order of their first bits.
-    addresses: Vec<Memory>,
-    bits_max: u32,
-}
+/// Addresses in the order of their first bits, apart by size: one long range must not make every search as long as itself.
+/// The key is the binary logarithm of the number of bits.
+type InArea = BTreeMap<u32, Vec<Memory>>;
 
 impl Overlaps {
     /// Takes in an address; they come in their order.
     fn insert(&mut self, memory: Memory) {
         let area = self.areas.entry((memory.area, memory.db)).or_default();
-        area.bits_max = area.bits_max.max(memory.bits());
-        area.addresses.push(memory);
+        area.entry(memory.bits().ilog2()).or_default().push(memory);
     }
 
     /// The other addresses of the program that share a bit with this one.
     pub fn of(&self, memory: &Memory) -> Vec<Memory> {
         let Some(area) = self.areas.get(&(memory.area, memory.db)) else { return Vec::new() };
-        let first = area.addresses.partition_point(|other| other.position.saturating_add(area.bits_max) <= memory.position);
-        let behind = area.addresses[first..].iter().take_while(|other| other.position < memory.end());
-        behind.filter(|other| *other != memory && other.overlaps(memory)).copied().collect()
+        let mut found = Vec::new();
+        for (size, addresses) in area {
+            let bits_max = u32::MAX >> (31 - size);
+            let first = addresses.partition_point(|other| other.position.saturating_add(bits_max) <= memory.position);
+            let behind = addresses[first..].iter().take_while(|other| other.position < memory.end());
+            found.extend(behind.filter(|other| *other != memory && other.overlaps(memory)));
+        }
+        found.sort_unstable();
+        found
     }
 }
 

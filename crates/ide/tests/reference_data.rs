@@ -316,3 +316,24 @@ proptest! {
         check(&compiled, &symbols);
     }
 }
+
+/// Takes minutes if each search looks at all addresses.
+#[test]
+fn one_long_range_does_not_make_every_search_long() {
+    let mut source = String::from("DATA_BLOCK DB 1\nSTRUCT\n a : ARRAY[0..9999] OF BYTE;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n");
+    source.push_str("FUNCTION FC 1 : VOID\nVAR_INPUT\n a : ANY;\nEND_VAR\nBEGIN\nEND_FUNCTION\n");
+    source.push_str("ORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1 (a := P#DB1.DBX 0.0 BYTE 10000);\n");
+    for position in 0..80_000 {
+        let _ = writeln!(source, "A DB1.DBX {}.{};", position / 8, position % 8);
+    }
+    source.push_str("END_ORGANIZATION_BLOCK\n");
+    let (compiled, _) = compile_case(&source);
+    let references = CrossReference::new(&compiled);
+    let overlaps = references.overlaps();
+    let bits = references.entries().filter_map(|(target, _)| match target {
+        Target::Memory(memory) => Some(overlaps.of(memory).len()),
+        _ => None,
+    });
+    // Every bit with the range, and the range with every bit.
+    assert_eq!(bits.sum::<usize>(), 160_000);
+}

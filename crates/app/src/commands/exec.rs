@@ -179,6 +179,9 @@ fn timed(words: &[String], symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(Dura
     Ok(timed)
 }
 
+/// Longest name whose column is lined up.
+const WIDTH_MAX: usize = 160;
+
 fn print_scan(arguments: &Arguments, cpu: &Cpu, shown: &[Name], scan: u64, now_us: u64) -> Result<(), Failure> {
     if arguments.json {
         return output::print_json(&scan_json(cpu, shown, scan, now_us), false);
@@ -188,7 +191,7 @@ fn print_scan(arguments: &Arguments, cpu: &Cpu, shown: &[Name], scan: u64, now_u
         text.push_str(&format!("scan {scan} at {} ms: {}\n", milliseconds(now_us), cpu.mode()));
     }
     let indent = if arguments.every { "  " } else { "" };
-    let width = shown.iter().map(|name| name.text().chars().count()).max().unwrap_or(0);
+    let width = shown.iter().map(|name| name.text().chars().count()).max().unwrap_or(0).min(WIDTH_MAX);
     for name in shown {
         text.push_str(&format!("{indent}{:<width$} = {}\n", name.text(), names::text(name, cpu)));
     }

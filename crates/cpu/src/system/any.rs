@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use sieben_model::address::Area;
+
 use super::Call;
 use super::parameters::{Place, Refused, locate};
 
@@ -45,5 +47,13 @@ impl Call<'_, '_> {
             // The peripheral, timers and counters are no areas for blocks of data.
             Place::Peripheral(_) => Err(refuse(Refused::AREA.when(write))),
         }
+    }
+
+    /// Whether an ANY parameter names a data block that is only in the load memory (UNLINKED).
+    pub(super) fn names_unlinked(&self, index: usize) -> bool {
+        let Ok([_, _, _, _, d1, d0, area, ..]) = self.passed::<10>(index, false) else { return false };
+        let number = u16::from_be_bytes([d1, d0]);
+        let data = area == Area::SharedData.pointer_code() || area == Area::InstanceData.pointer_code();
+        data && self.host.program.data.get(&number).is_some_and(|block| block.unlinked)
     }
 }

@@ -12,8 +12,11 @@ const PARAMETERS: &[Parameter] = &[input("SRCBLK", DataType::Any), ret_val(), ou
 /// So many bytes are copied at a time.
 const BYTES_MAX: usize = 512;
 
+/// The source is in a data block that is only in the load memory.
+const SOURCE_UNLINKED: u16 = 0x8091;
+
 fn run(call: &mut Call<'_, '_>) -> Answer {
-    let source = call.any(0, false)?;
+    let source = call.any(0, false).map_err(|code| if call.names_unlinked(0) { SOURCE_UNLINKED } else { code })?;
     let destination = call.any(2, true)?;
     let bytes = source.len().min(destination.len());
     if bytes > BYTES_MAX {

@@ -83,7 +83,9 @@ impl State {
 
     /// Start information of the innermost organization block, if it interrupts another.
     pub(crate) fn innermost(&self, machine: &Machine) -> Option<StartInformation> {
-        self.interrupts.iter().rev().find(|&&(below, _)| below < machine.frames.len()).map(|&(_, info)| info)
+        // One that has ended is still in the list; another block may run where it was.
+        let runs = |below: usize| machine.frames.get(below).is_some_and(|frame| matches!(frame.origin, Origin::Interrupt { .. }));
+        self.interrupts.iter().rev().find(|&&(below, _)| runs(below)).map(|&(_, info)| info)
     }
 }
 

@@ -57,11 +57,14 @@ fn place(symbol: &Symbol) -> (u8, u16, u32, u8, String) {
     }
 }
 
+/// Widest column that is lined up; longer fields push the rest of their row aside, not every row.
+const WIDTH_MAX: usize = 160;
+
 /// The table in aligned columns, with a rule under the headings.
 pub fn text(table: &SymbolTable) -> String {
     let rows = rows(table);
     let widths: [usize; 6] = std::array::from_fn(|column| {
-        rows.iter().map(|row| row[column].chars().count()).chain([HEADINGS[column].chars().count()]).max().unwrap_or(0)
+        rows.iter().map(|row| row[column].chars().count()).chain([HEADINGS[column].chars().count()]).max().unwrap_or(0).min(WIDTH_MAX)
     });
     let line = |fields: [&str; 6]| {
         let padded: Vec<String> = fields.iter().zip(widths).map(|(field, width)| format!("{field:<width$}")).collect();
@@ -117,5 +120,12 @@ No.  Address  Unit  Technological name  Description  Remark
         let rows = rows(&table("symbol,address\nd,DB 2\nt,T 1\nq,A 4.0\ni,EW 2\n"));
         let short: Vec<String> = rows.iter().map(|row| format!("{} {}", row[0], row[1])).collect();
         assert_eq!(short, ["1 EW 2", "2 A 4.0", "3 T 1", "4 DB 2"]);
+    }
+
+    #[test]
+    fn a_very_long_comment_does_not_make_every_row_long() {
+        let long = "x".repeat(100_000);
+        let text = text(&table(&format!("symbol,address,comment\na,Q 0.0,{long}\nb,Q 0.1,{long}\n")));
+        assert!(text.len() > 200_000 && text.len() < 202_000, "{}", text.len());
     }
 }
