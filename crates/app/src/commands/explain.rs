@@ -117,7 +117,9 @@ fn system_function(word: &str) -> Option<String> {
             Section::InOut => "IN_OUT",
             _ => "RET_VAL",
         };
-        text.push_str(&format!("  {section:<7} {:<12} {}\n", parameter.name, parameter.comment));
+        // What has no word of its own is a structure: start information.
+        let data_type = parameter.data_type.word().unwrap_or("STRUCT");
+        text.push_str(&format!("  {section:<7} {:<15} {data_type}\n", parameter.name));
     }
     if block.interface.parameters().next().is_none() {
         text.push_str("  no parameters\n");
