@@ -250,8 +250,17 @@ impl CallStructure {
 
     /// The tree of a block, line by line. What a block calls is written once in a tree, so that the lines stay as many as the calls.
     pub fn tree(&self, root: BlockId) -> Vec<Line<'_>> {
-        let mut lines = Vec::new();
+        self.tree_below(root, &mut BTreeSet::new())
+    }
+
+    /// The trees of all blocks that no organization block reaches, one after another. What a block calls is written once in all of them.
+    pub fn not_called_trees(&self) -> Vec<Vec<Line<'_>>> {
         let mut shown = BTreeSet::new();
+        self.not_called.iter().map(|&root| self.tree_below(root, &mut shown)).collect()
+    }
+
+    fn tree_below(&self, root: BlockId, shown: &mut BTreeSet<BlockId>) -> Vec<Line<'_>> {
+        let mut lines = Vec::new();
         let own = |id: BlockId| self.blocks.get(&id).map_or(0, |caller| caller.local_data);
         lines.push(Line { depth: 0, callee: Callee::Block(root), site: None, own: own(root), local_data: own(root), mark: Mark::None });
         shown.insert(root);

@@ -214,6 +214,8 @@ fn check(compiled: &Compiled, symbols: &SymbolTable) {
         shown.extend(lines.into_iter().filter_map(|line| if let Callee::Block(block) = line.callee { Some(block) } else { None }));
     }
     assert!(structure.blocks.keys().all(|block| shown.contains(block)), "every block stands in a tree");
+    let not_called: usize = structure.not_called_trees().iter().map(Vec::len).sum();
+    assert!(not_called <= calls + structure.not_called.len(), "the trees of uncalled blocks repeat one another");
     let _ = AssignmentList::new(&all);
     let _ = Unused::new(compiled, &all, symbols);
 }

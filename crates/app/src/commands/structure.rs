@@ -62,8 +62,8 @@ fn document(build: &Build, places: &Places<'_>, structure: &CallStructure) -> Do
     }
     if !structure.not_called.is_empty() {
         let mut all = Section::default();
-        for &root in &structure.not_called {
-            let one = section(places, &structure.tree(root), "x ");
+        for tree in structure.not_called_trees() {
+            let one = section(places, &tree, "x ");
             all.headings = one.headings;
             all.rows.extend(one.rows);
         }
