@@ -175,13 +175,13 @@ fn call_with_instance(l: &mut Lowering<'_>, call: &Call, db: u16) {
             Actual::Memory(access) => {
                 let hidden = l.hidden(access.width.bytes());
                 copy(l, &Access { width: access.width, location: from }, &local(hidden, access.width));
-                dependent.push((hidden, u32::from(access.width == Width::Bit), parameter));
+                dependent.push((hidden, parameter));
             }
             Actual::Complex { data_type, .. } if parameter.section == Section::Output => {
                 let bytes = bytes_of(data_type);
                 let hidden = l.hidden(bytes);
                 copy_bytes(l, &from, &Location::Fixed { area: Area::Local, position: hidden }, bytes);
-                dependent.push((hidden, 0, parameter));
+                dependent.push((hidden, parameter));
             }
             _ => {}
         }
@@ -191,7 +191,7 @@ fn call_with_instance(l: &mut Lowering<'_>, call: &Call, db: u16) {
     if dependent.is_empty() {
         return;
     }
-    for (hidden, _, parameter) in dependent {
+    for (hidden, parameter) in dependent {
         match &parameter.actual {
             Some(Actual::Memory(access)) => copy(l, &local(hidden, access.width), access),
             Some(Actual::Complex { location, data_type }) => {
@@ -352,18 +352,13 @@ fn copy_bytes(l: &mut Lowering<'_>, from: &Location, to: &Location, bytes: u32) 
     l.b.release_temporaries();
 }
 
-/// Stores a constant in hidden local data; its position.
+/// Stores a constant in hidden local data; its position. A STRING or DATE_AND_TIME takes no constant, the check has refused it.
 fn store_constant(l: &mut Lowering<'_>, value: &Value, data_type: &DataType) -> u32 {
     let bytes: Vec<u8> = match value {
         Value::Any(bytes) => bytes.to_vec(),
-        Value::DateAndTime(bytes) => bytes.to_vec(),
         Value::DataPointer { db, pointer } => db.to_be_bytes().into_iter().chain(pointer.to_be_bytes()).collect(),
         Value::Pointer(pointer) if *data_type == DataType::Pointer => [0, 0].into_iter().chain(pointer.to_be_bytes()).collect(),
         Value::Bool(bit) => vec![u8::from(*bit)],
-        Value::Characters(text) if matches!(data_type, DataType::String(_)) => {
-            let length = text.len().min(254) as u8;
-            [length, length].into_iter().chain(text.iter().copied().take(254)).collect()
-        }
         other => {
             let bits = other.accumulator().unwrap_or_default();
             let bytes = data_type.bits().div_ceil(8).clamp(1, 4) as usize;
@@ -381,11 +376,7 @@ fn store_constant(l: &mut Lowering<'_>, value: &Value, data_type: &DataType) -> 
             done += width.bits();
         }
     }
-    if !matches!(data_type, DataType::String(_)) {
-        return position;
-    }
-    // A STRING is passed as every complex value: by a POINTER to it.
-    build_pointer(l, &Location::Fixed { area: Area::Local, position }, data_type, false)
+    position
 }
 
 /// Up to four bytes as double word, word and byte.
