@@ -13,6 +13,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
 use sieben_model::symbols::SymbolTable;
 
+use crate::arguments::{ProgramArguments, ReportArguments};
 use crate::failure::{Exit, Failure};
 use crate::files;
 use crate::glob::Pattern;
@@ -283,9 +284,14 @@ impl Build {
         if report::has_errors(&self.findings) { Err(Exit::DoesNotCompile) } else { Ok(self) }
     }
 
-    /// The same for a verb that only reports on a program: warnings are no matter of its, `check` tells them.
-    pub(crate) fn or_errors(self, json: bool) -> Result<Self, Exit> {
-        if report::has_errors(&self.findings) { self.or_report(json) } else { Ok(self) }
+    /// The program of a verb that only reports on it: warnings are no matter of its, `check` tells them.
+    pub(crate) fn for_report(
+        paths: &[PathBuf],
+        program: &ProgramArguments,
+        report: &ReportArguments,
+    ) -> Result<Result<Self, Exit>, Failure> {
+        let build = Project::load(paths)?.compile(program.overrides()?, false);
+        Ok(if report::has_errors(&build.findings) { build.or_report(report.json()) } else { Ok(build) })
     }
 }
 

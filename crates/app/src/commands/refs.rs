@@ -15,7 +15,7 @@ use crate::arguments::{ProgramArguments, ReportArguments};
 use crate::document::{Document, Section};
 use crate::failure::{Exit, Failure};
 use crate::places::Places;
-use crate::project::{Build, Project};
+use crate::project::Build;
 
 /// Print where every address, timer, counter and block is used.
 #[derive(Args)]
@@ -50,8 +50,7 @@ pub(crate) struct Arguments {
 /// Prints the cross reference.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let (paths, name) = paths_and_name(&arguments.words);
-    let build = Project::load(&paths)?.compile(arguments.program.overrides()?, false);
-    let build = match build.or_errors(arguments.report.json()) {
+    let build = match Build::for_report(&paths, &arguments.program, &arguments.report)? {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };

@@ -11,7 +11,7 @@ use crate::arguments::{ProgramArguments, ReportArguments};
 use crate::document::{Document, Section};
 use crate::failure::{Exit, Failure};
 use crate::places::Places;
-use crate::project::{Build, Project};
+use crate::project::Build;
 
 /// Levels that are indented: more than any CPU nests; deeper ones are numbered.
 const LEVELS_MAX: usize = 40;
@@ -36,8 +36,7 @@ pub(crate) struct Arguments {
 
 /// Prints the call structure.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let build = Project::load(&arguments.paths)?.compile(arguments.program.overrides()?, false);
-    let build = match build.or_errors(arguments.report.json()) {
+    let build = match Build::for_report(&arguments.paths, &arguments.program, &arguments.report)? {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
@@ -52,13 +51,14 @@ fn document(build: &Build, places: &Places<'_>, structure: &CallStructure) -> Do
     let mut sections = Vec::new();
     for &root in &structure.roots {
         let Some(caller) = structure.blocks.get(&root) else { continue };
-        let recursive = structure.tree(root).iter().any(|line| line.mark == Mark::Recursion);
+        let tree = structure.tree(root);
+        let recursive = tree.iter().any(|line| line.mark == Mark::Recursion);
         let more = if recursive { "; a recursion needs more with each turn" } else { "" };
         let note = format!(
             "{root}: at most {} bytes of local data (CPU {} has {} for a priority class), {} deep (nesting depth {}){more}.",
             caller.path_local_data, cpu.name, cpu.local_data, caller.path_depth, cpu.nesting_depth
         );
-        sections.push(Section { notes: vec![note], ..section(places, &structure.tree(root), "") });
+        sections.push(Section { notes: vec![note], ..section(places, &tree, "") });
     }
     if !structure.not_called.is_empty() {
         let mut all = Section::default();
