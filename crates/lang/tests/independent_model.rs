@@ -1,43 +1,24 @@
 //! Arithmetic, comparison, shift and conversion against a second model, written from the manual's words with i128 and f64
 //! and without a type of the engine. Values are random; edges come often.
 
+mod strict;
+
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock, Mutex};
 
 use proptest::prelude::*;
 use sieben_engine::machine::Registers;
-use sieben_engine::{Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Interpreter, Layout, Machine, Program, Reaction, StopReason};
+use sieben_engine::{Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
 use sieben_lang::stl::instructions::Instruction;
 use sieben_lang::stl::lower::{ResolvedBlock, Statement, lower};
 use sieben_lang::stl::operands::Operand;
-use sieben_model::address::Width;
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::interface::Interface;
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::Span;
-
-struct Strict;
-
-impl Host for Strict {
-    fn fault(&mut self, _: &mut Machine, fault: &Fault, place: FaultPlace) -> Reaction {
-        Reaction::Stop(StopReason { event: fault.event(), place: Some(place) })
-    }
-    fn peripheral_read(&mut self, _: &mut Machine, _: u32, _: Width) -> Option<u32> {
-        None
-    }
-    fn peripheral_write(&mut self, _: &mut Machine, _: u32, _: Width, _: u32) -> bool {
-        false
-    }
-    fn safe_point(&mut self, machine: &mut Machine, _: FaultPlace) -> Reaction {
-        machine.budget = 1000;
-        Reaction::Continue
-    }
-    fn system_function(&mut self, _: &mut Machine, _: BlockId, _: usize) -> Reaction {
-        Reaction::Continue
-    }
-}
+use strict::Strict;
 
 /// What an instruction leaves: ACCU 1, CC 1, CC 0, OV, RLO (where it writes them), or a fault.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

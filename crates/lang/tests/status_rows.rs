@@ -1,9 +1,11 @@
 //! The status row of every instruction is what the instruction does, in both directions.
 
+mod strict;
+
 use std::sync::Arc;
 
 use sieben_engine::machine::{Registers, StatusWord};
-use sieben_engine::{Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Interpreter, Layout, Machine, Program, Reaction, StopReason};
+use sieben_engine::{Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
 use sieben_lang::stl::instructions::{Effect, Instruction, STATUS_COLUMNS};
 use sieben_lang::stl::lower::{ResolvedBlock, Statement, lower};
 use sieben_lang::stl::operands::{Access, BlockOperand, Call, DataBlockInfo, Location, NumberOperand, Operand, OperandClass, StatusScan};
@@ -14,28 +16,7 @@ use sieben_model::interface::Interface;
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::Span;
-
-/// Stops at every fault.
-struct Strict;
-
-impl Host for Strict {
-    fn fault(&mut self, _: &mut Machine, fault: &Fault, place: FaultPlace) -> Reaction {
-        Reaction::Stop(StopReason { event: fault.event(), place: Some(place) })
-    }
-    fn peripheral_read(&mut self, _: &mut Machine, _: u32, _: Width) -> Option<u32> {
-        Some(0)
-    }
-    fn peripheral_write(&mut self, _: &mut Machine, _: u32, _: Width, _: u32) -> bool {
-        true
-    }
-    fn safe_point(&mut self, machine: &mut Machine, _: FaultPlace) -> Reaction {
-        machine.budget = 1000;
-        Reaction::Continue
-    }
-    fn system_function(&mut self, _: &mut Machine, _: BlockId, _: usize) -> Reaction {
-        Reaction::Continue
-    }
-}
+use strict::Strict;
 
 /// Pairs of these stand in ACCU 1 and ACCU 2.
 const EDGES: [u32; 16] = [
