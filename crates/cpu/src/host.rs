@@ -8,10 +8,10 @@ use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 
 use crate::clock::DateAndTime;
-use crate::cpu::TimeSource;
 use crate::diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 use crate::io::Rack;
 use crate::organization_blocks::{self as ob, StartInformation};
+use crate::settings::TimeSource;
 use crate::system;
 
 /// Greatest budget handed out at once: bounds how long a STOP request or the watchdog can go unseen.

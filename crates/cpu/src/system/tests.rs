@@ -10,11 +10,11 @@ use sieben_model::program::DataBlock;
 
 use super::*;
 use crate::clock::DateAndTime;
-use crate::cpu::TimeSource;
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::host::{Requests, Time, Watchdog};
 use crate::io::Rack;
 use crate::organization_blocks::StartInformation;
+use crate::settings::TimeSource;
 
 fn frame(block: BlockId, origin: Origin, local_base: u32) -> Frame {
     Frame { block, code: 0, resume: 0, local_base, local_size: 64, parameters: 0, parameters_end: 0, depth: 0, origin }

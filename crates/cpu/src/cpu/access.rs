@@ -1,0 +1,162 @@
+//! How everyone outside reads and modifies operands.
+
+use sieben_model::address::{Address, Area, Operand, Width};
+use sieben_model::bcd;
+use sieben_model::cpu_type::CpuType;
+
+use super::{Cpu, StopCause};
+use crate::cycle::CycleTimes;
+use crate::diagnostic_buffer::DiagnosticBuffer;
+use crate::mode::{OperatingMode, Restart};
+use crate::station::{AccessError, Station, TimerReading};
+
+impl Station for Cpu {
+    fn cpu_type(&self) -> &'static CpuType {
+        self.cpu_type
+    }
+
+    fn mode(&self) -> OperatingMode {
+        self.mode
+    }
+
+    fn read(&self, operand: &Operand) -> Result<u32, AccessError> {
+        check_bit(operand)?;
+        match operand {
+            Operand::Address(Address { area: Area::PeripheralInput, byte, width, bit }) => {
+                let value = self.rack.peripheral_read(*byte, *width).ok_or(AccessError::NoModule)?;
+                Ok(if *width == Width::Bit { value >> (bit & 7) & 1 } else { value })
+            }
+            Operand::Address(Address { area: Area::PeripheralOutput, byte, width, bit }) => {
+                let value = self.rack.peripheral_output(*byte, *width).ok_or(AccessError::NoModule)?;
+                Ok(if *width == Width::Bit { value >> (bit & 7) & 1 } else { value })
+            }
+            Operand::Timer(number) => self.timer(*number).map(|timer| u32::from(timer.value)).ok_or(AccessError::Outside),
+            Operand::Counter(number) => {
+                self.machine.counters.get(usize::from(*number)).map(|counter| u32::from(counter.count)).ok_or(AccessError::Outside)
+            }
+            _ => self.machine.memory.read(operand).ok_or_else(|| self.why_not(operand)),
+        }
+    }
+
+    fn modify(&mut self, operand: &Operand, value: u32) -> Result<(), AccessError> {
+        check_bit(operand)?;
+        match operand {
+            Operand::Address(address @ Address { area: Area::Input | Area::PeripheralInput, .. }) => self.modify_input(address, value),
+            Operand::Address(address @ Address { area: Area::PeripheralOutput, .. }) => self.modify_output(address, value),
+            Operand::Timer(number) => {
+                let now = self.machine.clock_us;
+                let timer = self.machine.timers.get_mut(usize::from(*number)).ok_or(AccessError::Outside)?;
+                let word = u16::try_from(value).map_err(|_| AccessError::Value)?;
+                if !bcd::is_decimal(u32::from(word), 3) {
+                    return Err(AccessError::Value);
+                }
+                timer.refresh(now);
+                timer.base = (word >> 12 & 3) as u8;
+                timer.value = bcd::decode(u32::from(word), 3) as u16;
+                timer.started_us = now;
+                timer.refresh(now);
+                Ok(())
+            }
+            Operand::Counter(number) => {
+                let counter = self.machine.counters.get_mut(usize::from(*number)).ok_or(AccessError::Outside)?;
+                counter.count = u16::try_from(value).ok().filter(|&count| count <= 999).ok_or(AccessError::Value)?;
+                Ok(())
+            }
+            _ if self.machine.memory.write(operand, value) => Ok(()),
+            _ => Err(self.why_not(operand)),
+        }
+    }
+
+    fn timer(&self, number: u16) -> Option<TimerReading> {
+        let mut timer = self.machine.timers.get(usize::from(number))?.clone();
+        let now = self.machine.clock_us;
+        timer.refresh(now);
+        Some(TimerReading { status: timer.status, value: timer.remaining(now), base: timer.base, running: timer.running })
+    }
+
+    fn diagnostic_buffer(&self) -> &DiagnosticBuffer {
+        &self.diagnostics
+    }
+
+    fn stop_cause(&self) -> Option<&StopCause> {
+        self.cause.as_ref()
+    }
+
+    fn cycle_times(&self) -> CycleTimes {
+        self.cycle.times
+    }
+
+    fn stop(&mut self) {
+        self.stop_by(0x4304);
+    }
+
+    fn restart(&mut self, restart: Restart) -> OperatingMode {
+        Self::restart(self, restart)
+    }
+}
+
+/// A bit number above 7 is no address.
+fn check_bit(operand: &Operand) -> Result<(), AccessError> {
+    match operand {
+        Operand::Address(address) | Operand::InDataBlock { address, .. } if address.bit > 7 => Err(AccessError::Outside),
+        _ => Ok(()),
+    }
+}
+
+impl Cpu {
+    /// Why an operand of the data memory has no value.
+    fn why_not(&self, operand: &Operand) -> AccessError {
+        match operand {
+            Operand::InDataBlock { db, .. } if self.machine.memory.data_block(u64::from(*db)).is_none() => AccessError::NotLoaded,
+            Operand::InDataBlock { .. } => AccessError::Outside,
+            Operand::Address(address) if self.machine.memory.layout.area(address.area).is_some() => AccessError::Outside,
+            _ => AccessError::NotAccessible,
+        }
+    }
+
+    /// Sets an input: in its module if that is simulated, else in the process image of the next scan.
+    fn modify_input(&mut self, address: &Address, value: u32) -> Result<(), AccessError> {
+        let length = address.width.bytes();
+        let limit = match address.area {
+            Area::Input => self.machine.memory.layout.inputs.len() as u32,
+            _ => self.cpu_type.peripheral,
+        };
+        if address.byte.checked_add(length).is_none_or(|end| end > limit) {
+            return Err(AccessError::Outside);
+        }
+        let (masks, values) = if address.width == Width::Bit {
+            ([0, 0, 0, 1 << (address.bit & 7)], [0, 0, 0, ((value & 1) << (address.bit & 7)) as u8])
+        } else {
+            ([0xFF; 4], value.to_be_bytes())
+        };
+        for index in 0..length {
+            let at = (4 - length + index) as usize;
+            let byte = address.byte + index;
+            if self.rack.set_input(byte, masks[at], values[at]) {
+                continue;
+            }
+            if address.area == Area::PeripheralInput {
+                return Err(AccessError::NoModule);
+            }
+            let (mask, old) = self.overrides.entry(byte).or_default();
+            *mask |= masks[at];
+            *old = *old & !masks[at] | values[at];
+        }
+        Ok(())
+    }
+
+    /// Sets a peripheral output and, as `T PQW` does, the process image, or the next cycle control point would undo it.
+    fn modify_output(&mut self, address: &Address, value: u32) -> Result<(), AccessError> {
+        let (width, value) = if address.width == Width::Bit {
+            let old = self.rack.peripheral_output(address.byte, Width::Byte).ok_or(AccessError::NoModule)?;
+            (Width::Byte, old & !(1 << address.bit) | (value & 1) << address.bit)
+        } else {
+            (address.width, value)
+        };
+        if !self.rack.peripheral_write(address.byte, width, value) {
+            return Err(AccessError::NoModule);
+        }
+        self.machine.memory.write(&Operand::Address(Address { area: Area::Output, width, byte: address.byte, bit: 0 }), value);
+        Ok(())
+    }
+}

@@ -1,0 +1,85 @@
+//! STOP to RUN: what each kind of restart clears, and the startup organization block.
+
+use std::sync::atomic::Ordering;
+
+use sieben_engine::Tracer;
+use sieben_model::address::Area;
+
+use super::Cpu;
+use super::run::Outcome;
+use super::stop::Held;
+use crate::cycle::Cycle;
+use crate::host::Watchdog;
+use crate::mode::{OperatingMode, Restart};
+use crate::organization_blocks::{self as ob, StartInformation};
+
+impl Cpu {
+    /// Starts the CPU at the time of the last scan: STARTUP, then RUN or STOP.
+    pub fn restart(&mut self, restart: Restart) -> OperatingMode {
+        let now = self.now_us;
+        self.restart_with(restart, &mut || now, None)
+    }
+
+    /// Starts the CPU with a clock (microseconds) and someone who watches statements.
+    pub fn restart_with(&mut self, restart: Restart, clock: &mut dyn FnMut() -> u64, tracer: Option<&mut dyn Tracer>) -> OperatingMode {
+        self.stop();
+        self.advance(clock());
+        // What was asked of the CPU before it started is fulfilled by its having been in STOP.
+        self.requests.stop.store(false, Ordering::Relaxed);
+        self.requests.hold.store(false, Ordering::Relaxed);
+        // Hot restart is a matter of the S7-400, as is OB 88.
+        self.restart = if restart == Restart::Hot && !self.cpu_type.has_ob88 { Restart::Warm } else { restart };
+        self.clear();
+        let stop_event = self.cause.take().map_or(0, |cause| cause.event);
+        self.cycle = Cycle::default();
+        self.class = StartInformation::startup(self.restart, stop_event, self.cpu_type.has_ob88);
+        self.system.restart(self.machine.clock_us, self.restart == Restart::Hot, self.class);
+        self.mode = OperatingMode::Startup;
+        self.log(StartInformation { event: 0x4301, ..self.class }, None);
+        self.watchdog = Watchdog::new(true, self.now_us, self.watchdog_us(), self.settings.virtual_safe_points);
+        let block = ob::startup(self.restart);
+        let outcome = if self.engine.has_block(block) { self.run(Some(self.entry(block, None)), clock, tracer) } else { Outcome::Finished };
+        self.after_startup(outcome);
+        self.mode
+    }
+
+    /// What a restart clears.
+    pub(super) fn clear(&mut self) {
+        self.machine.frames.clear();
+        self.machine.parameters.clear();
+        if self.restart == Restart::Hot {
+            return;
+        }
+        for area in [Area::Input, Area::Output, Area::BitMemory] {
+            self.machine.memory.area_mut(area).fill(0);
+        }
+        self.machine.timers.fill(Default::default());
+        self.machine.counters.fill(Default::default());
+        self.rack.clear_outputs();
+        let cold = self.restart == Restart::Cold;
+        self.load_data_blocks(|non_retain| cold || non_retain);
+    }
+
+    /// Copies data blocks from load memory, those whose NON_RETAIN attribute `which` wants.
+    pub(super) fn load_data_blocks(&mut self, which: impl Fn(bool) -> bool) {
+        for (&number, block) in self.program.data.iter().filter(|(_, block)| which(block.non_retain)) {
+            let Some(Some(entry)) = self.machine.memory.data_blocks.get_mut(usize::from(number)) else { continue };
+            entry.read_only = block.read_only;
+            let start = entry.base as usize;
+            let length = block.image.len().min(entry.length as usize);
+            self.machine.memory.arena[start..start + length].copy_from_slice(&block.image[..length]);
+        }
+    }
+
+    pub(super) fn after_startup(&mut self, outcome: Outcome) {
+        match outcome {
+            Outcome::Finished => {
+                self.log(StartInformation { event: 0x4302, ..self.class }, None);
+                self.mode = OperatingMode::Run;
+                self.rack.enable_outputs(true);
+            }
+            Outcome::Suspended => self.hold(Held::Startup),
+            Outcome::Stopped(reason, first) => self.enter_stop(reason, first),
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! The run of one organization block, with OB 88 if it is aborted.
+
+use std::sync::Arc;
+
+use sieben_engine::machine::Registers;
+use sieben_engine::{Context, Entry, Exit, StopReason, Tracer};
+use sieben_model::block::BlockId;
+
+use super::Cpu;
+use crate::diagnostic_buffer::DiagnosticEntry;
+use crate::host::{CpuHost, Time};
+use crate::organization_blocks as ob;
+
+/// How the run of an organization block ended.
+pub(super) enum Outcome {
+    Finished,
+    Suspended,
+    Stopped(StopReason, Option<DiagnosticEntry>),
+}
+
+impl Cpu {
+    pub(super) fn entry(&self, block: BlockId, registers: Option<Registers>) -> Entry {
+        Entry { block, start_information: self.class.bytes(self.date_and_time()), registers }
+    }
+
+    /// Runs an organization block, or goes on with a suspended one; and OB 88 if the run was aborted.
+    pub(super) fn run(&mut self, entry: Option<Entry>, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) -> Outcome {
+        let engine = Arc::clone(&self.engine);
+        let mut entry = entry;
+        let mut resume = entry.is_none();
+        let mut saved: Option<Registers> = None;
+        loop {
+            let source = self.settings.time;
+            let mut host = CpuHost {
+                cpu_type: self.cpu_type,
+                engine: &*engine,
+                rack: &mut self.rack,
+                diagnostics: &mut self.diagnostics,
+                requests: &self.requests,
+                time: Time { source, clock: &mut *clock, now_us: self.now_us, start: self.settings.date_and_time },
+                watchdog: &mut self.watchdog,
+                class: self.class,
+                first: None,
+                abort: None,
+                program: &self.program,
+                system: &mut self.system,
+            };
+            if !resume {
+                if let Some(entry) = &entry {
+                    host.system.begin(entry.block.number);
+                }
+                self.machine.frames.clear();
+                self.machine.parameters.clear();
+            }
+            host.watchdog.begin(source, &mut self.machine, &self.requests);
+            let tracer: Option<&mut dyn Tracer> = match &mut tracer {
+                Some(tracer) => Some(&mut **tracer),
+                None => None,
+            };
+            let mut context = Context { machine: &mut self.machine, host: &mut host, tracer };
+            let exit = match &entry {
+                Some(entry) if !resume => engine.run(&mut context, entry),
+                _ => engine.resume(&mut context),
+            };
+            let (abort, first, now_us, start) = (host.abort, host.first, host.time.now_us, host.time.start);
+            self.watchdog.settle(&self.machine);
+            self.now_us = now_us;
+            self.settings.date_and_time = start;
+            let registers = saved.get_or_insert_with(|| self.machine.registers.clone());
+            match exit {
+                Exit::Stopped(_) if abort.is_some() => {
+                    self.class = abort.unwrap_or_default();
+                    entry = Some(self.entry(ob::PROCESSING_ABORT, None));
+                    resume = false;
+                }
+                Exit::Suspended => return Outcome::Suspended,
+                exit => {
+                    // OB 88 has registers of its own; those of the aborted block are the ones to show.
+                    self.machine.registers = registers.clone();
+                    return match exit {
+                        Exit::Stopped(reason) => Outcome::Stopped(reason, first),
+                        _ => Outcome::Finished,
+                    };
+                }
+            }
+        }
+    }
+
+    pub(super) fn watchdog_us(&self) -> u64 {
+        u64::try_from(self.settings.watchdog.as_micros()).unwrap_or(u64::MAX)
+    }
+}

@@ -1,0 +1,130 @@
+//! One cycle: time passes, the cycle control point, OB 1.
+
+use std::sync::atomic::Ordering;
+
+use sieben_engine::Tracer;
+use sieben_model::address::Area;
+
+use super::Cpu;
+use super::run::Outcome;
+use super::stop::Held;
+use crate::clock::clock_memory;
+use crate::host::Watchdog;
+use crate::mode::OperatingMode;
+use crate::organization_blocks::{self as ob, StartInformation};
+use crate::process_image;
+use crate::settings::TimeSource;
+
+/// What a scan did.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ScanReport {
+    /// The cycle, counted from 1 since the last restart.
+    pub number: u64,
+    /// Whether the cycle ran; not in STOP and HOLD.
+    pub executed: bool,
+    /// The mode after the scan.
+    pub mode: OperatingMode,
+    /// How long the CPU worked, in microseconds; 0 in virtual time.
+    pub execution_us: u64,
+    /// Safe points that the program passed.
+    pub safe_points: u64,
+}
+
+impl Cpu {
+    /// One cycle at a point in time, in microseconds of a clock that began at 0; the clock stands still inside the scan.
+    /// In STOP and HOLD only time passes.
+    pub fn scan(&mut self, now_us: u64) -> ScanReport {
+        self.scan_with(&mut || now_us, None)
+    }
+
+    /// As [`Self::scan`], with someone who is told of every statement.
+    pub fn scan_traced(&mut self, now_us: u64, tracer: &mut dyn Tracer) -> ScanReport {
+        self.scan_with(&mut || now_us, Some(tracer))
+    }
+
+    /// One cycle with a clock (microseconds), which is asked again inside the scan in real time.
+    pub fn scan_with(&mut self, clock: &mut dyn FnMut() -> u64, tracer: Option<&mut dyn Tracer>) -> ScanReport {
+        self.advance(clock());
+        if self.mode == OperatingMode::Run && self.requests.stop.swap(false, Ordering::Relaxed) {
+            self.stop();
+        }
+        if self.mode != OperatingMode::Run {
+            return self.report(false, 0);
+        }
+        self.cycle.begin(self.now_us);
+        self.cycle_control_point();
+        self.watchdog = Watchdog::new(false, self.now_us, self.watchdog_us(), self.settings.virtual_safe_points);
+        self.class = StartInformation::cycle(self.restart, self.cycle.number, &self.cycle.times);
+        let registers = self.preset.take();
+        let outcome = if self.engine.has_block(ob::CYCLE) {
+            self.run(Some(self.entry(ob::CYCLE, registers)), clock, tracer)
+        } else {
+            Outcome::Finished
+        };
+        self.after_cycle(outcome, clock)
+    }
+
+    /// Goes on after HOLD; in other modes nothing happens.
+    pub fn resume(&mut self, now_us: u64) -> ScanReport {
+        self.resume_with(&mut || now_us, None)
+    }
+
+    /// As [`Self::resume`], with a clock and someone who watches statements.
+    pub fn resume_with(&mut self, clock: &mut dyn FnMut() -> u64, tracer: Option<&mut dyn Tracer>) -> ScanReport {
+        let held_at = self.now_us;
+        self.advance(clock());
+        let Some(held) = self.held.take() else { return self.report(false, 0) };
+        // Neither timers nor the cycle time count in HOLD.
+        self.watchdog.started_us = self.watchdog.started_us.saturating_add(self.now_us - held_at);
+        self.log(StartInformation { event: 0x4306, ..self.class }, None);
+        self.mode = if held == Held::Startup { OperatingMode::Startup } else { OperatingMode::Run };
+        let outcome = self.run(None, clock, tracer);
+        match held {
+            Held::Startup => {
+                self.after_startup(outcome);
+                self.report(true, 0)
+            }
+            Held::Cycle => self.after_cycle(outcome, clock),
+        }
+    }
+
+    /// Time passes: modules go on in every mode, the CPU clock in STARTUP and RUN.
+    pub(super) fn advance(&mut self, now_us: u64) {
+        let now = now_us.max(self.now_us);
+        if matches!(self.mode, OperatingMode::Startup | OperatingMode::Run) {
+            self.machine.clock_us = self.machine.clock_us.saturating_add(now - self.now_us);
+        }
+        self.now_us = now;
+        self.rack.advance(now - self.rack_us);
+        self.rack_us = now;
+    }
+
+    pub(super) fn cycle_control_point(&mut self) {
+        process_image::exchange(&mut self.machine, &mut self.rack, &mut self.overrides);
+        if let Some(byte) = self.settings.clock_memory_byte
+            && let Some(byte) = self.machine.memory.area_mut(Area::BitMemory).get_mut(usize::from(byte))
+        {
+            *byte = clock_memory(self.machine.clock_us);
+        }
+    }
+
+    pub(super) fn after_cycle(&mut self, outcome: Outcome, clock: &mut dyn FnMut() -> u64) -> ScanReport {
+        self.registers = self.machine.registers.clone();
+        match outcome {
+            Outcome::Finished => {}
+            Outcome::Suspended => self.hold(Held::Cycle),
+            Outcome::Stopped(reason, first) => self.enter_stop(reason, first),
+        }
+        let end = match self.settings.time {
+            TimeSource::Virtual => self.now_us,
+            TimeSource::Real => clock().max(self.now_us),
+        };
+        let execution = self.cycle.end(end);
+        self.report(true, execution)
+    }
+
+    pub(super) fn report(&self, executed: bool, execution_us: u64) -> ScanReport {
+        let safe_points = if executed { self.watchdog.total } else { 0 };
+        ScanReport { number: self.cycle.number, executed, mode: self.mode, execution_us, safe_points }
+    }
+}

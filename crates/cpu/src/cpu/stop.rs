@@ -1,0 +1,99 @@
+//! STOP and HOLD: why, by whom, and what then holds.
+
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+use sieben_engine::{FaultPlace, StopReason};
+
+use super::Cpu;
+use crate::diagnostic_buffer::DiagnosticEntry;
+use crate::host::Requests;
+use crate::mode::OperatingMode;
+use crate::organization_blocks::StartInformation;
+
+/// Why the CPU is in STOP.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StopCause {
+    /// The event of the STOP itself, such as 16#4562.
+    pub event: u16,
+    /// The first cause, such as 16#2528; the same as `event` if nothing came before.
+    pub first_event: u16,
+    /// The statement that caused it, counted from 0, if one did.
+    pub place: Option<FaultPlace>,
+    /// Cause, place and consequence in words.
+    pub text: String,
+}
+
+/// Sends a CPU to STOP (as its mode switch does) or HOLD from another thread; seen at the next safe point.
+#[derive(Clone, Debug)]
+pub struct StopRequest(Arc<Requests>);
+
+impl StopRequest {
+    /// Asks for STOP.
+    pub fn stop(&self) {
+        self.0.stop.store(true, Ordering::Relaxed);
+    }
+    /// Asks for HOLD.
+    pub fn hold(&self) {
+        self.0.hold.store(true, Ordering::Relaxed);
+    }
+}
+
+/// What was suspended by HOLD.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Held {
+    Startup,
+    Cycle,
+}
+
+impl Cpu {
+    /// Sends the CPU to STOP as its mode switch does.
+    pub fn stop(&mut self) {
+        self.stop_by(0x4303);
+    }
+
+    /// A handle that sends the CPU to STOP or HOLD from another thread.
+    pub fn stop_request(&self) -> StopRequest {
+        StopRequest(Arc::clone(&self.requests))
+    }
+
+    pub(super) fn stop_by(&mut self, event: u16) {
+        match self.mode {
+            OperatingMode::Stop => return,
+            OperatingMode::Hold => {
+                self.log(StartInformation { event: 0x430A, ..self.class }, None);
+            }
+            OperatingMode::Startup | OperatingMode::Run => {}
+        }
+        self.enter_stop(StopReason { event, place: None }, None);
+    }
+
+    pub(super) fn enter_stop(&mut self, reason: StopReason, first: Option<DiagnosticEntry>) {
+        let StopReason { event, place } = reason;
+        let entry = self.log(StartInformation { event, ..self.class }, place);
+        let first_event = first.as_ref().map_or(event, DiagnosticEntry::event);
+        let text = match &first {
+            Some(first) => format!("{}; {}", first.text(), crate::diagnostic_buffer::event_text(event)),
+            None => entry.text(),
+        };
+        let place = place.or(first.and_then(|first| first.place));
+        self.cause = Some(StopCause { event, first_event, place, text });
+        self.mode = OperatingMode::Stop;
+        self.held = None;
+        self.machine.frames.clear();
+        self.machine.parameters.clear();
+        self.rack.enable_outputs(false);
+    }
+
+    pub(super) fn hold(&mut self, held: Held) {
+        self.held = Some(held);
+        self.mode = OperatingMode::Hold;
+        self.log(StartInformation { event: 0x4305, ..self.class }, None);
+    }
+
+    pub(super) fn log(&mut self, fields: StartInformation, place: Option<FaultPlace>) -> DiagnosticEntry {
+        let entry = DiagnosticEntry { fields, time: self.date_and_time(), place };
+        self.diagnostics.push(entry.clone());
+        entry
+    }
+}
