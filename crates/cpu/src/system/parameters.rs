@@ -1,5 +1,6 @@
 //! Parameters of system functions: values and places behind pointers, and the general error codes.
 
+use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT};
 use sieben_engine::{Host, Machine};
 use sieben_model::address::{Area, Width};
 use sieben_model::types::DataType;
@@ -45,12 +46,8 @@ pub(super) enum Place {
 
 /// The place of `bytes` bytes behind an area-crossing pointer; `db` = 0 means the data block that is open.
 pub(super) fn locate(machine: &Machine, db: u16, pointer: u32, bytes: u32, write: bool) -> Result<Place, Refused> {
-    let byte = (pointer & 0x00FF_FFFF) >> 3;
-    let local = || {
-        let start = machine.memory.layout.local.start;
-        let frame = machine.frames.last();
-        frame.map_or(0..0, |frame| start + frame.local_base as usize..start + (frame.local_base + frame.local_size) as usize)
-    };
+    let address = pointer & 0x00FF_FFFF;
+    let byte = if pointer >> 24 == u32::from(Area::CallerLocal.pointer_code()) { address & CALLS_MASK } else { address } >> 3;
     let block = |open: u64, protected: Refused| {
         let number = if db == 0 { open } else { u64::from(db) };
         if number > u64::from(machine.memory.layout.db_number_max) {
@@ -74,7 +71,8 @@ pub(super) fn locate(machine: &Machine, db: u16, pointer: u32, bytes: u32, write
         0x84 => block(machine.registers.db_number, Refused::SHARED_PROTECTED)?,
         0x85 => block(machine.registers.di_number, Refused::INSTANCE_PROTECTED)?,
         // A system function has no local data of its own: L and V are those of the block that calls it.
-        0x86 | 0x87 => local(),
+        0x86 => machine.local_data(0),
+        0x87 => machine.local_data((address >> CALLS_SHIFT) as usize),
         _ => return Err(Refused::AREA.when(write)),
     };
     if u64::from(byte) + u64::from(bytes) > range.len() as u64 {

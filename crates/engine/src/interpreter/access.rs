@@ -4,7 +4,7 @@ use sieben_model::address::{Area, Width};
 
 use crate::fault::Fault;
 use crate::ir::{DataRegister, Place};
-use crate::machine::{Machine, Register};
+use crate::machine::{CALLS_MASK, CALLS_SHIFT, Machine, Register};
 
 /// The registers and temporaries while a block runs.
 pub(super) type File = [u64; 256];
@@ -84,7 +84,10 @@ pub(super) fn locate(machine: &Machine, file: &File, place: Place, width: Width,
             (pointed_area(pointer, write)?, moved(pointer, offset))
         }
     };
-    let byte = position >> 3;
+    let byte = match area {
+        Area::CallerLocal => position & CALLS_MASK,
+        _ => position,
+    } >> 3;
     if width != Width::Bit && position & 7 != 0 {
         return Err(fault(0x28, write, area, width, byte));
     }
@@ -96,8 +99,8 @@ pub(super) fn locate(machine: &Machine, file: &File, place: Place, width: Width,
         Area::InstanceData => {
             return in_data_block(machine, file, DataRegister::Instance, position, width, write).map(|(at, bit)| Target::Arena(at, bit));
         }
-        Area::Local => local_range(machine, 0),
-        Area::CallerLocal => local_range(machine, 1),
+        Area::Local => machine.local_data(0),
+        Area::CallerLocal => machine.local_data(1 + (position >> CALLS_SHIFT) as usize),
         Area::Input | Area::Output | Area::BitMemory => machine.memory.layout.area(area).unwrap_or(0..0),
     };
     if u64::from(byte) + u64::from(width.bytes()) > range.len() as u64 {
@@ -125,13 +128,4 @@ fn pointed_area(pointer: u64, write: bool) -> Result<Area, Fault> {
         0x87 => Area::CallerLocal,
         code => return Err(Fault::programming(0x24 + u8::from(write), u16::from(code))),
     })
-}
-
-/// The local data of the running block (0) or its caller (1).
-fn local_range(machine: &Machine, outwards: usize) -> std::ops::Range<usize> {
-    let local = machine.memory.layout.local.start;
-    match machine.frames.len().checked_sub(outwards + 1).map(|index| &machine.frames[index]) {
-        Some(frame) => local + frame.local_base as usize..local + (frame.local_base + frame.local_size) as usize,
-        None => 0..0,
-    }
 }

@@ -421,6 +421,9 @@ ops! {
     ror33 = Ror33(a: u32, carry: bool) -> u32 = a >> 1 | u32::from(carry) << 31;
 
     // Pointers and status.
+    /// A pointer for a block one call further in: V (the caller's local data) then lies one call further out, which bits 19 to 23 count.
+    pass_on_pointer = PassOnPointer(pointer: u32) -> u32 =
+        if pointer >> 24 == 0x87 && pointer & 0x00F8_0000 != 0x00F8_0000 { pointer + 0x0008_0000 } else { pointer };
     /// Address register after `+AR`: bits 0 to 23 plus a signed word, bits 24 to 31 kept.
     add_pointer = AddPointer(register: u32, offset: i16) -> u32 =
         register & 0xFF00_0000 | register.wrapping_add(i32::from(offset) as u32) & 0x00FF_FFFF;

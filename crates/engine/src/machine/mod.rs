@@ -16,6 +16,12 @@ pub use memory::Memory;
 pub use registers::{Register, Registers, StatusWord};
 pub use timers::{Timer, TimerKind};
 
+/// In a pointer to V, the bits from this one to bit 23 count the calls that it was passed on over.
+pub const CALLS_SHIFT: u32 = 19;
+
+/// The address in a pointer to V, without that count.
+pub const CALLS_MASK: u32 = (1 << CALLS_SHIFT) - 1;
+
 /// One CPU's state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Machine {
@@ -101,6 +107,15 @@ impl Machine {
             parameters: Vec::new(),
             clock_us: 0,
             budget: 0,
+        }
+    }
+
+    /// The arena bytes of the local data of the running block (`outwards` = 0), its caller (1), the caller of that (2) …
+    pub fn local_data(&self, outwards: usize) -> std::ops::Range<usize> {
+        let local = self.memory.layout.local.start;
+        match self.frames.len().checked_sub(outwards + 1).map(|index| &self.frames[index]) {
+            Some(frame) => local + frame.local_base as usize..local + (frame.local_base + frame.local_size) as usize,
+            None => 0..0,
         }
     }
 }

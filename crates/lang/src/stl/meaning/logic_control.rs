@@ -399,18 +399,31 @@ fn ready_any(l: &mut Lowering<'_>, parameter: &CallParameter, location: &Locatio
     match location {
         Location::Fixed { area: Area::Local, position } => Some(*position),
         Location::Parameter { index, .. } => {
-            let position = l.hidden(10);
-            for (offset, width) in [(0, Width::DoubleWord), (32, Width::DoubleWord), (64, Width::Word)] {
-                let own = l.b.temporary();
-                l.b.push(Inst::Parameter { dst: own, index: *index });
-                let value = l.b.load(Place::Crossing { pointer: own, offset }, width, OnFault::SkipStatement);
-                l.b.store(Place::Fixed { area: Area::Local, position: position + offset }, width, value);
-                l.b.release_temporaries();
-            }
-            Some(position)
+            let own = l.b.temporary();
+            l.b.push(Inst::Parameter { dst: own, index: *index });
+            Some(copied_any(l, own, |pointer, offset| Place::Crossing { pointer, offset }))
+        }
+        Location::Instance { position } => {
+            let start = *position;
+            let base = Register::Ar2.into();
+            Some(copied_any(l, base, |pointer, offset| Place::Indirect { area: Area::InstanceData, pointer, offset: start + offset }))
         }
         _ => None,
     }
+}
+
+/// Copies the ten bytes of an ANY that is passed on into hidden local data; their position.
+fn copied_any(l: &mut Lowering<'_>, base: Var, at: impl Fn(Var, u32) -> Place) -> u32 {
+    let position = l.hidden(10);
+    for (offset, width) in [(0, Width::DoubleWord), (32, Width::Word), (48, Width::DoubleWord)] {
+        let mut value = l.b.load(at(base, offset), width, OnFault::SkipStatement);
+        if offset == 48 {
+            value = l.b.compute(Op::PassOnPointer, &[value]);
+        }
+        l.b.store(Place::Fixed { area: Area::Local, position: position + offset }, width, value);
+    }
+    l.b.release_temporaries();
+    position
 }
 
 /// Builds a POINTER (6 bytes) or ANY (10 bytes) to a place in hidden local data; its position.
@@ -437,6 +450,8 @@ fn build_pointer(l: &mut Lowering<'_>, location: &Location, data_type: &DataType
         Location::InDataBlock { db, position } | Location::InInstanceBlock { db, position } => {
             (l.b.constant(u64::from(*db)), l.b.constant(0x8400_0000 | u64::from(*position)))
         }
+        // A parameter of type POINTER is passed on, not the address of its six bytes.
+        Location::Instance { position } if *data_type == DataType::Pointer && !any => through_instance(l, *position, 0),
         Location::Instance { position } => {
             let mask = l.b.constant(0x0007_FFFF);
             let base = l.b.compute(Op::AndU32, &[Register::Ar2.into(), mask]);
@@ -447,21 +462,16 @@ fn build_pointer(l: &mut Lowering<'_>, location: &Location, data_type: &DataType
             let own = l.b.temporary();
             l.b.push(Inst::Parameter { dst: own, index: *index });
             let offset = l.b.constant(u64::from(*offset));
-            if *complex {
+            let (number, pointer) = if *complex {
                 let number = l.b.load(Place::Crossing { pointer: own, offset: 0 }, Width::Word, OnFault::SkipStatement);
-                let pointer = l.b.load(Place::Crossing { pointer: own, offset: 16 }, Width::DoubleWord, OnFault::SkipStatement);
-                (number, l.b.compute(Op::AddU32, &[pointer, offset]))
+                (number, l.b.load(Place::Crossing { pointer: own, offset: 16 }, Width::DoubleWord, OnFault::SkipStatement))
             } else {
-                (l.b.constant(0), l.b.compute(Op::AddU32, &[own, offset]))
-            }
+                (l.b.constant(0), own)
+            };
+            let moved = l.b.compute(Op::AddU32, &[pointer, offset]);
+            (number, l.b.compute(Op::PassOnPointer, &[moved]))
         }
-        Location::InstancePointer { position, offset } => {
-            let at = |position| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: position };
-            let number = l.b.load(at(*position), Width::Word, OnFault::SkipStatement);
-            let pointer = l.b.load(at(*position + 16), Width::DoubleWord, OnFault::SkipStatement);
-            let offset = l.b.constant(u64::from(*offset));
-            (number, l.b.compute(Op::AddU32, &[pointer, offset]))
-        }
+        Location::InstancePointer { position, offset } => through_instance(l, *position, *offset),
         other => {
             let pointer = direct_pointer(other).unwrap_or_default();
             (l.b.constant(0), l.b.constant(u64::from(pointer)))
@@ -471,6 +481,16 @@ fn build_pointer(l: &mut Lowering<'_>, location: &Location, data_type: &DataType
     l.b.store(at(start + 16), Width::DoubleWord, pointer);
     l.b.release_temporaries();
     position
+}
+
+/// Data block and pointer of a POINTER that lies in the instance, moved by an offset, for a block that is called.
+fn through_instance(l: &mut Lowering<'_>, position: u32, offset: u32) -> (Var, Var) {
+    let at = |position| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: position };
+    let number = l.b.load(at(position), Width::Word, OnFault::SkipStatement);
+    let pointer = l.b.load(at(position + 16), Width::DoubleWord, OnFault::SkipStatement);
+    let offset = l.b.constant(u64::from(offset));
+    let moved = l.b.compute(Op::AddU32, &[pointer, offset]);
+    (number, l.b.compute(Op::PassOnPointer, &[moved]))
 }
 
 /// Type code and count of an ANY: complex values count as bytes.
