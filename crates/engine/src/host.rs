@@ -33,7 +33,7 @@ pub struct Entry {
 pub enum Exit {
     /// The organization block ended. The registers are those before the block end took effect.
     Finished,
-    /// The Host stopped the CPU.
+    /// The Host stopped the CPU. The frames stay as they were: `resume` goes on behind the statement, as a hot restart does.
     Stopped(StopReason),
     /// The Host suspended the run; `resume` goes on.
     Suspended,
@@ -56,6 +56,7 @@ pub enum Reaction {
     /// Go on; a failed load delivers this value (SFC 44).
     Replace(u32),
     /// Run this organization block first, then go on as with `Continue` (or the value it replaced).
+    /// Any but OB 121 and OB 122 begins a priority class of its own ([`Machine::push_frame`]).
     Enter {
         /// OB 121, OB 122 or an interrupt OB.
         block: BlockId,
@@ -77,6 +78,7 @@ pub trait Host {
     /// Writes a module (the process image is the Host's to update); `false` = no module answers at this address.
     fn peripheral_write(&mut self, machine: &mut Machine, byte: u32, width: Width, value: u32) -> bool;
     /// The safe-point budget is used up: refill `machine.budget` or stop.
+    /// Asked too, whatever the budget, when an organization block has ended that [`Reaction::Enter`] started between two statements.
     fn safe_point(&mut self, machine: &mut Machine, place: Place) -> Reaction;
     /// Runs system function (block) `block`; its parameters are `machine.parameters[first..]` (pointers), its instance the DI register.
     fn system_function(&mut self, machine: &mut Machine, block: BlockId, first_parameter: usize) -> Reaction;
@@ -91,7 +93,7 @@ pub trait Host {
 pub trait Engine: Send + Sync {
     /// Runs an organization block from its beginning.
     fn run(&self, context: &mut Context<'_>, entry: &Entry) -> Exit;
-    /// Goes on after [`Exit::Suspended`].
+    /// Goes on with the frames of the machine, after [`Exit::Suspended`] and [`Exit::Stopped`].
     fn resume(&self, context: &mut Context<'_>) -> Exit;
     /// Whether this block is loaded.
     fn has_block(&self, block: BlockId) -> bool;

@@ -17,8 +17,10 @@ pub struct CpuType {
     pub timers: u16,
     /// Number of S5 counters.
     pub counters: u16,
-    /// Bytes of local data per priority class.
+    /// Bytes of local data that a priority class may use.
     pub local_data: u32,
+    /// Whether all priority classes share these bytes (S7-400) or each has its own (S7-300).
+    pub local_data_shared: bool,
     /// Bytes of local data per block.
     pub local_data_block: u32,
     /// Greatest number of a data block.
@@ -48,6 +50,7 @@ const S7_300: CpuType = CpuType {
     timers: 256,
     counters: 256,
     local_data: 32 * 1024,
+    local_data_shared: false,
     local_data_block: 2048,
     db_number_max: 16_000,
     fc_number_max: 7999,
@@ -67,6 +70,7 @@ const S7_400: CpuType = CpuType {
     timers: 2048,
     counters: 2048,
     local_data: 32 * 1024,
+    local_data_shared: true,
     local_data_block: 65_536,
     nesting_depth: 24,
     nesting_depth_error: 2,

@@ -17,7 +17,19 @@ use crate::organization_blocks::StartInformation;
 use crate::settings::TimeSource;
 
 fn frame(block: BlockId, origin: Origin, local_base: u32) -> Frame {
-    Frame { block, code: 0, resume: 0, local_base, local_size: 64, parameters: 0, parameters_end: 0, depth: 0, origin }
+    Frame {
+        block,
+        code: 0,
+        resume: 0,
+        local_base,
+        local_size: 64,
+        parameters: 0,
+        parameters_end: 0,
+        depth: 0,
+        class_base: 0,
+        in_error: false,
+        origin,
+    }
 }
 
 /// A CPU with DB 1 (100 bytes), DB 2 (read-only) and three blocks running, the newest in OB 121.

@@ -42,18 +42,8 @@ impl Script {
     fn push(&self, context: &mut Context<'_>, block: BlockId, start_information: &[u8; 20], origin: Origin) {
         let at = context.machine.memory.layout.local.start + 64 * context.machine.frames.len();
         context.machine.memory.arena[at..at + 20].copy_from_slice(start_information);
-        let local_base = (64 * context.machine.frames.len()) as u32;
-        context.machine.frames.push(Frame {
-            block,
-            code: 0,
-            resume: 0,
-            local_base,
-            local_size: 64,
-            parameters: 0,
-            parameters_end: 0,
-            depth: 0,
-            origin,
-        });
+        let pushed = context.machine.push_frame(block, 0, 64, 0, origin);
+        assert_eq!(pushed, Ok(()), "the script stays inside its local data");
     }
 
     /// Does what the Host answered; an exit if that ends the run.

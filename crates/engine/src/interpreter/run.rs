@@ -22,6 +22,16 @@ enum Next {
     Leave(Exit),
 }
 
+/// What goes on after the end of a block.
+enum Left {
+    /// The block that called it, or a statement whose load failed.
+    Caller,
+    /// A block that was interrupted between two statements.
+    Interrupted,
+    /// None: it was the outermost block.
+    Nothing,
+}
+
 /// The statement whose event is still open, while someone watches.
 struct Watched {
     place: Place,
@@ -52,31 +62,7 @@ impl Interpreter {
     /// Pushes the frame of a block. Registers change as at the start of a block.
     fn enter(&self, machine: &mut Machine, file: &mut File, code: u32, origin: Origin, parameters: u16) -> Result<(), Abort> {
         let block = &self.blocks[code as usize];
-        let (local_base, depth) = match machine.frames.last() {
-            Some(caller) => (caller.local_base + caller.local_size, caller.depth + 1),
-            None => (0, 0),
-        };
-        let layout = &machine.memory.layout;
-        let in_error_ob = machine.frames.iter().any(|frame| matches!(frame.origin, Origin::Interrupt { .. }));
-        let limit = layout.nesting_depth + if in_error_ob { layout.nesting_depth_error } else { 0 };
-        if depth > limit && !matches!(origin, Origin::Interrupt { .. }) {
-            return Err(Abort::BlockStack);
-        }
-        if (local_base + block.local_size) as usize > layout.local.len() {
-            return Err(Abort::LocalData);
-        }
-        let first = machine.parameters.len().saturating_sub(usize::from(parameters)) as u32;
-        machine.frames.push(Frame {
-            block: block.id,
-            code,
-            resume: 0,
-            local_base,
-            local_size: block.local_size,
-            parameters: first,
-            parameters_end: machine.parameters.len() as u32,
-            depth,
-            origin,
-        });
+        machine.push_frame(block.id, code, block.local_size, parameters, origin)?;
         file[Register::Nesting as usize] = 0;
         file[Register::Ma as usize] = 0;
         Ok(())
@@ -92,8 +78,8 @@ impl Interpreter {
             let steps = block.steps.as_slice();
             let local = context.machine.memory.layout.local.start + frame.local_base as usize;
             let first_parameter = frame.parameters as usize;
-            let mut at = frame.resume as usize;
-            if at == 0 {
+            let mut at = if frame.resume == Frame::ENTERED { 0 } else { frame.resume as usize };
+            if frame.resume == 0 {
                 context.machine.budget -= i64::from(block.weight);
                 if context.machine.budget < 0 {
                     match self.safe_point(context, &mut file, block, 0) {
@@ -295,11 +281,17 @@ impl Interpreter {
                         if WATCHED {
                             self.finish_event(context, &file, &mut watched);
                         }
-                        if self.leave(context.machine, &mut file) {
-                            continue 'block;
+                        match self.leave(context.machine, &mut file) {
+                            Left::Caller => continue 'block,
+                            Left::Interrupted => match self.interrupt_ended(context, &mut file) {
+                                Next::Leave(exit) => return exit,
+                                Next::At(_) | Next::Frame => continue 'block,
+                            },
+                            Left::Nothing => {
+                                store_file(context.machine, &file);
+                                return Exit::Finished;
+                            }
                         }
-                        store_file(context.machine, &file);
-                        return Exit::Finished;
                     }
                 }
                 at += 1;
@@ -307,24 +299,39 @@ impl Interpreter {
         }
     }
 
-    /// Ends the newest block; `false` if it was the outermost one, whose registers stay as they are.
-    fn leave(&self, machine: &mut Machine, file: &mut File) -> bool {
-        let Some(frame) = machine.frames.pop() else { return false };
+    /// Ends the newest block. The registers of the outermost one stay as they are.
+    fn leave(&self, machine: &mut Machine, file: &mut File) -> Left {
+        let Some(frame) = machine.frames.pop() else { return Left::Nothing };
         machine.parameters.truncate(frame.parameters as usize);
         match frame.origin {
-            Origin::Start => false,
+            Origin::Start => Left::Nothing,
             Origin::Call(caller) => {
                 restore_caller(file, &caller);
                 after_call(file);
-                true
+                Left::Caller
             }
             Origin::Interrupt { registers, deliver } => {
                 *file = load_file(&registers);
-                if let Some((var, value)) = deliver {
-                    file[usize::from(var)] = u64::from(value);
+                match deliver {
+                    Some((var, value)) => {
+                        file[usize::from(var)] = u64::from(value);
+                        Left::Caller
+                    }
+                    None => Left::Interrupted,
                 }
-                true
             }
+        }
+    }
+
+    /// Between two statements the end of an organization block is a safe point: another one may have waited for it.
+    fn interrupt_ended(&self, context: &mut Context<'_>, file: &mut File) -> Next {
+        let Some(frame) = context.machine.frames.last() else { return Next::Frame };
+        let block = &self.blocks[frame.code as usize];
+        let at = if frame.resume == Frame::ENTERED { 0 } else { frame.resume as usize };
+        match self.safe_point(context, file, block, at) {
+            // The frame still says where to go on.
+            Next::At(_) => Next::Frame,
+            other => other,
         }
     }
 
@@ -437,9 +444,7 @@ impl Interpreter {
             }
             Reaction::Enter { block: id, start_information } => {
                 let Some(&code) = self.index.get(&id) else { return Next::At(resume) };
-                if let Some(frame) = context.machine.frames.last_mut() {
-                    frame.resume = resume as u32;
-                }
+                interrupt_at(context.machine, resume);
                 let origin = Origin::Interrupt { registers: Box::new(registers(file)), deliver: deliver.map(|var| (var, 0)) };
                 let place = Place { block: block.id, statement: block.statement_of(resume) };
                 *file = load_file(&Registers::fresh());
@@ -458,7 +463,12 @@ impl Interpreter {
                     }
                 }
             }
-            Reaction::Stop(reason) => Next::Leave(Exit::Stopped(reason)),
+            Reaction::Stop(reason) => {
+                // A hot restart goes on here.
+                interrupt_at(context.machine, resume);
+                store_file(context.machine, file);
+                Next::Leave(Exit::Stopped(reason))
+            }
             Reaction::Suspend if deliver.is_some() => {
                 // Inside a statement nothing can be resumed: the Host is asked again at the next safe point.
                 context.machine.budget = 0;
@@ -468,9 +478,7 @@ impl Interpreter {
                 Next::At(resume)
             }
             Reaction::Suspend => {
-                if let Some(frame) = context.machine.frames.last_mut() {
-                    frame.resume = resume as u32;
-                }
+                interrupt_at(context.machine, resume);
                 store_file(context.machine, file);
                 Next::Leave(Exit::Suspended)
             }
@@ -482,6 +490,13 @@ impl Interpreter {
             let event = StatementEvent { place: watched.place, before: watched.before, after: registers(file) };
             tracer.statement(context.machine, &event);
         }
+    }
+}
+
+/// Remembers where the newest block goes on.
+fn interrupt_at(machine: &mut Machine, resume: usize) {
+    if let Some(frame) = machine.frames.last_mut() {
+        frame.resume = if resume == 0 { Frame::ENTERED } else { resume as u32 };
     }
 }
 

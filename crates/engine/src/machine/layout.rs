@@ -4,12 +4,16 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use sieben_model::address::Area;
+use sieben_model::block::BlockKind;
 use sieben_model::cpu_type::CpuType;
 
 use crate::program::Program;
 
 /// Bytes kept free behind the data blocks for blocks created at run time.
 pub const RESERVE: usize = 64 * 1024;
+
+/// Priority classes of the largest CPU, 0 to 28.
+const PRIORITY_CLASSES: usize = 29;
 
 /// Places of all areas; fixed while a program is loaded.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,6 +26,8 @@ pub struct Layout {
     pub bit_memory: Range<usize>,
     /// Local data of all priority classes.
     pub local: Range<usize>,
+    /// Bytes of it that one priority class may use.
+    pub local_class: usize,
     /// Data blocks by number.
     pub data_blocks: BTreeMap<u16, Range<usize>>,
     /// Data blocks that the program may not write.
@@ -56,7 +62,11 @@ impl Layout {
         let inputs = take(cpu.process_image as usize);
         let outputs = take(cpu.process_image as usize);
         let bit_memory = take(cpu.bit_memory as usize);
-        let local = take(cpu.local_data as usize);
+        let local_class = cpu.local_data as usize;
+        // A class is interrupted by one of each organization block at most.
+        let blocks = program.code.keys().filter(|block| block.kind == BlockKind::OrganizationBlock).count();
+        let classes = if cpu.local_data_shared { 1 } else { blocks.clamp(1, PRIORITY_CLASSES) };
+        let local = take(local_class * classes);
         let data_blocks = program.data.iter().filter(|(_, db)| !db.unlinked).map(|(&number, db)| (number, take(db.image.len()))).collect();
         take(RESERVE);
         let read_only = program.data.values().filter(|db| db.read_only).map(|db| db.number).collect();
@@ -66,6 +76,7 @@ impl Layout {
             outputs,
             bit_memory,
             local,
+            local_class,
             data_blocks,
             size,
             timers: cpu.timers,

@@ -8,7 +8,9 @@ pub mod timers;
 
 use std::sync::Arc;
 
-use sieben_model::block::BlockId;
+use sieben_model::block::{BlockId, BlockKind};
+
+use crate::fault::Abort;
 
 pub use counters::Counter;
 pub use layout::Layout;
@@ -62,8 +64,31 @@ pub struct Frame {
     pub parameters_end: u32,
     /// How many blocks of its priority class it is nested in.
     pub depth: u8,
+    /// First byte of the local data of its priority class.
+    pub class_base: u32,
+    /// Whether it runs on behalf of a synchronous error (OB 121, OB 122): those may nest deeper.
+    pub in_error: bool,
     /// How it was entered.
     pub origin: Origin,
+}
+
+impl Frame {
+    /// `resume` of a block that was interrupted at its first statement, whose safe point has been counted already.
+    pub const ENTERED: u32 = u32::MAX;
+
+    /// Whether a priority class begins with it. The blocks of synchronous errors belong to the class of their cause.
+    pub fn begins_class(&self) -> bool {
+        match self.origin {
+            Origin::Start => true,
+            Origin::Interrupt { .. } => !is_error_block(self.block),
+            Origin::Call(_) => false,
+        }
+    }
+}
+
+/// Whether it is the organization block of a synchronous error.
+fn is_error_block(block: BlockId) -> bool {
+    block.kind == BlockKind::OrganizationBlock && matches!(block.number, 121 | 122)
 }
 
 /// How a block was entered.
@@ -96,6 +121,50 @@ pub struct CallerRegisters {
 }
 
 impl Machine {
+    /// Pushes the frame of a block that is entered; what both engines do. Its parameters are the newest `parameters` ones.
+    ///
+    /// # Errors
+    /// The priority class has no local data left, or too many blocks are nested in it.
+    pub fn push_frame(&mut self, block: BlockId, code: u32, local_size: u32, parameters: u16, origin: Origin) -> Result<(), Abort> {
+        let layout = &self.memory.layout;
+        let error_block = is_error_block(block) && matches!(origin, Origin::Interrupt { .. });
+        let (local_base, class_base, depth, in_error) = match self.frames.last() {
+            // A block that interrupts another one begins a priority class of its own behind it.
+            Some(below) if matches!(origin, Origin::Interrupt { .. }) && !error_block => {
+                let base = below.local_base + below.local_size;
+                (base, base, 0, false)
+            }
+            Some(caller) => {
+                let in_error = caller.in_error || error_block;
+                (caller.local_base + caller.local_size, caller.class_base, caller.depth + 1, in_error)
+            }
+            None => (0, 0, 0, false),
+        };
+        let limit = layout.nesting_depth + if in_error { layout.nesting_depth_error } else { 0 };
+        if depth > limit && !error_block {
+            return Err(Abort::BlockStack);
+        }
+        let end = (local_base + local_size) as usize;
+        if end - class_base as usize > layout.local_class || end > layout.local.len() {
+            return Err(Abort::LocalData);
+        }
+        let end = self.parameters.len() as u32;
+        self.frames.push(Frame {
+            block,
+            code,
+            resume: 0,
+            local_base,
+            local_size,
+            parameters: end.saturating_sub(u32::from(parameters)),
+            parameters_end: end,
+            depth,
+            class_base,
+            in_error,
+            origin,
+        });
+        Ok(())
+    }
+
     /// A machine with cleared memory in this layout.
     pub fn new(layout: Arc<Layout>) -> Self {
         Self {
@@ -111,11 +180,15 @@ impl Machine {
     }
 
     /// The arena bytes of the local data of the running block (`outwards` = 0), its caller (1), the caller of that (2) …
+    /// An organization block has no caller.
     pub fn local_data(&self, outwards: usize) -> std::ops::Range<usize> {
         let local = self.memory.layout.local.start;
-        match self.frames.len().checked_sub(outwards + 1).map(|index| &self.frames[index]) {
-            Some(frame) => local + frame.local_base as usize..local + (frame.local_base + frame.local_size) as usize,
-            None => 0..0,
+        let frame = self.frames.len().checked_sub(outwards + 1).map(|index| &self.frames[index..]);
+        match frame {
+            Some([frame, inner @ ..]) if inner.iter().all(|inner| matches!(inner.origin, Origin::Call(_))) => {
+                local + frame.local_base as usize..local + (frame.local_base + frame.local_size) as usize
+            }
+            _ => 0..0,
         }
     }
 }
