@@ -4,13 +4,14 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
+use sieben_lang::encoding::Encoding;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 
 use crate::document::Document;
 use crate::failure::Failure;
-use crate::project::Overrides;
+use crate::project::{Overrides, Project};
 use crate::{files, output, settings};
 
 /// What every verb that compiles a program takes.
@@ -22,6 +23,30 @@ pub(crate) struct ProgramArguments {
     /// Mnemonic language of the sources; auto judges each file as a whole [default: the project's, else auto]
     #[arg(long, value_name = "LANGUAGE")]
     mnemonics: Option<MnemonicsArgument>,
+    #[command(flatten)]
+    encoding: EncodingArgument,
+}
+
+/// How the bytes of the files mean characters.
+#[derive(Args, Clone, Copy, Debug)]
+pub(crate) struct EncodingArgument {
+    /// Encoding of the files without a byte order mark: utf-8, utf-16le, utf-16be, cp1250, cp1251 or cp1252 [default: guessed from each file]
+    #[arg(long, value_name = "NAME", value_parser = encoding_argument)]
+    encoding: Option<Encoding>,
+}
+
+impl EncodingArgument {
+    /// The encoding that the user chose.
+    pub(crate) fn chosen(self) -> Option<Encoding> {
+        self.encoding
+    }
+}
+
+fn encoding_argument(text: &str) -> Result<Encoding, String> {
+    Encoding::from_name(text).ok_or_else(|| {
+        let names = Encoding::ALL.map(Encoding::name).join(", ");
+        format!("`{text}` is no encoding of source files; there are {names}")
+    })
 }
 
 /// A mnemonic language, or the judgement over the whole file.
@@ -47,6 +72,11 @@ impl MnemonicsArgument {
 }
 
 impl ProgramArguments {
+    /// Reads the files and folders of a program.
+    pub(crate) fn load(&self, paths: &[PathBuf]) -> Result<Project, Failure> {
+        Project::load(paths, self.encoding.chosen())
+    }
+
     /// What these arguments say about the program.
     pub(crate) fn overrides(&self) -> Result<Overrides, Failure> {
         let cpu = match &self.cpu {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use sieben_lang::encoding::{self, Decoded};
+use sieben_lang::encoding::{self, Decoded, Encoding};
 use sieben_lang::{Compiled, Options};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
@@ -23,7 +23,7 @@ use crate::settings::{self, Placed, Settings};
 /// Endings of STL sources.
 const SOURCE_ENDINGS: [&str; 2] = ["awl", "stl"];
 /// Endings of symbol tables of other tools; of `.csv` files only `symbols.csv` is one without being named.
-const SYMBOL_ENDINGS: [&str; 2] = ["sdf", "asc"];
+const SYMBOL_ENDINGS: [&str; 4] = ["sdf", "asc", "dif", "seq"];
 /// Most files a folder is searched for: a home directory given by mistake must not be read for minutes.
 const FILES_MAX: usize = 20_000;
 /// Deepest folder that is searched.
@@ -62,6 +62,8 @@ pub(crate) struct Project {
     pub(crate) settings: Settings,
     /// What was noticed while reading.
     pub(crate) findings: Vec<Finding>,
+    /// The encoding that the user chose for its files.
+    encoding: Option<Encoding>,
 }
 
 /// A project with what the compiler made of it.
@@ -77,9 +79,10 @@ pub(crate) struct Build {
 }
 
 impl Project {
-    /// Reads the files and folders that the command line names; none = the current folder.
-    pub(crate) fn load(paths: &[PathBuf]) -> Result<Self, Failure> {
-        let mut project = Self::default();
+    /// Reads the files and folders that the command line names; none = the current folder. `encoding` is what the user chose for
+    /// the files without a byte order mark; none = guessed from each.
+    pub(crate) fn load(paths: &[PathBuf], encoding: Option<Encoding>) -> Result<Self, Failure> {
+        let mut project = Self { encoding, ..Self::default() };
         let here = [PathBuf::from(".")];
         let paths = if paths.is_empty() { &here } else { paths };
         let mut seen = BTreeSet::new();
@@ -205,7 +208,7 @@ impl Project {
         if !is_new(path, seen) {
             return Ok(());
         }
-        let decoded = match encoding::read_source(&files::read(path)?) {
+        let decoded = match encoding::read_source_as(&files::read(path)?, self.encoding) {
             Ok(decoded) => decoded,
             Err(unreadable) => {
                 let message = format!("`{}` cannot be a source: {unreadable}", shown(path));
@@ -229,7 +232,7 @@ impl Project {
         if !is_new(path, seen) {
             return Ok(());
         }
-        let file = match crate::symbol_files::read(path, &mut self.texts.documents) {
+        let file = match crate::symbol_files::read(path, self.encoding, &mut self.texts.documents) {
             Ok(file) => file,
             // What lies inside the project is a matter of the project, not of the command line.
             Err(failure) if failure.problem == Problem::P1101 => {
@@ -290,7 +293,7 @@ impl Build {
         program: &ProgramArguments,
         report: &ReportArguments,
     ) -> Result<Result<Self, Exit>, Failure> {
-        let build = Project::load(paths)?.compile(program.overrides()?, false);
+        let build = program.load(paths)?.compile(program.overrides()?, false);
         Ok(if report::has_errors(&build.findings) { build.or_report(report.json()) } else { Ok(build) })
     }
 }

@@ -32,6 +32,8 @@ pub(crate) struct Rewriting {
     pub(crate) destination: Destination,
     /// Write UTF-8 instead of the encoding of the file.
     pub(crate) utf8: bool,
+    /// The encoding that the user chose for the files.
+    pub(crate) encoding: Option<Encoding>,
     /// What happened to a file, for messages: `formatted`.
     pub(crate) done: &'static str,
 }
@@ -43,7 +45,7 @@ impl Rewriting {
         paths: &[PathBuf],
         rewrite: impl Fn(&Project, &str) -> Result<String, Vec<Diagnostic>>,
     ) -> Result<Exit, Failure> {
-        let mut project = Project::load(paths)?;
+        let mut project = Project::load(paths, self.encoding)?;
         if project.sources.len() > 1 && matches!(self.destination, Destination::Print | Destination::File(_)) {
             let message = format!("{} sources cannot go into one place", project.sources.len());
             return Err(Failure::usage(Problem::P7001, message).help("give one file, or `--write` to replace each of them"));
@@ -101,7 +103,7 @@ impl Rewriting {
         })?;
         // Between reading and writing someone may have saved the file in an editor.
         let current = fs::read(target).ok().filter(|_| target == source.path);
-        if current.is_some_and(|current| encoding::decode(&current).text != source.decoded.text) {
+        if current.is_some_and(|current| encoding::decode_as(&current, source.decoded.encoding).text != source.decoded.text) {
             return Err(Failure::usage(Problem::P6013, format!("`{shown}` was changed by someone else in the meantime; it is left alone")));
         }
         files::write_whole(target, &bytes)

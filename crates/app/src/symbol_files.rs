@@ -22,14 +22,18 @@ pub(crate) struct SymbolFile {
 }
 
 /// Reads a symbol table of any format and adds its text to the documents.
-pub(crate) fn read(path: &Path, documents: &mut Sources) -> Result<SymbolFile, Failure> {
+pub(crate) fn read(path: &Path, chosen: Option<Encoding>, documents: &mut Sources) -> Result<SymbolFile, Failure> {
     let name = path.display().to_string();
-    let decoded = encoding::read_source(&files::read(path)?)
+    let decoded = encoding::read_source_as(&files::read(path)?, chosen)
         .map_err(|unreadable| Failure::usage(unreadable.problem(), format!("`{name}` cannot be a symbol table: {unreadable}")))?;
     let format = symbols::detect(&name, &decoded.text).unwrap_or(Format::Csv);
     let file = documents.add(name.clone(), decoded.text);
     let read = symbols::read(file, &documents.file(file).text, format);
     let mut findings: Vec<Finding> = read.diagnostics.iter().cloned().map(Finding::document).collect();
+    if let Some(named) = Format::from_name(&name).filter(|&named| named != format) {
+        let message = format!("`{name}` is no .{} but a .{}, and was read as such", named.extension(), format.extension());
+        findings.push(Finding::file(Problem::P6113, name.clone(), message));
+    }
     if decoded.had_errors {
         let message = format!("`{name}` holds bytes that mean nothing in {}", decoded.encoding.name());
         findings.push(Finding::file(Problem::P1102, name, message));

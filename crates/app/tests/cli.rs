@@ -454,6 +454,21 @@ fn code_pages_and_line_ends_survive_every_rewriting() {
 }
 
 #[test]
+fn the_code_page_is_the_users_choice_where_the_guess_is_wrong() {
+    let folder = Folder::new();
+    // `ů` of code page 1250 is `ù` in 1252.
+    folder.write("s.sdf", b"\"Pr\xf9chod\",\"I 0.0\",\"BOOL\",\"\"\r\n");
+    folder.write("main.awl", b"A \"Pr\xf9chod\"\r\n= Q 0.0 // Pr\xf9chod\r\n");
+    folder.run(&["symbols", "s.sdf", "--encoding", "cp1252", "--csv"]).code(0).stdout("Prùchod");
+    folder.run(&["symbols", "s.sdf", "--encoding", "cp1250", "--csv"]).code(0).stdout("Průchod");
+    folder.run(&["check", ".", "--encoding", "windows-1250"]).code(0);
+    folder.run(&["convert", "--mnemonics", "de", "main.awl", "--encoding", "1250", "--utf8"]).code(0).stdout("U \"Průchod\"");
+    folder.run(&["convert", "--mnemonics", "de", "main.awl", "--encoding", "1250", "-o", "de.awl"]).code(0);
+    assert_eq!(folder.read("de.awl"), b"U \"Pr\xf9chod\"\r\n= A 0.0 // Pr\xf9chod\r\n");
+    folder.run(&["check", "main.awl", "--encoding", "latin"]).code(2).stderr("is no encoding of source files; there are utf-8");
+}
+
+#[test]
 fn symbol_tables_change_their_format() {
     let folder = Folder::with(&[("s.csv", "symbol,address,type,comment,number,unit,tag,remark\nStart,I 0.0,BOOL,Größe,1,-,S1,x\n")]);
     folder.run(&["symbols", "s.csv", "--to", "sdf", "-o", "s.sdf"]).code(0);

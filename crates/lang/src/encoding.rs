@@ -135,13 +135,23 @@ impl fmt::Display for Unencodable {
 
 /// Reads a source file: refuses what is too large or binary, detects the encoding of the rest.
 pub fn read_source(bytes: &[u8]) -> Result<Decoded, Unreadable> {
+    read_source_as(bytes, None)
+}
+
+/// Reads a source file in the encoding that the user chose; a byte order mark is no guess and wins over the choice.
+pub fn read_source_as(bytes: &[u8], chosen: Option<Encoding>) -> Result<Decoded, Unreadable> {
     if bytes.len() > MAX_SOURCE_BYTES {
         return Err(Unreadable::TooLarge);
     }
-    if looks_binary(bytes) {
+    let chosen = chosen.filter(|_| marked(bytes).is_none());
+    // Half of the bytes of UTF-16 are NUL; without its mark only the user can know.
+    if !matches!(chosen, Some(Encoding::Utf16Le | Encoding::Utf16Be)) && looks_binary(bytes) {
         return Err(Unreadable::Binary);
     }
-    Ok(decode(bytes))
+    Ok(match chosen {
+        Some(encoding) => decode_as(bytes, encoding),
+        None => decode(bytes),
+    })
 }
 
 /// Whether bytes are no text: a NUL without a UTF-16 mark, or more than one control character in fifty bytes.
@@ -224,12 +234,12 @@ fn first_unencodable(text: &str, encoding: Encoding, table: &'static encoding_rs
 
 /// The encoding of a file by its mark, else by its bytes.
 pub fn detect(bytes: &[u8]) -> Encoding {
-    for encoding in [Encoding::Utf8Bom, Encoding::Utf16Le, Encoding::Utf16Be] {
-        if bytes.starts_with(encoding.mark()) {
-            return encoding;
-        }
-    }
-    if mostly_utf8(bytes) { Encoding::Utf8 } else { detect_code_page(bytes) }
+    marked(bytes).unwrap_or_else(|| if mostly_utf8(bytes) { Encoding::Utf8 } else { detect_code_page(bytes) })
+}
+
+/// The encoding that a byte order mark names.
+fn marked(bytes: &[u8]) -> Option<Encoding> {
+    [Encoding::Utf8Bom, Encoding::Utf16Le, Encoding::Utf16Be].into_iter().find(|encoding| bytes.starts_with(encoding.mark()))
 }
 
 /// Valid UTF-8, or UTF-8 with a few broken bytes: at least ten good sequences for each bad one.
@@ -347,6 +357,20 @@ mod tests {
         assert!(decode_as(&[0x81], Encoding::Cp1252).had_errors);
         assert!(decode_as(&[0xFF, 0xFE, 0x41], Encoding::Utf16Le).had_errors);
         assert!(decode_as(&[0xFF, 0xFE, 0x00, 0xD8], Encoding::Utf16Le).had_errors);
+    }
+
+    #[test]
+    fn the_choice_of_the_user_beats_the_guess_but_not_the_mark() {
+        let bytes = encode("// côté où", Encoding::Cp1252).expect("French letters");
+        let chosen = |encoding| read_source_as(&bytes, Some(encoding)).expect("a text");
+        assert_eq!(chosen(Encoding::Cp1250).text, "// côté oů");
+        assert_eq!(chosen(Encoding::Cp1252).text, "// côté où");
+        assert!(chosen(Encoding::Utf8).had_errors);
+        let marked = encode("// ж", Encoding::Utf8Bom).expect("all of Unicode");
+        assert_eq!(read_source_as(&marked, Some(Encoding::Cp1251)).expect("a text").text, "// ж");
+        let unmarked = &encode("A I 0.0", Encoding::Utf16Le).expect("all of Unicode")[2..];
+        assert_eq!(read_source(unmarked), Err(Unreadable::Binary));
+        assert_eq!(read_source_as(unmarked, Some(Encoding::Utf16Le)).expect("a text").text, "A I 0.0");
     }
 
     #[test]

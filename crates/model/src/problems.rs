@@ -163,6 +163,9 @@ problems! {
     P6108 Error "a quotation mark that is never closed" "Close it at the end of the field; the rows behind it were not read.";
     P6109 Warning "a data type that does not fit the address" "Change the type or the address, so that both have the same width.";
     P6110 Error "a symbol with a character that no symbol may contain" "Remove quotation marks and control characters from the name.";
+    P6111 Error "a symbol table that ends too early" "Export the table again; the file seems to be cut.";
+    P6112 Warning "a symbol table with another number of rows than its head says" "Export the table again, or look whether rows are missing.";
+    P6113 Warning "a symbol table in another format than its name says" "Rename the file; it was read as what it holds.";
 
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";

@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::arguments::ProgramArguments;
 use crate::failure::{Exit, Failure};
-use crate::project::{self, Project};
+use crate::project;
 use crate::{output, report};
 
 /// Report everything that is wrong with a program.
@@ -33,7 +33,7 @@ pub(crate) struct Arguments {
 /// Checks the program.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let overrides = arguments.program.overrides()?;
-    let build = Project::load(&arguments.paths)?.compile(overrides, arguments.syntax_only);
+    let build = arguments.program.load(&arguments.paths)?.compile(overrides, arguments.syntax_only);
     let findings = &build.findings;
     if arguments.json {
         output::print_json(&report::to_json(findings, &build.project.texts), true)?;

@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use sieben_lang::stl::convert::convert;
 use sieben_model::mnemonics::Mnemonics;
 
-use crate::arguments::MnemonicsArgument;
+use crate::arguments::{EncodingArgument, MnemonicsArgument};
 use crate::failure::{Exit, Failure};
 use crate::rewriting::{Destination, Rewriting};
 
@@ -37,6 +37,8 @@ pub(crate) struct Arguments {
     /// Write UTF-8 instead of the encoding of the file
     #[arg(long)]
     utf8: bool,
+    #[command(flatten)]
+    encoding: EncodingArgument,
 }
 
 /// A mnemonic language to change to.
@@ -60,6 +62,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Target::De => Mnemonics::German,
     };
     let from = arguments.from.map(MnemonicsArgument::language);
-    Rewriting { destination, utf8: arguments.utf8, done: "converted" }
+    Rewriting { destination, utf8: arguments.utf8, encoding: arguments.encoding.chosen(), done: "converted" }
         .run(&arguments.paths, |project, text| convert(text, from.unwrap_or(project.settings.mnemonics), to))
 }

@@ -13,7 +13,6 @@ use sieben_sim::names::Name;
 use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
 use crate::names::{self, Assignment};
-use crate::project::Project;
 use crate::{controller, duration, output};
 
 /// Run a few scans in virtual time and print values.
@@ -93,7 +92,7 @@ impl Schedule {
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     arguments.engine.require_available()?;
     let overrides = arguments.program.overrides()?;
-    let project = Project::load(&arguments.paths)?;
+    let project = arguments.program.load(&arguments.paths)?;
     let schedule = schedule(arguments, project.settings.cycle)?;
     let build = match project.compile(overrides, false).or_report(arguments.json) {
         Ok(build) => build,

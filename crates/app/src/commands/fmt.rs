@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use sieben_lang::stl::format::format;
 
-use crate::arguments::MnemonicsArgument;
+use crate::arguments::{EncodingArgument, MnemonicsArgument};
 use crate::failure::{Exit, Failure};
 use crate::rewriting::{Destination, Rewriting};
 
@@ -33,6 +33,8 @@ pub(crate) struct Arguments {
     /// Mnemonic language of the sources [default: the project's, else judged over each file]
     #[arg(long, value_name = "LANGUAGE")]
     mnemonics: Option<MnemonicsArgument>,
+    #[command(flatten)]
+    encoding: EncodingArgument,
 }
 
 /// Formats the sources.
@@ -43,6 +45,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         _ => Destination::Print,
     };
     let language = arguments.mnemonics.map(MnemonicsArgument::language);
-    Rewriting { destination, utf8: arguments.utf8, done: "formatted" }
+    Rewriting { destination, utf8: arguments.utf8, encoding: arguments.encoding.chosen(), done: "formatted" }
         .run(&arguments.paths, |project, text| format(text, language.unwrap_or(project.settings.mnemonics)))
 }

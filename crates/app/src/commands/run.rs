@@ -15,7 +15,7 @@ use sieben_model::problems::Problem;
 
 use crate::arguments::{ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
-use crate::project::{Build, Project};
+use crate::project::Build;
 use crate::{controller, duration, output};
 
 /// How often the status line is drawn.
@@ -83,7 +83,7 @@ pub(crate) fn speed_argument(text: &str) -> Result<Speed, String> {
 /// Runs the project.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let overrides = arguments.program.overrides()?;
-    let build = match Project::load(&arguments.paths)?.compile(overrides, false).or_report(arguments.json) {
+    let build = match arguments.program.load(&arguments.paths)?.compile(overrides, false).or_report(arguments.json) {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };

@@ -10,6 +10,7 @@ use sieben_lang::symbols::{self, Format, Layout, assignment};
 use sieben_model::problems::Problem;
 use sieben_model::symbols::SymbolTable;
 
+use crate::arguments::EncodingArgument;
 use crate::document::{Document, Section};
 use crate::failure::{Exit, Failure};
 use crate::report::{self, Texts};
@@ -24,10 +25,10 @@ use crate::{files, output, project, symbol_files};
   sieben symbols plant.sdf --to csv -o symbols.csv\n  \
   sieben symbols plant.sdf -o plant.asc          the name says the format\n\n\
 Without --to the assignment table is printed: number, address, unit,\n\
-technological name, description, remark. The formats sdf and asc are those of\n\
-STEP 7 V5, written in code page 1252 unless a file that was read had another.")]
+technological name, description, remark. The formats sdf, asc, dif and seq\n\
+are those of STEP 7, written in code page 1252 unless a file that was read had another.")]
 pub(crate) struct Arguments {
-    /// Symbol tables: .csv, .sdf or .asc; several become one
+    /// Symbol tables: .csv, .sdf, .asc, .dif or .seq; several become one
     #[arg(required = true, value_name = "FILE")]
     paths: Vec<PathBuf>,
     /// Write the symbol table in this format instead of the assignment table
@@ -45,6 +46,8 @@ pub(crate) struct Arguments {
     /// Print the assignment table, or the diagnostics if it has errors, as JSON
     #[arg(long, conflicts_with_all = ["to", "csv"])]
     json: bool,
+    #[command(flatten)]
+    encoding: EncodingArgument,
     /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -59,6 +62,10 @@ enum FormatArgument {
     Sdf,
     // STEP 7 V5, fixed widths.
     Asc,
+    // STEP 7 V5, for spreadsheets.
+    Dif,
+    // STEP 5, without data types.
+    Seq,
 }
 
 impl FormatArgument {
@@ -67,6 +74,8 @@ impl FormatArgument {
             Self::Csv => Format::Csv,
             Self::Sdf => Format::Sdf,
             Self::Asc => Format::Asc,
+            Self::Dif => Format::Dif,
+            Self::Seq => Format::Seq,
         }
     }
 }
@@ -85,7 +94,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let mut code_page = None;
     let mut columns = None;
     for path in &arguments.paths {
-        let file = symbol_files::read(path, &mut texts.documents)?;
+        let file = symbol_files::read(path, arguments.encoding.chosen(), &mut texts.documents)?;
         findings.extend(file.findings);
         if matches!(file.encoding, Encoding::Cp1250 | Encoding::Cp1251 | Encoding::Cp1252) {
             code_page = code_page.or(Some(file.encoding));
@@ -134,6 +143,8 @@ fn meant(arguments: &Arguments) -> (Option<FormatArgument>, bool) {
         Some("csv") => (Some(FormatArgument::Csv), false),
         Some("sdf") => (Some(FormatArgument::Sdf), false),
         Some("asc") => (Some(FormatArgument::Asc), false),
+        Some("dif") => (Some(FormatArgument::Dif), false),
+        Some("seq") => (Some(FormatArgument::Seq), false),
         Some("html" | "htm") => (None, true),
         _ => (None, false),
     }
@@ -147,8 +158,8 @@ fn convert(arguments: &Arguments, to: FormatArgument, table: &SymbolTable, code_
     // STEP 7 V5 knows no UTF-8; on a terminal or pipe the text stays what the system reads.
     let encoding = match to {
         FormatArgument::Csv => Encoding::Utf8,
-        FormatArgument::Sdf | FormatArgument::Asc if arguments.output.is_some() => code_page.unwrap_or(Encoding::Cp1252),
-        FormatArgument::Sdf | FormatArgument::Asc => Encoding::Utf8,
+        _ if arguments.output.is_some() => code_page.unwrap_or(Encoding::Cp1252),
+        _ => Encoding::Utf8,
     };
     let bytes = encoding::encode(&written.text, encoding).map_err(|unencodable| {
         Failure::usage(Problem::P1103, format!("the table cannot be written as {to}: {unencodable}"))

@@ -9,6 +9,22 @@ use super::Sink;
 /// The columns that mean something, in their usual order; the first two are required, the last four belong to the assignment table.
 pub const COLUMNS: [&str; 8] = ["symbol", "address", "type", "comment", "number", "unit", "tag", "remark"];
 
+/// What other tools call the first four columns: the tag table of TIA, German and English spreadsheets.
+const ALIASES: [(&str, usize); 12] = [
+    ("name", 0),
+    ("symbolname", 0),
+    ("adresse", 1),
+    ("logical address", 1),
+    ("logische adresse", 1),
+    ("operand", 1),
+    ("data type", 2),
+    ("datatype", 2),
+    ("datentyp", 2),
+    ("typ", 2),
+    ("kommentar", 3),
+    ("description", 3),
+];
+
 /// One row with the bytes it came from.
 pub(crate) struct Record {
     pub(crate) fields: Vec<String>,
@@ -48,7 +64,7 @@ pub(crate) fn records(text: &str, delimiter: u8, sink: &mut Sink) -> Vec<Record>
 /// Reads the table; gives the columns as written and the delimiter.
 pub(crate) fn read(text: &str, sink: &mut Sink) -> (Vec<String>, u8) {
     let header_line = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-    let delimiter = if header_line.contains(';') && !header_line.contains(',') { b';' } else { b',' };
+    let delimiter = delimiter_of(header_line);
     let mut rows = records(text, delimiter, sink).into_iter();
     let (columns, start, end) = rows.next().map_or((Vec::new(), 0, 0), |record| (record.fields, record.start, record.end));
     let kinds = column_kinds(&columns);
@@ -91,12 +107,35 @@ pub(crate) fn read(text: &str, sink: &mut Sink) -> (Vec<String>, u8) {
     (columns, delimiter)
 }
 
-/// Which known column each header is; a second one of the same name counts as unknown.
+/// The first of comma, semicolon and tabulator that a header has.
+fn delimiter_of(header: &str) -> u8 {
+    b",;\t".iter().copied().find(|&delimiter| header.as_bytes().contains(&delimiter)).unwrap_or(b',')
+}
+
+/// Whether a line names at least the columns for symbol and address.
+pub(crate) fn begins_with_headings(line: &str) -> bool {
+    let cells: Vec<String> = line.split(char::from(delimiter_of(line))).map(|cell| cell.trim().trim_matches('"').to_owned()).collect();
+    are_headings(&cells)
+}
+
+/// Whether these cells are names of columns, symbol and address among them.
+pub(crate) fn are_headings(cells: &[String]) -> bool {
+    let kinds = column_kinds(cells);
+    kinds.contains(&Some(0)) && kinds.contains(&Some(1))
+}
+
+/// Which known column each header is; a second one of the same name counts as unknown. The names of other tools count where ours are missing.
 fn column_kinds(columns: &[String]) -> Vec<Option<usize>> {
     let mut kinds: Vec<Option<usize>> = Vec::with_capacity(columns.len());
     for column in columns {
         let kind = COLUMNS.iter().position(|known| column.trim().eq_ignore_ascii_case(known));
         kinds.push(kind.filter(|_| !kinds.contains(&kind)));
+    }
+    for (index, column) in columns.iter().enumerate() {
+        let alias = ALIASES.iter().find(|(name, _)| column.trim().eq_ignore_ascii_case(name)).map(|&(_, kind)| kind);
+        if kinds[index].is_none() && !kinds.contains(&alias) {
+            kinds[index] = alias;
+        }
     }
     kinds
 }

@@ -8,6 +8,8 @@ use super::{Sink, fixed_fields, report_lost_columns};
 
 /// Fields of a row in the tag tables of TIA: name, address, type, three flags, comment, supervision, a flag.
 const TIA_FIELDS: usize = 9;
+/// Versions of TIA differ in the flags at the end of a row; its addresses begin with `%` in all of them.
+const TIA_FIELDS_ALL: std::ops::RangeInclusive<usize> = 7..=12;
 
 /// Reads all rows.
 pub(crate) fn read(text: &str, sink: &mut Sink) {
@@ -16,7 +18,9 @@ pub(crate) fn read(text: &str, sink: &mut Sink) {
         let field = |index: usize| fields.get(index).map(|field| field.trim_end().to_owned()).unwrap_or_default();
         let (address, comment) = match fields.len() {
             4 => (field(1), field(3)),
-            TIA_FIELDS => (field(1).trim_start_matches('%').to_owned(), field(6)),
+            count if count == TIA_FIELDS || (TIA_FIELDS_ALL.contains(&count) && field(1).starts_with('%')) => {
+                (field(1).trim_start_matches('%').to_owned(), field(6))
+            }
             count => {
                 let message = format!("this line has {count} fields; a line of .sdf has 4: symbol, address, type, comment");
                 sink.problem(Problem::P6105, start, end, message);
