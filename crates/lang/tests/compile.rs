@@ -244,3 +244,21 @@ proptest! {
         compile_case(&text);
     }
 }
+
+#[test]
+fn a_function_has_as_many_parameters_as_a_call_can_hold() {
+    for (count, fits) in [(16_384, true), (16_385, false), (70_000, false)] {
+        let names: String = (0..count).map(|n| format!("p{n}:BOOL;\n")).collect();
+        let actual: Vec<String> = (0..count).map(|n| format!("p{n}:=M 0.0")).collect();
+        let mut sources = Sources::default();
+        let text = format!(
+            "FUNCTION FC 1 : VOID\nVAR_INPUT\n{names}END_VAR\nBEGIN\nA #p0;\nEND_FUNCTION\n\
+             ORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1 ({});\nEND_ORGANIZATION_BLOCK\n",
+            actual.join(",")
+        );
+        sources.add("many.awl", text);
+        let compiled = compile(&sources, &SymbolTable::default(), &Options::default());
+        let refused = compiled.diagnostics.iter().any(|diagnostic| diagnostic.problem == sieben_model::problems::Problem::P5002);
+        assert_eq!((compiled.has_errors(), refused), (!fits, !fits), "{count}: {:?}", compiled.diagnostics.first());
+    }
+}

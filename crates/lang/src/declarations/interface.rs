@@ -133,6 +133,9 @@ fn unknown(word: &ast::Word, section: Section) -> Declared {
     Declared { name: word.text.clone(), section, data_type: DataType::Void, initial: Vec::new(), comment: String::new(), span: word.span }
 }
 
+/// What a call keeps for each parameter of a function: the pointer to the actual one. They stand in the calling block.
+const PARAMETER_BYTES: u64 = 4;
+
 /// Gives every variable its place; `None` if they need more bytes than a block has.
 pub(crate) fn lay_out(id: BlockId, mut declared: Vec<Declared>) -> Option<BlockInterface> {
     declared.sort_by_key(|variable| variable.section);
@@ -155,6 +158,9 @@ pub(crate) fn lay_out(id: BlockId, mut declared: Vec<Declared>) -> Option<BlockI
             }
             _ if function => {
                 parameters += 1;
+                if u64::from(parameters) * PARAMETER_BYTES > BLOCK_BYTES_MAX {
+                    return None;
+                }
                 u64::from(parameters - 1)
             }
             _ => {

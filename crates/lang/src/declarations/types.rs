@@ -133,7 +133,7 @@ impl<'a> Types<'a> {
         };
         let laid_out = lay_out(id, declared);
         if laid_out.is_none() {
-            let message = format!("the variables of `{id}` need more than {BLOCK_BYTES_MAX} bytes");
+            let message = format!("the variables of `{id}` need more than {BLOCK_BYTES_MAX} bytes (4 for each parameter of a function)");
             self.report(Problem::P5002, named, message);
         }
         self.interfaces.insert(id, State::Done(laid_out.clone()));
