@@ -67,6 +67,8 @@ pub enum Reaction {
     Stop(StopReason),
     /// Leave the run; it can be resumed at this point.
     Suspend,
+    /// Only from [`Host::system_function`]: it failed as a statement does, and the engine asks [`Host::fault`] about it.
+    Fail(Fault),
 }
 
 /// What a program must ask for. The Host never calls an engine.

@@ -1,6 +1,6 @@
 //! SFC 23 DEL_DB: deletes a data block that the program made.
 
-use sieben_engine::{Reaction, StopReason};
+use sieben_engine::{Fault, Reaction};
 use sieben_model::types::DataType;
 
 use super::created_data_blocks::for_each_open;
@@ -12,8 +12,9 @@ const PARAMETERS: &[Parameter] = &[input("DB_NUMBER", DataType::Word), ret_val()
 
 /// The data block comes from the load memory, where the program cannot delete it.
 const IN_LOAD_MEMORY: u16 = 0x80B3;
-/// STOP by a programming error.
-const STOP: u16 = 0x4562;
+/// Write errors of OB 121: the data block is open as a shared one, or as an instance.
+const OPEN_SHARED: u8 = 0x30;
+const OPEN_INSTANCE: u8 = 0x31;
 
 fn run(call: &mut Call<'_, '_>) -> Reaction {
     let number = match call.db_number() {
@@ -22,10 +23,8 @@ fn run(call: &mut Call<'_, '_>) -> Reaction {
     };
     let answer = match number {
         Ok(number) => {
-            let mut open = false;
-            for_each_open(call.machine, |other, _| open |= other == u64::from(number));
-            if open {
-                return Reaction::Stop(StopReason { event: STOP, place: None });
+            if let Some(code) = open(call, number) {
+                return Reaction::Fail(Fault::Programming { code, register: number, access: 0 });
             }
             call.machine.memory.data_blocks[usize::from(number)] = None;
             Ok(0)
@@ -34,4 +33,13 @@ fn run(call: &mut Call<'_, '_>) -> Reaction {
     };
     call.answer(PARAMETERS, answer);
     Reaction::Continue
+}
+
+/// The error of a data block that a running block, of whatever priority class, has open.
+fn open(call: &mut Call<'_, '_>, number: u16) -> Option<u8> {
+    let number = u64::from(number);
+    let mut anywhere = false;
+    for_each_open(call.machine, |other, _| anywhere |= other == number);
+    let instance = call.machine.registers.di_number == number && call.machine.registers.db_number != number;
+    anywhere.then_some(if instance { OPEN_INSTANCE } else { OPEN_SHARED })
 }

@@ -49,7 +49,7 @@ impl Script {
     /// Does what the Host answered; an exit if that ends the run.
     fn react(&self, context: &mut Context<'_>, reaction: Reaction) -> Option<Exit> {
         match reaction {
-            Reaction::Continue | Reaction::Replace(_) => None,
+            Reaction::Continue | Reaction::Replace(_) | Reaction::Fail(_) => None,
             Reaction::Enter { block, start_information } => {
                 assert!(self.has_block(block), "the Host may only enter loaded blocks");
                 let registers = Box::new(context.machine.registers.clone());

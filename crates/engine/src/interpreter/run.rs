@@ -382,7 +382,10 @@ impl Interpreter {
         *file = load_file(&context.machine.registers);
         context.machine.parameters.truncate(first);
         after_call(file);
-        self.react(context, file, block, at + 1, reaction, None)
+        match reaction {
+            Reaction::Fail(fault) => self.fault(context, file, block, at, &fault, None),
+            other => self.react(context, file, block, at + 1, other, None),
+        }
     }
 
     fn jump_back(&self, context: &mut Context<'_>, file: &mut File, block: &Block, weight: u16, to: u32) -> Next {
@@ -436,7 +439,8 @@ impl Interpreter {
         deliver: Option<u8>,
     ) -> Next {
         match reaction {
-            Reaction::Continue | Reaction::Replace(_) => {
+            // Only a system function fails in this way, and it has been asked about already.
+            Reaction::Continue | Reaction::Replace(_) | Reaction::Fail(_) => {
                 if let Some(var) = deliver {
                     file[usize::from(var)] = if let Reaction::Replace(value) = reaction { u64::from(value) } else { 0 };
                 }
