@@ -2,6 +2,7 @@
 
 mod access;
 mod restart;
+mod retentive;
 mod run;
 mod scan;
 mod stop;
@@ -20,9 +21,11 @@ use crate::io::Rack;
 use crate::mode::{OperatingMode, Restart};
 use crate::organization_blocks::StartInformation;
 use crate::process_image::Overrides;
+use crate::retain::{Declarations, Keeper};
 use crate::settings::Settings;
 use crate::system;
 
+pub use retentive::DataLoss;
 pub use scan::ScanReport;
 use stop::Held;
 pub use stop::{StopCause, StopRequest};
@@ -50,6 +53,10 @@ pub struct Cpu {
     requests: Arc<Requests>,
     overrides: Overrides,
     system: system::State,
+    declarations: Declarations,
+    keeper: Keeper,
+    /// A STOP from outside has ended the last run in the middle.
+    torn: bool,
 }
 
 impl Cpu {
@@ -65,6 +72,7 @@ impl Cpu {
         let engine = load(&program, &layout);
         let machine = Machine::new(layout);
         let registers = machine.registers.clone();
+        let declarations = Declarations::of(&program);
         let mut cpu = Self {
             cpu_type,
             program,
@@ -87,6 +95,9 @@ impl Cpu {
             requests: Arc::default(),
             overrides: Overrides::new(),
             system: system::State::default(),
+            declarations,
+            keeper: Keeper::default(),
+            torn: false,
         };
         cpu.load_data_blocks(|_| true);
         cpu

@@ -51,6 +51,8 @@ const EVENTS: &[(u16, &str)] = &[
     (0x3576, "not enough local data"),
     (0x3578, "unknown instruction"),
     (0x357A, "a jump out of the block"),
+    (0x3822, "backup works again: retentive data is kept"),
+    (0x3922, "no backup: retentive data cannot be kept"),
     (0x4300, "power on with battery backup"),
     (0x4301, "mode change from STOP to STARTUP"),
     (0x4302, "mode change from STARTUP to RUN"),
@@ -181,6 +183,8 @@ impl DiagnosticEntry {
                 format!("P{}{letter} {info_1}", if event == 0x2942 { "I" } else { "Q" })
             }
             0x3501 if info_1 > 0 => format!("{info_1} ms in OB {}", info_2 & 0xFF),
+            0x4309 | 0x430E if data_id == 1 => "retentive data was damaged".to_owned(),
+            0x4309 | 0x430E if data_id == 2 => "retentive data belonged to another program".to_owned(),
             _ => return None,
         })
     }

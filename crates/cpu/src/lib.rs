@@ -14,15 +14,17 @@ pub mod io;
 pub mod mode;
 pub mod organization_blocks;
 pub mod process_image;
+pub mod retain;
 pub mod settings;
 pub mod station;
 pub mod system;
 
 pub use clock::DateAndTime;
-pub use cpu::{Cpu, ScanReport, StopCause, StopRequest};
+pub use cpu::{Cpu, DataLoss, ScanReport, StopCause, StopRequest};
 pub use cycle::CycleTimes;
 pub use diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 pub use io::{IoModule, Rack, RackError, SimulatedModule};
 pub use mode::{OperatingMode, Restart};
+pub use retain::{RetainImage, RetentiveAreas};
 pub use settings::{Settings, TimeSource};
 pub use station::{AccessError, Station, TimerReading};

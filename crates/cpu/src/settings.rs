@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use crate::clock::DateAndTime;
+use crate::retain::RetentiveAreas;
 
 /// Where time comes from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,6 +28,8 @@ pub struct Settings {
     pub clock_memory_byte: Option<u16>,
     /// Time of day when the clock shows 0.
     pub date_and_time: DateAndTime,
+    /// Which bit memory, timers and counters a warm restart and a power failure leave alone.
+    pub retain: RetentiveAreas,
 }
 
 impl Default for Settings {
@@ -37,6 +40,7 @@ impl Default for Settings {
             virtual_safe_points: 10_000_000,
             clock_memory_byte: None,
             date_and_time: DateAndTime::DEFAULT,
+            retain: RetentiveAreas::default(),
         }
     }
 }

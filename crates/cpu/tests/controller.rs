@@ -327,7 +327,7 @@ fn a_restart_clears_what_it_should() {
     for (restart, expected) in [(Restart::Warm, [0, 0, 0, 9, 0x0202]), (Restart::Cold, [0, 0, 0, 0x0101, 0x0202])] {
         let mut cpu = with_data();
         cpu.restart(Restart::Warm);
-        let operands = ["MW10", "C 3", "QW4", "DB1.DBW0", "DB2.DBW2"].map(operand);
+        let operands = ["MW16", "C 8", "QW4", "DB1.DBW0", "DB2.DBW2"].map(operand);
         for operand in &operands {
             cpu.modify(operand, 9).unwrap();
             assert_eq!(cpu.read(operand), Ok(9));

@@ -1,9 +1,10 @@
 //! The fuzz targets: one row each.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use sieben_cpu::{Cpu, Rack, Restart, Settings};
-use sieben_engine::Interpreter;
+use sieben_cpu::retain::{Adoption, Numbers};
+use sieben_cpu::{Cpu, Rack, Restart, RetainImage, RetentiveAreas, Settings};
+use sieben_engine::{Interpreter, Program};
 use sieben_lang::Options;
 use sieben_lang::encoding::{self, Encoding};
 use sieben_lang::stl::instructions::Instruction;
@@ -33,6 +34,7 @@ pub struct Target {
 pub const TARGETS: &[Target] = &[
     Target { name: "lang-compile", fuzz: sieben_lang::project::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "cpu-run", fuzz: run, corpus: "stl", fences: &["stl"], words: stl_words },
+    Target { name: "cpu-retain", fuzz: retain, corpus: "retain", fences: &[], words: no_words },
     Target { name: "lang-encoding", fuzz: encoding, corpus: "encoding", fences: &[], words: no_words },
     Target { name: "lang-stl", fuzz: sieben_lang::stl::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "lang-symbols", fuzz: sieben_lang::symbols::fuzz, corpus: "symbols", fences: &[], words: symbol_words },
@@ -62,6 +64,27 @@ fn run(data: &[u8]) {
     cpu.restart(Restart::Warm);
     for scan in 0..3 {
         cpu.scan(scan * 10_000);
+    }
+}
+
+/// Takes the input back as retentive data, with and without judging the program, and goes on with what came of it.
+fn retain(data: &[u8]) {
+    const PROGRAM: &str = "DATA_BLOCK DB 1\nSTRUCT\n n : DINT ;\n m : DINT ;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n\
+        ORGANIZATION_BLOCK OB 1\nBEGIN\nAN T 2; L S5T#1S; SD T 2; A T 2; CU C 0; L DB1.DBD 0; +1; T DB1.DBD 0;\nEND_ORGANIZATION_BLOCK\n";
+    static COMPILED: OnceLock<Arc<Program>> = OnceLock::new();
+    sieben_cpu::retain::fuzz(data);
+    let program = COMPILED.get_or_init(|| Arc::new(compiled(PROGRAM.as_bytes()).program));
+    let cpu_type = &CpuType::ALL[0];
+    let retain = RetentiveAreas { timers: Numbers::range(0..=7), ..RetentiveAreas::default() };
+    let settings = Settings { retain, ..Settings::default() };
+    let mut cpu = Cpu::load(cpu_type, Arc::clone(program), Interpreter::load, Rack::simulated(cpu_type), settings);
+    let image = RetainImage { bytes: data.to_vec(), ..RetainImage::default() };
+    for adoption in [Adoption::SameProgram, Adoption::WhatFits] {
+        // What is refused changes nothing.
+        let _ = cpu.restore(&image, adoption);
+        cpu.restart(Restart::Warm);
+        cpu.scan(10_000);
+        assert!(cpu.retain_image().is_none_or(RetainImage::is_sound), "what is handed out can be taken back");
     }
 }
 

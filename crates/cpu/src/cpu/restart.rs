@@ -12,6 +12,7 @@ use crate::cycle::Cycle;
 use crate::host::Watchdog;
 use crate::mode::{OperatingMode, Restart};
 use crate::organization_blocks::{self as ob, StartInformation};
+use crate::system;
 
 impl Cpu {
     /// Starts the CPU at the time of the last scan: STARTUP, then RUN or STOP.
@@ -23,6 +24,7 @@ impl Cpu {
     /// Starts the CPU with a clock (microseconds) and someone who watches statements.
     pub fn restart_with(&mut self, restart: Restart, clock: &mut dyn FnMut() -> u64, tracer: Option<&mut dyn Tracer>) -> OperatingMode {
         self.stop();
+        self.torn = false;
         self.advance(clock());
         // What was asked of the CPU before it started is fulfilled by its having been in STOP.
         self.requests.stop.store(false, Ordering::Relaxed);
@@ -50,14 +52,31 @@ impl Cpu {
         if self.restart == Restart::Hot {
             return;
         }
+        self.rack.clear_outputs();
+        match self.restart {
+            Restart::Cold => self.clear_work_memory(),
+            _ => {
+                let retain = &self.settings.retain;
+                for area in [Area::Input, Area::Output] {
+                    self.machine.memory.area_mut(area).fill(0);
+                }
+                retain.bit_memory.clear_others(self.machine.memory.area_mut(Area::BitMemory));
+                retain.timers.clear_others(&mut self.machine.timers);
+                retain.counters.clear_others(&mut self.machine.counters);
+                self.load_data_blocks(|non_retain| non_retain);
+            }
+        }
+    }
+
+    /// All memory as a program that was just loaded finds it; data blocks that the last one made are gone.
+    pub(super) fn clear_work_memory(&mut self) {
         for area in [Area::Input, Area::Output, Area::BitMemory] {
             self.machine.memory.area_mut(area).fill(0);
         }
         self.machine.timers.fill(Default::default());
         self.machine.counters.fill(Default::default());
-        self.rack.clear_outputs();
-        let cold = self.restart == Restart::Cold;
-        self.load_data_blocks(|non_retain| cold || non_retain);
+        system::delete_created(&mut self.machine);
+        self.load_data_blocks(|_| true);
     }
 
     /// Copies data blocks from load memory, those whose NON_RETAIN attribute `which` wants.

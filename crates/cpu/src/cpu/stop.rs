@@ -77,6 +77,8 @@ impl Cpu {
             None => entry.text(),
         };
         let place = place.or(first.and_then(|first| first.place));
+        // Nobody knows which statements came before a STOP from outside: what they wrote is not a scan's.
+        self.torn = matches!(event, 0x4303 | 0x4304) && !self.machine.frames.is_empty();
         self.cause = Some(StopCause { event, first_event, place, text });
         self.mode = OperatingMode::Stop;
         self.held = None;

@@ -1,8 +1,9 @@
-//! What SFC 22, 23, 24 and 25 have in common: room for data blocks that the program makes, and where they are open.
+//! Data blocks that the program makes (SFC 22 to 25): room for them, where they are open, and how they outlive a power failure.
 
 use std::ops::Range;
 
 use sieben_engine::Machine;
+use sieben_engine::machine::memory::DataBlockEntry;
 use sieben_engine::machine::{Origin, layout::RESERVE};
 use sieben_model::address::Width;
 
@@ -14,6 +15,10 @@ pub(super) const BAD_NUMBER: u16 = 0x80A1;
 pub(super) const NOT_THERE: u16 = 0x80B1;
 /// The data block is only in the load memory (UNLINKED).
 pub(super) const UNLINKED: u16 = 0x80B2;
+/// There is not as much memory.
+const NO_MEMORY: u16 = 0x80B2;
+/// There is as much memory, but not in one piece.
+const FRAGMENTED: u16 = 0x80B3;
 
 impl Call<'_, '_> {
     /// The number of a data block that is in the work memory, from parameter 0.
@@ -54,6 +59,73 @@ pub(super) fn taken(machine: &Machine) -> Vec<(usize, u16)> {
 /// The bytes from the beginning of a created data block to the next possible one.
 pub(super) fn room(bytes: u32) -> usize {
     (bytes as usize).next_multiple_of(8)
+}
+
+/// The first gap that is large enough, or the error code.
+pub(super) fn place(machine: &Machine, bytes: usize) -> Result<usize, u16> {
+    let reserve = reserve(machine);
+    let mut cursor = reserve.start;
+    let mut free = reserve.len();
+    let mut found = None;
+    for (base, number) in taken(machine) {
+        if found.is_none() && base - cursor >= bytes {
+            found = Some(cursor);
+        }
+        let used = machine.memory.data_block(u64::from(number)).map_or(0, |entry| room(entry.length));
+        cursor = base + used;
+        free = free.saturating_sub(used);
+    }
+    if found.is_none() && reserve.end.saturating_sub(cursor) >= bytes {
+        found = Some(cursor);
+    }
+    found.ok_or(if free >= bytes { FRAGMENTED } else { NO_MEMORY })
+}
+
+/// Makes a data block of zeros at a place that [`place`] found.
+pub(super) fn insert(machine: &mut Machine, number: u16, base: usize, length: u32) {
+    let memory = &mut machine.memory;
+    memory.arena[base..base + length as usize].fill(0);
+    let index = usize::from(number);
+    if memory.data_blocks.len() <= index {
+        memory.data_blocks.resize(index + 1, None);
+    }
+    memory.data_blocks[index] = Some(DataBlockEntry { base: base as u32, length, read_only: false });
+}
+
+/// The created data blocks: number, first byte in the arena, length in bytes.
+pub(crate) fn created(machine: &Machine) -> Vec<(u16, u32, u32)> {
+    let entry = |number| machine.memory.data_block(u64::from(number));
+    taken(machine).into_iter().filter_map(|(_, number)| entry(number).map(|entry| (number, entry.base, entry.length))).collect()
+}
+
+/// Deletes all created data blocks; no block may be running.
+pub(crate) fn delete_created(machine: &mut Machine) {
+    for (_, number) in taken(machine) {
+        machine.memory.data_blocks[usize::from(number)] = None;
+    }
+}
+
+/// The room that data blocks need of the reserve, if they can be created together, which have their numbers and lengths in bytes.
+pub(crate) fn fit(machine: &Machine, blocks: impl Iterator<Item = (u16, usize)>) -> bool {
+    let mut numbers = std::collections::BTreeSet::new();
+    let mut left = RESERVE;
+    for (number, length) in blocks {
+        let sound = number > 0 && number <= machine.memory.layout.db_number_max && length > 0 && length.is_multiple_of(2);
+        let Some(rest) = left.checked_sub(length.next_multiple_of(8)) else { return false };
+        left = rest;
+        if !sound || machine.memory.layout.data_blocks.contains_key(&number) || !numbers.insert(number) {
+            return false;
+        }
+    }
+    true
+}
+
+/// Makes a data block with these values; one that [`fit`] found to fit among those before it.
+pub(crate) fn create(machine: &mut Machine, number: u16, values: &[u8]) {
+    let length = values.len() as u32;
+    let base = place(machine, room(length)).expect("blocks that fit together find their places one behind the other");
+    insert(machine, number, base, length);
+    machine.memory.arena[base..base + values.len()].copy_from_slice(values);
 }
 
 /// Every place that remembers an open data block: number and base, in the registers and in what block ends restore.

@@ -57,9 +57,10 @@ use sieben_model::types::{DataType, place};
 
 use crate::host::CpuHost;
 
+pub(crate) use created_data_blocks::{create, created, delete_created, fit};
 pub(crate) use error_masks::filter_bit;
 use parameters::Answer;
-pub(crate) use state::State;
+pub(crate) use state::{Meter, State};
 
 /// A call: the machine, the CPU behind it, and the first parameter pointer.
 pub(crate) struct Call<'a, 'h> {

@@ -1,10 +1,9 @@
 //! SFC 22 CREAT_DB: makes a data block.
 
-use sieben_engine::machine::memory::DataBlockEntry;
 use sieben_model::address::Width;
 use sieben_model::types::DataType;
 
-use super::created_data_blocks::{BAD_NUMBER, reserve, room, taken};
+use super::created_data_blocks::{BAD_NUMBER, insert, place, room};
 use super::parameters::Answer;
 use super::{Call, Parameter, Row, Run, input, output, ret_val, sfc};
 
@@ -21,8 +20,6 @@ const PARAMETERS: &[Parameter] = &[
 /// The length is 0 or odd.
 const BAD_LENGTH: u16 = 0x80A2;
 const NO_NUMBER: u16 = 0x80B1;
-const NO_MEMORY: u16 = 0x80B2;
-const FRAGMENTED: u16 = 0x80B3;
 
 fn run(call: &mut Call<'_, '_>) -> Answer {
     let low = call.input(0, Width::Word)? as u16;
@@ -38,35 +35,9 @@ fn run(call: &mut Call<'_, '_>) -> Answer {
     let memory = &call.machine.memory;
     let free = |number: &u16| memory.data_block(u64::from(*number)).is_none() && !program.contains_key(number);
     let number = (low..=high).find(free).ok_or(NO_NUMBER)?;
-    let base = place(call, room(length))?;
+    let base = place(call.machine, room(length))?;
     // A number that cannot be delivered must not leave a block behind.
     call.output(4, Width::Word, u32::from(number))?;
-    let memory = &mut call.machine.memory;
-    memory.arena[base..base + length as usize].fill(0);
-    let index = usize::from(number);
-    if memory.data_blocks.len() <= index {
-        memory.data_blocks.resize(index + 1, None);
-    }
-    memory.data_blocks[index] = Some(DataBlockEntry { base: base as u32, length, read_only: false });
+    insert(call.machine, number, base, length);
     Ok(0)
-}
-
-/// The first gap that is large enough.
-fn place(call: &Call<'_, '_>, bytes: usize) -> Result<usize, u16> {
-    let reserve = reserve(call.machine);
-    let mut cursor = reserve.start;
-    let mut free = reserve.len();
-    let mut found = None;
-    for (base, number) in taken(call.machine) {
-        if found.is_none() && base - cursor >= bytes {
-            found = Some(cursor);
-        }
-        let used = call.machine.memory.data_block(u64::from(number)).map_or(0, |entry| room(entry.length));
-        cursor = base + used;
-        free = free.saturating_sub(used);
-    }
-    if found.is_none() && reserve.end.saturating_sub(cursor) >= bytes {
-        found = Some(cursor);
-    }
-    found.ok_or(if free >= bytes { FRAGMENTED } else { NO_MEMORY })
 }

@@ -1,4 +1,6 @@
 //! An engine that runs scripts: lists of what a program asks its CPU for, without a language.
+#![allow(dead_code)] // Each test program needs a part of it.
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 

@@ -1,0 +1,103 @@
+//! Retentive data as those who run the CPU meet it: handed out between two scans, taken back before the start, lost or deleted.
+
+use super::Cpu;
+use crate::mode::OperatingMode;
+use crate::organization_blocks::StartInformation;
+use crate::retain::{self, Adoption, Refusal, Restored, RetainImage};
+
+/// Memory reset started by a programming device, and automatically; and done.
+const MEMORY_RESET: u16 = 0x4307;
+const MEMORY_RESET_AUTOMATIC: u16 = 0x4309;
+const MEMORY_RESET_DONE: u16 = 0x430E;
+/// Power on with the data that was kept.
+const POWER_ON: u16 = 0x4300;
+/// Retentive data is no longer kept, and is kept again: the events of the backup battery.
+const BACKUP_FAILED: u16 = 0x3922;
+const BACKUP_WORKS: u16 = 0x3822;
+
+/// Why there is no retentive data where there was some.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DataLoss {
+    /// It cannot be read.
+    Damaged,
+    /// It belongs to a program with other data blocks.
+    OtherProgram,
+}
+
+impl DataLoss {
+    /// How the entry of the diagnostic buffer says it: its data ID.
+    fn data_id(self) -> u16 {
+        match self {
+            Self::Damaged => 1,
+            Self::OtherProgram => 2,
+        }
+    }
+}
+
+impl Cpu {
+    /// The retentive data, if it has changed since it was last handed out; between two scans only.
+    ///
+    /// In HOLD, and after a STOP from outside in the middle of a scan, there is none until a scan or startup is whole again.
+    /// What the statements before an error or SFC 46 wrote counts, as the STOP that they led to does.
+    pub fn retain_image(&mut self) -> Option<&RetainImage> {
+        if self.torn || matches!(self.mode, OperatingMode::Hold | OperatingMode::Startup) {
+            return None;
+        }
+        self.keeper.image(&self.machine, &self.system, &self.settings.retain, &self.declarations, self.cycle.number)
+    }
+
+    /// Takes retentive data back, as at power on: all else begins anew, and the restart that follows clears what it clears.
+    /// The CPU goes to STOP first.
+    ///
+    /// # Errors
+    /// The image is damaged or belongs to another program. Then no data changes, and the diagnostic buffer has an entry.
+    pub fn restore(&mut self, image: &RetainImage, adoption: Adoption) -> Result<Restored, Refusal> {
+        self.stop();
+        let judged = retain::judge(image, adoption, &self.machine, &self.declarations);
+        match judged {
+            Ok(judged) => {
+                self.clear_work_memory();
+                let restored = judged.put(&mut self.machine, &mut self.system, &self.settings.retain);
+                self.torn = false;
+                self.keeper.forget();
+                self.log(StartInformation { event: POWER_ON, ..StartInformation::default() }, None);
+                Ok(restored)
+            }
+            Err(refusal) => {
+                self.retentive_data_lost(match refusal {
+                    Refusal::Damaged => DataLoss::Damaged,
+                    Refusal::OtherProgram { .. } => DataLoss::OtherProgram,
+                });
+                Err(refusal)
+            }
+        }
+    }
+
+    /// Notes that there was retentive data and that it cannot be used: the CPU has its initial values, as after a memory reset.
+    pub fn retentive_data_lost(&mut self, loss: DataLoss) {
+        for event in [MEMORY_RESET_AUTOMATIC, MEMORY_RESET_DONE] {
+            self.log(StartInformation { event, data_id: loss.data_id(), ..StartInformation::default() }, None);
+        }
+    }
+
+    /// Notes that retentive data cannot be kept from now on. The CPU goes on.
+    pub fn backup_failed(&mut self) {
+        self.log(StartInformation { event: BACKUP_FAILED, ..self.class }, None);
+    }
+
+    /// Notes that retentive data is kept again.
+    pub fn backup_works(&mut self) {
+        self.log(StartInformation { event: BACKUP_WORKS, ..self.class }, None);
+    }
+
+    /// Memory reset (MRES): STOP, then all memory as if the program had just been loaded.
+    /// The diagnostic buffer, the clock and the run-time meters stay.
+    pub fn memory_reset(&mut self) {
+        self.stop();
+        self.log(StartInformation { event: MEMORY_RESET, ..StartInformation::default() }, None);
+        self.clear_work_memory();
+        self.rack.clear_outputs();
+        self.torn = false;
+        self.log(StartInformation { event: MEMORY_RESET_DONE, ..StartInformation::default() }, None);
+    }
+}
