@@ -8,6 +8,7 @@ mod document;
 mod duration;
 mod failure;
 mod files;
+mod fixing;
 mod glob;
 mod names;
 mod nearest;

@@ -5,7 +5,7 @@ use std::fmt;
 
 use ariadne::{Cache, CharSet, Color, Config, IndexType, Label, LabelAttach, Report, ReportKind, Source};
 use serde_json::{Value, json};
-use sieben_model::diagnostic::{Diagnostic, Severity};
+use sieben_model::diagnostic::{Certainty, Diagnostic, Severity};
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, SourceFile, Sources, Span};
 
@@ -230,7 +230,7 @@ fn one_to_json(finding: &Finding, texts: &Texts, lines: &mut Lines) -> Value {
     let fix = diagnostic.fix.as_ref().map(|fix| {
         let (line, column) = place(fix.span, false);
         let (end_line, end_column) = place(fix.span, true);
-        json!({ "title": fix.title, "replacement": fix.replacement,
+        json!({ "title": fix.title, "replacement": fix.replacement, "certain": fix.certainty == Certainty::Certain,
                 "line": line, "column": column, "end_line": end_line, "end_column": end_column })
     });
     let file = match &finding.origin {

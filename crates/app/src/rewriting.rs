@@ -83,31 +83,31 @@ impl Rewriting {
             Destination::Print => output::print(text)?,
             Destination::InPlace if !differs => {}
             Destination::InPlace => {
-                self.write(path, source, text, encoding)?;
+                write(path, source, text, encoding)?;
                 output::print(&format!("{} {}\n", path.display(), self.done))?;
             }
-            Destination::File(target) => self.write(target, source, text, encoding)?,
+            Destination::File(target) => write(target, source, text, encoding)?,
         }
         Ok(differs)
     }
+}
 
-    fn write(&self, target: &Path, source: &SourceFile, text: &str, encoding: Encoding) -> Result<(), Failure> {
-        let shown = source.path.display();
-        if source.decoded.had_errors {
-            let message =
-                format!("`{shown}` holds bytes that mean nothing in {}; rewriting would lose them", source.decoded.encoding.name());
-            return Err(Failure::usage(Problem::P1102, message));
-        }
-        let bytes = encoding::encode(text, encoding).map_err(|unencodable| {
-            Failure::usage(Problem::P1103, format!("`{shown}` cannot be written: {unencodable}")).help("use `--utf8`")
-        })?;
-        // Between reading and writing someone may have saved the file in an editor.
-        let current = fs::read(target).ok().filter(|_| target == source.path);
-        if current.is_some_and(|current| encoding::decode_as(&current, source.decoded.encoding).text != source.decoded.text) {
-            return Err(Failure::usage(Problem::P6013, format!("`{shown}` was changed by someone else in the meantime; it is left alone")));
-        }
-        files::write_whole(target, &bytes)
+/// Writes the new text of a source to a file as a whole, unless something would be lost or someone else has changed the file.
+pub(crate) fn write(target: &Path, source: &SourceFile, text: &str, encoding: Encoding) -> Result<(), Failure> {
+    let shown = source.path.display();
+    if source.decoded.had_errors {
+        let message = format!("`{shown}` holds bytes that mean nothing in {}; rewriting would lose them", source.decoded.encoding.name());
+        return Err(Failure::usage(Problem::P1102, message));
     }
+    let bytes = encoding::encode(text, encoding).map_err(|unencodable| {
+        Failure::usage(Problem::P1103, format!("`{shown}` cannot be written: {unencodable}")).help("use `--utf8`")
+    })?;
+    // Between reading and writing someone may have saved the file in an editor.
+    let current = fs::read(target).ok().filter(|_| target == source.path);
+    if current.is_some_and(|current| encoding::decode(&current).text != source.decoded.text) {
+        return Err(Failure::usage(Problem::P6013, format!("`{shown}` was changed by someone else in the meantime; it is left alone")));
+    }
+    files::write_whole(target, &bytes)
 }
 
 /// A diagnostic of a text that was looked at alone, in its place among the texts of the project.

@@ -170,7 +170,7 @@ impl Reader {
                 let place = if table.is_empty() { String::new() } else { format!(" in `[{table}]`") };
                 let diagnostic = Diagnostic::new(Problem::P6008, span, format!("there is no key `{name}`{place}"));
                 self.diagnostics.push(match nearest(name, siblings()) {
-                    Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(span, near, format!("write `{near}`")),
+                    Some(near) => diagnostic.help(format!("did you mean `{near}`?")).guess(span, near, format!("write `{near}`")),
                     None => diagnostic.help(format!("keys{place}: {}", one_of(siblings()))),
                 });
             }

@@ -693,3 +693,25 @@ fn names_may_be_longer_than_any_column() {
     folder.run(&["symbols", "symbols.csv"]).code(0).stdout("M 1.1");
     folder.run(&["refs", "one.awl", "symbols.csv", "--overlaps"]).code(0).stdout("M 1.1");
 }
+
+#[test]
+fn check_fix_mends_what_can_mean_only_one_thing() {
+    // Windows line ends, an umlaut of code page 1252, a word of the other language, misprints and a label that is too long.
+    let folder = Folder::with(&[]);
+    folder.write("old.awl", b"O I 0.0;\r\nU I 0.1; // gr\xFCn\r\nA I 0,2;\r\nJC weiter;\r\n= Q 0.1;\r\nweiter: NOP 0;\r\n");
+    let run = folder.run(&["check", "--fix", "old.awl"]).code(0);
+    assert!(run.stdout.contains("old.awl:2:1: wrote `A` for `U`"), "{}", run.stdout);
+    assert!(run.stdout.contains("old.awl:3:6: wrote `.` for `,`"), "{}", run.stdout);
+    assert_eq!(folder.read("old.awl"), b"O I 0.0;\r\nA I 0.1; // gr\xFCn\r\nA I 0.2;\r\nJC weit;\r\n= Q 0.1;\r\nweit: NOP 0;\r\n");
+    folder.run(&["check", "--fix", "old.awl"]).code(0).stdout("no errors");
+
+    // What is left is reported; a guess is not applied.
+    folder.write("names.awl", b"FUNCTION FC 1 : VOID\nVAR_TEMP\n level : INT;\nEND_VAR\nBEGIN\nL #levle;\nL 1,5;\nEND_FUNCTION\n");
+    folder.run(&["check", "--fix", "names.awl"]).code(3).stdout("wrote `.` for `,`").stderr("P3001");
+    assert!(folder.read("names.awl").starts_with(b"FUNCTION FC 1 : VOID\nVAR_TEMP\n level : INT;\nEND_VAR\nBEGIN\nL #levle;\nL 1.5;\n"));
+
+    // A file with bytes that its encoding does not have stays as it is.
+    folder.write("broken.awl", b"\xEF\xBB\xBFA I 0,2; // \xFF\n");
+    folder.run(&["check", "--fix", "broken.awl"]).code(2).stderr("P1102");
+    assert_eq!(folder.read("broken.awl"), b"\xEF\xBB\xBFA I 0,2; // \xFF\n");
+}

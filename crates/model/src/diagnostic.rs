@@ -12,6 +12,15 @@ pub enum Severity {
     Error,
 }
 
+/// How sure a fix is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Certainty {
+    /// Nothing else can have been meant: a tool may apply it unasked.
+    Certain,
+    /// A likely name among several; the user has to decide.
+    Guess,
+}
+
 /// A replacement of text that would mend the problem.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
@@ -21,6 +30,8 @@ pub struct Fix {
     pub replacement: String,
     /// What the fix does, as an order: "write `O`".
     pub title: String,
+    /// Whether it may be applied unasked.
+    pub certainty: Certainty,
 }
 
 /// One message about a place in a source.
@@ -51,10 +62,16 @@ impl Diagnostic {
         self.help = Some(help.into());
         self
     }
-    /// Adds a mechanical fix.
+    /// Adds a fix that nothing speaks against.
     #[must_use]
     pub fn fix(mut self, span: Span, replacement: impl Into<String>, title: impl Into<String>) -> Self {
-        self.fix = Some(Fix { span, replacement: replacement.into(), title: title.into() });
+        self.fix = Some(Fix { span, replacement: replacement.into(), title: title.into(), certainty: Certainty::Certain });
+        self
+    }
+    /// Adds what was probably meant.
+    #[must_use]
+    pub fn guess(mut self, span: Span, replacement: impl Into<String>, title: impl Into<String>) -> Self {
+        self.fix = Some(Fix { span, replacement: replacement.into(), title: title.into(), certainty: Certainty::Guess });
         self
     }
     /// Adds another place.

@@ -6,15 +6,15 @@ use clap::Args;
 
 use crate::arguments::ProgramArguments;
 use crate::failure::{Exit, Failure};
-use crate::project;
-use crate::{output, report};
+use crate::{fixing, output, project, report};
 
 /// Report everything that is wrong with a program.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
   sieben check                        the project in this folder\n  \
   sieben check line4.awl symbols.sdf  a source with its symbol table\n  \
-  sieben check pump --json            for an editor or a script\n\n\
+  sieben check pump --json            for an editor or a script\n  \
+  sieben check --fix line4.awl        mend what can mean only one thing\n\n\
 Exit codes: 0 no errors, 3 errors.")]
 pub(crate) struct Arguments {
     /// Source files, symbol tables, or a project folder [default: this folder]
@@ -28,12 +28,27 @@ pub(crate) struct Arguments {
     /// Print the diagnostics as a JSON list on standard output
     #[arg(long)]
     json: bool,
+    /// Apply the fixes of which there is no doubt to the files, then check again
+    #[arg(long, conflicts_with = "json")]
+    fix: bool,
 }
+
+/// Rounds of fixes: one may uncover another, and some could undo one another for ever.
+const ROUNDS_MAX: usize = 10;
 
 /// Checks the program.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let overrides = arguments.program.overrides()?;
-    let build = arguments.program.load(&arguments.paths)?.compile(overrides, arguments.syntax_only);
+    let compile = || Ok::<_, Failure>(arguments.program.load(&arguments.paths)?.compile(overrides, arguments.syntax_only));
+    let mut build = compile()?;
+    for _ in 0..if arguments.fix { ROUNDS_MAX } else { 0 } {
+        let done = fixing::apply(&build)?;
+        if done.is_empty() {
+            break;
+        }
+        output::print(&(done.join("\n") + "\n"))?;
+        build = compile()?;
+    }
     let findings = &build.findings;
     if arguments.json {
         output::print_json(&report::to_json(findings, &build.project.texts), true)?;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use sieben_model::address::{self, Area, Width, area_and_width};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::cpu_type::CpuType;
-use sieben_model::diagnostic::{Diagnostic, Fix};
+use sieben_model::diagnostic::{Certainty, Diagnostic, Fix};
 use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::literal::Value;
 use sieben_model::problems::Problem;
@@ -206,7 +206,7 @@ impl<'a> Resolver<'a> {
             _ => name,
         };
         let title = format!("write `{replacement}`");
-        diagnostic.fix = Some(Fix { span, replacement, title });
+        diagnostic.fix = Some(Fix { span, replacement, title, certainty: Certainty::Guess });
     }
 
     fn address_of(&mut self, word: &ast::Word) -> Option<Operand> {

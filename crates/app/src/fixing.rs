@@ -1,0 +1,61 @@
+//! Applies the fixes that diagnostics carry to the sources on the disk.
+
+use sieben_model::diagnostic::{Certainty, Fix};
+use sieben_model::source::{FileId, Sources};
+
+use crate::failure::Failure;
+use crate::project::Build;
+use crate::report::{Finding, Origin};
+use crate::rewriting;
+
+/// What was done to the sources, as one line each: `line4.awl:3:5: wrote `:=` for `=:``.
+pub(crate) fn apply(build: &Build) -> Result<Vec<String>, Failure> {
+    let mut done = Vec::new();
+    for source in &build.project.sources {
+        let fixes = fixes(&build.findings, source.id);
+        if fixes.is_empty() {
+            continue;
+        }
+        let text = fixed(&source.decoded.text, &fixes);
+        rewriting::write(&source.path, source, &text, source.decoded.encoding)?;
+        done.extend(fixes.iter().map(|fix| line(&build.project.texts.program, fix)));
+    }
+    Ok(done)
+}
+
+/// The certain fixes of a file, in the order of the text, none inside another.
+fn fixes(findings: &[Finding], file: FileId) -> Vec<&Fix> {
+    let of_program = findings.iter().filter(|finding| finding.origin == Origin::Program);
+    let fixes = of_program.filter_map(|finding| finding.diagnostic.fix.as_ref());
+    let mut fixes: Vec<&Fix> = fixes.filter(|fix| fix.certainty == Certainty::Certain && fix.span.file == file).collect();
+    fixes.sort_by_key(|fix| (fix.span.start, fix.span.end));
+    let mut behind = 0;
+    fixes.retain(|fix| {
+        let free = fix.span.start >= behind && fix.span.start < fix.span.end;
+        if free {
+            behind = fix.span.end;
+        }
+        free
+    });
+    fixes
+}
+
+/// The text with its fixes; what lies between them is kept byte for byte.
+fn fixed(text: &str, fixes: &[&Fix]) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut at = 0;
+    for fix in fixes {
+        let (start, end) = (fix.span.start as usize, fix.span.end as usize);
+        let (Some(kept), Some(_)) = (text.get(at..start), text.get(start..end)) else { continue };
+        out.push_str(kept);
+        out.push_str(&fix.replacement);
+        at = end;
+    }
+    out.push_str(&text[at..]);
+    out
+}
+
+fn line(sources: &Sources, fix: &Fix) -> String {
+    let (line, column) = sources.line_column(fix.span);
+    format!("{}:{line}:{column}: wrote `{}` for `{}`", sources.file(fix.span.file).name, fix.replacement, sources.slice(fix.span))
+}
