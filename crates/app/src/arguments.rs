@@ -23,6 +23,9 @@ pub(crate) struct ProgramArguments {
     /// Mnemonic language of the sources; auto judges each file as a whole [default: the project's, else auto]
     #[arg(long, value_name = "LANGUAGE")]
     mnemonics: Option<MnemonicsArgument>,
+    /// Allow the extension words of awlsim, such as `__ASSERT==` [default: the project's, else not]
+    #[arg(long)]
+    extended: bool,
     #[command(flatten)]
     encoding: EncodingArgument,
 }
@@ -83,7 +86,7 @@ impl ProgramArguments {
             None => None,
             Some(name) => Some(CpuType::by_name(name).ok_or_else(|| Failure::usage(Problem::P7002, settings::unknown_cpu(name)))?),
         };
-        Ok(Overrides { cpu, mnemonics: self.mnemonics.map(MnemonicsArgument::language) })
+        Ok(Overrides { cpu, mnemonics: self.mnemonics.map(MnemonicsArgument::language), extended: self.extended })
     }
 }
 

@@ -36,6 +36,8 @@ pub(crate) struct Overrides {
     pub(crate) cpu: Option<&'static CpuType>,
     /// `--mnemonics en|de`; `Some(None)` is `auto`.
     pub(crate) mnemonics: Option<Option<Mnemonics>>,
+    /// `--extended`.
+    pub(crate) extended: bool,
 }
 
 /// A source file as it lies on the disk.
@@ -106,11 +108,17 @@ impl Project {
     /// Compiles it for the CPU type of the command line, else of the project, else the default.
     pub(crate) fn compile(self, overrides: Overrides, syntax_only: bool) -> Build {
         let cpu = overrides.cpu.or(self.settings.cpu).unwrap_or(&CpuType::ALL[0]);
+        let extended = overrides.extended || self.settings.extended;
+        let mut system_blocks = sieben_cpu::system::interfaces();
+        if extended {
+            system_blocks.extend(sieben_cpu::system::extension_interfaces());
+        }
         let options = Options {
             cpu: Some(cpu),
             mnemonics: overrides.mnemonics.unwrap_or(self.settings.mnemonics),
             syntax_only,
-            system_blocks: sieben_cpu::system::interfaces(),
+            extended,
+            system_blocks,
         };
         let nothing = self.findings.iter().any(|finding| finding.diagnostic.problem == Problem::P6005);
         let compiled = match nothing {

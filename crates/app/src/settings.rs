@@ -39,6 +39,8 @@ pub(crate) struct Settings {
     pub(crate) symbols: Option<Vec<Placed>>,
     /// `project.mnemonics`; `None` = judged over each file.
     pub(crate) mnemonics: Option<Mnemonics>,
+    /// `project.extended`: the sources use the extension words of awlsim.
+    pub(crate) extended: bool,
     /// `cpu.type`.
     pub(crate) cpu: Option<&'static CpuType>,
     /// `cpu.cycle`; zero = free running.
@@ -78,7 +80,7 @@ const KEYS: &[Key] = &[
     used("project", "mnemonics"),
     later("project", "tests"),
     later("project", "dialect"),
-    later("project", "extended"),
+    used("project", "extended"),
     used("cpu", "type"),
     used("cpu", "cycle"),
     used("cpu", "watchdog"),
@@ -138,6 +140,10 @@ impl Reader {
                 ("project", "sources") => self.settings.sources = self.list(value, name),
                 ("project", "symbols") => self.settings.symbols = self.list(value, name),
                 ("project", "mnemonics") => self.mnemonics(value),
+                ("project", "extended") => match value.get_ref() {
+                    DeValue::Boolean(extended) => self.settings.extended = *extended,
+                    _ => self.wrong(value, "`extended` is `true` or `false`: `extended = true`"),
+                },
                 ("cpu", "type") => self.cpu(value),
                 ("cpu", "cycle") => {
                     self.settings.cycle = match value.get_ref() {

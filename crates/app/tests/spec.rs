@@ -174,6 +174,11 @@ fn the_system_pages_come_true() {
 }
 
 #[test]
+fn the_awlsim_pages_come_true() {
+    run_folder("awlsim");
+}
+
+#[test]
 fn every_example_of_the_courses_has_a_section() {
     let headings: Vec<String> = pages("course").iter().flat_map(|(_, page)| sections(page)).map(|section| section.heading).collect();
     let ids = (1..=28)

@@ -1,6 +1,7 @@
 //! One CPU: its state and what can be done with it.
 
 mod access;
+mod extension;
 mod restart;
 mod retentive;
 mod run;

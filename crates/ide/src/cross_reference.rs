@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use sieben_lang::Compiled;
+use sieben_lang::stl::extension::{Compared, Extension};
 use sieben_lang::stl::instructions::Instruction;
 use sieben_lang::stl::lower::{ResolvedBlock, Statement};
 use sieben_lang::stl::operands::{Actual, BlockOperand, Call, CallInstance, Direction, Location, NumberOperand, Operand};
@@ -176,7 +177,30 @@ impl Collector<'_> {
         let part = Part { span: statement.span, parameter: None };
         let access = Usage::Access(statement.instruction.direction().unwrap_or(Direction::Read));
         match &statement.operand {
+            Operand::Extension(extension) => match &**extension {
+                Extension::Assert { sides, .. } => sides.iter().for_each(|side| self.compared(side, part)),
+                Extension::Sleep(operand) => self.plain_operand(operand, access, part),
+                Extension::StatusReset | Extension::Feature { .. } => {}
+            },
+            operand => self.plain_operand(operand, access, part),
+        }
+    }
+
+    /// One side of an assertion.
+    fn compared(&mut self, side: &Compared, part: Part<'_>) {
+        let read = Usage::Access(Direction::Read);
+        match side {
+            Compared::Number(operand, _) => self.plain_operand(operand, read, part),
+            Compared::Bytes(location, bytes) => self.location(location, Extent::Bits(bytes.saturating_mul(8)), read, part),
+            Compared::Constant(_) => {}
+        }
+    }
+
+    fn plain_operand(&mut self, operand: &Operand, access: Usage, part: Part<'_>) {
+        match operand {
             Operand::None
+            | Operand::Extension(_)
+            | Operand::Register(_)
             | Operand::Status(_)
             | Operand::StatusWord
             | Operand::DataBlockInfo(_)

@@ -18,6 +18,7 @@ use crate::declarations::types::{BlockInterface, Types};
 use crate::scope::{Scope, block_of_name};
 use crate::stl::ast;
 use crate::stl::check;
+use crate::stl::extension;
 use crate::stl::lower::{ResolvedBlock, lower};
 use crate::stl::parser::parse;
 use crate::stl::resolve::{Known, plain_callee, plain_data_block};
@@ -34,6 +35,8 @@ pub struct Options {
     pub mnemonics: Option<Mnemonics>,
     /// Report only what one file alone can tell.
     pub syntax_only: bool,
+    /// Whether extension words may be used.
+    pub extended: bool,
     /// The system blocks of the CPU.
     pub system_blocks: Vec<SystemBlock>,
 }
@@ -98,7 +101,10 @@ pub fn compile_syntax(
     symbols: &SymbolTable,
     options: &Options,
 ) -> Compiled {
-    let cpu = options.cpu.copied().unwrap_or_default();
+    let mut cpu = options.cpu.copied().unwrap_or_default();
+    if options.extended {
+        cpu.accumulators = accumulators(&cpu, files, &mut diagnostics);
+    }
     let mnemonics = files.iter().map(|file| (file.id, file.mnemonics)).collect();
     let mut compiled = Compiled { mnemonics, ..Compiled::default() };
     // Where the parser found something wrong, by file and first byte.
@@ -150,8 +156,16 @@ pub fn compile_syntax(
     let exists = |id: BlockId| {
         blocks.contains_key(&id) || system.contains_key(&id) || (id.kind == BlockKind::DataBlock && data.contains_key(&id.number))
     };
-    let known =
-        Known { sources, scope: &scope, cpu: &cpu, interfaces: &interfaces, exists: &exists, data: &data, field_names: &field_names };
+    let known = Known {
+        sources,
+        scope: &scope,
+        cpu: &cpu,
+        interfaces: &interfaces,
+        exists: &exists,
+        data: &data,
+        field_names: &field_names,
+        extended: options.extended,
+    };
     for Found { id, block, mnemonics } in &found {
         if !has_statements(id.kind) {
             continue;
@@ -183,6 +197,20 @@ pub fn compile_syntax(
     compiled.diagnostics = diagnostics;
     compiled.block_names = block_names(&found, &scope);
     compiled
+}
+
+/// The accumulators of the CPU type, or those that the program asks for with `__FEATURE 0`.
+///
+/// Code is made for one number of them. A program that asks for both gets what its CPU type has, and the other only in the
+/// same block behind the statement that asks.
+fn accumulators(cpu: &CpuType, files: &[SyntaxOfFile], diagnostics: &mut Vec<Diagnostic>) -> u8 {
+    let asked = extension::accumulators_asked(files.iter().flat_map(|file| &file.file.blocks));
+    let Some(&(first, first_span)) = asked.first() else { return cpu.accumulators };
+    let Some(&(_, span)) = asked.iter().find(|&&(other, _)| other != first) else { return first };
+    let message =
+        "this asks for another number of accumulators than the program did before; it holds for the statements behind it in this block";
+    diagnostics.push(Diagnostic::new(Problem::P2042, span, message).related(first_span, "the other one is asked for here"));
+    cpu.accumulators
 }
 
 /// Problems that may come of files that were not given.

@@ -85,6 +85,8 @@ fn samples(instruction: Instruction) -> Vec<Operand> {
         OperandClass::OpenBlock => {
             vec![Operand::Block(BlockOperand { kind: BlockKind::DataBlock, instance: true, number: NumberOperand::Fixed(0) })]
         }
+        // The extension words are no instructions of a CPU: they are not among the rows.
+        OperandClass::Extension => Vec::new(),
         OperandClass::Zero => vec![Operand::Constant(Value::Int(0))],
         OperandClass::One => vec![Operand::Constant(Value::Int(1))],
     }

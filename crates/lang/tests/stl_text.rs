@@ -57,6 +57,8 @@ fn operand(operand: &ast::Operand) -> String {
             format!("{letters} at {} + {}", register.text, offset.value.as_ref().map_or_else(|| "?".to_owned(), |value| value.spell()))
         }
         Name { word, path: steps } => format!("name <{}>{}", word.text, path(steps)),
+        Register { name, number } => format!("register {} {number}", name.text),
+        List(operands) => operands.iter().map(|(operand, _)| self::operand(operand)).collect::<Vec<_>>().join(" , "),
         Call(call) => {
             let mut text = self::operand(&call.callee);
             if let Some((instance, _)) = &call.instance {

@@ -57,7 +57,7 @@ impl BlockKind {
 pub struct BlockId {
     /// What kind of block.
     pub kind: BlockKind,
-    /// Its number, 0 to 65535; the CPU type sets tighter limits.
+    /// Its number, 0 to 65535; the CPU type sets tighter limits. Above 32767 an SFC or SFB is shown as a negative one.
     pub number: u16,
 }
 
@@ -86,6 +86,10 @@ impl BlockId {
 
 impl fmt::Display for BlockId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}", self.kind.abbreviation(), self.number)
+        // System blocks of the extension words have negative numbers; no CPU has so many others.
+        match crate::extension::is_negative(*self) {
+            true => write!(f, "{} {}", self.kind.abbreviation(), self.number as i16),
+            false => write!(f, "{} {}", self.kind.abbreviation(), self.number),
+        }
     }
 }

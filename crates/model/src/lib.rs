@@ -6,6 +6,7 @@ pub mod bcd;
 pub mod block;
 pub mod cpu_type;
 pub mod diagnostic;
+pub mod extension;
 pub mod interface;
 pub mod literal;
 pub mod mnemonics;

@@ -68,6 +68,9 @@ problems! {
     P2024 Error "an initial value that is not understood" "Write a constant, constants with commas, or `3 (0)` for a repetition.";
     P2030 Error "a parameter that is not understood" "Write `name := value`, with commas between the parameters.";
     P2031 Error "a parameter list without its end" "Write `)` behind the last parameter.";
+    P2040 Error "an extension word in a program that is not extended" "Say `--extended`, or `extended = true` under `[project]` in `sieben.toml`, if the program was written for awlsim; a real CPU does not have these words.";
+    P2041 Error "an extension word with other operands than it takes" "Write it the way the message shows.";
+    P2042 Warning "an extension word that asks for a CPU with both two and four accumulators" "Ask for one number of accumulators in the whole program, or choose the CPU type with --cpu.";
     P2199 Error "more problems than are shown" "Mend the problems that are shown first.";
     P2200 Error "a block header that does not fit its block" "Name a block of the kind that the keyword says: FUNCTION with an FC, FUNCTION_BLOCK with an FB, DATA_BLOCK with a DB, ORGANIZATION_BLOCK with an OB, TYPE with a UDT.";
     P2201 Error "a VAR section that this kind of block does not have" "An OB has VAR_TEMP; an FC has VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT and VAR_TEMP; only an FB has VAR too.";

@@ -37,8 +37,13 @@ fn convert(text: &str, from: Mnemonics, to: Mnemonics) -> Result<String, String>
 pub(crate) fn compile(text: &str, mnemonics: Mnemonics, cpu: &'static CpuType) -> Result<Compiled, String> {
     let mut sources = Sources::default();
     sources.add("page.awl", text);
-    let options =
-        Options { cpu: Some(cpu), mnemonics: Some(mnemonics), system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
+    // Pages about extension words are extended programs.
+    let extended = text.contains("__");
+    let mut system_blocks = sieben_cpu::system::interfaces();
+    if extended {
+        system_blocks.extend(sieben_cpu::system::extension_interfaces());
+    }
+    let options = Options { cpu: Some(cpu), mnemonics: Some(mnemonics), extended, system_blocks, ..Options::default() };
     let compiled = sieben_lang::compile(&sources, &SymbolTable::default(), &options);
     let errors: Vec<String> = compiled
         .diagnostics

@@ -104,7 +104,7 @@ impl Cpu {
         if let Some(byte) = self.settings.clock_memory_byte
             && let Some(byte) = self.machine.memory.area_mut(Area::BitMemory).get_mut(usize::from(byte))
         {
-            *byte = clock_memory(self.machine.clock_us);
+            *byte = clock_memory(self.machine.clock_us.saturating_sub(self.system.clock_memory_from_us));
         }
     }
 
@@ -113,6 +113,7 @@ impl Cpu {
         match outcome {
             Outcome::Finished => {}
             Outcome::Suspended => self.hold(Held::Cycle),
+            Outcome::Stopped(..) if self.system.reboot => self.reboot(clock),
             Outcome::Stopped(reason, first) => self.enter_stop(reason, first),
         }
         let end = match self.settings.time {

@@ -76,6 +76,10 @@ impl Cpu {
             Some(first) => format!("{}; {}", first.text(), crate::diagnostic_buffer::event_text(event)),
             None => entry.text(),
         };
+        let text = match &self.system.failed_assertion {
+            Some(failed) => format!("an assertion is false: {failed}; {text}"),
+            None => text,
+        };
         let place = place.or(first.and_then(|first| first.place));
         // Nobody knows which statements came before a STOP from outside: what they wrote is not a scan's.
         self.torn = matches!(event, 0x4303 | 0x4304) && !self.machine.frames.is_empty();

@@ -4,6 +4,7 @@ mod any;
 mod consistent_data;
 mod created_data_blocks;
 mod error_masks;
+mod extension;
 mod iec_timer;
 mod instance;
 mod output_bits;
@@ -219,12 +220,25 @@ pub fn interfaces() -> Vec<SystemBlock> {
     TABLE.iter().map(|row| SystemBlock { block: row.block, name: row.name, interface: row.interface() }).collect()
 }
 
+/// The interfaces of the system functions with negative numbers, which only extended programs call.
+pub fn extension_interfaces() -> Vec<SystemBlock> {
+    extension::CALLED.iter().map(|row| SystemBlock { block: row.block, name: row.name, interface: row.interface() }).collect()
+}
+
+/// The row of a system function.
+fn row(block: BlockId) -> Option<&'static Row> {
+    TABLE.iter().chain(extension::CALLED).find(|row| row.block == block)
+}
+
 /// Whether the CPU has this system function.
 pub(crate) fn has(block: BlockId) -> bool {
-    TABLE.iter().any(|row| row.block == block)
+    row(block).is_some() || extension::asked(block).is_some()
 }
 
 /// Runs a system function; `None` if the CPU does not have it.
 pub(crate) fn run(block: BlockId, call: &mut Call<'_, '_>) -> Option<Reaction> {
-    TABLE.iter().find(|row| row.block == block).map(|row| row.run(call))
+    match row(block) {
+        Some(row) => Some(row.run(call)),
+        None => extension::asked(block).map(|run| run(call)),
+    }
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use sieben_engine::{Machine, machine::Origin};
+use sieben_model::extension::FailedAssertion;
 
 use crate::organization_blocks::{self as ob, StartInformation};
 
@@ -37,6 +38,12 @@ pub(crate) struct State {
     pub(crate) startup: StartInformation,
     /// Organization blocks that interrupt others: number of frames below, start information.
     interrupts: Vec<(usize, StartInformation)>,
+    /// The assertion of an extension word that was false.
+    pub(crate) failed_assertion: Option<FailedAssertion>,
+    /// The program asked for a reboot (SFC -2).
+    pub(crate) reboot: bool,
+    /// CPU clock when the clock memory began (SFC -4).
+    pub(crate) clock_memory_from_us: u64,
     /// CPU clock at the last restart that was no hot one.
     pub(crate) restarted_us: u64,
 }
@@ -45,6 +52,8 @@ impl State {
     /// The CPU starts. Run-time meters keep what they show and stand still until the program starts them.
     pub(crate) fn restart(&mut self, now_us: u64, hot: bool, startup: StartInformation) {
         self.startup = startup;
+        self.failed_assertion = None;
+        self.reboot = false;
         self.classes.clear();
         self.interrupts.clear();
         if !hot {

@@ -312,6 +312,15 @@ pub enum Operand {
         /// A path behind it, if any.
         path: Vec<PathElement>,
     },
+    /// `__ACCU 1`, `__STW VKE`, `__CNST_PI`: an operand that only extended programs have.
+    Register {
+        /// The name, upper-case.
+        name: Word,
+        /// The number behind it, or that of the status bit; 0 for a constant.
+        number: u32,
+    },
+    /// The operands of an extension word, with their places.
+    List(Vec<(Operand, Span)>),
     /// What CALL calls.
     Call(Box<Call>),
 }

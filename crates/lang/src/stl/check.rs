@@ -12,6 +12,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 
 use super::ast;
+use super::extension;
 use super::instructions::Instruction;
 use super::lower::{ResolvedBlock, Statement};
 use super::operands::{BlockOperand, Location, NumberOperand, Operand, OperandClass};
@@ -138,6 +139,9 @@ fn choose(
     mnemonics: Mnemonics,
 ) -> Option<(Instruction, Operand)> {
     let word = statement.mnemonic.text.as_str();
+    if let Some(word) = extension::Word::from_spelling(word) {
+        return Some((Instruction::Extension, resolver.extension(word, statement)?));
+    }
     let mut rows: Vec<Instruction> = Instruction::candidates(word, mnemonics).collect();
     if rows.is_empty() {
         // A word of the other language was reported by the parser; its meaning is clear all the same.

@@ -6,6 +6,7 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::source::FileId;
 
+use super::extension::translate_status_bit;
 use super::mnemonics::{translate_instruction, translate_letters, translate_status};
 use super::parser::parse;
 use super::syntax::{SyntaxKind, SyntaxToken};
@@ -47,6 +48,7 @@ fn translated(token: &SyntaxToken, file: Mnemonics, to: Mnemonics) -> Option<Str
         SyntaxKind::Mnemonic => translate_instruction(text, to.other())?,
         SyntaxKind::AddressLetters => translate_letters(text, to.other())?,
         SyntaxKind::StatusWord => translate_status(text, to.other())?,
+        SyntaxKind::StatusBit => translate_status_bit(text, to.other())?,
         SyntaxKind::Constant => return translated_pointer(text, to),
         _ => return None,
     };

@@ -11,7 +11,7 @@ use sieben_model::mnemonics::Mnemonics;
 use super::lower::Lowering;
 use super::meaning::accumulators::ACCU1;
 use super::meaning::{
-    accumulators, address_registers, bit_logic, compare, conversion, counters, data_blocks, integer_math, jumps, load_transfer,
+    accumulators, address_registers, bit_logic, compare, conversion, counters, data_blocks, extension, integer_math, jumps, load_transfer,
     logic_control, mcr, null, real_math, shift_rotate, timers, word_logic,
 };
 use super::operands::{Direction, Operand, OperandClass, StatusScan};
@@ -55,28 +55,32 @@ macro_rules! instructions {
     ($( $(#[doc = $doc:literal])* $Name:ident { en: $en:literal, de: $de:literal, operand: $operand:ident, status: $status:literal, meaning: $meaning:expr } )*) => {
         /// One row of the instruction table. Instructions with several operand forms (`S M 1.0`, `S C 1`) have a row each.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-        pub enum Instruction { $($(#[doc = $doc])* $Name,)* }
+        pub enum Instruction {
+            $($(#[doc = $doc])* $Name,)*
+            /// A word of extended programs, which is no instruction of a CPU and therefore not in [`Self::ALL`]; its operand says which.
+            Extension,
+        }
 
         impl Instruction {
             /// All rows, by chapter.
             pub const ALL: &[Self] = &[$(Self::$Name),*];
             /// The name of the row.
-            pub fn name(self) -> &'static str { match self { $(Self::$Name => stringify!($Name)),* } }
+            pub fn name(self) -> &'static str { match self { $(Self::$Name => stringify!($Name),)* Self::Extension => "Extension" } }
             /// The international mnemonic.
-            pub fn english(self) -> &'static str { match self { $(Self::$Name => $en),* } }
+            pub fn english(self) -> &'static str { match self { $(Self::$Name => $en,)* Self::Extension => super::extension::PREFIX } }
             /// The SIMATIC mnemonic.
-            pub fn german(self) -> &'static str { match self { $(Self::$Name => $de),* } }
+            pub fn german(self) -> &'static str { match self { $(Self::$Name => $de,)* Self::Extension => super::extension::PREFIX } }
             /// What it does, in one sentence.
-            pub fn doc(self) -> &'static str { match self { $(Self::$Name => concat!($($doc),*).trim_ascii()),* } }
+            pub fn doc(self) -> &'static str { match self { $(Self::$Name => concat!($($doc),*).trim_ascii(),)* Self::Extension => "A word of extended programs." } }
             /// What operand it takes.
-            pub fn operand(self) -> OperandClass { match self { $(Self::$Name => OperandClass::$operand),* } }
+            pub fn operand(self) -> OperandClass { match self { $(Self::$Name => OperandClass::$operand,)* Self::Extension => OperandClass::Extension } }
             /// The status row: BR CC1 CC0 OV OS OR STA RLO /FC.
-            pub fn status_row(self) -> &'static str { match self { $(Self::$Name => $status),* } }
+            pub fn status_row(self) -> &'static str { match self { $(Self::$Name => $status,)* Self::Extension => super::extension::STATUS } }
             /// The status row by column, see [`STATUS_COLUMNS`].
-            pub fn status(self) -> [Effect; 9] { match self { $(Self::$Name => const { effects($status) }),* } }
+            pub fn status(self) -> [Effect; 9] { match self { $(Self::$Name => const { effects($status) },)* Self::Extension => const { effects(super::extension::STATUS) } } }
             /// Writes the IR of a statement with this instruction.
             pub(crate) fn lower(self, lowering: &mut Lowering<'_>, operand: &Operand) {
-                let meaning: fn(&mut Lowering<'_>, &Operand) = match self { $(Self::$Name => $meaning),* };
+                let meaning: fn(&mut Lowering<'_>, &Operand) = match self { $(Self::$Name => $meaning,)* Self::Extension => extension::lower };
                 meaning(lowering, operand);
             }
         }

@@ -9,6 +9,7 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::interface::Interface;
 use sieben_model::source::Span;
 
+use super::extension::{Compared, Extension};
 use super::instructions::Instruction;
 use super::operands::{Access, AddressRegister, Location, NumberOperand, Operand};
 
@@ -43,6 +44,7 @@ pub fn lower(block: &ResolvedBlock, cpu: &CpuType) -> CodeBlock {
     let mut lowering = Lowering {
         b: Builder::default(),
         cpu,
+        accumulators: cpu.accumulators,
         uses_mcr: block.statements.iter().any(|statement| statement.instruction == Instruction::McrActivate),
         statements: &block.statements,
         index: 0,
@@ -76,6 +78,17 @@ fn local_end(operand: &Operand) -> u32 {
         }
     }
     match operand {
+        Operand::Extension(extension) => match &**extension {
+            Extension::Assert { sides, .. } => {
+                let side = |side: &Compared| match side {
+                    Compared::Number(operand, _) => local_end(operand),
+                    _ => 0,
+                };
+                sides.iter().map(side).max().unwrap_or(0)
+            }
+            Extension::Sleep(operand) => local_end(operand),
+            _ => 0,
+        },
         Operand::Memory(access) => location_end(&access.location, access.width),
         Operand::Timer(NumberOperand::Indirect(location)) | Operand::Counter(NumberOperand::Indirect(location)) => {
             location_end(location, Width::Word)
@@ -94,6 +107,8 @@ pub struct Lowering<'a> {
     pub(crate) b: Builder,
     /// The CPU type the code is for.
     pub(crate) cpu: &'a CpuType,
+    /// Accumulators that the statement works with.
+    pub(crate) accumulators: u8,
     /// Whether the block activates the MCR; without that no statement of it can be switched off.
     pub(crate) uses_mcr: bool,
     /// All statements of the block.
@@ -106,9 +121,9 @@ pub struct Lowering<'a> {
 }
 
 impl Lowering<'_> {
-    /// Whether the CPU type has four accumulators.
+    /// Whether the CPU has four accumulators here; `__FEATURE 0` changes it for the statements behind it.
     pub(crate) fn four_accumulators(&self) -> bool {
-        self.cpu.accumulators == 4
+        self.accumulators == 4
     }
 
     /// The end of the block.

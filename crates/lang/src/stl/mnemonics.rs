@@ -2,6 +2,7 @@
 
 use sieben_model::mnemonics::Mnemonics;
 
+use super::extension::translate_status_bit;
 use super::instructions::Instruction;
 use super::lexer::{Raw, token};
 
@@ -141,6 +142,16 @@ pub fn judge(text: &str) -> Judgement {
                             }
                         }
                     }
+                    "__STW" => {
+                        let (name, behind) = status_bit_behind(text, end);
+                        match (translate_status_bit(name, Mnemonics::English), translate_status_bit(name, Mnemonics::German)) {
+                            (Some(_), None) => judgement.english += 1,
+                            (None, Some(_)) => judgement.german += 1,
+                            _ => {}
+                        }
+                        position = behind;
+                        continue;
+                    }
                     _ => count_operand(text, &upper, end, &mut judgement),
                 }
                 at_start = false;
@@ -148,6 +159,17 @@ pub fn judge(text: &str) -> Judgement {
             _ => at_start = false,
         }
         position = end;
+    }
+}
+
+/// The name of a status bit behind `__STW`, and where it ends; empty if something else stands there.
+fn status_bit_behind(text: &str, end: usize) -> (&str, usize) {
+    let (raw, behind) = token(text, end);
+    let start = if raw == Raw::Blank { behind } else { end };
+    let slash = usize::from(text[start..].starts_with('/'));
+    match token(text, start + slash) {
+        (Raw::Word, behind) => (&text[start..behind], behind),
+        _ => ("", start),
     }
 }
 

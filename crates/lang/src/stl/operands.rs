@@ -1,11 +1,14 @@
 //! Operands of statements after all names are resolved: what the meanings work on.
 
+use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::Section;
 use sieben_model::literal::Value;
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
+
+use super::extension::{Extension, is_status_bit};
 
 /// The operand of a statement.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,6 +38,10 @@ pub enum Operand {
     Block(BlockOperand),
     /// A call with parameters.
     Call(Box<Call>),
+    /// `__ACCU 1`, `__STW OV`: a register by its name, in extended programs.
+    Register(Register),
+    /// A statement with an extension word.
+    Extension(Box<Extension>),
     /// `P##name` of a parameter of a function: the pointer that the caller gave (all other `P##name` are constants).
     ParameterAddress(u16),
 }
@@ -316,6 +323,8 @@ pub enum OperandClass {
     Call,
     /// A data block, `DB` or `DI`.
     OpenBlock,
+    /// The operands of an extension word.
+    Extension,
     /// `0`, of `NOP 0`.
     Zero,
     /// `1`, of `NOP 1`.
@@ -349,6 +358,7 @@ impl OperandClass {
             | Self::CallBlock
             | Self::Call
             | Self::OpenBlock
+            | Self::Extension
             | Self::Zero
             | Self::One => None,
         }
@@ -383,6 +393,7 @@ impl OperandClass {
             Self::CallBlock => "an FC, FB, SFC or SFB",
             Self::Call => "an FC, an FB with its instance, an SFC or SFB, or a multi-instance",
             Self::OpenBlock => "a data block, `DB` or `DI`",
+            Self::Extension => "what its own line of the manual says",
             Self::Zero => "`0`",
             Self::One => "`1`",
         }
@@ -394,6 +405,7 @@ impl OperandClass {
             Self::None => matches!(operand, Operand::None),
             Self::ScanBit => match operand {
                 Operand::Timer(_) | Operand::Counter(_) | Operand::Status(_) => true,
+                Operand::Register(register) => is_status_bit(*register),
                 _ => Self::AssignBit.accepts(operand),
             },
             Self::AssignBit => matches!(operand, Operand::Memory(access) if access.width == Width::Bit),
@@ -402,6 +414,7 @@ impl OperandClass {
                 Operand::Timer(_) | Operand::Counter(_) => true,
                 Operand::Constant(value) => value.accumulator().is_some(),
                 Operand::ParameterAddress(_) => true,
+                Operand::Register(register) => !is_status_bit(*register),
                 _ => false,
             },
             Self::Transfer => {
@@ -467,6 +480,7 @@ impl OperandClass {
                 BlockKind::Function | BlockKind::FunctionBlock | BlockKind::SystemFunction | BlockKind::SystemFunctionBlock)),
             Self::Call => matches!(operand, Operand::Call(_)),
             Self::OpenBlock => matches!(operand, Operand::Block(block) if block.kind == BlockKind::DataBlock),
+            Self::Extension => matches!(operand, Operand::Extension(_)),
             Self::Zero => constant_integer(operand) == Some(0),
             Self::One => constant_integer(operand) == Some(1),
         }

@@ -4,6 +4,7 @@
 //! not understood becomes an `Unexpected` token and a diagnostic, and parsing goes on behind it.
 
 mod blocks;
+mod extension;
 mod operands;
 mod statements;
 

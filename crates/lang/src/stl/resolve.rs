@@ -1,5 +1,7 @@
 //! Operands as written → operands with all names resolved.
 
+mod extension;
+
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
@@ -7,6 +9,7 @@ use sieben_model::address::{self, Area, Width, area_and_width};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::{Certainty, Diagnostic, Fix};
+use sieben_model::extension::is_negative;
 use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::literal::Value;
 use sieben_model::problems::Problem;
@@ -40,6 +43,8 @@ pub(crate) struct Known<'a> {
     /// Layouts of the data blocks.
     pub(crate) data: &'a HashMap<u16, DataLayout>,
     pub(crate) field_names: &'a FieldNames,
+    /// Whether extension words may be used.
+    pub(crate) extended: bool,
 }
 
 /// What an operand stands for.
@@ -63,6 +68,8 @@ pub(crate) struct Resolver<'a> {
     interface: &'a Interface,
     locals: HashMap<String, usize>,
     labels: &'a HashMap<String, u32>,
+    /// It was said that the program is not extended.
+    extension_reported: bool,
     pub(crate) diagnostics: Vec<Diagnostic>,
 }
 
@@ -79,7 +86,7 @@ impl<'a> Resolver<'a> {
         for (index, variable) in interface.variables.iter().enumerate() {
             locals.entry(key(&variable.name)).or_insert(index);
         }
-        Self { known, id, interface, locals, labels, diagnostics: Vec::new() }
+        Self { known, id, interface, locals, labels, extension_reported: false, diagnostics: Vec::new() }
     }
 
     fn report(&mut self, problem: Problem, span: Span, message: impl Into<String>) -> &mut Diagnostic {
@@ -160,6 +167,14 @@ impl<'a> Resolver<'a> {
             ast::Operand::Indirect { letters, pointer, pointer_span } => self.indirect(letters, pointer, *pointer_span, span),
             ast::Operand::RegisterIndirect { letters, register, offset } => self.register_indirect(letters, register, offset, span),
             ast::Operand::Name { word, path } => self.name(word, path, span),
+            ast::Operand::Register { name, number } => {
+                let operand = super::extension::operand(&name.text, *number)?;
+                self.extended(span).then_some(Meaning::Operand(operand))
+            }
+            ast::Operand::List(_) => {
+                self.report(Problem::P4002, span, "only an extension word takes several operands");
+                None
+            }
             ast::Operand::Call(_) => {
                 self.report(Problem::P4002, span, "only `CALL` takes a block with parameters");
                 None
@@ -366,7 +381,11 @@ impl<'a> Resolver<'a> {
             _ => {}
         }
         if let Some(kind) = BlockKind::from_abbreviation(&letters) {
-            return number(self).map(|number| Meaning::Operand(Self::block(BlockId::new(kind, number), false)));
+            let block = BlockId::new(kind, number(self)?);
+            if is_negative(block) && !self.extended(span) {
+                return None;
+            }
+            return Some(Meaning::Operand(Self::block(block, false)));
         }
         let (area, width, position) = self.area_address(written, span)?;
         let location = Location::Fixed { area, position };
@@ -605,6 +624,9 @@ impl<'a> Resolver<'a> {
     /// What `CALL` calls, with all its parameters.
     pub(crate) fn call(&mut self, call: &ast::Call) -> Option<Operand> {
         let (callee, multi) = self.callee(call)?;
+        if is_negative(callee) && !self.extended(call.callee_span) {
+            return None;
+        }
         let Some(BlockInterface { interface, .. }) = self.known.interfaces.get(&callee) else {
             if !(self.known.exists)(callee) {
                 self.report(Problem::P3008, call.callee_span, format!("`{callee}` does not exist"));

@@ -37,6 +37,8 @@ kinds! {
     Number,
     /// `BR`, `STW`, `==0`.
     StatusWord,
+    /// A status bit behind `__STW`.
+    StatusBit,
     /// Any other word.
     Name,
     /// `"symbol"`.

@@ -50,6 +50,7 @@ fn status_bit(l: &mut Lowering<'_>, operand: &Operand) {
             let bit = status_scan(l, *scan);
             l.b.copy(STA, bit);
         }
+        Operand::Register(register) => l.b.copy(STA, *register),
         _ => unreachable!("{WRONG_OPERAND}"),
     }
 }

@@ -32,11 +32,15 @@ pub(crate) fn swap(l: &mut Lowering<'_>) {
 /// `L DBLG`, `L DBNO`, `L DILG`, `L DINO`: 0 if no block is open.
 pub(crate) fn load_data_block_info(l: &mut Lowering<'_>, operand: &Operand) {
     let Operand::DataBlockInfo(info) = operand else { unreachable!("{WRONG_OPERAND}") };
-    let register = match info {
+    into_accumulator(l, register_of(*info).into());
+}
+
+/// The register that `DBLG` and its like name.
+pub(crate) fn register_of(info: DataBlockInfo) -> Register {
+    match info {
         DataBlockInfo::SharedLength => Register::DbLength,
         DataBlockInfo::SharedNumber => Register::DbNumber,
         DataBlockInfo::InstanceLength => Register::DiLength,
         DataBlockInfo::InstanceNumber => Register::DiNumber,
-    };
-    into_accumulator(l, register.into());
+    }
 }

@@ -50,8 +50,15 @@ pub(crate) fn load(l: &mut Lowering<'_>, operand: &Operand) {
             let value = l.b.intrinsic(Intrinsic::CounterValue, &[number]);
             into_accumulator(l, value);
         }
+        Operand::Register(register) => into_accumulator_from(l, *register),
         _ => unreachable!("{WRONG_OPERAND}"),
     }
+}
+
+/// `L __ACCU 2`: the register as it was before ACCU 1 went to ACCU 2.
+fn into_accumulator_from(l: &mut Lowering<'_>, register: Register) {
+    let value = l.b.compute(Op::Copy, &[register.into()]);
+    into_accumulator(l, value);
 }
 
 /// `LC`.
@@ -79,6 +86,12 @@ pub(crate) fn transfer(l: &mut Lowering<'_>, operand: &Operand) {
 
 /// `L STW`.
 pub(crate) fn load_status_word(l: &mut Lowering<'_>) {
+    let word = status_word(l);
+    into_accumulator(l, word);
+}
+
+/// The status word as `L STW` delivers it.
+pub(crate) fn status_word(l: &mut Lowering<'_>) -> Var {
     let zero = l.b.constant(0);
     let bit = |register: Register, whole: bool| if whole { register.into() } else { zero };
     let whole = l.cpu.status_word_whole;
@@ -88,8 +101,7 @@ pub(crate) fn load_status_word(l: &mut Lowering<'_>) {
     let four = l.b.constant(4);
     let eight = l.b.constant(8);
     let word = l.b.compute(Op::Join, &[low, high, four]);
-    let word = l.b.compute(Op::Join, &[word, Register::Br.into(), eight]);
-    into_accumulator(l, word);
+    l.b.compute(Op::Join, &[word, Register::Br.into(), eight])
 }
 
 /// `T STW`.

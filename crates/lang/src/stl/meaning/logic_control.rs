@@ -13,7 +13,7 @@ use crate::stl::lower::Lowering;
 use crate::stl::operands::{Access, Actual, BlockOperand, Call, CallInstance, CallParameter, Location, NumberOperand, Operand};
 
 /// Where the parameters of a called block see the local data of its caller: area V.
-const CALLER_LOCAL: u32 = 0x8700_0000;
+pub(super) const CALLER_LOCAL: u32 = 0x8700_0000;
 /// What AR2 holds in a function block called with its own instance: P#DBX 0.0.
 const INSTANCE_START: u64 = 0x8400_0000;
 /// Type code of an ANY to bytes.
@@ -380,7 +380,7 @@ fn store_constant(l: &mut Lowering<'_>, value: &Value, data_type: &DataType) -> 
 }
 
 /// Up to four bytes as double word, word and byte.
-fn split(bytes: &[u8]) -> Vec<(u32, Width)> {
+pub(super) fn split(bytes: &[u8]) -> Vec<(u32, Width)> {
     match *bytes {
         [a, b, c, d] => vec![(u32::from_be_bytes([a, b, c, d]), Width::DoubleWord)],
         [a, b, c] => vec![(u32::from(u16::from_be_bytes([a, b])), Width::Word), (u32::from(c), Width::Byte)],
@@ -427,7 +427,7 @@ fn copied_any(l: &mut Lowering<'_>, base: Var, at: impl Fn(Var, u32) -> Place) -
 }
 
 /// Builds a POINTER (6 bytes) or ANY (10 bytes) to a place in hidden local data; its position.
-fn build_pointer(l: &mut Lowering<'_>, location: &Location, data_type: &DataType, any: bool) -> u32 {
+pub(super) fn build_pointer(l: &mut Lowering<'_>, location: &Location, data_type: &DataType, any: bool) -> u32 {
     let position = l.hidden(if any { 10 } else { 6 });
     let at = |offset: u32| Place::Fixed { area: Area::Local, position: position + offset };
     let start = if any {

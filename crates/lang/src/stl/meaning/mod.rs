@@ -7,6 +7,7 @@ pub(crate) mod compare;
 pub(crate) mod conversion;
 pub(crate) mod counters;
 pub(crate) mod data_blocks;
+pub(crate) mod extension;
 pub(crate) mod integer_math;
 pub(crate) mod jumps;
 pub(crate) mod load_transfer;

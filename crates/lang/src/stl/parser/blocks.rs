@@ -264,6 +264,12 @@ impl Parser<'_> {
             return Some((kind, number, start, end));
         }
         let at = self.behind_blanks(self.end);
+        if let Some((number, end)) = self.negative_number(letters, at) {
+            self.bump(SyntaxKind::AddressLetters);
+            self.blanks();
+            self.bump_to(SyntaxKind::Number, end);
+            return Some((kind, number, start, end));
+        }
         let (raw, end) = token(self.text, at);
         if raw != Raw::Number || !self.text[at..end].bytes().all(|byte| byte.is_ascii_digit()) {
             return None;

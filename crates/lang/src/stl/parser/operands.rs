@@ -98,7 +98,7 @@ impl Parser<'_> {
     }
 
     /// To the end of the statement or the next parameter.
-    fn skip_operand(&mut self) -> Operand {
+    pub(super) fn skip_operand(&mut self) -> Operand {
         while !self.at_statement_end() && !matches!(self.raw, Raw::Comma | Raw::ParenClose | Raw::BracketClose) {
             self.bump_unexpected();
         }
@@ -228,6 +228,11 @@ impl Parser<'_> {
 
     fn word_operand(&mut self) -> Operand {
         let word = self.current();
+        if !self.declared.contains(&word.to_ascii_uppercase())
+            && let Some(operand) = self.extension_operand()
+        {
+            return operand;
+        }
         let next = token(self.text, self.end).0;
         let plain = !matches!(next, Raw::Point | Raw::BracketOpen);
         if plain && let Some(operand) = self.status_word() {
@@ -320,6 +325,14 @@ impl Parser<'_> {
             let letters = self.take_letters(letters, letters_end);
             self.blanks();
             return Some(self.indirect(letters));
+        }
+        if rest.is_empty()
+            && let Some((number, number_end)) = self.negative_number(&letters, at)
+        {
+            let letters = self.take_letters(letters, letters_end);
+            self.blanks();
+            self.bump_to(SyntaxKind::Number, number_end);
+            return Some(Operand::Absolute { letters, number, bit: None });
         }
         let number = match self.address_number(at, kind != Letters::Data) {
             Some(number) => number,

@@ -9,6 +9,7 @@ use sieben_model::problems::Problem;
 use super::blocks::Keyword;
 use super::{DIAGNOSTICS_MAX, Parser, latin};
 use crate::stl::ast::{Argument, Block, Call, Operand, Statement, Word};
+use crate::stl::extension::PREFIX;
 use crate::stl::instructions::Instruction;
 use crate::stl::lexer::{Raw, in_word, token};
 use crate::stl::mnemonics::translate_instruction;
@@ -193,9 +194,10 @@ impl Parser<'_> {
         } else if !matches!(token(self.text, behind).0, Raw::Semicolon | Raw::Newline | Raw::LineComment | Raw::End) {
             self.blanks();
             operand_start = self.position;
-            operand = match mnemonic.text.eq_ignore_ascii_case("CALL") {
-                true => self.call(),
-                false => {
+            operand = match mnemonic.text.as_str() {
+                call if call.eq_ignore_ascii_case("CALL") => self.call(),
+                extension if extension.starts_with(PREFIX) => self.extension_operands(),
+                _ => {
                     let wants_label =
                         Instruction::candidates(&mnemonic.text, self.mnemonics).any(|row| row.operand() == OperandClass::Label);
                     self.start(SyntaxKind::Operand);
@@ -317,7 +319,7 @@ impl Parser<'_> {
     }
 
     /// Puts an instruction word into the tree whose last part begins at `last`.
-    fn take_mnemonic(&mut self, text: String, last: usize, end: usize) -> Word {
+    pub(super) fn take_mnemonic(&mut self, text: String, last: usize, end: usize) -> Word {
         let start = self.position;
         if last > self.end {
             // Blanks inside: `A (`, `) MCR`.
@@ -329,6 +331,9 @@ impl Parser<'_> {
     }
 
     fn word_mnemonic(&mut self) -> Option<Word> {
+        if let Some(extension) = self.extension_mnemonic() {
+            return Some(extension);
+        }
         let (start, end, word) = (self.position, self.end, self.current());
         let at = self.behind_blanks(end);
         if let (Raw::ParenOpen, close) = token(self.text, at) {
