@@ -13,7 +13,8 @@ use crate::project::Build;
 /// A program with what is needed to print its places.
 pub(crate) struct Places<'a> {
     build: &'a Build,
-    system_names: HashMap<BlockId, &'static str>,
+    /// Names of blocks that no source of the user names: functions of the CPU and blocks of the library.
+    other_names: HashMap<BlockId, &'static str>,
     /// The bytes at which the lines of each source end.
     line_ends: HashMap<FileId, Vec<usize>>,
     /// The language for addresses: German if every source is.
@@ -27,8 +28,10 @@ impl<'a> Places<'a> {
         let line_ends = build.project.texts.program.iter().map(|(id, source)| (id, ends(&source.text))).collect();
         let mut languages = build.compiled.mnemonics.values().peekable();
         let german = languages.peek().is_some() && languages.all(|language| *language == Mnemonics::German);
-        let system_names = sieben_cpu::system::interfaces().into_iter().map(|block| (block.block, block.name)).collect();
-        Self { build, system_names, line_ends, mnemonics: if german { Mnemonics::German } else { Mnemonics::English } }
+        let system = sieben_cpu::system::interfaces().into_iter().map(|block| (block.block, block.name));
+        let library = build.compiled.library.iter().map(|linked| (linked.id, linked.block.name));
+        let other_names = system.chain(library).collect();
+        Self { build, other_names, line_ends, mnemonics: if german { Mnemonics::German } else { Mnemonics::English } }
     }
 
     /// The line of a place, from 1.
@@ -54,11 +57,11 @@ impl<'a> Places<'a> {
 
     /// The symbol of a target, or nothing.
     ///
-    /// A function of the CPU that has no symbol has its own name.
+    /// A function of the CPU or block of the library that has no symbol has its own name.
     pub(crate) fn symbol(&self, target: &Target) -> String {
         let symbol = target.symbol(&self.build.project.symbols, &self.build.compiled.program.data);
         symbol.unwrap_or_else(|| match target {
-            Target::Block(block) => self.system_names.get(block).copied().unwrap_or_default().to_owned(),
+            Target::Block(block) => self.other_names.get(block).copied().unwrap_or_default().to_owned(),
             _ => String::new(),
         })
     }

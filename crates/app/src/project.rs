@@ -106,7 +106,7 @@ impl Project {
     }
 
     /// Compiles it for the CPU type of the command line, else of the project, else the default.
-    pub(crate) fn compile(self, overrides: Overrides, syntax_only: bool) -> Build {
+    pub(crate) fn compile(mut self, overrides: Overrides, syntax_only: bool) -> Build {
         let cpu = overrides.cpu.or(self.settings.cpu).unwrap_or(&CpuType::ALL[0]);
         let extended = overrides.extended || self.settings.extended;
         let mut system_blocks = sieben_cpu::system::interfaces();
@@ -119,12 +119,14 @@ impl Project {
             syntax_only,
             extended,
             system_blocks,
+            library: self.settings.library.clone(),
         };
         let nothing = self.findings.iter().any(|finding| finding.diagnostic.problem == Problem::P6005);
         let compiled = match nothing {
             true => Compiled::default(),
             false => sieben_lang::compile(&self.texts.program, &self.symbols, &options),
         };
+        compiled.add_library_sources(&mut self.texts.program);
         let mut findings = self.findings.clone();
         findings.extend(compiled.diagnostics.iter().cloned().map(Finding::program));
         report::sort(&mut findings);

@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::time::Duration;
 
+use sieben_lang::library::{self, Selection};
+use sieben_model::address::Operand;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
@@ -39,6 +41,8 @@ pub(crate) struct Settings {
     pub(crate) symbols: Option<Vec<Placed>>,
     /// `project.mnemonics`; `None` = judged over each file.
     pub(crate) mnemonics: Option<Mnemonics>,
+    /// `project.library` and the numbers under `[library]`.
+    pub(crate) library: Selection,
     /// `project.extended`: the sources use the extension words of awlsim.
     pub(crate) extended: bool,
     /// `cpu.type`.
@@ -71,6 +75,7 @@ const fn later(table: &'static str, name: &'static str) -> Key {
 const KEYS: &[Key] = &[
     used("", "project"),
     used("", "cpu"),
+    used("", "library"),
     later("", "module"),
     later("", "cyclic"),
     later("", "servers"),
@@ -78,6 +83,7 @@ const KEYS: &[Key] = &[
     used("project", "sources"),
     used("project", "symbols"),
     used("project", "mnemonics"),
+    used("project", "library"),
     later("project", "tests"),
     later("project", "dialect"),
     used("project", "extended"),
@@ -123,6 +129,7 @@ impl Reader {
                 continue;
             }
             match (key.get_ref().as_ref(), value.get_ref()) {
+                ("library", DeValue::Table(inner)) => self.library(inner),
                 (name @ ("project" | "cpu"), DeValue::Table(inner)) => self.table(name, inner),
                 (name, _) => self.wrong(value, &format!("`{name}` is a table: write `[{name}]` on a line of its own, and its keys below")),
             }
@@ -140,6 +147,10 @@ impl Reader {
                 ("project", "sources") => self.settings.sources = self.list(value, name),
                 ("project", "symbols") => self.settings.symbols = self.list(value, name),
                 ("project", "mnemonics") => self.mnemonics(value),
+                ("project", "library") => match value.get_ref() {
+                    DeValue::Boolean(enabled) => self.settings.library.enabled = *enabled,
+                    _ => self.wrong(value, "`library` is `true` or `false`; numbers of its blocks stand in a table `[library]`"),
+                },
                 ("project", "extended") => match value.get_ref() {
                     DeValue::Boolean(extended) => self.settings.extended = *extended,
                     _ => self.wrong(value, "`extended` is `true` or `false`: `extended = true`"),
@@ -155,6 +166,32 @@ impl Reader {
                 ("cpu", "min_cycle") => self.settings.min_cycle = self.duration(value, name),
                 ("cpu", "clock_memory_byte") => self.clock_memory_byte(value),
                 _ => {}
+            }
+        }
+    }
+
+    /// Numbers for blocks of the library: `CONCAT = "FC 102"`.
+    fn library(&mut self, content: &DeTable<'_>) {
+        for (key, value) in content {
+            let name: &str = key.get_ref();
+            let Some(block) = library::by_name(name) else {
+                let span = self.span(key.span());
+                let diagnostic = Diagnostic::new(Problem::P6008, span, format!("the library has no block `{name}`"));
+                self.diagnostics.push(match nearest(name, library::ALL.iter().map(|block| block.name)) {
+                    Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(span, near, format!("write `{near}`")),
+                    None => diagnostic.help("`sieben explain library` lists its blocks"),
+                });
+                continue;
+            };
+            let Some(placed) = self.text(value, name) else { continue };
+            match Operand::parse(&placed.text) {
+                Some(Operand::Block(id)) if id.kind == block.block.kind => {
+                    self.settings.library.numbers.insert(block.name.to_owned(), id);
+                }
+                _ => {
+                    let kind = block.block.kind.abbreviation();
+                    self.wrong(value, &format!("`{name}` is an {kind}: write its number as `{name} = \"{kind} 102\"`"));
+                }
             }
         }
     }

@@ -174,6 +174,11 @@ fn the_system_pages_come_true() {
 }
 
 #[test]
+fn the_library_pages_come_true() {
+    run_folder("library");
+}
+
+#[test]
 fn the_awlsim_pages_come_true() {
     run_folder("awlsim");
 }

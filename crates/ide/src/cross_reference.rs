@@ -79,7 +79,8 @@ impl CrossReference {
     /// Collects the references of all code blocks.
     pub fn new(compiled: &Compiled) -> Self {
         let mut references = Vec::new();
-        for block in compiled.blocks.values() {
+        // What a block of the library does inside is no more a matter of the program than the inside of a system function.
+        for block in compiled.blocks.values().filter(|block| !compiled.is_of_library(block.id)) {
             references.extend(references_of(block));
         }
         references.sort_by(|a, b| (&a.target, a.block, a.statement, a.span).cmp(&(&b.target, b.block, b.statement, b.span)));

@@ -3,6 +3,7 @@
 
 mod declarations;
 pub mod encoding;
+pub mod library;
 pub mod project;
 mod scope;
 pub mod stl;

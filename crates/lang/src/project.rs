@@ -15,12 +15,14 @@ use sieben_model::symbols::SymbolTable;
 use crate::declarations::data_block::{DataLayout, fill, instance, layout};
 use crate::declarations::path::FieldNames;
 use crate::declarations::types::{BlockInterface, Types};
+use crate::library::link::{Links, link};
+use crate::library::{Linked, Selection};
 use crate::scope::{Scope, block_of_name};
 use crate::stl::ast;
 use crate::stl::check;
 use crate::stl::extension;
 use crate::stl::lower::{ResolvedBlock, lower};
-use crate::stl::parser::parse;
+use crate::stl::parser::{Parsed, parse};
 use crate::stl::resolve::{Known, plain_callee, plain_data_block};
 
 /// Bytes that all data blocks of a project may have together: the work memory of the largest CPU type.
@@ -39,6 +41,8 @@ pub struct Options {
     pub extended: bool,
     /// The system blocks of the CPU.
     pub system_blocks: Vec<SystemBlock>,
+    /// What the program may take from the library.
+    pub library: Selection,
 }
 
 /// What came of it. With an error among the diagnostics the program holds what could be compiled and must not be run.
@@ -54,12 +58,28 @@ pub struct Compiled {
     pub blocks: BTreeMap<BlockId, ResolvedBlock>,
     /// Symbols of blocks and their comments, for display: `FC 1` → `Dosing`.
     pub block_names: BTreeMap<BlockId, String>,
+    /// The blocks of the library that belong to the program because something there names them.
+    pub library: Vec<Linked>,
 }
 
 impl Compiled {
     /// Whether an error is among the diagnostics, so that the program must not be run.
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error)
+    }
+
+    /// Whether a block comes from the library.
+    pub fn is_of_library(&self, block: BlockId) -> bool {
+        self.library.iter().any(|linked| linked.id == block)
+    }
+
+    /// Adds the sources of the linked library blocks to those that were compiled, so that every place of the program can be shown.
+    pub fn add_library_sources(&self, sources: &mut Sources) {
+        for linked in &self.library {
+            if sources.iter().len() == linked.file.0 as usize {
+                sources.add(linked.block.path, linked.block.text);
+            }
+        }
     }
 }
 
@@ -116,8 +136,28 @@ pub fn compile_syntax(
         reported.get(first).is_some_and(|&place| place < (span.file, span.end.max(span.start + 1)))
     };
 
-    let scope = Scope::new(symbols, &options.system_blocks);
-    let found = find_blocks(files, &scope, &cpu, &mut diagnostics);
+    let mut scope = Scope::new(symbols, &options.system_blocks);
+    let mut found = find_blocks(files, &scope, &cpu, &mut diagnostics);
+    let defined: HashSet<BlockId> = found.iter().map(|found| found.id).collect();
+    // One file alone does not tell whether another one defines the block.
+    let selection = Selection { enabled: options.library.enabled && !options.syntax_only, ..options.library.clone() };
+    let links = link(found.iter().map(|found| found.block), &defined, &mut scope, &selection, &cpu);
+    compiled.library = linked(&links, sources);
+    let library: Vec<Parsed> =
+        compiled.library.iter().map(|linked| parse(linked.file, linked.block.text, Some(Mnemonics::English))).collect();
+    for (linked, parsed) in compiled.library.iter().zip(&library) {
+        let [block] = parsed.file.blocks.as_slice() else { unreachable!("each source of the library holds one block") };
+        found.push(Found { id: linked.id, block, mnemonics: Mnemonics::English });
+    }
+    let mut with_library;
+    let sources = match compiled.library.is_empty() {
+        true => sources,
+        false => {
+            with_library = sources.clone();
+            compiled.add_library_sources(&mut with_library);
+            &with_library
+        }
+    };
     let blocks: HashMap<BlockId, &ast::Block> = found.iter().map(|found| (found.id, found.block)).collect();
     let system: HashMap<BlockId, &SystemBlock> = options.system_blocks.iter().map(|block| (block.block, block)).collect();
 
@@ -164,6 +204,8 @@ pub fn compile_syntax(
         exists: &exists,
         data: &data,
         field_names: &field_names,
+        library: &links,
+        selection: &options.library,
         extended: options.extended,
     };
     for Found { id, block, mnemonics } in &found {
@@ -226,6 +268,13 @@ fn needs_other_files(problem: Problem) -> bool {
             | Problem::P3020
             | Problem::P3021
     )
+}
+
+/// The linked blocks with their places behind the user's sources.
+fn linked(links: &Links, sources: &Sources) -> Vec<Linked> {
+    let first = sources.iter().len();
+    let file = |index: usize| FileId(u32::try_from(first + index).expect("fewer than 2^32 source files"));
+    links.iter().enumerate().map(|(index, (&id, &block))| Linked { id, block, file: file(index) }).collect()
 }
 
 fn has_statements(kind: BlockKind) -> bool {

@@ -56,16 +56,22 @@ impl Scope {
                 }
             });
         }
+        let mut scope = Self { globals, suggestions: Cell::new(0) };
         for block in system {
-            globals.entry(key(block.name)).or_insert_with(|| Global {
-                name: block.name.to_owned(),
-                operand: Some(Operand::Block(block.block)),
-                address: block.block.to_string(),
-                data_type: block.block.to_string(),
-                ambiguous: false,
-            });
+            scope.add_block(block.name, block.block);
         }
-        Self { globals, suggestions: Cell::new(0) }
+        scope
+    }
+
+    /// Lets a name stand for a block unless it stands for something already.
+    pub(crate) fn add_block(&mut self, name: &str, block: BlockId) {
+        self.globals.entry(key(name)).or_insert_with(|| Global {
+            name: name.to_owned(),
+            operand: Some(Operand::Block(block)),
+            address: block.to_string(),
+            data_type: block.to_string(),
+            ambiguous: false,
+        });
     }
 
     /// All blocks with a symbol.

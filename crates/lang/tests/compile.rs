@@ -177,7 +177,7 @@ fn a_block_may_stand_in_any_file_and_order() {
 #[test]
 fn one_file_alone_is_not_blamed_for_what_others_may_define() {
     let mut sources = Sources::default();
-    sources.add("part.awl", "FUNCTION FC 1 : VOID\nBEGIN\nCALL FC 2;\nA \"Start\";\nOPN DB 7;\nEND_FUNCTION\n");
+    sources.add("part.awl", "FUNCTION FC 1 : VOID\nBEGIN\nCALL FC 200;\nA \"Start\";\nOPN DB 7;\nEND_FUNCTION\n");
     let options = Options { syntax_only: true, ..Options::default() };
     assert_eq!(compile(&sources, &SymbolTable::default(), &options).diagnostics, []);
     let all = compile(&sources, &SymbolTable::default(), &Options::default());

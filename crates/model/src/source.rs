@@ -52,7 +52,7 @@ impl Sources {
         &self.files[id.0 as usize]
     }
     /// All texts in the order they came.
-    pub fn iter(&self) -> impl Iterator<Item = (FileId, &SourceFile)> {
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = (FileId, &SourceFile)> {
         self.files.iter().enumerate().map(|(index, file)| (FileId(index as u32), file))
     }
     /// The text of a span.

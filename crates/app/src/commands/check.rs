@@ -56,9 +56,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         let plural = |count: usize, word: &str| if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") };
         let sources = plural(build.project.sources.len(), "source");
         let program = &build.compiled.program;
-        let what = match arguments.syntax_only {
-            true => sources,
-            false => format!("{} in {sources}", plural(program.code.len() + program.data.len(), "block")),
+        let library: Vec<&str> = build.compiled.library.iter().map(|linked| linked.block.name).collect();
+        let own = program.code.len() + program.data.len() - library.len();
+        let what = match (arguments.syntax_only, library.as_slice()) {
+            (true, _) => sources,
+            (false, []) => format!("{} in {sources}", plural(own, "block")),
+            (false, names) => format!("{} in {sources}, {} of the library ({})", plural(own, "block"), names.len(), names.join(", ")),
         };
         output::print(&format!("{what}, no errors, no warnings.\n"))?;
     } else {

@@ -2,11 +2,13 @@
 
 use clap::Args;
 use sieben_cpu::diagnostic_buffer::event_text;
+use sieben_lang::Options;
+use sieben_lang::library::{self, LibraryBlock};
 use sieben_lang::stl::instructions::Instruction;
 use sieben_lang::stl::operands::OperandClass;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
-use sieben_model::interface::{Section, SystemBlock};
+use sieben_model::interface::{Interface, Section, SystemBlock};
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 
@@ -52,8 +54,9 @@ const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/problem_pages
   sieben explain RLO           a bit of the status word\n  \
   sieben explain 'OB 121'      an organization block\n  \
   sieben explain 'SFC 46'      a system function, also by its name: STP\n  \
+  sieben explain CONCAT        a block of the library, also by its number: FC 2\n  \
   sieben explain 16#4562       an event of the diagnostic buffer\n  \
-  sieben explain instructions  all of them; also: problems, cpu")]
+  sieben explain instructions  all of them; also: problems, cpu, library")]
 pub(crate) struct Arguments {
     /// What to explain
     #[arg(required = true, value_name = "WORD", allow_hyphen_values = true)]
@@ -78,8 +81,12 @@ fn explain(word: &str) -> Option<String> {
     if word.eq_ignore_ascii_case("instructions") {
         return Some(instructions());
     }
+    if word.eq_ignore_ascii_case("library") {
+        return Some(library_blocks());
+    }
     instruction(word)
         .or_else(|| system_function(word))
+        .or_else(|| library_block(word))
         .or_else(|| event(word))
         .or_else(|| Problem::from_code(word).map(problem))
         .or_else(|| CpuType::by_name(word).map(cpu_type))
@@ -109,8 +116,41 @@ fn system_function(word: &str) -> Option<String> {
         block.name.eq_ignore_ascii_case(&compact) || block.block.to_string().replace(' ', "").eq_ignore_ascii_case(&compact)
     };
     let block = sieben_cpu::system::interfaces().into_iter().find(named)?;
-    let mut text = format!("{} \"{}\", a system function of the CPU\n", block.block, block.name);
-    for parameter in block.interface.parameters() {
+    Some(format!("{} \"{}\", a system function of the CPU\n{}", block.block, block.name, parameters(&block.interface)))
+}
+
+/// A block of the library by number or name, with what its source says.
+fn library_block(word: &str) -> Option<String> {
+    let compact: String = word.split_whitespace().collect();
+    let named = |block: &&LibraryBlock| {
+        block.name.eq_ignore_ascii_case(&compact) || block.block.to_string().replace(' ', "").eq_ignore_ascii_case(&compact)
+    };
+    let block = library::ALL.iter().find(named)?;
+    let options = Options { system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
+    let description = library::describe(block, &options);
+    let comment: String = description.comment.lines().map(|line| format!("  {line}\n")).collect();
+    Some(format!(
+        "{} \"{}\", a block of the library: {}\n{comment}{}  source: {}\n",
+        block.block,
+        block.name,
+        description.title,
+        parameters(&description.interface),
+        block.path
+    ))
+}
+
+fn library_blocks() -> String {
+    let rows = library::ALL.iter().map(|block| {
+        let description = library::describe(block, &Options::default());
+        format!("{:<7} {:<9} {}\n", block.block.to_string(), block.name, description.title)
+    });
+    rows.collect()
+}
+
+/// A line for each parameter.
+fn parameters(interface: &Interface) -> String {
+    let mut text = String::new();
+    for parameter in interface.parameters() {
         let section = match parameter.section {
             Section::Input => "IN",
             Section::Output => "OUT",
@@ -119,12 +159,13 @@ fn system_function(word: &str) -> Option<String> {
         };
         // What has no word of its own is a structure: start information.
         let data_type = parameter.data_type.word().unwrap_or("STRUCT");
-        text.push_str(&format!("  {section:<7} {:<15} {data_type}\n", parameter.name));
+        let line = format!("  {section:<7} {:<15} {data_type:<13} {}", parameter.name, parameter.comment);
+        text.push_str(&format!("{}\n", line.trim_end()));
     }
-    if block.interface.parameters().next().is_none() {
+    if interface.parameters().next().is_none() {
         text.push_str("  no parameters\n");
     }
-    Some(text)
+    text
 }
 
 /// An event of the diagnostic buffer: `16#4562`.
@@ -193,7 +234,8 @@ fn unknown(word: &str) -> Failure {
         .map(|problem| problem.code())
         .chain(CpuType::ALL.iter().map(|cpu| cpu.name))
         .chain(Instruction::ALL.iter().flat_map(|row| [row.english(), row.german()]))
-        .chain(["cpu", "problems", "instructions"]);
+        .chain(library::ALL.iter().map(|block| block.name))
+        .chain(["cpu", "problems", "instructions", "library"]);
     let failure = Failure::usage(Problem::P7007, format!("nothing is known about `{word}`"));
     // `315` is how everybody calls the 315-2PN/DP; as letters it is too far away to look alike.
     let family: Vec<String> = CpuType::ALL

@@ -58,12 +58,12 @@ fn document(build: &Build, places: &Places<'_>, structure: &CallStructure) -> Do
             "{root}: at most {} bytes of local data (CPU {} has {} for a priority class), {} deep (nesting depth {}){more}.",
             caller.path_local_data, cpu.name, cpu.local_data, caller.path_depth, cpu.nesting_depth
         );
-        sections.push(Section { notes: vec![note], ..section(places, &tree, "") });
+        sections.push(Section { notes: vec![note], ..section(build, places, &tree, "") });
     }
     if !structure.not_called.is_empty() {
         let mut all = Section::default();
         for tree in structure.not_called_trees() {
-            let one = section(places, &tree, "x ");
+            let one = section(build, places, &tree, "x ");
             all.headings = one.headings;
             all.rows.extend(one.rows);
         }
@@ -80,13 +80,13 @@ fn document(build: &Build, places: &Places<'_>, structure: &CallStructure) -> Do
     Document { title: "Call structure".to_owned(), sections }
 }
 
-fn section(places: &Places<'_>, lines: &[Line<'_>], mark: &str) -> Section {
-    let rows = lines.iter().map(|line| row(places, line, mark)).collect();
+fn section(build: &Build, places: &Places<'_>, lines: &[Line<'_>], mark: &str) -> Section {
+    let rows = lines.iter().map(|line| row(build, places, line, mark)).collect();
     let headings = vec!["Block", "Symbol", "Call", "Instance", "Network", "Local", "Path", "Line", "Remark"];
     Section { headings, rows, ..Section::default() }
 }
 
-fn row(places: &Places<'_>, line: &Line<'_>, mark: &str) -> Vec<String> {
+fn row(build: &Build, places: &Places<'_>, line: &Line<'_>, mark: &str) -> Vec<String> {
     let own = if line.depth == 0 { mark } else { "" };
     let indent = if line.depth == 0 { 0 } else { 2 * line.depth.min(LEVELS_MAX) + mark.len() };
     let level = if line.depth > LEVELS_MAX { format!("({}) ", line.depth) } else { String::new() };
@@ -108,7 +108,10 @@ fn row(places: &Places<'_>, line: &Line<'_>, mark: &str) -> Vec<String> {
     }
     let known = matches!(line.mark, Mark::None | Mark::Recursion | Mark::Above);
     let number = |bytes: u32| if known { bytes.to_string() } else { String::new() };
-    let remark = remark(line.mark).to_owned();
+    let remark = match (&line.callee, line.mark) {
+        (Callee::Block(block), Mark::None) if build.compiled.is_of_library(*block) => "library".to_owned(),
+        _ => remark(line.mark).to_owned(),
+    };
     let (own_bytes, path_bytes) = (number(line.own), number(line.local_data));
     vec![
         format!("{}{own}{level}{}", " ".repeat(indent), callee_name(places, &line.callee)),
@@ -173,7 +176,7 @@ fn json(build: &Build, places: &Places<'_>, structure: &CallStructure) -> serde_
                 .collect();
             let value = serde_json::json!({ "symbol": places.block_symbol(*id), "local_data": caller.local_data,
                 "path_local_data": caller.path_local_data, "path_depth": caller.path_depth,
-                "recursive": caller.recursive, "calls": calls });
+                "recursive": caller.recursive, "library": build.compiled.is_of_library(*id), "calls": calls });
             (id.to_string(), value)
         })
         .collect();

@@ -26,6 +26,8 @@ use crate::declarations::interface::is_complex;
 use crate::declarations::path::{FieldNames, follow};
 use crate::declarations::types::{BlockInterface, describe};
 use crate::declarations::values::{Misfit, coerce, natural};
+use crate::library::link::Links;
+use crate::library::{self, LibraryBlock, Selection};
 use crate::scope::{Global, Scope, block_of_name, did_you_mean, key};
 
 /// Names that a message lists before it says "and others".
@@ -43,6 +45,10 @@ pub(crate) struct Known<'a> {
     /// Layouts of the data blocks.
     pub(crate) data: &'a HashMap<u16, DataLayout>,
     pub(crate) field_names: &'a FieldNames,
+    /// The blocks that come from the library.
+    pub(crate) library: &'a Links,
+    /// What the project takes from the library.
+    pub(crate) selection: &'a Selection,
     /// Whether extension words may be used.
     pub(crate) extended: bool,
 }
@@ -288,9 +294,14 @@ impl<'a> Resolver<'a> {
     /// Resolves a symbol of the table with the path behind it.
     fn global(&mut self, name: &ast::Word, path: &[ast::PathElement], span: Span) -> Option<Meaning> {
         let Some(global) = self.known.scope.global(&name.text) else {
-            let nearest = self.known.scope.nearest_symbol(&name.text);
+            let library = library::ALL.iter().map(|block| block.name).filter(|_| self.known.selection.enabled);
+            let nearest = self.known.scope.nearest_symbol(&name.text).or_else(|| self.known.scope.nearest(&name.text, library));
             let message = format!("`\"{}\"` is not in the symbol table{}", name.text, did_you_mean(nearest.clone()));
-            self.report(Problem::P3020, name.span, message);
+            let help = library::by_name(&name.text).map(|block| self.why_not_linked(block));
+            self.report(Problem::P3020, name.span, message).help = help;
+            if library::by_name(&name.text).is_some() {
+                return None;
+            }
             self.offer(name.span, nearest);
             return None;
         };
@@ -316,6 +327,20 @@ impl<'a> Resolver<'a> {
             return None;
         }
         Some(meaning)
+    }
+
+    /// Why a name of the library does not stand for its block here, and what to do.
+    fn why_not_linked(&self, block: &LibraryBlock) -> String {
+        let LibraryBlock { block: number, name, .. } = block;
+        if self.known.selection.enabled {
+            format!(
+                "`{name}` of the library is `{number}`, a number that has another block here: give it a free one in the symbol table, or in \
+                 `sieben.toml` under `[library]` with `{name} = \"{} …\"`.",
+                number.kind.abbreviation()
+            )
+        } else {
+            format!("`{name}` would be `{number}` of the library, which `library = false` in `sieben.toml` switches off.")
+        }
     }
 
     fn of_table(&mut self, operand: &address::Operand, global: &Global, span: Span) -> Option<Meaning> {
@@ -660,11 +685,14 @@ impl<'a> Resolver<'a> {
                 let nearest = self.known.scope.nearest(&argument.name.text, names);
                 let message = format!("`{callee}` has no parameter `{}`{}", argument.name.text, did_you_mean(nearest.clone()));
                 let valid: Vec<&str> = interface.parameters().map(|parameter| parameter.name.as_str()).collect();
-                let help = if valid.is_empty() {
+                let mut help = if valid.is_empty() {
                     format!("`{callee}` has no parameters.")
                 } else {
                     format!("Its parameters are {}.", valid.join(", "))
                 };
+                if let Some(block) = self.known.library.get(&callee) {
+                    help.push_str(&format!(" The project does not define it, so it is `{}` of the library.", block.name));
+                }
                 self.report(Problem::P3009, argument.name.span, message).help = Some(help);
                 self.offer(argument.name.span, nearest);
                 continue;
@@ -700,7 +728,13 @@ impl<'a> Resolver<'a> {
             let others = if missing.len() > NAMES_SHOWN_MAX { ", …" } else { "" };
             missing.truncate(NAMES_SHOWN_MAX);
             let message = format!("`{callee}` needs {}{others} too", missing.join(", "));
-            self.report(Problem::P3010, call.callee_span, message);
+            let help = self.known.library.get(&callee).map(|block| {
+                format!(
+                    "The project does not define `{callee}`, so it is `{}` of the library. Give every parameter a variable.",
+                    block.name
+                )
+            });
+            self.report(Problem::P3010, call.callee_span, message).help = help;
         }
         // A parameter of a wrong type, reported at its declaration, leaves the call without a meaning.
         if interface.parameters().any(|parameter| parameter.data_type == DataType::Void) {
@@ -791,7 +825,10 @@ impl<'a> Resolver<'a> {
                 Some(Actual::Complex { location, data_type }) if same_layout(complex, &data_type) => {
                     Ok(Actual::Complex { location, data_type })
                 }
-                _ => Err(format!("a variable of type {}", describe(complex))),
+                _ => Err(match complex {
+                    DataType::String(_) => "a STRING variable of any length".to_owned(),
+                    other => format!("a variable of type {}", describe(other)),
+                }),
             },
             _ => return self.elementary_actual(argument, formal, meaning),
         };
@@ -799,6 +836,16 @@ impl<'a> Resolver<'a> {
             Ok(actual) => Some(actual),
             Err(wanted) => {
                 self.mismatch(argument, formal, &wanted);
+                // A constant is what most people try first.
+                if is_complex(&formal.data_type)
+                    && matches!(argument.value, ast::Operand::Constant(_))
+                    && let Some(diagnostic) = self.diagnostics.last_mut()
+                {
+                    diagnostic.help = Some(format!(
+                        "The block gets a pointer, and a constant has no place: declare a {} with this initial value in a data block.",
+                        describe(&formal.data_type)
+                    ));
+                }
                 None
             }
         }

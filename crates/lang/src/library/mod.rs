@@ -1,0 +1,151 @@
+//! The blocks that Sieben brings along as STL sources: the IEC functions and the converting blocks of the S7 library.
+
+pub(crate) mod link;
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::interface::Interface;
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::source::{FileId, Sources};
+use sieben_model::symbols::SymbolTable;
+
+use crate::project::{Options, compile};
+use crate::scope::key;
+use crate::stl::parser::parse;
+
+/// One block of the library.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct LibraryBlock {
+    /// The number it has unless a project places it elsewhere: `FC 2`.
+    pub block: BlockId,
+    /// Its name: `CONCAT`.
+    pub name: &'static str,
+    /// Where its source lies in the repository; places inside it are shown with this name.
+    pub path: &'static str,
+    /// Its source in international mnemonics.
+    pub text: &'static str,
+}
+
+impl fmt::Debug for LibraryBlock {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{} {}", self.block, self.name)
+    }
+}
+
+/// The one list of the blocks: kind, number, name, source.
+macro_rules! blocks {
+    ($($kind:ident $number:literal $name:literal $path:literal;)*) => {
+        /// All blocks, in the order of their numbers.
+        pub const ALL: &[LibraryBlock] = &[$(LibraryBlock {
+            block: BlockId::new(BlockKind::$kind, $number),
+            name: $name,
+            path: concat!("library/", $path),
+            text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../library/", $path)),
+        }),*];
+    };
+}
+
+blocks! {
+    Function 2 "CONCAT" "iec/fc002_concat.awl";
+    Function 4 "DELETE" "iec/fc004_delete.awl";
+    Function 5 "DI_STRNG" "iec/fc005_di_strng.awl";
+    Function 10 "EQ_STRNG" "iec/fc010_eq_strng.awl";
+    Function 11 "FIND" "iec/fc011_find.awl";
+    Function 13 "GE_STRNG" "iec/fc013_ge_strng.awl";
+    Function 15 "GT_STRNG" "iec/fc015_gt_strng.awl";
+    Function 16 "I_STRNG" "iec/fc016_i_strng.awl";
+    Function 17 "INSERT" "iec/fc017_insert.awl";
+    Function 19 "LE_STRNG" "iec/fc019_le_strng.awl";
+    Function 20 "LEFT" "iec/fc020_left.awl";
+    Function 21 "LEN" "iec/fc021_len.awl";
+    Function 24 "LT_STRNG" "iec/fc024_lt_strng.awl";
+    Function 26 "MID" "iec/fc026_mid.awl";
+    Function 29 "NE_STRNG" "iec/fc029_ne_strng.awl";
+    Function 31 "REPLACE" "iec/fc031_replace.awl";
+    Function 32 "RIGHT" "iec/fc032_right.awl";
+    Function 37 "STRNG_DI" "iec/fc037_strng_di.awl";
+    Function 38 "STRNG_I" "iec/fc038_strng_i.awl";
+}
+
+/// The block with this name, without regard to case.
+pub fn by_name(name: &str) -> Option<&'static LibraryBlock> {
+    ALL.iter().find(|block| block.name.eq_ignore_ascii_case(name))
+}
+
+/// The block that has this number unless a project places it elsewhere.
+pub fn by_block(block: BlockId) -> Option<&'static LibraryBlock> {
+    ALL.iter().find(|one| one.block == block)
+}
+
+/// The source of the block with this name.
+pub fn source(name: &str) -> Option<&'static str> {
+    by_name(name).map(|block| block.text)
+}
+
+/// What a project takes from the library.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Selection {
+    /// Whether calls of blocks that the project does not define are looked up in the library.
+    pub enabled: bool,
+    /// Numbers that the project gives to library blocks, by name: `CONCAT` → `FC 102`.
+    pub numbers: BTreeMap<String, BlockId>,
+}
+
+impl Default for Selection {
+    fn default() -> Self {
+        Self { enabled: true, numbers: BTreeMap::new() }
+    }
+}
+
+impl Selection {
+    /// The number that the project gives to a block of the library.
+    pub fn number(&self, block: &LibraryBlock) -> Option<BlockId> {
+        self.numbers.iter().find(|(name, _)| key(name) == key(block.name)).map(|(_, number)| *number)
+    }
+}
+
+/// A block of the library that belongs to a program because something there names it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Linked {
+    /// The number it has in this program.
+    pub id: BlockId,
+    /// Which block it is.
+    pub block: &'static LibraryBlock,
+    /// Its source among those of the program, behind the user's.
+    pub file: FileId,
+}
+
+/// What the source of a block says about it.
+#[derive(Clone, Debug, Default)]
+pub struct Description {
+    /// Its TITLE: what it does, in one line.
+    pub title: String,
+    /// The comment below the title, one line each.
+    pub comment: String,
+    /// Its FAMILY.
+    pub family: String,
+    /// Its VERSION.
+    pub version: String,
+    /// Its parameters and local data.
+    pub interface: Interface,
+}
+
+/// Reads what the source of a block says about it.
+pub fn describe(block: &LibraryBlock, options: &Options) -> Description {
+    let parsed = parse(FileId::default(), block.text, Some(Mnemonics::English));
+    let header = parsed.file.blocks.first().map(|block| block.header.clone()).unwrap_or_default();
+    let text = |word: Option<crate::stl::ast::Word>| word.map(|word| word.text.trim().to_owned()).unwrap_or_default();
+    let mut sources = Sources::default();
+    sources.add(block.path, block.text);
+    let options = Options { mnemonics: Some(Mnemonics::English), ..options.clone() };
+    let compiled = compile(&sources, &SymbolTable::default(), &options);
+    Description {
+        title: text(header.title),
+        comment: header.comment,
+        family: text(header.family),
+        version: text(header.version),
+        interface: compiled.blocks.get(&block.block).map(|block| block.interface.clone()).unwrap_or_default(),
+    }
+}
