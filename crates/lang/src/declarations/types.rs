@@ -20,6 +20,25 @@ use crate::stl::ast;
 /// Dimensions an array may have.
 const DIMENSIONS_MAX: usize = 6;
 
+/// Types of other languages and of later controllers, and what an S7-300/400 has for them.
+const ELSEWHERE: &[(&str, &str)] = &[
+    ("INTEGER", "`INT`"),
+    ("BOOLEAN", "`BOOL`"),
+    ("BIT", "`BOOL`"),
+    ("FLOAT", "`REAL`"),
+    ("DOUBLE", "`REAL`"),
+    ("LREAL", "`REAL`"),
+    ("SINT", "`INT`"),
+    ("USINT", "`BYTE` or `INT`"),
+    ("UINT", "`WORD` or `DINT`"),
+    ("UDINT", "`DWORD` or `DINT`"),
+    ("LINT", "`DINT`"),
+    ("LWORD", "an array of two `DWORD`"),
+    ("LTIME", "`TIME`"),
+    ("WSTRING", "`STRING`"),
+    ("VARIANT", "`ANY`"),
+];
+
 /// Where a type stands, which decides what it may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Usage {
@@ -216,8 +235,9 @@ impl<'a> Types<'a> {
         }
         let nearest =
             self.scope.nearest(symbol, DataType::words().chain(["ARRAY", "STRUCT"])).or_else(|| self.scope.nearest_symbol(symbol));
+        let elsewhere = ELSEWHERE.iter().find(|(word, _)| symbol.eq_ignore_ascii_case(word));
         let message = format!("there is no type `{symbol}`{}", did_you_mean(nearest));
-        self.report(Problem::P3015, span, message);
+        self.report(Problem::P3015, span, message).help = elsewhere.map(|(_, own)| format!("An S7-300/400 has {own} instead."));
         None
     }
 

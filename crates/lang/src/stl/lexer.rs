@@ -58,7 +58,8 @@ pub(super) fn in_word(character: char) -> bool {
 }
 
 fn is_blank(character: char) -> bool {
-    matches!(character, ' ' | '\t' | '\u{feff}' | '\u{a0}')
+    // The last one is the end mark of DOS, which old tools still write.
+    matches!(character, ' ' | '\t' | '\u{feff}' | '\u{a0}' | '\u{1a}')
 }
 
 /// The text without the blanks at its end.

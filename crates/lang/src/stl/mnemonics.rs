@@ -98,6 +98,7 @@ pub fn judge(text: &str) -> Judgement {
     let mut judgement = Judgement::default();
     let mut position = 0;
     let mut at_start = true;
+    let mut behind_point = false;
     let mut declarations = 0_u32;
     loop {
         let (raw, end) = token(text, position);
@@ -107,6 +108,9 @@ pub fn judge(text: &str) -> Judgement {
             Raw::Newline | Raw::Semicolon => at_start = true,
             Raw::Blank | Raw::LineComment | Raw::BlockComment => {}
             Raw::Colon => at_start = true,
+            // A field may be called `e` and have an index.
+            Raw::Word if behind_point => {}
+            Raw::Literal if declarations == 0 => count_pointer(word, &mut judgement),
             Raw::Word => {
                 let upper = word.to_ascii_uppercase();
                 match upper.as_str() {
@@ -158,7 +162,20 @@ pub fn judge(text: &str) -> Judgement {
             }
             _ => at_start = false,
         }
+        behind_point = raw == Raw::Point;
         position = end;
+    }
+}
+
+/// `P#E 1.0`, `P#I 1.0 BYTE 4`: the letters of the area.
+fn count_pointer(literal: &str, judgement: &mut Judgement) {
+    let Some(behind) = literal.strip_prefix(['P', 'p']).and_then(|rest| rest.strip_prefix('#')) else { return };
+    let behind = behind.trim_start();
+    let letters = &behind[..behind.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(behind.len())];
+    if translate_letters(letters, Mnemonics::English).is_some() {
+        judgement.english += 1;
+    } else if translate_letters(letters, Mnemonics::German).is_some() {
+        judgement.german += 1;
     }
 }
 

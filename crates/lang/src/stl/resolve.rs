@@ -680,6 +680,10 @@ impl<'a> Resolver<'a> {
         let formals: HashSet<String> = interface.parameters().map(|parameter| key(&parameter.name)).collect();
         let mut arguments: HashMap<String, &ast::Argument> = HashMap::with_capacity(call.arguments.len());
         for argument in &call.arguments {
+            // `x :=` without a value, as generated sources write an omitted parameter.
+            if argument.value == ast::Operand::None || is_type_hint(argument, &formals) {
+                continue;
+            }
             if !formals.contains(&key(&argument.name.text)) {
                 let names = interface.parameters().map(|parameter| parameter.name.as_str());
                 let nearest = self.known.scope.nearest(&argument.name.text, names);
@@ -996,6 +1000,13 @@ pub(crate) fn plain_data_block(scope: &Scope, operand: &ast::Operand) -> Option<
 fn any_of_number(type_code: u8, number: u16) -> Actual {
     let [high, low] = number.to_be_bytes();
     Actual::Constant(Value::Any([0x10, type_code, 0, 1, 0, 0, 0, 0, high, low]))
+}
+
+/// `time_type := Time`: TIA writes the types of some calls before their parameters. They choose nothing that the block does not say itself.
+fn is_type_hint(argument: &ast::Argument, formals: &HashSet<String>) -> bool {
+    let name = key(&argument.name.text);
+    let hint = name.len() > "_type".len() && name.get(name.len() - "_type".len()..).is_some_and(|end| end.eq_ignore_ascii_case("_type"));
+    hint && !formals.contains(&name) && matches!(&argument.value, ast::Operand::Name { path, .. } if path.is_empty())
 }
 
 fn block_actual(meaning: Meaning, kinds: &[BlockKind], wanted: &str) -> Result<Actual, String> {

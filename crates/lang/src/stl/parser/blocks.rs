@@ -864,8 +864,7 @@ impl Parser<'_> {
                         match self.integer() {
                             Some(index) => indices.push(index),
                             None => {
-                                let message = format!("{} is no index; an index is a whole number", self.shown());
-                                self.error(Problem::P2018, self.position, self.end, message);
+                                self.no_index();
                                 break;
                             }
                         }
@@ -880,6 +879,20 @@ impl Parser<'_> {
                 }
                 _ => return,
             }
+        }
+    }
+
+    /// Something else than a whole number where an index stands, up to the end of the bracket.
+    fn no_index(&mut self) {
+        let message = format!("{} is no index; an index is a whole number", self.shown());
+        let mut diagnostic = Diagnostic::new(Problem::P2018, self.span(self.position, self.end), message);
+        if matches!(self.raw, Raw::Local | Raw::Symbol | Raw::Word) {
+            diagnostic =
+                diagnostic.help("STL has no variable indices: compute the address, load it with `LAR1`, and access with `[AR1,P#0.0]`");
+        }
+        self.report(diagnostic);
+        while !self.at_statement_end() && !matches!(self.raw, Raw::BracketClose | Raw::Comma | Raw::ParenClose) {
+            self.bump_unexpected();
         }
     }
 

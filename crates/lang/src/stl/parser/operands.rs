@@ -53,6 +53,10 @@ struct AddressNumber {
 impl Parser<'_> {
     /// The operand at the current token, or an error; takes at least one token unless the statement ends here.
     pub(super) fn operand(&mut self, wants_label: bool) -> Operand {
+        // TIA writes a `%` before absolute addresses.
+        if self.current() == "%" && token(self.text, self.end).0 == Raw::Word {
+            self.bump_to(SyntaxKind::AddressLetters, self.end);
+        }
         match self.raw {
             Raw::Local => {
                 let name = self.name_word(SyntaxKind::Local);

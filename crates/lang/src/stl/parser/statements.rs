@@ -232,7 +232,14 @@ impl Parser<'_> {
         let span = self.span(start, end);
         let shown = self.shown();
         let diagnostic = match self.raw {
-            Raw::Unknown => Diagnostic::new(Problem::P1001, span, format!("{shown} is no character of STL")),
+            Raw::Unknown => {
+                let diagnostic = Diagnostic::new(Problem::P1001, span, format!("{shown} is no character of STL"));
+                if shown == "`#`" { diagnostic.help("a comment begins with `//`") } else { diagnostic }
+            }
+            Raw::Word | Raw::Local | Raw::Symbol if self.assigns() => {
+                Diagnostic::new(Problem::P2001, span, format!("{shown} is no instruction"))
+                    .help("STL assigns with instructions: `A` and `=` for a bit, `L` and `T` for a value")
+            }
             Raw::Word => {
                 let diagnostic = Diagnostic::new(Problem::P2001, span, format!("{shown} is no instruction"));
                 match self
@@ -248,6 +255,19 @@ impl Parser<'_> {
         self.report(diagnostic);
         self.bump_unexpected();
         self.skip_statement();
+    }
+
+    /// Whether `:=` stands in the rest of this statement.
+    fn assigns(&self) -> bool {
+        let mut at = self.end;
+        loop {
+            let (raw, end) = token(self.text, at);
+            match raw {
+                Raw::Becomes => return true,
+                Raw::End | Raw::Newline | Raw::Semicolon | Raw::LineComment | Raw::ParenOpen => return false,
+                _ => at = end,
+            }
+        }
     }
 
     /// What STL has for a word of another language of controllers; a similar looking instruction would mislead there.
@@ -517,7 +537,8 @@ impl Parser<'_> {
                 Raw::Comma => {
                     self.bump(SyntaxKind::Punctuation);
                 }
-                Raw::Word | Raw::Local | Raw::Symbol if self.argument_sign_at(self.end) => {
+                // Inside brackets the sign may stand on the next line.
+                Raw::Word | Raw::Local | Raw::Symbol if self.argument_sign_at(self.behind_trivia(self.end)) => {
                     let argument = self.argument();
                     arguments.push(argument);
                 }
