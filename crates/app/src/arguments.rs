@@ -86,7 +86,7 @@ impl ProgramArguments {
             None => None,
             Some(name) => Some(CpuType::by_name(name).ok_or_else(|| Failure::usage(Problem::P7002, settings::unknown_cpu(name)))?),
         };
-        Ok(Overrides { cpu, mnemonics: self.mnemonics.map(MnemonicsArgument::language), extended: self.extended })
+        Ok(Overrides { cpu, mnemonics: self.mnemonics.map(MnemonicsArgument::language), extended: self.extended, ..Overrides::default() })
     }
 }
 

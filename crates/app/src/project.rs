@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use sieben_lang::encoding::{self, Decoded, Encoding};
-use sieben_lang::{Compiled, Options};
+use sieben_lang::{Compiled, Options, TemporaryReads};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
@@ -36,6 +36,8 @@ pub(crate) struct Overrides {
     pub(crate) cpu: Option<&'static CpuType>,
     /// `--mnemonics en|de`; `Some(None)` is `auto`.
     pub(crate) mnemonics: Option<Option<Mnemonics>>,
+    /// `--temp`.
+    pub(crate) temporaries: TemporaryReads,
     /// `--extended`.
     pub(crate) extended: bool,
 }
@@ -117,6 +119,7 @@ impl Project {
             cpu: Some(cpu),
             mnemonics: overrides.mnemonics.unwrap_or(self.settings.mnemonics),
             syntax_only,
+            temporaries: overrides.temporaries,
             extended,
             system_blocks,
             library: self.settings.library.clone(),

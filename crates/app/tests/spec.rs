@@ -16,6 +16,7 @@ use sieben_lang::stl::parser::parse;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
+use sieben_model::problems::Problem;
 use sieben_model::source::FileId;
 use sieben_model::symbols::SymbolTable;
 use sieben_sim::scenario::Scenario;
@@ -193,6 +194,27 @@ fn every_example_of_the_courses_has_a_section() {
         .chain((1..=15).map(|n| format!("S4-{n:02}")));
     let missing: Vec<String> = ids.filter(|id| !headings.iter().any(|heading| heading.starts_with(id.as_str()))).collect();
     assert!(missing.is_empty(), "no section for {}", missing.join(", "));
+}
+
+/// Warnings about types in accumulators, temporary variables and timers that a page shows on purpose, by heading.
+const SHOWN_ON_PURPOSE: [&str; 0] = [];
+
+#[test]
+fn no_page_gets_a_warning_that_it_does_not_deserve() {
+    let mut wrong = Vec::new();
+    for (name, page) in ["course", "stl", "cpu", "system"].into_iter().flat_map(pages) {
+        for section in sections(&page).iter().filter(|section| !section.stl.is_empty()) {
+            let Ok(compiled) = program::compile(&section.stl, Mnemonics::English, &CpuType::ALL[0]) else { continue };
+            let followed = [Problem::P4020, Problem::P4022, Problem::P4023];
+            for diagnostic in compiled.diagnostics.iter().filter(|diagnostic| followed.contains(&diagnostic.problem)) {
+                if !SHOWN_ON_PURPOSE.contains(&section.heading.as_str()) {
+                    let text = &section.stl[diagnostic.span.start as usize..diagnostic.span.end as usize];
+                    wrong.push(format!("{name}, {}: {} {} in `{text}`", section.heading, diagnostic.problem.code(), diagnostic.message));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]

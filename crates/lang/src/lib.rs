@@ -10,3 +10,4 @@ pub mod stl;
 pub mod symbols;
 
 pub use project::{Compiled, Options, compile};
+pub use stl::check::TemporaryReads;

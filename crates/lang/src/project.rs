@@ -41,6 +41,8 @@ pub struct Options {
     pub extended: bool,
     /// The system blocks of the CPU.
     pub system_blocks: Vec<SystemBlock>,
+    /// Which reads of temporary variables that may not be written are reported.
+    pub temporaries: check::TemporaryReads,
     /// What the program may take from the library.
     pub library: Selection,
 }
@@ -204,6 +206,7 @@ pub fn compile_syntax(
         exists: &exists,
         data: &data,
         field_names: &field_names,
+        temporaries: options.temporaries,
         library: &links,
         selection: &options.library,
         extended: options.extended,

@@ -126,6 +126,10 @@ problems! {
     P4014 Error "a pointer that lies where it cannot be used" "Put the pointer into M, L, DB or DI: a double word for addresses, a word for the numbers of timers, counters and blocks.";
     P4015 Error "an address that is not complete" "A bit has two numbers as in `M 10.3`, all else one as in `MW 10`.";
     P4016 Warning "an edge memory in temporary data" "Use a bit of M, of a data block or a static variable of the function block, and each for one edge only.";
+    P4020 Warning "a temporary variable that is read before it is written" "Write it first: VAR_TEMP begins with what other blocks left there.";
+    P4021 Warning "a temporary variable that is not written on every path" "Write it before the first branch, or make sure that the other paths are never taken.";
+    P4022 Warning "an instruction on a value of another type" "Use the instruction for the type of the value, or convert the value first (ITD, DTR, RND).";
+    P4023 Warning "a timer or counter that no logic drives" "Write the condition before it, for example `A I 0.0`, or `SET` if it is always to be executed.";
     P4201 Error "a constant outside the range of its notation" "Use a value inside the range that the message names, or a notation with more bits, such as L# or DW#16#.";
     P4202 Error "a constant whose prefix is known, but not what follows it" "Write it the way the message shows.";
     P4203 Error "a date that the calendar does not have" "Check the month and the day; February has 29 days only in leap years.";

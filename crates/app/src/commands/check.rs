@@ -3,9 +3,11 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use sieben_lang::TemporaryReads;
 
 use crate::arguments::ProgramArguments;
 use crate::failure::{Exit, Failure};
+use crate::project::Overrides;
 use crate::{fixing, output, project, report};
 
 /// Report everything that is wrong with a program.
@@ -25,6 +27,9 @@ pub(crate) struct Arguments {
     /// Report only what one file alone can tell: no missing symbols or blocks
     #[arg(long)]
     syntax_only: bool,
+    /// Also report temporary variables that are read, but not written on every path to that statement
+    #[arg(long)]
+    temp: bool,
     /// Print the diagnostics as a JSON list on standard output
     #[arg(long)]
     json: bool,
@@ -38,7 +43,8 @@ const ROUNDS_MAX: usize = 10;
 
 /// Checks the program.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let overrides = arguments.program.overrides()?;
+    let temporaries = if arguments.temp { TemporaryReads::Possible } else { TemporaryReads::Certain };
+    let overrides = Overrides { temporaries, ..arguments.program.overrides()? };
     let compile = || Ok::<_, Failure>(arguments.program.load(&arguments.paths)?.compile(overrides, arguments.syntax_only));
     let mut build = compile()?;
     for _ in 0..if arguments.fix { ROUNDS_MAX } else { 0 } {

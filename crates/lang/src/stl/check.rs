@@ -1,5 +1,10 @@
 //! Chooses the instruction of each statement and checks what only the whole block shows: labels, brackets, lists, ends.
 
+mod accumulators;
+mod flow;
+mod logic;
+mod temporaries;
+
 use std::collections::HashMap;
 
 use sieben_model::address::Area;
@@ -18,6 +23,7 @@ use super::lower::{ResolvedBlock, Statement};
 use super::operands::{BlockOperand, Location, NumberOperand, Operand, OperandClass};
 use super::parser::DIAGNOSTICS_MAX;
 use super::resolve::{Known, Resolver};
+pub use temporaries::TemporaryReads;
 
 /// Brackets that may be open at once.
 const BRACKETS_MAX: usize = 7;
@@ -42,6 +48,7 @@ pub(crate) fn block(
     let labels = labels(source, &mut diagnostics);
     let mut resolver = Resolver::new(known, id, interface, &labels.targets);
     let mut statements = Vec::with_capacity(source.statements.len() + 1);
+    let mut types = Vec::with_capacity(source.statements.len() + 1);
     let mut networks = source.networks.iter().peekable();
     let mut network = 0;
     for (index, statement) in source.statements.iter().enumerate() {
@@ -52,6 +59,7 @@ pub(crate) fn block(
             continue;
         }
         let before = resolver.diagnostics.len();
+        resolver.declared = None;
         if before >= DIAGNOSTICS_MAX {
             let message = format!("`{id}` has more than {DIAGNOSTICS_MAX} problems; the others are not shown");
             resolver.diagnostics.push(Diagnostic::new(Problem::P2199, statement.span, message));
@@ -69,20 +77,29 @@ pub(crate) fn block(
         // The place of a statement that is wrong stays taken, so that labels keep their numbers.
         let (instruction, operand) = chosen.unwrap_or((Instruction::Nop0, Operand::Constant(Value::Int(0))));
         statements.push(Statement { instruction, operand, span: statement.span, network: network.max(1) });
+        types.push(resolver.declared.take());
     }
     // A label at the end of the block stands before its end.
     if let Some(span) = labels.at_end {
         statements.push(Statement { instruction: Instruction::BlockEnd, operand: Operand::None, span, network: network.max(1) });
+        types.push(None);
     }
     diagnostics.append(&mut resolver.diagnostics);
     structure(&statements, &labels, &mut diagnostics);
     for statement in &statements {
         calls(known, statement, &mut diagnostics);
         edge_memory(statement, &mut diagnostics);
-        accumulators(known, statement, &mut diagnostics);
+        missing_instructions(known, statement, &mut diagnostics);
     }
     whole &= !diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error);
-    Checked { block: ResolvedBlock { id, interface: interface.clone(), statements }, diagnostics, whole }
+    let block = ResolvedBlock { id, interface: interface.clone(), statements };
+    // What follows paths through the block would guess where a statement is missing.
+    if whole {
+        temporaries::check(&block, known.temporaries, &mut diagnostics);
+        accumulators::check(&block.statements, &types, known.cpu.accumulators == 4, &mut diagnostics);
+        logic::check(&block, &mut diagnostics);
+    }
+    Checked { block, diagnostics, whole }
 }
 
 /// A block whose statements were looked at.
@@ -364,7 +381,7 @@ fn edge_memory(statement: &Statement, diagnostics: &mut Vec<Diagnostic>) {
 }
 
 /// `ENT` and `LEAVE` are instructions of CPUs with four accumulators.
-fn accumulators(known: &Known<'_>, statement: &Statement, diagnostics: &mut Vec<Diagnostic>) {
+fn missing_instructions(known: &Known<'_>, statement: &Statement, diagnostics: &mut Vec<Diagnostic>) {
     if known.cpu.accumulators < 4 && matches!(statement.instruction, Instruction::Enter | Instruction::Leave) {
         let message = format!("CPU {} has two accumulators, so that this statement does nothing", known.cpu.name);
         diagnostics.push(Diagnostic::new(Problem::P5008, statement.span, message));

@@ -17,6 +17,7 @@ use sieben_model::source::{Sources, Span};
 use sieben_model::types::DataType;
 
 use super::ast;
+use super::check::TemporaryReads;
 use super::operands::{
     Access, Actual, AddressRegister, BlockOperand, Call, CallInstance, CallParameter, DataBlockInfo, Location, NumberOperand, Operand,
     StatusScan,
@@ -45,6 +46,8 @@ pub(crate) struct Known<'a> {
     /// Layouts of the data blocks.
     pub(crate) data: &'a HashMap<u16, DataLayout>,
     pub(crate) field_names: &'a FieldNames,
+    /// Which reads of temporary variables are reported.
+    pub(crate) temporaries: TemporaryReads,
     /// The blocks that come from the library.
     pub(crate) library: &'a Links,
     /// What the project takes from the library.
@@ -74,6 +77,8 @@ pub(crate) struct Resolver<'a> {
     interface: &'a Interface,
     locals: HashMap<String, usize>,
     labels: &'a HashMap<String, u32>,
+    /// The declared type of the last operand, if it was a variable with one.
+    pub(crate) declared: Option<DataType>,
     /// It was said that the program is not extended.
     extension_reported: bool,
     pub(crate) diagnostics: Vec<Diagnostic>,
@@ -92,7 +97,7 @@ impl<'a> Resolver<'a> {
         for (index, variable) in interface.variables.iter().enumerate() {
             locals.entry(key(&variable.name)).or_insert(index);
         }
-        Self { known, id, interface, locals, labels, extension_reported: false, diagnostics: Vec::new() }
+        Self { known, id, interface, locals, labels, declared: None, extension_reported: false, diagnostics: Vec::new() }
     }
 
     fn report(&mut self, problem: Problem, span: Span, message: impl Into<String>) -> &mut Diagnostic {
@@ -108,8 +113,11 @@ impl<'a> Resolver<'a> {
     pub(crate) fn operand(&mut self, operand: &ast::Operand, span: Span) -> Option<Operand> {
         match self.meaning(operand, span)? {
             Meaning::Operand(operand) => Some(operand),
-            Meaning::Variable { location, data_type, .. } => match data_type.width() {
-                Some(width) => Some(Operand::Memory(Access { width, location })),
+            Meaning::Variable { location, data_type, declared } => match data_type.width() {
+                Some(width) => {
+                    self.declared = declared.then_some(data_type);
+                    Some(Operand::Memory(Access { width, location }))
+                }
                 None => {
                     let message = format!(
                         "`{}` is {}, which does not fit an accumulator; name one of its elements",
