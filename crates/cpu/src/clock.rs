@@ -19,6 +19,22 @@ impl DateAndTime {
         Self(ms)
     }
 
+    /// Milliseconds since 1990-01-01 00:00.
+    pub(crate) const fn ms(self) -> u64 {
+        self.0
+    }
+
+    /// Year and month (1 to 12) of the calendar, 1990 to 2089.
+    pub(crate) fn year_month(self) -> (u16, u16) {
+        let [year, month, ..] = self.to_bcd().map(from_bcd_digits);
+        (if year >= 90 { 1900 + year } else { 2000 + year }, month)
+    }
+
+    /// Day of the month, 1 to 31.
+    pub(crate) fn day(self) -> u8 {
+        from_bcd_digits(self.to_bcd()[2]) as u8
+    }
+
     /// Later by this many microseconds.
     #[must_use]
     pub const fn plus_us(self, us: u64) -> Self {
@@ -61,6 +77,10 @@ impl DateAndTime {
         let century = if year >= 0x90 { "19" } else { "20" };
         format!("{century}{year:02x}-{month:02x}-{day:02x} {hour:02x}:{minute:02x}:{second:02x}.{centi:02x}{:x}", milli >> 4)
     }
+}
+
+fn from_bcd_digits(byte: u8) -> u16 {
+    u16::from(byte >> 4) * 10 + u16::from(byte & 0xF)
 }
 
 /// What is wrong with the bytes of a DATE_AND_TIME.

@@ -2,6 +2,7 @@
 
 mod access;
 mod extension;
+mod interrupting;
 mod restart;
 mod retentive;
 mod run;
@@ -12,12 +13,14 @@ use std::sync::Arc;
 
 use sieben_engine::machine::Registers;
 use sieben_engine::{Engine, Layout, Machine, Program};
+use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 
 use crate::clock::DateAndTime;
 use crate::cycle::{Cycle, CycleTimes};
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::host::{Requests, Watchdog};
+use crate::interrupts::Interrupts;
 use crate::io::Rack;
 use crate::mode::{OperatingMode, Restart};
 use crate::organization_blocks::StartInformation;
@@ -54,6 +57,9 @@ pub struct Cpu {
     requests: Arc<Requests>,
     overrides: Overrides,
     system: system::State,
+    interrupts: Interrupts,
+    /// When the event came whose block starts next, in microseconds.
+    requested_us: Option<u64>,
     declarations: Declarations,
     keeper: Keeper,
     /// A STOP from outside has ended the last run in the middle.
@@ -73,6 +79,7 @@ impl Cpu {
         let engine = load(&program, &layout);
         let machine = Machine::new(layout);
         let registers = machine.registers.clone();
+        let interrupts = Interrupts::new(|number| cpu_type.has_organization_block(number) && engine.has_block(BlockId::ob(number)));
         let declarations = Declarations::of(&program);
         let mut cpu = Self {
             cpu_type,
@@ -96,6 +103,8 @@ impl Cpu {
             requests: Arc::default(),
             overrides: Overrides::new(),
             system: system::State::default(),
+            interrupts,
+            requested_us: None,
             declarations,
             keeper: Keeper::default(),
             torn: false,

@@ -5,104 +5,8 @@ use std::collections::VecDeque;
 use sieben_engine::FaultPlace;
 
 use crate::clock::DateAndTime;
+pub use crate::diagnostic_events::event_text;
 use crate::organization_blocks::StartInformation;
-
-/// Event IDs with their texts, by number.
-const EVENTS: &[(u16, &str)] = &[
-    (0x1381, "request for a warm restart by hand"),
-    (0x1382, "request for an automatic warm restart"),
-    (0x1383, "request for a hot restart by hand"),
-    (0x1384, "request for an automatic hot restart"),
-    (0x1385, "request for a cold restart by hand"),
-    (0x1386, "request for an automatic cold restart"),
-    (0x2521, "BCD conversion error: a digit is greater than 9"),
-    (0x2522, "area length error when reading"),
-    (0x2523, "area length error when writing"),
-    (0x2524, "area error when reading: the pointer names no area that can be read here"),
-    (0x2525, "area error when writing: the pointer names no area that can be written here"),
-    (0x2526, "timer number error: the CPU has no timer with this number"),
-    (0x2527, "counter number error: the CPU has no counter with this number"),
-    (0x2528, "alignment error when reading: the bit part of the address is not 0"),
-    (0x2529, "alignment error when writing: the bit part of the address is not 0"),
-    (0x2530, "write error: the shared data block is write-protected"),
-    (0x2531, "write error: the instance data block is write-protected"),
-    (0x2532, "DB number error: the number of the shared data block is too high"),
-    (0x2533, "DI number error: the number of the instance data block is too high"),
-    (0x2534, "FC number error: the number is too high"),
-    (0x2535, "FB number error: the number is too high"),
-    (0x253A, "the data block is not loaded"),
-    (0x253C, "the FC is not loaded"),
-    (0x253D, "the SFC does not exist"),
-    (0x253E, "the FB is not loaded"),
-    (0x253F, "the SFB does not exist"),
-    (0x2942, "I/O access error when reading"),
-    (0x2943, "I/O access error when writing"),
-    (0x3501, "cycle time exceeded"),
-    (0x3502, "the organization block was requested while it still ran"),
-    (0x3505, "time-of-day interrupt skipped: the clock was set forward"),
-    (0x3506, "time-of-day interrupt skipped when the CPU went to RUN"),
-    (0x3507, "overflow of the request buffer of an organization block"),
-    (0x3509, "interrupt lost: the interrupt load is too high"),
-    (0x3571, "nesting stack error: too many open brackets, or one closed too many"),
-    (0x3572, "MCR stack error: too many open MCR zones, or one closed too many"),
-    (0x3573, "nesting of synchronous errors too deep"),
-    (0x3574, "interrupt stack error: blocks nested too deep"),
-    (0x3575, "block stack error: calls nested too deep"),
-    (0x3576, "not enough local data"),
-    (0x3578, "unknown instruction"),
-    (0x357A, "a jump out of the block"),
-    (0x3822, "backup works again: retentive data is kept"),
-    (0x3922, "no backup: retentive data cannot be kept"),
-    (0x4300, "power on with battery backup"),
-    (0x4301, "mode change from STOP to STARTUP"),
-    (0x4302, "mode change from STARTUP to RUN"),
-    (0x4303, "STOP by the mode switch"),
-    (0x4304, "STOP by a programming device or SFB 20"),
-    (0x4305, "HOLD entered"),
-    (0x4306, "HOLD left"),
-    (0x4307, "memory reset started by a programming device"),
-    (0x4308, "memory reset started by the mode switch"),
-    (0x4309, "memory reset started automatically"),
-    (0x430A, "mode change from HOLD to STOP"),
-    (0x430E, "memory reset done"),
-    (0x4541, "STOP by the priority class system"),
-    (0x4543, "STOP by the test functions"),
-    (0x4544, "STOP by the diagnostic system"),
-    (0x4545, "STOP by the communication system"),
-    (0x4546, "STOP by the memory management"),
-    (0x4547, "STOP by the process image management"),
-    (0x4548, "STOP by the I/O management"),
-    (0x4555, "STOP: the restart took too long"),
-    (0x4556, "STOP: memory reset requested"),
-    (0x4562, "STOP: programming error, and OB 121 is not loaded"),
-    (0x4563, "STOP: I/O access error, and OB 122 is not loaded"),
-    (0x4568, "STOP: time error, and OB 80 is not loaded or the time was exceeded again"),
-    (0x456A, "STOP: diagnostic interrupt, and OB 82 is not loaded"),
-    (0x456B, "STOP: a module was inserted or removed, and OB 83 is not loaded"),
-    (0x456C, "STOP: CPU hardware fault, and OB 84 is not loaded"),
-    (0x456D, "STOP: priority class error, and OB 85 is not loaded"),
-    (0x456E, "STOP: communication error, and OB 87 is not loaded"),
-    (0x456F, "STOP: rack or station failure, and OB 86 is not loaded"),
-    (0x4570, "STOP: processing of a block was aborted, and OB 88 is not loaded or was aborted itself"),
-    (0x4571, "STOP: nesting stack error"),
-    (0x4572, "STOP: MCR stack error"),
-    (0x4573, "STOP: nesting of synchronous errors too deep"),
-    (0x4574, "STOP: interrupt stack error"),
-    (0x4575, "STOP: block stack error, calls nested too deep"),
-    (0x4576, "STOP: not enough local data"),
-    (0x4578, "STOP: unknown instruction"),
-    (0x457A, "STOP: a jump out of the block"),
-    (0x457F, "STOP by the program (SFC 46 STP)"),
-    (0x4590, "STOP: overload"),
-];
-
-/// The text of an event ID.
-pub fn event_text(event: u16) -> &'static str {
-    match EVENTS.binary_search_by_key(&event, |row| row.0) {
-        Ok(row) => EVENTS[row].1,
-        Err(_) => "unknown event",
-    }
-}
 
 /// A place as the user counts: `OB 1, statement 3`.
 pub fn place_text(place: FaultPlace) -> String {
@@ -183,6 +87,13 @@ impl DiagnosticEntry {
                 format!("P{}{letter} {info_1}", if event == 0x2942 { "I" } else { "Q" })
             }
             0x3501 if info_1 > 0 => format!("{info_1} ms in OB {}", info_2 & 0xFF),
+            0x3502 | 0x3507 => format!("OB {}", info_2 & 0xFF),
+            0x3505 | 0x3506 => {
+                let blocks: Vec<String> = (0..8).filter(|bit| info_1 >> bit & 1 == 1).map(|bit| format!("OB {}", 10 + bit)).collect();
+                blocks.join(", ")
+            }
+            0x35A1 | 0x35A2 => format!("event 16#{:04X} while OB {} ran", info_2 >> 16, info_2 & 0xFF),
+            0x3842 | 0x3942 | 0x3861..=0x3865 | 0x3961 | 0x38C1..=0x38C6 | 0x39C1..=0x39C6 => format!("address {info_1}"),
             0x4309 | 0x430E if data_id == 1 => "retentive data was damaged".to_owned(),
             0x4309 | 0x430E if data_id == 2 => "retentive data belonged to another program".to_owned(),
             _ => return None,
@@ -227,13 +138,6 @@ impl DiagnosticBuffer {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_events_are_sorted_and_have_texts() {
-        assert!(EVENTS.windows(2).all(|pair| pair[0].0 < pair[1].0));
-        assert!(EVENTS.iter().all(|row| !row.1.is_empty() && event_text(row.0) == row.1));
-        assert_eq!(event_text(0), "unknown event");
-    }
 
     #[test]
     fn the_buffer_forgets_the_oldest_entries() {

@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use sieben_engine::machine::Frame;
 use sieben_engine::{Engine, Fault, FaultPlace, Host, Machine, Program, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
@@ -9,6 +10,7 @@ use sieben_model::cpu_type::CpuType;
 
 use crate::clock::DateAndTime;
 use crate::diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
+use crate::interrupts::{Again, Interrupts, Now, Request};
 use crate::io::Rack;
 use crate::organization_blocks::{self as ob, StartInformation};
 use crate::settings::TimeSource;
@@ -74,23 +76,22 @@ impl Watchdog {
         Self { startup, started_us, limit_us, limit_points, ..Self::default() }
     }
 
-    /// Hands out the next budget.
-    pub(crate) fn grant(&mut self, source: TimeSource, machine: &mut Machine) {
+    /// Hands out the next budget. The safe point with the number `until` asks at the latest.
+    fn grant(&mut self, source: TimeSource, machine: &mut Machine, until: Option<u64>) {
         let left = match source {
             TimeSource::Virtual => self.limit_points.saturating_sub(self.passed).max(0),
             TimeSource::Real => BUDGET_MAX,
         };
-        self.granted = left.min(BUDGET_MAX);
+        let until = until.map_or(BUDGET_MAX, |point| i64::try_from(point.saturating_sub(self.total + 1)).unwrap_or(BUDGET_MAX));
+        self.granted = left.min(BUDGET_MAX).min(until);
         machine.budget = self.granted;
     }
 
-    /// Hands out the first budget of a run: none if HOLD was asked for, so that the first safe point sees it.
-    pub(crate) fn begin(&mut self, source: TimeSource, machine: &mut Machine, requests: &Requests) {
-        self.grant(source, machine);
-        if requests.hold.load(Ordering::Relaxed) {
-            self.granted = 0;
-            machine.budget = 0;
-        }
+    /// Takes the budget back, so that the next safe point asks.
+    fn ask_at_once(&mut self, machine: &mut Machine) {
+        self.settle(machine);
+        self.granted = 0;
+        machine.budget = 0;
     }
 
     /// Takes back what is left of the budget.
@@ -130,16 +131,38 @@ pub(crate) struct CpuHost<'a> {
     pub(crate) program: &'a Program,
     /// What system functions remember.
     pub(crate) system: &'a mut system::State,
+    /// What interrupts the program.
+    pub(crate) interrupts: &'a mut Interrupts,
+    /// The time of day was set.
+    pub(crate) clock_set: bool,
 }
 
 impl CpuHost<'_> {
+    /// Hands out the first budget of a run: none if HOLD was asked for, so that the first safe point sees it.
+    pub(crate) fn begin(&mut self, machine: &mut Machine) {
+        self.grant(machine);
+        if self.requests.hold.load(Ordering::Relaxed) {
+            self.watchdog.ask_at_once(machine);
+        }
+    }
+
+    fn grant(&mut self, machine: &mut Machine) {
+        // Safe points with an event are those of the cycle; OB 1 runs on top of nothing.
+        let until = if self.in_cycle() { self.interrupts.next_point() } else { None };
+        self.watchdog.grant(self.time.source, machine, until);
+    }
+
+    fn in_cycle(&self) -> bool {
+        u16::from(self.class.block) == ob::CYCLE.number
+    }
+
     /// Starts the cycle time monitoring again (SFC 43).
     pub(crate) fn restart_watchdog(&mut self, machine: &mut Machine) {
         self.time.read(machine);
         self.watchdog.settle(machine);
         self.watchdog.passed = 0;
         self.watchdog.started_us = self.time.now_us;
-        self.watchdog.grant(self.time.source, machine);
+        self.grant(machine);
     }
 
     /// Brings the clocks up to now, in real time.
@@ -155,6 +178,7 @@ impl CpuHost<'_> {
     /// Sets the time of day (SFC 0).
     pub(crate) fn set_date_and_time(&mut self, wanted: DateAndTime) {
         self.time.start = wanted.minus_us(self.time.now_us);
+        self.clock_set = true;
     }
 
     /// Lets this many microseconds pass (SFC 47); in virtual time at once.
@@ -184,15 +208,57 @@ impl CpuHost<'_> {
         entry
     }
 
-    /// The priority class that is running: that of the innermost organization block that is no synchronous error.
-    fn class(&self, machine: &Machine) -> StartInformation {
-        let time_error = machine.frames.iter().any(|frame| frame.block == ob::TIME_ERROR);
-        if time_error {
-            let block = ob::TIME_ERROR;
-            StartInformation { event: 0x3501, priority: ob::priority(block), block: block.number as u8, ..StartInformation::default() }
-        } else {
-            self.class
+    /// Start information of the priority class that is running: that of the innermost organization block that is no synchronous error.
+    pub(crate) fn class(&self, machine: &Machine) -> StartInformation {
+        let index = machine.frames.iter().rposition(Frame::begins_class);
+        index.filter(|&index| index > 0).and_then(|index| self.system.started_at(index)).unwrap_or(self.class)
+    }
+
+    /// The point in time as the interrupts see it.
+    pub(crate) fn now(&self, machine: &Machine) -> Now {
+        Now { now_us: self.time.now_us, clock_us: machine.clock_us, start: self.time.start }
+    }
+
+    /// An event happens now.
+    pub(crate) fn raise(&mut self, machine: &Machine, info: StartInformation) {
+        let active = self.class(machine);
+        self.interrupts.raise(info, &active, self.time.now_us);
+    }
+
+    /// Notes what happened since the last look: timed events, alarms of modules, a new time of day.
+    fn gather(&mut self, machine: &Machine) {
+        let active = self.class(machine);
+        let now = self.now(machine);
+        if std::mem::take(&mut self.clock_set) {
+            let again = if self.cpu_type.has_ob88 { Again::No } else { Again::Yes };
+            self.interrupts.clock_set(0x3505, &now, again, &active);
         }
+        self.interrupts.gather(&now, machine, &active);
+        for alarm in self.rack.take_alarms() {
+            self.interrupts.raise(alarm.start_information(), &active, now.now_us);
+        }
+    }
+
+    /// Starts the organization block that may run now, if there is one.
+    fn pre_empt(&mut self, machine: &mut Machine) -> Reaction {
+        if self.interrupts.is_idle() {
+            return Reaction::Continue;
+        }
+        for info in self.interrupts.take_entries() {
+            self.enter(info, None);
+        }
+        if let Some((event, info)) = self.interrupts.take_stop() {
+            self.first = Some(DiagnosticEntry { fields: info, time: self.time.date_and_time(), place: None });
+            return Reaction::Stop(StopReason { event, place: None });
+        }
+        if self.system.class(machine).delayed > 0 {
+            return Reaction::Continue;
+        }
+        let class = self.class(machine);
+        let Some(Request { info, raised_us }) = self.interrupts.take(class.priority) else { return Reaction::Continue };
+        self.interrupts.run_times.begin(u16::from(info.block), machine.frames.len(), raised_us, self.time.now_us);
+        self.system.interrupt(machine, info);
+        Reaction::Enter { block: BlockId::ob(u16::from(info.block)), start_information: info.bytes(self.time.date_and_time()) }
     }
 
     /// Aborts the priority class: OB 88 where there is one, STOP otherwise.
@@ -222,7 +288,7 @@ impl Host for CpuHost<'_> {
         if let Fault::Abort(abort) = *fault {
             return self.abort(class, info, ob::abort_stop_event(abort), place);
         }
-        let nested = machine.frames.iter().any(|frame| matches!(frame.block, ob::PROGRAMMING_ERROR | ob::IO_ACCESS_ERROR));
+        let nested = machine.frames.last().is_some_and(|frame| frame.in_error);
         if nested {
             let info = StartInformation { event: 0x3573, priority: 28, block: 88, ..info };
             if self.cpu_type.has_ob88 {
@@ -236,7 +302,7 @@ impl Host for CpuHost<'_> {
             self.system.interrupt(machine, info);
             Reaction::Enter { block, start_information: info.bytes(self.time.date_and_time()) }
         } else {
-            Reaction::Stop(StopReason { event: ob::missing(block), place: Some(place) })
+            Reaction::Stop(StopReason { event: ob::stop_event(block), place: Some(place) })
         }
     }
 
@@ -247,6 +313,9 @@ impl Host for CpuHost<'_> {
     fn peripheral_write(&mut self, machine: &mut Machine, byte: u32, width: Width, value: u32) -> bool {
         let written = self.rack.peripheral_write(byte, width, value);
         if written {
+            if self.rack.has_alarms() {
+                self.watchdog.ask_at_once(machine);
+            }
             // A direct output shows in the process image too, or the next cycle control point would undo it.
             let bytes = value.to_be_bytes();
             let image = machine.memory.area_mut(Area::Output);
@@ -263,37 +332,48 @@ impl Host for CpuHost<'_> {
     fn safe_point(&mut self, machine: &mut Machine, place: FaultPlace) -> Reaction {
         self.watchdog.settle(machine);
         self.time.read(machine);
+        self.interrupts.run_times.end(machine.frames.len(), self.time.now_us);
         if self.requests.stop.swap(false, Ordering::Relaxed) {
             return Reaction::Stop(StopReason { event: 0x4303, place: None });
         }
         if self.watchdog.expired(&self.time) {
             let elapsed = self.time.now_us.saturating_sub(self.watchdog.started_us);
-            let info = StartInformation::cycle_time_exceeded(elapsed, &self.class);
-            let entry = self.enter(info, Some(place));
-            if self.watchdog.startup {
-                self.first = Some(entry);
-                return Reaction::Stop(StopReason { event: 0x4555, place: Some(place) });
-            }
-            if self.watchdog.exceeded || !self.engine.has_block(ob::TIME_ERROR) {
-                self.first = Some(entry);
-                return Reaction::Stop(StopReason { event: ob::missing(ob::TIME_ERROR), place: Some(place) });
+            let info = StartInformation::cycle_time_exceeded(elapsed, &self.class(machine));
+            if self.watchdog.startup || self.watchdog.exceeded || !self.interrupts.is_available(ob::TIME_ERROR.number) {
+                let event = if self.watchdog.startup { 0x4555 } else { ob::stop_event(ob::TIME_ERROR) };
+                self.first = Some(self.enter(info, Some(place)));
+                return Reaction::Stop(StopReason { event, place: Some(place) });
             }
             self.watchdog.exceeded = true;
             self.restart_watchdog(machine);
-            self.system.interrupt(machine, info);
-            return Reaction::Enter { block: ob::TIME_ERROR, start_information: info.bytes(self.time.date_and_time()) };
+            self.enter(info, Some(place));
+            let active = self.class(machine);
+            self.interrupts.request(info, &active, self.time.now_us);
         }
-        self.watchdog.grant(self.time.source, machine);
-        if self.requests.hold.swap(false, Ordering::Relaxed) {
-            return Reaction::Suspend;
+        while self.in_cycle()
+            && let Some(event) = self.interrupts.take_scheduled(self.watchdog.total)
+        {
+            self.raise(machine, event.start_information());
         }
-        Reaction::Continue
+        self.gather(machine);
+        self.grant(machine);
+        match self.pre_empt(machine) {
+            Reaction::Continue if self.requests.hold.swap(false, Ordering::Relaxed) => Reaction::Suspend,
+            reaction => reaction,
+        }
     }
 
     fn system_function(&mut self, machine: &mut Machine, block: BlockId, first_parameter: usize) -> Reaction {
         let reaction = system::run(block, &mut system::Call { machine, host: self, first: first_parameter });
-        // The engine asks `has_system_function` first.
-        reaction.unwrap_or(Reaction::Continue)
+        match reaction {
+            Some(Reaction::Continue) => {
+                self.gather(machine);
+                self.pre_empt(machine)
+            }
+            Some(reaction) => reaction,
+            // The engine asks `has_system_function` first.
+            None => Reaction::Continue,
+        }
     }
 
     fn has_system_function(&self, block: BlockId) -> bool {

@@ -8,6 +8,8 @@ use sieben_model::address::Width;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::problems::Problem;
 
+use crate::interrupts::Interrupt;
+
 /// An input or output module, real or simulated, at byte addresses of the peripheral area.
 pub trait IoModule: Any + Send {
     /// What the user calls it.
@@ -23,6 +25,10 @@ pub trait IoModule: Any + Send {
     /// Time passes.
     fn advance(&mut self, dt_us: u64) {
         let _ = dt_us;
+    }
+    /// Interrupts that the module has raised since it was asked last: hardware, diagnostic, exchange …
+    fn alarms(&mut self) -> Vec<Interrupt> {
+        Vec::new()
     }
     /// Sets the input bits of `mask` from outside, to stay until changed; `false` if the module has a process of its own.
     fn set_input(&mut self, offset: u32, mask: u8, value: u8) -> bool {
@@ -145,6 +151,8 @@ pub struct Rack {
     /// What the CPU has put out; modules see 0 while outputs are disabled.
     outputs: Vec<u8>,
     enabled: bool,
+    /// What modules raised and the CPU has not seen yet.
+    alarms: Vec<Interrupt>,
 }
 
 impl fmt::Debug for Rack {
@@ -248,7 +256,18 @@ impl Rack {
     pub(crate) fn advance(&mut self, dt_us: u64) {
         for module in &mut self.modules {
             module.advance(dt_us);
+            collect(&mut self.alarms, &mut **module);
         }
+    }
+
+    /// Whether a module has raised an interrupt.
+    pub(crate) fn has_alarms(&self) -> bool {
+        !self.alarms.is_empty()
+    }
+
+    /// What the modules have raised since they were asked last.
+    pub(crate) fn take_alarms(&mut self) -> Vec<Interrupt> {
+        std::mem::take(&mut self.alarms)
     }
 
     /// Process image of the outputs → modules.
@@ -261,6 +280,7 @@ impl Rack {
                 let module = &mut self.modules[run.module];
                 let offset = bytes.start as u32 - module.outputs().start;
                 module.write(offset, source);
+                collect(&mut self.alarms, &mut **module);
             }
         }
     }
@@ -302,6 +322,7 @@ impl Rack {
             let module = &mut self.modules[usize::from(index)];
             let offset = byte - module.outputs().start;
             module.write(offset, &[value]);
+            collect(&mut self.alarms, &mut **module);
         }
     }
 
@@ -315,6 +336,7 @@ impl Rack {
             output_runs: Vec::new(),
             outputs: vec![0; size],
             enabled: false,
+            alarms: Vec::new(),
         }
     }
 
@@ -356,6 +378,14 @@ impl Rack {
         self.output_runs = runs(&self.output_owner);
         self
     }
+}
+
+/// Alarms that can wait for the CPU; a module that raises more in one moment is not believed.
+const ALARMS_MAX: usize = 1024;
+
+fn collect(alarms: &mut Vec<Interrupt>, module: &mut dyn IoModule) {
+    alarms.extend(module.alarms());
+    alarms.truncate(ALARMS_MAX);
 }
 
 fn owner(owners: &[Option<u16>], byte: u32) -> Option<u16> {

@@ -5,11 +5,14 @@
 #![forbid(unsafe_code)]
 
 mod cpu;
+mod diagnostic_events;
 mod host;
+mod start_information;
 
 pub mod clock;
 pub mod cycle;
 pub mod diagnostic_buffer;
+pub mod interrupts;
 pub mod io;
 pub mod mode;
 pub mod organization_blocks;
@@ -23,6 +26,7 @@ pub use clock::DateAndTime;
 pub use cpu::{Cpu, DataLoss, ScanReport, StopCause, StopRequest};
 pub use cycle::CycleTimes;
 pub use diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
+pub use interrupts::{Coming, CyclicInterrupt, Interrupt};
 pub use io::{IoModule, Rack, RackError, SimulatedModule};
 pub use mode::{OperatingMode, Restart};
 pub use retain::{RetainImage, RetentiveAreas};

@@ -1,41 +1,105 @@
-//! Organization blocks: priority, what happens without them, and the 20 bytes of start information.
+//! Organization blocks: priority, and what happens without them.
 
-use sieben_engine::{Abort, Fault, FaultPlace};
-use sieben_model::address::Width;
-use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::block::BlockId;
 
-use crate::clock::DateAndTime;
-use crate::cycle::CycleTimes;
 use crate::mode::Restart;
+pub use crate::start_information::{StartInformation, abort_stop_event};
 
 /// Cyclic program.
 pub const CYCLE: BlockId = BlockId::ob(1);
 /// Time error.
 pub const TIME_ERROR: BlockId = BlockId::ob(80);
+/// Priority class error.
+pub const PRIORITY_CLASS_ERROR: BlockId = BlockId::ob(85);
 /// Processing abort (S7-400).
 pub const PROCESSING_ABORT: BlockId = BlockId::ob(88);
+/// Background (S7-400).
+pub const BACKGROUND: BlockId = BlockId::ob(90);
 /// Programming error.
 pub const PROGRAMMING_ERROR: BlockId = BlockId::ob(121);
 /// I/O access error.
 pub const IO_ACCESS_ERROR: BlockId = BlockId::ob(122);
 
-/// What the CPU does with an organization block: number, priority class (0 = that of the cause), event of the STOP if it is
-/// needed and not loaded (0 = the CPU goes on).
-const TABLE: &[(u16, u8, u16)] =
-    &[(1, 1, 0), (80, 26, 0x4568), (88, 28, 0x4570), (100, 27, 0), (101, 27, 0), (102, 27, 0), (121, 0, 0x4562), (122, 0, 0x4563)];
-
-fn row(block: BlockId) -> Option<&'static (u16, u8, u16)> {
-    TABLE.iter().find(|row| row.0 == block.number)
+/// What the CPU does if it needs an organization block that is not loaded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Missing {
+    /// It goes on.
+    GoesOn,
+    /// A priority class error, OB 85.
+    PriorityClassError,
+    /// STOP with this event.
+    Stop(u16),
 }
 
-/// The priority class of an organization block; 0 if it has that of its cause.
+/// Some organization blocks of one kind.
+struct Row {
+    first: u16,
+    last: u16,
+    /// Priority class of the first one; 0 = that of the cause, or below OB 1.
+    priority: u8,
+    /// How much higher that of the next one is.
+    step: u8,
+    missing: Missing,
+}
+
+const fn row(first: u16, last: u16, priority: u8, step: u8, missing: Missing) -> Row {
+    Row { first, last, priority, step, missing }
+}
+
+/// All of them, by number.
+const TABLE: &[Row] = &[
+    row(1, 1, 1, 0, Missing::GoesOn),
+    row(10, 17, 2, 0, Missing::PriorityClassError),
+    row(20, 23, 3, 1, Missing::PriorityClassError),
+    row(30, 38, 7, 1, Missing::PriorityClassError),
+    row(40, 47, 16, 1, Missing::PriorityClassError),
+    row(55, 57, 2, 0, Missing::PriorityClassError),
+    row(60, 60, 25, 0, Missing::GoesOn),
+    row(80, 80, 26, 0, Missing::Stop(0x4568)),
+    row(81, 81, 26, 0, Missing::GoesOn),
+    row(82, 82, 26, 0, Missing::Stop(0x456A)),
+    row(83, 83, 26, 0, Missing::Stop(0x456B)),
+    row(84, 84, 26, 0, Missing::GoesOn),
+    row(85, 85, 26, 0, Missing::Stop(0x456D)),
+    row(86, 86, 26, 0, Missing::Stop(0x456F)),
+    row(87, 87, 26, 0, Missing::GoesOn),
+    row(88, 88, 28, 0, Missing::Stop(0x4570)),
+    row(90, 90, 0, 0, Missing::GoesOn),
+    row(100, 102, 27, 0, Missing::GoesOn),
+    row(121, 121, 0, 0, Missing::Stop(0x4562)),
+    row(122, 122, 0, 0, Missing::Stop(0x4563)),
+];
+
+fn row_of(number: u16) -> Option<&'static Row> {
+    TABLE.iter().find(|row| (row.first..=row.last).contains(&number))
+}
+
+/// The priority class of an organization block, 1 to 28; 0 if it has that of its cause, or runs below OB 1.
 pub fn priority(block: BlockId) -> u8 {
-    row(block).map_or(0, |row| row.1)
+    row_of(block.number).map_or(0, |row| row.priority + row.step * (block.number - row.first) as u8)
+}
+
+/// What the CPU does if it needs this organization block and it is not loaded.
+pub fn missing(block: BlockId) -> Missing {
+    row_of(block.number).map_or(Missing::GoesOn, |row| row.missing)
 }
 
 /// The event with which the CPU goes to STOP if this organization block is needed and not loaded; 0 if it goes on.
-pub fn missing(block: BlockId) -> u16 {
-    row(block).map_or(0, |row| row.2)
+pub fn stop_event(block: BlockId) -> u16 {
+    match missing(block) {
+        Missing::Stop(event) => event,
+        Missing::GoesOn | Missing::PriorityClassError => 0,
+    }
+}
+
+/// Whether it is that of an asynchronous error, OB 80 to OB 87: in STARTUP these run too, in priority class 28.
+pub fn is_asynchronous_error(number: u16) -> bool {
+    (80..=87).contains(&number)
+}
+
+/// Whether an event can start it beside the cycle: what [`crate::Cpu::raise`] takes.
+pub fn is_interrupt(number: u16) -> bool {
+    matches!(number, 10..=17 | 20..=23 | 30..=38 | 40..=47 | 55..=57 | 60) || is_asynchronous_error(number)
 }
 
 /// The startup block of a kind of restart.
@@ -47,146 +111,25 @@ pub fn startup(restart: Restart) -> BlockId {
     })
 }
 
-/// Start information as it lies in the local data, field by field.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct StartInformation {
-    /// Byte 0: event class and identification; byte 1: event number.
-    pub event: u16,
-    /// Byte 2.
-    pub priority: u8,
-    /// Byte 3.
-    pub block: u8,
-    /// Bytes 4 and 5.
-    pub data_id: u16,
-    /// Bytes 6 and 7.
-    pub info_1: u16,
-    /// Bytes 8 to 11.
-    pub info_2: u32,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-impl StartInformation {
-    /// The 20 bytes, with the time of the start behind the fields.
-    pub fn bytes(&self, time: DateAndTime) -> [u8; 20] {
-        let mut bytes = [0; 20];
-        bytes[0..2].copy_from_slice(&self.event.to_be_bytes());
-        bytes[2] = self.priority;
-        bytes[3] = self.block;
-        bytes[4..6].copy_from_slice(&self.data_id.to_be_bytes());
-        bytes[6..8].copy_from_slice(&self.info_1.to_be_bytes());
-        bytes[8..12].copy_from_slice(&self.info_2.to_be_bytes());
-        bytes[12..20].copy_from_slice(&time.to_bcd());
-        bytes
-    }
-
-    /// OB 1. `scan` counts from 1.
-    pub fn cycle(restart: Restart, scan: u64, times: &CycleTimes) -> Self {
-        let scan_1 = match (scan, restart) {
-            (0 | 1, Restart::Warm) => 0x01,
-            (0 | 1, Restart::Hot) => 0x02,
-            (0 | 1, Restart::Cold) => 0x04,
-            _ => 0x03,
-        };
-        let ms = |us: u64| u32::try_from(us / 1000).unwrap_or(u32::MAX).min(i16::MAX as u32);
-        Self {
-            event: 0x1100 | scan_1,
-            priority: 1,
-            block: 1,
-            info_1: ms(times.last) as u16,
-            info_2: ms(times.min) << 16 | ms(times.max),
-            ..Self::default()
+    #[test]
+    fn priorities_are_those_of_the_table() {
+        let expected = [(1, 1), (10, 2), (17, 2), (20, 3), (23, 6), (30, 7), (35, 12), (38, 15), (40, 16), (47, 23), (55, 2), (57, 2)];
+        for (number, priority) in expected.into_iter().chain([(60, 25), (80, 26), (87, 26), (88, 28), (90, 0), (101, 27), (121, 0), (9, 0)])
+        {
+            assert_eq!(super::priority(BlockId::ob(number)), priority, "OB {number}");
         }
     }
 
-    /// OB 100, 101 and 102 after a start by hand. `stop_event` stopped the CPU before; `hot` = the CPU type has a hot restart.
-    pub fn startup(restart: Restart, stop_event: u16, hot: bool) -> Self {
-        let (startup, done) = match restart {
-            Restart::Warm => (0x81, 0x04),
-            Restart::Hot => (0x83, 0x0C),
-            Restart::Cold => (0x85, 0x08),
-        };
-        // Startups allowed automatically and by hand: 0111 warm and cold, 1111 with hot.
-        let allowed: u32 = if hot { 0xFF } else { 0x77 };
-        Self {
-            event: 0x1300 | startup,
-            priority: 27,
-            block: startup_number(restart),
-            info_1: stop_event,
-            info_2: done << 16 | allowed << 8 | done,
-            ..Self::default()
-        }
-    }
-
-    /// OB 80 after the cycle time was exceeded. `elapsed_us` is the time of this cycle so far.
-    pub fn cycle_time_exceeded(elapsed_us: u64, interrupted: &Self) -> Self {
-        Self {
-            event: 0x3501,
-            priority: 26,
-            block: 80,
-            info_1: u16::try_from(elapsed_us / 1000).unwrap_or(u16::MAX),
-            info_2: u32::from(interrupted.event) << 16 | u32::from(interrupted.priority) << 8 | u32::from(interrupted.block),
-            ..Self::default()
-        }
-    }
-
-    /// OB 121, OB 122 or OB 88 for a fault at `place`, in an organization block of class `priority` started as `class` tells.
-    pub fn fault(fault: &Fault, place: FaultPlace, class: &Self) -> Self {
-        let block_type = u16::from(block_type(place.block)) << 8;
-        // PRG_ADDR is the statement counted from 0: a compiled block has no MC7 addresses.
-        let where_it_was = u32::from(place.block.number) << 16 | u32::from(u16::try_from(place.statement).unwrap_or(u16::MAX));
-        let common = Self { event: fault.event(), priority: class.priority, info_2: where_it_was, ..Self::default() };
-        match *fault {
-            Fault::Programming { register, access, .. } => {
-                Self { block: 121, data_id: block_type | u16::from(access), info_1: register, ..common }
+    #[test]
+    fn every_block_of_every_cpu_type_has_a_row() {
+        for cpu in sieben_model::cpu_type::CpuType::ALL {
+            for number in cpu.organization_blocks.iter().flat_map(|&(first, last)| first..=last) {
+                assert!(row_of(number).is_some(), "{}: OB {number}", cpu.name);
             }
-            Fault::IoAccess { width, byte, .. } => {
-                Self { block: 122, data_id: block_type | memory_area(width), info_1: u16::try_from(byte).unwrap_or(u16::MAX), ..common }
-            }
-            Fault::Abort(_) => Self {
-                priority: 28,
-                block: 88,
-                data_id: block_type,
-                info_1: u16::from(class.priority) << 8 | u16::from(class.block),
-                ..common
-            },
         }
-    }
-}
-
-fn startup_number(restart: Restart) -> u8 {
-    match restart {
-        Restart::Warm => 100,
-        Restart::Hot => 101,
-        Restart::Cold => 102,
-    }
-}
-
-/// The code of a block kind in start information.
-fn block_type(block: BlockId) -> u8 {
-    match block.kind {
-        BlockKind::OrganizationBlock => 0x88,
-        BlockKind::DataBlock => 0x8A,
-        BlockKind::Function => 0x8C,
-        BlockKind::FunctionBlock => 0x8E,
-        _ => 0,
-    }
-}
-
-/// OB122_MEM_AREA: the width of the access; the area I/O is 0.
-fn memory_area(width: Width) -> u16 {
-    match width {
-        Width::Bit => 0x00,
-        Width::Byte => 0x10,
-        Width::Word => 0x20,
-        Width::DoubleWord => 0x30,
-    }
-}
-
-/// The event with which a CPU without OB 88 stops after an abort.
-pub fn abort_stop_event(abort: Abort) -> u16 {
-    match abort {
-        Abort::NestingStack => 0x4571,
-        Abort::McrStack => 0x4572,
-        Abort::BlockStack => 0x4575,
-        Abort::LocalData => 0x4576,
     }
 }

@@ -1,8 +1,10 @@
 //! How a CPU is set up.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::clock::DateAndTime;
+use crate::interrupts::CyclicInterrupt;
 use crate::retain::RetentiveAreas;
 
 /// Where time comes from.
@@ -28,6 +30,10 @@ pub struct Settings {
     pub clock_memory_byte: Option<u16>,
     /// Time of day when the clock shows 0.
     pub date_and_time: DateAndTime,
+    /// Cyclic interrupts by the number of their organization block, 30 to 38. A block that is loaded and not in here has its usual interval.
+    pub cyclic: BTreeMap<u16, CyclicInterrupt>,
+    /// Least distance of two starts of OB 1; the rest of it is for OB 90 (S7-400).
+    pub min_cycle: Duration,
     /// Which bit memory, timers and counters a warm restart and a power failure leave alone.
     pub retain: RetentiveAreas,
 }
@@ -40,6 +46,8 @@ impl Default for Settings {
             virtual_safe_points: 10_000_000,
             clock_memory_byte: None,
             date_and_time: DateAndTime::DEFAULT,
+            cyclic: BTreeMap::new(),
+            min_cycle: Duration::ZERO,
             retain: RetentiveAreas::default(),
         }
     }

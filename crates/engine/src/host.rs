@@ -95,7 +95,7 @@ pub trait Host {
 pub trait Engine: Send + Sync {
     /// Runs an organization block from its beginning.
     fn run(&self, context: &mut Context<'_>, entry: &Entry) -> Exit;
-    /// Goes on with the frames of the machine, after [`Exit::Suspended`] and [`Exit::Stopped`].
+    /// Goes on with the frames of the machine, after [`Exit::Suspended`] and [`Exit::Stopped`]. The place where it goes on is a safe point.
     fn resume(&self, context: &mut Context<'_>) -> Exit;
     /// Whether this block is loaded.
     fn has_block(&self, block: BlockId) -> bool;

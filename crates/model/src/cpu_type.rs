@@ -33,6 +33,8 @@ pub struct CpuType {
     pub nesting_depth: u8,
     /// Additional nested block calls inside a synchronous-error OB.
     pub nesting_depth_error: u8,
+    /// Numbers of the organization blocks that the operating system calls, from and to.
+    pub organization_blocks: &'static [(u16, u16)],
     /// Whether OB 88 exists; without it a processing abort is STOP 16#457x.
     pub has_ob88: bool,
     /// `L STW` and `T STW` move all nine status bits (S7-400) or not /FC, STA and OR (S7-300).
@@ -40,6 +42,12 @@ pub struct CpuType {
     /// Entries of the diagnostic buffer.
     pub diagnostic_buffer: u16,
 }
+
+/// One time-of-day interrupt, two delays, four cyclic interrupts, one hardware interrupt; no multicomputing, no background, no hot restart.
+const S7_300_BLOCKS: &[(u16, u16)] =
+    &[(1, 1), (10, 10), (20, 21), (32, 35), (40, 40), (55, 57), (80, 80), (82, 83), (85, 87), (100, 100), (102, 102), (121, 122)];
+const S7_400_BLOCKS: &[(u16, u16)] =
+    &[(1, 1), (10, 17), (20, 23), (30, 38), (40, 47), (55, 57), (60, 60), (80, 88), (90, 90), (100, 102), (121, 122)];
 
 const S7_300: CpuType = CpuType {
     name: "315-2PN/DP",
@@ -57,6 +65,7 @@ const S7_300: CpuType = CpuType {
     block_size_max: 65_536,
     nesting_depth: 16,
     nesting_depth_error: 4,
+    organization_blocks: S7_300_BLOCKS,
     has_ob88: false,
     status_word_whole: false,
     diagnostic_buffer: 100,
@@ -74,6 +83,7 @@ const S7_400: CpuType = CpuType {
     local_data_block: 65_536,
     nesting_depth: 24,
     nesting_depth_error: 2,
+    organization_blocks: S7_400_BLOCKS,
     has_ob88: true,
     status_word_whole: true,
     diagnostic_buffer: 500,
@@ -90,6 +100,11 @@ impl CpuType {
         S7_400,
         CpuType { name: "417-4", local_data: 64 * 1024, ..S7_400 },
     ];
+
+    /// Whether the operating system of this CPU type calls OB `number`.
+    pub fn has_organization_block(&self, number: u16) -> bool {
+        self.organization_blocks.iter().any(|&(first, last)| (first..=last).contains(&number))
+    }
 
     /// The CPU type with this name, without regard to case and blanks.
     pub fn by_name(name: &str) -> Option<&'static Self> {

@@ -9,7 +9,10 @@
 //! set I 0.0=1 MW10=16#0102 ACCU1=5     before the next scan
 //! scan | scan 3 | scan until 400ms | scan at 410ms
 //! at 310ms I 0.0=0                     when a scan begins at that time or later
-//! interrupt OB 40 at safe point 17
+//! cyclic OB 35 50ms phase 10ms         interval and phase offset of a cyclic interrupt, from the start
+//! min-cycle 50ms                       the least cycle time, from the start
+//! interrupt OB 40                      before the next scan; with EVENT= ID= INFO1= INFO2= for its start information
+//! interrupt OB 40 at safe point 17     in the next scan: its 17th backward jump or block entry
 //! restart warm | restart hot | restart cold
 //! expect Q 0.0=1 T 1=70 STW.RLO=1
 //! expect Q 4.0=1 within 20ms           scans until it is so
@@ -23,8 +26,9 @@
 
 use std::fmt;
 use std::ops::Range;
+use std::time::Duration;
 
-use sieben_cpu::{Cpu, OperatingMode, Restart};
+use sieben_cpu::{Cpu, CyclicInterrupt, Interrupt, OperatingMode, Restart};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::symbols::SymbolTable;
 
@@ -58,6 +62,8 @@ pub struct Scenario {
     /// Why it is expected to fail, if it is.
     pub known_gap: Option<String>,
     cycle_us: u64,
+    min_cycle_us: u64,
+    cyclic: Vec<(u16, CyclicInterrupt)>,
     lines: Vec<Line>,
 }
 
@@ -76,7 +82,7 @@ enum Command {
     ScanUntil(u64),
     ScanAt(u64),
     At(u64, Assignments),
-    Interrupt(u16),
+    Interrupt(Interrupt, Option<u64>),
     Restart(Restart),
     Expect(Assignments, Option<u64>),
     ExpectStop(u16),
@@ -90,7 +96,8 @@ const CYCLE_US: u64 = 10_000;
 const SCANS_MAX: u64 = 1_000_000;
 
 /// The words a line can begin with.
-const WORDS: &str = "`cpu`, `cycle`, `modules`, `set`, `scan`, `at`, `interrupt`, `restart`, `expect`, `table` or `known-gap`";
+const WORDS: &str =
+    "`cpu`, `cycle`, `min-cycle`, `cyclic`, `modules`, `set`, `scan`, `at`, `interrupt`, `restart`, `expect`, `table` or `known-gap`";
 
 impl Scenario {
     /// Reads a scenario.
@@ -153,6 +160,14 @@ impl Scenario {
                 }
                 return Ok(());
             }
+            "cyclic" => {
+                self.cyclic.push(cyclic(rest)?);
+                return Ok(());
+            }
+            "min-cycle" => {
+                self.min_cycle_us = duration(rest)?;
+                return Ok(());
+            }
             "modules" => {
                 self.modules = Some(byte_range(rest)?);
                 return Ok(());
@@ -208,6 +223,15 @@ impl Scenario {
         Ok(())
     }
 
+    /// Sets up a CPU in STOP.
+    fn prepare(&self, mut cpu: Cpu) -> Cpu {
+        for &(number, setting) in &self.cyclic {
+            cpu.set_cyclic_interrupt(number, setting);
+        }
+        cpu.set_min_cycle(Duration::from_micros(self.min_cycle_us));
+        cpu
+    }
+
     /// Runs the scenario. `fresh` makes a CPU in STOP with the program loaded.
     /// What did not come true is returned; a [`Self::known_gap`] is the caller's to judge.
     pub fn run(&self, symbols: &SymbolTable, fresh: &mut dyn FnMut() -> Cpu) -> Vec<ScenarioError> {
@@ -216,7 +240,7 @@ impl Scenario {
         for (index, line) in self.lines.iter().enumerate() {
             if let Command::Table { inputs, outputs, rows } = &line.command {
                 for (number, values) in rows {
-                    let mut row = Run::start(fresh(), symbols, self.cycle_us);
+                    let mut row = Run::start(self.prepare(fresh()), symbols, self.cycle_us);
                     row.line = *number;
                     for above in &self.lines[..index] {
                         if let Command::Set(assignments) = &above.command {
@@ -233,7 +257,7 @@ impl Scenario {
                 }
                 continue;
             }
-            let run = run.get_or_insert_with(|| Run::start(fresh(), symbols, self.cycle_us));
+            let run = run.get_or_insert_with(|| Run::start(self.prepare(fresh()), symbols, self.cycle_us));
             run.line = line.number;
             run.command(&line.command);
         }
@@ -297,7 +321,8 @@ impl<'a> Run<'a> {
                 }
                 _ => self.changes.push((*time, self.line, assignments.clone())),
             },
-            Command::Interrupt(number) => self.fail(format!("starting OB {number} inside a scan is not available yet")),
+            Command::Interrupt(interrupt, None) => self.cpu.raise(*interrupt),
+            Command::Interrupt(interrupt, Some(point)) => self.cpu.raise_at_safe_point(*point, *interrupt),
             Command::Restart(restart) => {
                 self.cpu.restart(*restart);
                 self.stop_expected = false;
@@ -343,7 +368,11 @@ impl<'a> Run<'a> {
             self.set(&assignments);
         }
         self.line = line;
-        self.cpu.scan(now);
+        let report = self.cpu.scan(now);
+        if report.events_missed > 0 {
+            let passed = report.safe_points;
+            self.fail(format!("the scan passed only {passed} safe points (backward jumps and block entries); the interrupt never came"));
+        }
         self.last_us = Some(now);
         self.next_us = now.saturating_add(self.cycle_us);
     }
@@ -447,17 +476,76 @@ fn scan(rest: &str) -> Result<Command, String> {
     }
 }
 
+/// `OB 40`, `OB 82 EVENT=16#3842 INFO1=4`, `OB 40 at safe point 17`.
 fn interrupt(rest: &str) -> Result<Command, String> {
-    let plain: Vec<String> = rest.split_whitespace().map(str::to_ascii_lowercase).collect();
-    let words: Vec<&str> = plain.iter().map(String::as_str).collect();
-    let number = match words.as_slice() {
-        ["ob", number, "at", "safe", "point", point] if point.parse::<u64>().is_ok() => number.parse().ok(),
-        [number, "at", "safe", "point", point] if point.parse::<u64>().is_ok() => {
-            number.strip_prefix("ob").and_then(|number| number.parse().ok())
+    let not_understood = || format!("`interrupt {rest}` is not understood; write `interrupt OB 40` or `interrupt OB 40 at safe point 17`");
+    let (what, point) = match rest.split_once(" at ") {
+        None => (rest, None),
+        Some((what, behind)) => {
+            let words: Vec<String> = behind.split_whitespace().map(str::to_ascii_lowercase).collect();
+            let point = match words.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
+                ["safe", "point", point] => point.parse::<u64>().ok().filter(|&point| point > 0),
+                _ => None,
+            };
+            (what, Some(point.ok_or_else(not_understood)?))
         }
-        _ => None,
     };
-    number.map(Command::Interrupt).ok_or_else(|| format!("`interrupt {rest}` is not understood; write `interrupt OB 40 at safe point 17`"))
+    let (number, fields) = block_number(what).ok_or_else(not_understood)?;
+    let usual = Interrupt::usual(number).ok_or_else(|| {
+        format!("no event starts OB {number}; write one of OB 10 to 17, 20 to 23, 30 to 38, 40 to 47, 55 to 57, 60 or 80 to 87")
+    })?;
+    let mut info = usual.start_information();
+    for field in fields.split_whitespace() {
+        let wrong = || {
+            format!(
+                "`{field}` is no part of the start information; write `EVENT=`, `ID=`, `INFO1=` or `INFO2=` and a number such as 16#3942"
+            )
+        };
+        let (name, value) = field.split_once('=').ok_or_else(wrong)?;
+        let value = match value.strip_prefix("16#") {
+            Some(digits) => u32::from_str_radix(&digits.replace('_', ""), 16),
+            None => value.parse(),
+        };
+        let value = value.map_err(|_| wrong())?;
+        let word = u16::try_from(value);
+        match name.to_ascii_uppercase().as_str() {
+            "EVENT" => info.event = word.map_err(|_| wrong())?,
+            "ID" => info.data_id = word.map_err(|_| wrong())?,
+            "INFO1" => info.info_1 = word.map_err(|_| wrong())?,
+            "INFO2" => info.info_2 = value,
+            _ => return Err(wrong()),
+        }
+    }
+    let interrupt = Interrupt::event(number, info.event, info.data_id, info.info_1, info.info_2);
+    interrupt.map(|interrupt| Command::Interrupt(interrupt, point)).ok_or_else(not_understood)
+}
+
+/// `OB 40 …` or `OB40 …`: the number, and what stands behind it.
+fn block_number(text: &str) -> Option<(u16, &str)> {
+    let behind = text.trim_start().get(2..).filter(|_| text.trim_start().get(..2).is_some_and(|ob| ob.eq_ignore_ascii_case("ob")))?;
+    let behind = behind.trim_start();
+    let end = behind.find(|c: char| !c.is_ascii_digit()).unwrap_or(behind.len());
+    Some((behind[..end].parse().ok()?, &behind[end..]))
+}
+
+/// `OB 35 50ms`, `OB 35 50ms phase 10ms`.
+fn cyclic(rest: &str) -> Result<(u16, CyclicInterrupt), String> {
+    let not_understood = || format!("`cyclic {rest}` is not understood; write `cyclic OB 35 50ms` or `cyclic OB 35 50ms phase 10ms`");
+    let (number, behind) = block_number(rest).ok_or_else(not_understood)?;
+    if CyclicInterrupt::usual(number).is_none() {
+        return Err(format!("OB {number} is no cyclic interrupt; these are OB 30 to OB 38"));
+    }
+    let ms = |text: &str, least: u64| {
+        let us = duration(text)?;
+        let ms = u16::try_from(us / 1000).ok().filter(|&ms| us % 1000 == 0 && u64::from(ms) >= least && ms <= CyclicInterrupt::MS_MAX);
+        ms.ok_or_else(|| format!("`{text}` is no time of a cyclic interrupt; write {least}ms to 60s, in whole milliseconds"))
+    };
+    let (interval_ms, phase_ms) = match behind.split_whitespace().collect::<Vec<_>>().as_slice() {
+        [interval] => (ms(interval, 1)?, 0),
+        [interval, "phase", phase] => (ms(interval, 1)?, ms(phase, 0)?),
+        _ => return Err(not_understood()),
+    };
+    Ok((number, CyclicInterrupt { interval_ms, phase_ms }))
 }
 
 fn expect(rest: &str) -> Result<Command, String> {
@@ -577,7 +665,14 @@ mod tests {
             ("table I 0.0 -> Q 0.0", "no row"),
             ("table I 0.0 -> Q 0.0\n1", "1 values"),
             ("known-gap", "why"),
-            ("interrupt OB 40", "safe point"),
+            ("interrupt", "safe point"),
+            ("interrupt OB 40 at safe point 0", "safe point"),
+            ("interrupt OB 1", "no event starts"),
+            ("interrupt OB 82 EVENTS=1", "start information"),
+            ("interrupt OB 82 EVENT=16#39420", "start information"),
+            ("cyclic OB 1 5ms", "no cyclic"),
+            ("cyclic OB 35 0ms", "1ms to 60s"),
+            ("cyclic OB 35", "not understood"),
             ("restart", "kind of restart"),
             ("modules 5", "no bytes"),
             ("scan until 9999999h", "ten years"),

@@ -194,7 +194,7 @@ fn a_scenario_that_does_not_come_true_says_where_and_what() {
         ("scan 3\nat 10ms I 0.0=1\nscan", 2, "the last scan was already at 20ms"),
         ("at 500ms I 0.0=1\nscan", 1, "no scan came at 500ms"),
         ("scan at 50ms\nscan at 20ms", 2, "already at 50ms"),
-        ("interrupt OB 40 at safe point 17", 1, "not available yet"),
+        ("interrupt OB 40 at safe point 17\nscan", 2, "safe points"),
         ("table MW0 -> MW2\n1 0\n2 9", 3, "expected MW2 = 9"),
         ("set ACCU3=1", 1, "accumulators 1 and 2"),
         ("cycle 1us\nscan until 1h", 2, "more than 1000000 scans"),

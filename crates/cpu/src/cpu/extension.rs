@@ -23,6 +23,7 @@ impl Cpu {
         self.restart = Restart::Warm;
         self.class = StartInformation::startup(self.restart, 0, self.cpu_type.has_ob88);
         self.system.restart(self.machine.clock_us, true, self.class);
+        self.interrupts.startup(false);
         self.mode = OperatingMode::Startup;
         self.log(StartInformation { event: 0x4301, ..self.class }, None);
         self.watchdog = Watchdog::new(true, self.now_us, self.watchdog_us(), self.settings.virtual_safe_points);

@@ -10,6 +10,7 @@ use super::run::Outcome;
 use super::stop::Held;
 use crate::cycle::Cycle;
 use crate::host::Watchdog;
+use crate::interrupts::CyclicInterrupt;
 use crate::mode::{OperatingMode, Restart};
 use crate::organization_blocks::{self as ob, StartInformation};
 use crate::system;
@@ -36,6 +37,7 @@ impl Cpu {
         self.cycle = Cycle::default();
         self.class = StartInformation::startup(self.restart, stop_event, self.cpu_type.has_ob88);
         self.system.restart(self.machine.clock_us, self.restart == Restart::Hot, self.class);
+        self.interrupts.startup(self.restart == Restart::Hot);
         self.mode = OperatingMode::Startup;
         self.log(StartInformation { event: 0x4301, ..self.class }, None);
         self.watchdog = Watchdog::new(true, self.now_us, self.watchdog_us(), self.settings.virtual_safe_points);
@@ -96,9 +98,18 @@ impl Cpu {
                 self.log(StartInformation { event: 0x4302, ..self.class }, None);
                 self.mode = OperatingMode::Run;
                 self.rack.enable_outputs(true);
+                let cyclic: Vec<_> = (CyclicInterrupt::FIRST..=CyclicInterrupt::LAST).filter_map(|number| self.cyclic(number)).collect();
+                self.interrupts.run(cyclic.into_iter(), self.machine.clock_us);
             }
             Outcome::Suspended => self.hold(Held::Startup),
             Outcome::Stopped(reason, first) => self.enter_stop(reason, first),
         }
+    }
+
+    /// The number and the setting of a cyclic interrupt that the CPU has: the configured one, or the usual one of a block that is loaded.
+    fn cyclic(&self, number: u16) -> Option<(u16, CyclicInterrupt)> {
+        let configured = self.settings.cyclic.get(&number).copied().filter(|_| self.cpu_type.has_organization_block(number));
+        let usual = || CyclicInterrupt::usual(number).filter(|_| self.interrupts.is_available(number));
+        configured.or_else(usual).map(|setting| (number, setting))
     }
 }

@@ -1,8 +1,8 @@
-//! The run of one organization block, with OB 88 if it is aborted.
+//! The run of one organization block, with what interrupts it, and with OB 88 if it is aborted.
 
 use std::sync::Arc;
 
-use sieben_engine::machine::Registers;
+use sieben_engine::machine::{Frame, Origin, Registers};
 use sieben_engine::{Context, Entry, Exit, StopReason, Tracer};
 use sieben_model::block::BlockId;
 
@@ -44,15 +44,19 @@ impl Cpu {
                 abort: None,
                 program: &self.program,
                 system: &mut self.system,
+                interrupts: &mut self.interrupts,
+                clock_set: false,
             };
             if !resume {
                 if let Some(entry) = &entry {
                     host.system.begin(entry.block.number);
+                    let requested_us = self.requested_us.take().unwrap_or(self.now_us);
+                    host.interrupts.run_times.begin(entry.block.number, 0, requested_us, self.now_us);
                 }
                 self.machine.frames.clear();
                 self.machine.parameters.clear();
             }
-            host.watchdog.begin(source, &mut self.machine, &self.requests);
+            host.begin(&mut self.machine);
             let tracer: Option<&mut dyn Tracer> = match &mut tracer {
                 Some(tracer) => Some(&mut **tracer),
                 None => None,
@@ -66,13 +70,20 @@ impl Cpu {
             self.watchdog.settle(&self.machine);
             self.now_us = now_us;
             self.settings.date_and_time = start;
+            self.interrupts.run_times.end(self.machine.frames.len(), self.now_us);
+            if let (Exit::Stopped(_), Some(info)) = (&exit, abort) {
+                if self.leave_class() {
+                    self.interrupts.abort(info, self.now_us);
+                    (entry, resume) = (None, true);
+                } else {
+                    saved.get_or_insert_with(|| self.machine.registers.clone());
+                    self.class = info;
+                    (entry, resume) = (Some(self.entry(ob::PROCESSING_ABORT, None)), false);
+                }
+                continue;
+            }
             let registers = saved.get_or_insert_with(|| self.machine.registers.clone());
             match exit {
-                Exit::Stopped(_) if abort.is_some() => {
-                    self.class = abort.unwrap_or_default();
-                    entry = Some(self.entry(ob::PROCESSING_ABORT, None));
-                    resume = false;
-                }
                 Exit::Suspended => return Outcome::Suspended,
                 exit => {
                     // OB 88 has registers of its own; those of the aborted block are the ones to show.
@@ -88,5 +99,17 @@ impl Cpu {
 
     pub(super) fn watchdog_us(&self) -> u64 {
         u64::try_from(self.settings.watchdog.as_micros()).unwrap_or(u64::MAX)
+    }
+
+    /// Gives up the innermost priority class; the block that it interrupted is the one to go on. `false` if it interrupted none.
+    fn leave_class(&mut self) -> bool {
+        let frames = &mut self.machine.frames;
+        let Some(index) = frames.iter().rposition(Frame::begins_class).filter(|&index| index > 0) else { return false };
+        let Some(Frame { origin: Origin::Interrupt { registers, .. }, parameters, .. }) = frames.drain(index..).next() else {
+            return false;
+        };
+        self.machine.parameters.truncate(parameters as usize);
+        self.machine.registers = *registers;
+        true
     }
 }

@@ -6,10 +6,11 @@ use sieben_engine::Tracer;
 use sieben_model::address::Area;
 
 use super::Cpu;
+use super::interrupting::again;
 use super::run::Outcome;
 use super::stop::Held;
 use crate::clock::clock_memory;
-use crate::host::Watchdog;
+use crate::interrupts::Again;
 use crate::mode::OperatingMode;
 use crate::organization_blocks::{self as ob, StartInformation};
 use crate::process_image;
@@ -28,6 +29,8 @@ pub struct ScanReport {
     pub execution_us: u64,
     /// Safe points that the program passed.
     pub safe_points: u64,
+    /// Events of [`Cpu::raise_at_safe_point`] that did not happen because the cycle had not so many safe points.
+    pub events_missed: usize,
 }
 
 impl Cpu {
@@ -43,8 +46,10 @@ impl Cpu {
     }
 
     /// One cycle with a clock (microseconds), which is asked again inside the scan in real time.
-    pub fn scan_with(&mut self, clock: &mut dyn FnMut() -> u64, tracer: Option<&mut dyn Tracer>) -> ScanReport {
-        self.advance(clock());
+    pub fn scan_with(&mut self, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) -> ScanReport {
+        let begin_us = clock();
+        self.serve_until(begin_us, clock, again(&mut tracer));
+        self.advance(begin_us);
         if self.mode == OperatingMode::Run && self.requests.stop.swap(false, Ordering::Relaxed) {
             self.stop();
         }
@@ -53,15 +58,20 @@ impl Cpu {
         }
         self.cycle.begin(self.now_us);
         self.cycle_control_point();
-        self.watchdog = Watchdog::new(false, self.now_us, self.watchdog_us(), self.settings.virtual_safe_points);
+        self.watchdog = self.new_watchdog();
+        // Modules may have answered to their new outputs.
+        self.serve_waiting(clock, &mut tracer);
+        if self.mode != OperatingMode::Run {
+            return self.report(true, 0);
+        }
         self.class = StartInformation::cycle(self.restart, self.cycle.number, &self.cycle.times);
         let registers = self.preset.take();
         let outcome = if self.engine.has_block(ob::CYCLE) {
-            self.run(Some(self.entry(ob::CYCLE, registers)), clock, tracer)
+            self.run(Some(self.entry(ob::CYCLE, registers)), clock, again(&mut tracer))
         } else {
             Outcome::Finished
         };
-        self.after_cycle(outcome, clock)
+        self.after_cycle(outcome, clock, tracer)
     }
 
     /// Goes on after HOLD; in other modes nothing happens.
@@ -70,7 +80,7 @@ impl Cpu {
     }
 
     /// As [`Self::resume`], with a clock and someone who watches statements.
-    pub fn resume_with(&mut self, clock: &mut dyn FnMut() -> u64, tracer: Option<&mut dyn Tracer>) -> ScanReport {
+    pub fn resume_with(&mut self, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) -> ScanReport {
         let held_at = self.now_us;
         self.advance(clock());
         let Some(held) = self.held.take() else { return self.report(false, 0) };
@@ -78,13 +88,19 @@ impl Cpu {
         self.watchdog.started_us = self.watchdog.started_us.saturating_add(self.now_us - held_at);
         self.log(StartInformation { event: 0x4306, ..self.class }, None);
         self.mode = if held == Held::Startup { OperatingMode::Startup } else { OperatingMode::Run };
-        let outcome = self.run(None, clock, tracer);
+        let again_come = if self.cpu_type.has_ob88 { Again::No } else { Again::Yes };
+        self.interrupts.clock_set(0x3506, &self.now(), again_come, &self.class);
+        let outcome = self.run(None, clock, again(&mut tracer));
         match held {
             Held::Startup => {
                 self.after_startup(outcome);
                 self.report(true, 0)
             }
-            Held::Cycle => self.after_cycle(outcome, clock),
+            Held::Cycle => self.after_cycle(outcome, clock, tracer),
+            Held::Interrupt => {
+                self.after_interrupt(outcome);
+                self.report(true, 0)
+            }
         }
     }
 
@@ -108,10 +124,16 @@ impl Cpu {
         }
     }
 
-    pub(super) fn after_cycle(&mut self, outcome: Outcome, clock: &mut dyn FnMut() -> u64) -> ScanReport {
+    pub(super) fn after_cycle(
+        &mut self,
+        outcome: Outcome,
+        clock: &mut dyn FnMut() -> u64,
+        mut tracer: Option<&mut dyn Tracer>,
+    ) -> ScanReport {
         self.registers = self.machine.registers.clone();
         match outcome {
-            Outcome::Finished => {}
+            // What came after the last safe point, or was held up until the end.
+            Outcome::Finished => self.serve_waiting(clock, &mut tracer),
             Outcome::Suspended => self.hold(Held::Cycle),
             Outcome::Stopped(..) if self.system.reboot => self.reboot(clock),
             Outcome::Stopped(reason, first) => self.enter_stop(reason, first),
@@ -124,8 +146,9 @@ impl Cpu {
         self.report(true, execution)
     }
 
-    pub(super) fn report(&self, executed: bool, execution_us: u64) -> ScanReport {
+    pub(super) fn report(&mut self, executed: bool, execution_us: u64) -> ScanReport {
         let safe_points = if executed { self.watchdog.total } else { 0 };
-        ScanReport { number: self.cycle.number, executed, mode: self.mode, execution_us, safe_points }
+        let events_missed = if executed { self.interrupts.drop_scheduled() } else { 0 };
+        ScanReport { number: self.cycle.number, executed, mode: self.mode, execution_us, safe_points, events_missed }
     }
 }

@@ -44,6 +44,8 @@ impl StopRequest {
 pub(super) enum Held {
     Startup,
     Cycle,
+    /// An interrupt between two cycles.
+    Interrupt,
 }
 
 impl Cpu {
@@ -88,6 +90,7 @@ impl Cpu {
         self.held = None;
         self.machine.frames.clear();
         self.machine.parameters.clear();
+        self.interrupts.clear();
         self.rack.enable_outputs(false);
     }
 

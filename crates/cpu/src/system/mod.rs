@@ -7,6 +7,8 @@ mod error_masks;
 mod extension;
 mod iec_timer;
 mod instance;
+mod interrupt_blocks;
+mod interrupt_locks;
 mod output_bits;
 mod parameters;
 mod process_image_partitions;
@@ -33,9 +35,19 @@ mod sfc024_test_db;
 mod sfc025_compress;
 mod sfc026_updat_pi;
 mod sfc027_updat_po;
+mod sfc028_set_tint;
+mod sfc029_can_tint;
+mod sfc030_act_tint;
+mod sfc031_qry_tint;
+mod sfc032_srt_dint;
+mod sfc033_can_dint;
+mod sfc034_qry_dint;
+mod sfc035_mp_alm;
 mod sfc036_msk_flt;
 mod sfc037_dmsk_flt;
 mod sfc038_read_err;
+mod sfc039_dis_irt;
+mod sfc040_en_irt;
 mod sfc041_dis_airt;
 mod sfc042_en_airt;
 mod sfc043_re_trigr;
@@ -43,6 +55,7 @@ mod sfc044_repl_val;
 mod sfc046_stp;
 mod sfc047_wait;
 mod sfc064_time_tck;
+mod sfc078_ob_rt;
 mod sfc079_set;
 mod sfc080_rset;
 mod sfc081_ublkmov;
@@ -146,9 +159,19 @@ static TABLE: &[Row] = &[
     sfc025_compress::ROW,
     sfc026_updat_pi::ROW,
     sfc027_updat_po::ROW,
+    sfc028_set_tint::ROW,
+    sfc029_can_tint::ROW,
+    sfc030_act_tint::ROW,
+    sfc031_qry_tint::ROW,
+    sfc032_srt_dint::ROW,
+    sfc033_can_dint::ROW,
+    sfc034_qry_dint::ROW,
+    sfc035_mp_alm::ROW,
     sfc036_msk_flt::ROW,
     sfc037_dmsk_flt::ROW,
     sfc038_read_err::ROW,
+    sfc039_dis_irt::ROW,
+    sfc040_en_irt::ROW,
     sfc041_dis_airt::ROW,
     sfc042_en_airt::ROW,
     sfc043_re_trigr::ROW,
@@ -156,6 +179,7 @@ static TABLE: &[Row] = &[
     sfc046_stp::ROW,
     sfc047_wait::ROW,
     sfc064_time_tck::ROW,
+    sfc078_ob_rt::ROW,
     sfc079_set::ROW,
     sfc080_rset::ROW,
     sfc081_ublkmov::ROW,

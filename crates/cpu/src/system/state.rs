@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use sieben_engine::{Machine, machine::Origin};
 use sieben_model::extension::FailedAssertion;
 
-use crate::organization_blocks::{self as ob, StartInformation};
+use crate::organization_blocks::StartInformation;
 
 /// What a priority class has set; its end forgets it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -82,12 +82,13 @@ impl State {
 
     /// What the running priority class has set. Organization blocks of synchronous errors belong to the class of their cause.
     pub(crate) fn class(&mut self, machine: &Machine) -> &mut Class {
-        let own = machine.frames.iter().rev().find(|frame| match frame.origin {
-            Origin::Start => true,
-            Origin::Interrupt { .. } => !matches!(frame.block, ob::PROGRAMMING_ERROR | ob::IO_ACCESS_ERROR),
-            Origin::Call(_) => false,
-        });
+        let own = machine.frames.iter().rfind(|frame| frame.begins_class());
         self.classes.entry(own.map_or(0, |frame| frame.block.number)).or_default()
+    }
+
+    /// Start information of the organization block that interrupts others on top of this many frames.
+    pub(crate) fn started_at(&self, below: usize) -> Option<StartInformation> {
+        self.interrupts.iter().rev().find(|one| one.0 == below).map(|&(_, info)| info)
     }
 
     /// Start information of the innermost organization block, if it interrupts another.

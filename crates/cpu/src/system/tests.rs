@@ -12,6 +12,7 @@ use super::*;
 use crate::clock::DateAndTime;
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::host::{Requests, Time, Watchdog};
+use crate::interrupts::Interrupts;
 use crate::io::Rack;
 use crate::organization_blocks::StartInformation;
 use crate::settings::TimeSource;
@@ -67,6 +68,7 @@ fn with_host(memory: &[u8], parameters: &[u32], ar2: u32, check: impl FnOnce(&mu
     let mut clock = || 0;
     let mut watchdog = Watchdog::default();
     let mut state = State::default();
+    let mut interrupts = Interrupts::new(|number| cpu_type.has_organization_block(number));
     let mut host = CpuHost {
         cpu_type,
         engine: &*engine,
@@ -80,6 +82,8 @@ fn with_host(memory: &[u8], parameters: &[u32], ar2: u32, check: impl FnOnce(&mu
         abort: None,
         program: &program,
         system: &mut state,
+        interrupts: &mut interrupts,
+        clock_set: false,
     };
     check(&mut Call { machine: &mut machine, host: &mut host, first: 0 });
 }

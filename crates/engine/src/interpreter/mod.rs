@@ -35,7 +35,7 @@ impl Engine for Interpreter {
         self.start(context, entry)
     }
     fn resume(&self, context: &mut Context<'_>) -> Exit {
-        self.go_on(context)
+        self.resume(context)
     }
     fn has_block(&self, block: BlockId) -> bool {
         self.index.contains_key(&block)

@@ -55,7 +55,17 @@ impl Interpreter {
         self.go_on(context)
     }
 
-    pub(super) fn go_on(&self, context: &mut Context<'_>) -> Exit {
+    /// Goes on with the frames of the machine. Whatever may interrupt them comes first.
+    pub(super) fn resume(&self, context: &mut Context<'_>) -> Exit {
+        let mut file = load_file(&context.machine.registers);
+        if let Next::Leave(exit) = self.interrupt_ended(context, &mut file) {
+            return exit;
+        }
+        store_file(context.machine, &file);
+        self.go_on(context)
+    }
+
+    fn go_on(&self, context: &mut Context<'_>) -> Exit {
         if context.tracer.is_some() { self.execute::<true>(context) } else { self.execute::<false>(context) }
     }
 

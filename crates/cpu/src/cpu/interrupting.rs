@@ -1,0 +1,126 @@
+//! Interrupts between two cycles, and what raises them from outside.
+
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+
+use sieben_engine::Tracer;
+use sieben_model::block::BlockId;
+
+use super::Cpu;
+use super::run::Outcome;
+use super::stop::Held;
+use crate::diagnostic_buffer::DiagnosticEntry;
+use crate::host::Watchdog;
+use crate::interrupts::{CyclicInterrupt, Interrupt, Now, Request};
+use crate::mode::OperatingMode;
+use crate::organization_blocks as ob;
+use crate::settings::TimeSource;
+
+impl Cpu {
+    /// An interrupt or asynchronous error happens. Its organization block runs at the next safe point, or before the next scan;
+    /// in STOP an error only enters the diagnostic buffer.
+    pub fn raise(&mut self, interrupt: Interrupt) {
+        let info = interrupt.start_information();
+        match self.mode {
+            OperatingMode::Stop if ob::is_asynchronous_error(u16::from(info.block)) => {
+                self.log(info, None);
+            }
+            OperatingMode::Stop => {}
+            _ => self.interrupts.raise(info, &self.class, self.now_us),
+        }
+    }
+
+    /// An interrupt or asynchronous error happens at a safe point (a backward jump or a block entry) of the next cycle, counted from 1.
+    /// If the cycle has not so many, it never happens.
+    pub fn raise_at_safe_point(&mut self, point: u64, interrupt: Interrupt) {
+        self.interrupts.schedule(point, interrupt);
+    }
+
+    /// Sets a cyclic interrupt, from the next change to RUN on. OB 30 to OB 38 have one.
+    pub fn set_cyclic_interrupt(&mut self, number: u16, setting: CyclicInterrupt) {
+        self.settings.cyclic.insert(number, setting);
+    }
+
+    /// Sets the least cycle time.
+    pub fn set_min_cycle(&mut self, time: Duration) {
+        self.settings.min_cycle = time;
+    }
+
+    /// When the next timed interrupt comes, in microseconds like the time of a scan; `None` if there is none, or the CPU is not in RUN.
+    pub fn next_interrupt_us(&self) -> Option<u64> {
+        if self.mode == OperatingMode::Run { self.interrupts.next_us(&self.now()) } else { None }
+    }
+
+    /// Runs the interrupts that have come since the last scan, without a scan: for the time in which the CPU waits for the next one.
+    pub fn serve_with(&mut self, clock: &mut dyn FnMut() -> u64, tracer: Option<&mut dyn Tracer>) {
+        let until_us = clock();
+        self.serve_until(until_us, clock, tracer);
+        self.advance(until_us);
+    }
+
+    pub(super) fn now(&self) -> Now {
+        Now { now_us: self.now_us, clock_us: self.machine.clock_us, start: self.settings.date_and_time }
+    }
+
+    pub(super) fn new_watchdog(&self) -> Watchdog {
+        Watchdog::new(false, self.now_us, self.watchdog_us(), self.settings.virtual_safe_points)
+    }
+
+    /// Runs the interrupts that fall into the time up to `until_us`, each at its own time; in real time, which has passed already, now.
+    pub(super) fn serve_until(&mut self, until_us: u64, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) {
+        while self.mode == OperatingMode::Run && !self.requests.stop.load(Ordering::Relaxed) {
+            // Waiting is not part of the cycle time.
+            self.watchdog = self.new_watchdog();
+            self.serve_waiting(clock, &mut tracer);
+            let next = self.next_interrupt_us().filter(|&due| due <= until_us);
+            match (next, self.settings.time) {
+                (Some(due), TimeSource::Virtual) => self.advance(due),
+                (Some(_), TimeSource::Real) => self.advance(until_us),
+                (None, _) => return,
+            }
+        }
+    }
+
+    /// Runs everything that waits now, highest priority class first, while no block runs.
+    pub(super) fn serve_waiting(&mut self, clock: &mut dyn FnMut() -> u64, tracer: &mut Option<&mut dyn Tracer>) {
+        while self.mode == OperatingMode::Run {
+            let now = self.now();
+            self.interrupts.gather(&now, &self.machine, &self.class);
+            for alarm in self.rack.take_alarms() {
+                self.interrupts.raise(alarm.start_information(), &self.class, self.now_us);
+            }
+            for info in self.interrupts.take_entries() {
+                self.log(info, None);
+            }
+            if let Some((event, info)) = self.interrupts.take_stop() {
+                let first = DiagnosticEntry { fields: info, time: self.date_and_time(), place: None };
+                return self.enter_stop(sieben_engine::StopReason { event, place: None }, Some(first));
+            }
+            let Some(Request { info, raised_us }) = self.interrupts.take(0) else { return };
+            let class = std::mem::replace(&mut self.class, info);
+            self.requested_us = Some(raised_us);
+            let entry = self.entry(BlockId::ob(u16::from(info.block)), None);
+            let outcome = self.run(Some(entry), clock, again(tracer));
+            self.after_interrupt(outcome);
+            if self.mode != OperatingMode::Stop {
+                self.class = class;
+            }
+        }
+    }
+
+    pub(super) fn after_interrupt(&mut self, outcome: Outcome) {
+        match outcome {
+            Outcome::Finished => {}
+            Outcome::Suspended => self.hold(Held::Interrupt),
+            Outcome::Stopped(reason, first) => self.enter_stop(reason, first),
+        }
+    }
+}
+
+/// The same tracer for one more run.
+pub(super) fn again<'a>(tracer: &'a mut Option<&mut dyn Tracer>) -> Option<&'a mut dyn Tracer> {
+    match tracer {
+        Some(tracer) => Some(&mut **tracer),
+        None => None,
+    }
+}
