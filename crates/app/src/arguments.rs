@@ -1,9 +1,12 @@
 //! Arguments that several verbs take.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
+use sieben_engine::{Engine, Interpreter, Layout, Program};
+use sieben_jit::Jit;
 use sieben_lang::encoding::Encoding;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::mnemonics::Mnemonics;
@@ -127,23 +130,27 @@ impl ReportArguments {
 /// Which engine runs the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum EngineArgument {
-    // The fastest there is.
+    // Machine code where it can be had, else the interpreter.
     #[default]
     Auto,
     // The interpreter.
     Interpreter,
     // Machine code.
-    #[value(hide = true)]
     Jit,
 }
 
 impl EngineArgument {
-    /// Refuses an engine that does not exist yet.
-    pub(crate) fn require_available(self) -> Result<(), Failure> {
-        match self {
-            Self::Auto | Self::Interpreter => Ok(()),
-            Self::Jit => Err(Failure::usage(Problem::P7006, "there is no `jit` engine in this version")),
+    /// Loads a program; if machine code was asked for and cannot be had, says why and interprets it.
+    pub(crate) fn load(self, program: &Program, layout: &Layout) -> Arc<dyn Engine> {
+        if self == Self::Interpreter {
+            return Interpreter::load(program, layout);
         }
+        Jit::compiled(program, layout).unwrap_or_else(|reason| {
+            if self == Self::Jit {
+                output::message(&format!("the program runs in the interpreter: {reason}\n"));
+            }
+            Interpreter::load(program, layout)
+        })
     }
 }
 

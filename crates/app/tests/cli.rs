@@ -136,7 +136,7 @@ fn wrong_arguments_are_answered_with_what_is_valid() {
         (&["exec", "add.awl", "--for", "10"], "`10` is not a duration; write a number with its unit"),
         (&["exec", "add.awl", "--cycle", "0", "--for", "1s"], "P7009"),
         (&["exec", "add.awl", "--scan-at", "20ms,10ms"], "time does not run backwards"),
-        (&["exec", "add.awl", "--engine", "jit"], "P7006"),
+        (&["exec", "add.awl", "--engine", "fast"], "possible values: auto, interpreter, jit"),
         (&["exec", "add.awl", "--cpu", "315-3PN/DP"], "did you mean `315-2PN/DP`?"),
         (&["exec", "add.awl", "--cpu", "1500"], "known are `315-2PN/DP`, `317-2PN/DP`, `319-3PN/DP`, `416-3` or `417-4`"),
         (&["exec", "add.awl", "--mnemonics", "fr"], "possible values: auto, en, de"),

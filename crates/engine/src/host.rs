@@ -99,4 +99,8 @@ pub trait Engine: Send + Sync {
     fn resume(&self, context: &mut Context<'_>) -> Exit;
     /// Whether this block is loaded.
     fn has_block(&self, block: BlockId) -> bool;
+    /// Bytes of machine code; 0 if the program is interpreted.
+    fn code_bytes(&self) -> usize {
+        0
+    }
 }

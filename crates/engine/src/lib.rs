@@ -1,6 +1,7 @@
 //! What code means: the IR, its operations, the machine they work on, and the interpreter.
 #![forbid(unsafe_code)]
 
+pub mod access;
 pub mod fault;
 pub mod host;
 pub mod interpreter;

@@ -1,1 +1,11 @@
-//! The same IR as machine code (empty until the native engine exists).
+//! The same IR as machine code, made by Cranelift: every block becomes one function of the native instruction set.
+//!
+//! Only `entry.rs` holds `unsafe`: it makes executable memory out of what the translator wrote and calls it.
+
+mod ask;
+mod entry;
+mod jit;
+mod run;
+mod translate;
+
+pub use jit::Jit;

@@ -90,7 +90,6 @@ impl Schedule {
 
 /// Runs the scans and prints the values.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    arguments.engine.require_available()?;
     let overrides = arguments.program.overrides()?;
     let project = arguments.program.load(&arguments.paths)?;
     let schedule = schedule(arguments, project.settings.cycle)?;
@@ -99,7 +98,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Err(exit) => return Ok(exit),
     };
     let settings = Settings { clock_memory_byte: build.project.settings.clock_memory_byte, ..Settings::default() };
-    let mut cpu = controller::load(&build, settings);
+    let mut cpu = controller::load(&build, arguments.engine, settings);
     let symbols = &build.project.symbols;
     let shown = arguments
         .show

@@ -13,7 +13,7 @@ use serde_json::json;
 use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Restart, Settings, TimeSource};
 use sieben_model::problems::Problem;
 
-use crate::arguments::{ProgramArguments, duration_argument};
+use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
 use crate::project::Build;
 use crate::{controller, duration, output};
@@ -54,6 +54,9 @@ pub(crate) struct Arguments {
     /// Stop after this time of the CPU's clock
     #[arg(long = "for", value_name = "DURATION", id = "duration", value_parser = duration_argument)]
     duration: Option<Duration>,
+    /// Which engine runs the program
+    #[arg(long, value_name = "ENGINE", default_value = "auto")]
+    engine: EngineArgument,
     /// Print the result as one JSON object
     #[arg(long)]
     json: bool,
@@ -101,7 +104,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         date_and_time: if real { now() } else { DateAndTime::DEFAULT },
         ..Settings::default()
     };
-    let mut cpu = controller::load(&build, settings);
+    let mut cpu = controller::load(&build, arguments.engine, settings);
     let interrupt = Interrupt::watch(&cpu)?;
     if !arguments.json {
         let name = project.name.as_deref().map_or_else(String::new, |name| format!(" `{name}`"));

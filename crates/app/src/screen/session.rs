@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use sieben_cpu::{Cpu, OperatingMode, Rack, Restart, Settings, Station};
-use sieben_engine::{Interpreter, Program};
+use sieben_engine::Program;
+use sieben_jit::Jit;
 use sieben_lang::symbols::{self, Format};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
@@ -92,7 +93,7 @@ impl Session {
     fn start(cpu_type: &'static CpuType, program: Program, symbols: SymbolTable, sources: &Sources) -> Self {
         let program = Arc::new(program);
         let rack = Rack::with_background(cpu_type, vec![Box::new(Plant::new())]).expect("one module at byte 0 fits every CPU type");
-        let mut cpu = Cpu::load(cpu_type, Arc::clone(&program), Interpreter::load, rack, Settings::default());
+        let mut cpu = Cpu::load(cpu_type, Arc::clone(&program), Jit::load, rack, Settings::default());
         cpu.restart(Restart::Warm);
         Self {
             lines: listing::lines(sources, &program, &symbols),

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use sieben_cpu::{Cpu, IoModule, Rack, Settings, SimulatedModule};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
+use sieben_jit::Jit;
 use sieben_lang::{Compiled, Options};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
@@ -15,7 +16,12 @@ use sieben_model::symbols::SymbolTable;
 pub(crate) type Load = fn(&Program, &Layout) -> Arc<dyn Engine>;
 
 /// All engines that a program runs on.
-pub(crate) const ENGINES: &[(&str, Load)] = &[("interpreter", Interpreter::load)];
+pub(crate) const ENGINES: &[(&str, Load)] = &[("interpreter", Interpreter::load), ("jit", machine_code)];
+
+/// Machine code and nothing else: a program of a page or vector that stays in the interpreter would be tested twice there.
+fn machine_code(program: &Program, layout: &Layout) -> Arc<dyn Engine> {
+    Jit::compiled(program, layout).unwrap_or_else(|reason| panic!("the program becomes machine code: {reason}"))
+}
 
 /// A text and its translation into the other mnemonic language, with the language's name.
 pub(crate) fn both_languages(english: &str) -> Result<[(&'static str, Mnemonics, String); 2], String> {

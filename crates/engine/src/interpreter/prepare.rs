@@ -111,6 +111,8 @@ pub(super) struct Block {
     pub(super) callees: Vec<Callee>,
     pub(super) tables: Vec<Table>,
     pub(super) constants: Vec<u64>,
+    /// Where the block goes on in the middle of a statement: an instruction of its IR, the step behind it.
+    pub(super) behind: Vec<(u32, u32)>,
 }
 
 impl Block {
@@ -127,7 +129,7 @@ impl Block {
 
 /// What a safe point takes from the budget: 1, and 1 more for every 64 statements of a block that is entered or that a
 /// jump leads back over. Long blocks in an endless loop would keep the watchdog away for hours if all safe points were alike.
-pub(super) fn weight(statements: usize) -> u16 {
+pub fn weight(statements: usize) -> u16 {
     u16::try_from(1 + statements / 64).unwrap_or(u16::MAX)
 }
 
@@ -144,6 +146,7 @@ pub(super) fn prepare(id: BlockId, block: &CodeBlock, layout: &Layout, find: &dy
         callees: Vec::new(),
         tables: Vec::new(),
         constants: Vec::new(),
+        behind: Vec::new(),
     };
     for statement in 0..block.code.statement_count() {
         out.statements.push(out.steps.len() as u32);
@@ -151,9 +154,13 @@ pub(super) fn prepare(id: BlockId, block: &CodeBlock, layout: &Layout, find: &dy
             out.steps.push(whole);
             continue;
         }
-        for inst in block.code.statement(statement) {
+        let first = block.code.statements[statement];
+        for (index, inst) in (first..).zip(block.code.statement(statement)) {
             let step = step(inst, statement, &block.code, layout, find, &mut out);
             push(&mut out.steps, step, *out.statements.last().unwrap_or(&0) as usize);
+            if matches!(inst, Inst::Call { .. } | Inst::Load { on_fault: OnFault::DeliverZero, .. }) {
+                out.behind.push((index, out.steps.len() as u32));
+            }
         }
     }
     if out.steps.is_empty() {

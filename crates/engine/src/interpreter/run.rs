@@ -4,12 +4,15 @@ use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
 
 use super::Interpreter;
-use super::access::{File, Target, data_registers, in_data_block, locate};
 use super::prepare::{Block, Step, weight};
+use crate::access::{
+    File, Target, after_call, caller_registers, in_data_block, load_file, locate, move_bytes, open, registers, restore_caller, store_file,
+    write_start_information,
+};
 use crate::fault::{Abort, Fault, Place};
 use crate::host::{Context, Entry, Exit, Reaction, StopReason};
-use crate::ir::{Callee, DataRegister, OnFault, Place as IrPlace};
-use crate::machine::{CallerRegisters, Frame, Machine, Origin, Register, Registers};
+use crate::ir::{Callee, OnFault};
+use crate::machine::{Frame, Machine, Origin, Register, Registers};
 use crate::tracer::StatementEvent;
 
 /// Where the loop goes on after something unusual.
@@ -87,7 +90,7 @@ impl Interpreter {
             let block = &self.blocks[frame.code as usize];
             let steps = block.steps.as_slice();
             let local = context.machine.memory.layout.local.start + frame.local_base as usize;
-            let first_parameter = frame.parameters as usize;
+            let parameters = frame.parameters as usize..frame.parameters_end as usize;
             let mut at = if frame.resume == Frame::ENTERED { 0 } else { frame.resume as usize };
             if frame.resume == 0 {
                 context.machine.budget -= i64::from(block.weight);
@@ -189,7 +192,9 @@ impl Interpreter {
                     }
                     Step::LoadPlace { dst, width, on_fault, place } => {
                         let write = on_fault == OnFault::SkipWrite;
-                        let result = match locate(context.machine, &file, block.places[place as usize], width, write) {
+                        let machine = &*context.machine;
+                        let local = |outwards: usize| machine.local_data(outwards);
+                        let result = match locate(machine, &file, &local, block.places[place as usize], width, write) {
                             Ok(Target::Arena(byte, bit)) => Ok(read(context.machine, byte, bit, width)),
                             Ok(Target::Peripheral(byte)) => match context.host.peripheral_read(context.machine, byte, width) {
                                 Some(value) => Ok(u64::from(value)),
@@ -204,7 +209,9 @@ impl Interpreter {
                     }
                     Step::StorePlace { src, width, place } => {
                         let value = var!(src);
-                        let result = match locate(context.machine, &file, block.places[place as usize], width, true) {
+                        let machine = &*context.machine;
+                        let local = |outwards: usize| machine.local_data(outwards);
+                        let result = match locate(machine, &file, &local, block.places[place as usize], width, true) {
                             Ok(Target::Arena(byte, bit)) => {
                                 write(context.machine, byte, bit, width, value);
                                 Ok(())
@@ -220,12 +227,15 @@ impl Interpreter {
                         }
                     }
                     Step::Move { index } => {
-                        if let Err(fault) = move_bytes(context.machine, &file, block.moves[index as usize]) {
+                        let frames = context.machine.frames.len();
+                        let locals: Vec<_> = (0..=frames).map(|outwards| context.machine.local_data(outwards)).collect();
+                        let local = |outwards: usize| locals[outwards.min(frames)].clone();
+                        if let Err(fault) = move_bytes(context.machine, &file, &local, block.moves[index as usize]) {
                             go!(self.fault(context, &mut file, block, at, &fault, None));
                         }
                     }
                     Step::Parameter { dst, index } => {
-                        let pointer = context.machine.parameters.get(first_parameter + usize::from(index)).copied();
+                        let pointer = context.machine.parameters[parameters.clone()].get(usize::from(index)).copied();
                         var!(dst) = u64::from(pointer.unwrap_or_default());
                     }
                     Step::PassParameter { src } => context.machine.parameters.push(var!(src) as u32),
@@ -248,6 +258,7 @@ impl Interpreter {
                         }
                     }
                     Step::Open { register, number } => {
+                        let number = var!(number);
                         if let Err(fault) = open(context.machine, &mut file, register, number) {
                             go!(self.fault(context, &mut file, block, at, &fault, None));
                         }
@@ -394,7 +405,10 @@ impl Interpreter {
         after_call(file);
         match reaction {
             Reaction::Fail(fault) => self.fault(context, file, block, at, &fault, None),
-            other => self.react(context, file, block, at + 1, other, None),
+            other => {
+                let place = Place { block: block.id, statement: block.statement_of(at) };
+                self.react(context, file, place, at + 1, other, None)
+            }
         }
     }
 
@@ -412,13 +426,16 @@ impl Interpreter {
         store_file(context.machine, file);
         let place = Place { block: block.id, statement: block.statement_of(at) };
         let reaction = context.host.safe_point(context.machine, place);
-        self.react(context, file, block, at, reaction, None)
+        self.react(context, file, place, at, reaction, None)
     }
 
     /// Asks the Host about a failed statement. `deliver` is the variable of a load that counts as done.
     #[cold]
     fn fault(&self, context: &mut Context<'_>, file: &mut File, block: &Block, at: usize, fault: &Fault, deliver: Option<u8>) -> Next {
         store_file(context.machine, file);
+        if deliver.is_none() {
+            Self::drop_parameters(context.machine);
+        }
         let place = Place { block: block.id, statement: block.statement_of(at) };
         let reaction = context.host.fault(context.machine, fault, place);
         if let Fault::Abort(_) = fault
@@ -427,23 +444,22 @@ impl Interpreter {
             // A block that cannot go on has no next statement.
             return Next::Leave(Exit::Stopped(StopReason { event: fault.event(), place: Some(place) }));
         }
-        let resume = if deliver.is_some() { at + 1 } else { Self::skip(context.machine, block, at) };
-        self.react(context, file, block, resume, reaction, deliver)
+        let resume = if deliver.is_some() { at + 1 } else { block.behind_statement(at) };
+        self.react(context, file, place, resume, reaction, deliver)
     }
 
-    /// The step behind a failed statement. Parameters that it had begun to pass are dropped.
-    fn skip(machine: &mut Machine, block: &Block, at: usize) -> usize {
+    /// Drops the parameters that a failed statement had begun to pass.
+    fn drop_parameters(machine: &mut Machine) {
         if let Some(frame) = machine.frames.last() {
             machine.parameters.truncate(frame.parameters_end as usize);
         }
-        block.behind_statement(at)
     }
 
     fn react(
         &self,
         context: &mut Context<'_>,
         file: &mut File,
-        block: &Block,
+        place: Place,
         resume: usize,
         reaction: Reaction,
         deliver: Option<u8>,
@@ -460,7 +476,6 @@ impl Interpreter {
                 let Some(&code) = self.index.get(&id) else { return Next::At(resume) };
                 interrupt_at(context.machine, resume);
                 let origin = Origin::Interrupt { registers: Box::new(registers(file)), deliver: deliver.map(|var| (var, 0)) };
-                let place = Place { block: block.id, statement: block.statement_of(resume) };
                 *file = load_file(&Registers::fresh());
                 match self.enter(context.machine, file, code, origin, 0) {
                     Ok(()) => {
@@ -526,95 +541,4 @@ fn read(machine: &Machine, at: usize, bit: u8, width: Width) -> u64 {
 #[inline(always)]
 fn write(machine: &mut Machine, at: usize, bit: u8, width: Width, value: u64) {
     machine.memory.write_at(at, bit, width, value as u32);
-}
-
-/// Moves bytes, overlapping or not; nothing is moved if either end lies outside.
-fn move_bytes(machine: &mut Machine, file: &File, (from, to, bytes): (IrPlace, IrPlace, u32)) -> Result<(), Fault> {
-    let Some(last) = bytes.checked_sub(1) else { return Ok(()) };
-    let ends = [(from, false), (to, true)];
-    for (place, write) in ends {
-        locate(machine, file, place.moved(last), Width::Byte, write)?;
-    }
-    let [from, to] = [locate(machine, file, from, Width::Byte, false)?, locate(machine, file, to, Width::Byte, true)?];
-    match (from, to) {
-        (Target::Arena(from, _), Target::Arena(to, _)) => {
-            machine.memory.arena.copy_within(from..from + bytes as usize, to);
-            Ok(())
-        }
-        (Target::Peripheral(byte), _) => Err(Fault::IoAccess { write: false, width: Width::Byte, byte }),
-        (_, Target::Peripheral(byte)) => Err(Fault::IoAccess { write: true, width: Width::Byte, byte }),
-    }
-}
-
-fn load_file(registers: &Registers) -> File {
-    let mut file = [0; 256];
-    file[..Register::COUNT].copy_from_slice(&registers.to_words());
-    file
-}
-
-fn registers(file: &File) -> Registers {
-    let mut words = [0; Register::COUNT];
-    words.copy_from_slice(&file[..Register::COUNT]);
-    Registers::from_words(&words)
-}
-
-fn store_file(machine: &mut Machine, file: &File) {
-    machine.registers = registers(file);
-}
-
-fn caller_registers(file: &File) -> CallerRegisters {
-    CallerRegisters {
-        shared: data_registers(DataRegister::Shared).map(|register| file[register as usize]),
-        instance: data_registers(DataRegister::Instance).map(|register| file[register as usize]),
-        mcr_active: file[Register::Ma as usize],
-        nesting: file[Register::Nesting as usize],
-    }
-}
-
-fn restore_caller(file: &mut File, caller: &CallerRegisters) {
-    for (register, value) in data_registers(DataRegister::Shared).into_iter().zip(caller.shared) {
-        file[register as usize] = value;
-    }
-    for (register, value) in data_registers(DataRegister::Instance).into_iter().zip(caller.instance) {
-        file[register as usize] = value;
-    }
-    file[Register::Ma as usize] = caller.mcr_active;
-    file[Register::Nesting as usize] = caller.nesting;
-}
-
-/// Status at the start of a called block and behind a call: OS, OR and /FC are 0, STA is 1.
-fn after_call(file: &mut File) {
-    file[Register::Os as usize] = 0;
-    file[Register::Or as usize] = 0;
-    file[Register::Sta as usize] = 1;
-    file[Register::Fc as usize] = 0;
-}
-
-fn open(machine: &Machine, file: &mut File, register: DataRegister, number: u8) -> Result<(), Fault> {
-    let number = file[usize::from(number)] & 0xFFFF;
-    let (base, length) = if number == 0 {
-        (0, 0)
-    } else if let Some(entry) = machine.memory.data_block(number) {
-        (u64::from(entry.base), u64::from(entry.length))
-    } else {
-        let too_high = number > u64::from(machine.memory.layout.db_number_max);
-        let code = match register {
-            DataRegister::Shared if too_high => 0x32,
-            DataRegister::Instance if too_high => 0x33,
-            _ => 0x3A,
-        };
-        return Err(Fault::programming(code, number as u16));
-    };
-    for (register, value) in data_registers(register).into_iter().zip([number, base, length]) {
-        file[register as usize] = value;
-    }
-    Ok(())
-}
-
-/// The first 20 bytes of the local data of an organization block.
-fn write_start_information(machine: &mut Machine, information: &[u8; 20]) {
-    let Some(frame) = machine.frames.last() else { return };
-    let start = machine.memory.layout.local.start + frame.local_base as usize;
-    let length = information.len().min(frame.local_size as usize);
-    machine.memory.arena[start..start + length].copy_from_slice(&information[..length]);
 }

@@ -85,7 +85,7 @@ fn targets(inst: &Inst, code: &Code) -> Option<Vec<Target>> {
 }
 
 /// The variables that an instruction reads.
-fn reads(inst: &Inst) -> Vec<Var> {
+pub fn reads(inst: &Inst) -> Vec<Var> {
     let place = |place: Place| match place {
         Place::Fixed { .. } => None,
         Place::Indirect { pointer, .. } | Place::Crossing { pointer, .. } => Some(pointer),
@@ -107,7 +107,7 @@ fn reads(inst: &Inst) -> Vec<Var> {
 }
 
 /// The variable that an instruction writes.
-fn writes(inst: &Inst) -> Option<Var> {
+pub fn writes(inst: &Inst) -> Option<Var> {
     match *inst {
         Inst::Constant { dst, .. }
         | Inst::Compute { dst, .. }

@@ -136,11 +136,11 @@ impl Machine {
             }
             Some(caller) => {
                 let in_error = caller.in_error || error_block;
-                (caller.local_base + caller.local_size, caller.class_base, caller.depth + 1, in_error)
+                (caller.local_base + caller.local_size, caller.class_base, caller.depth.saturating_add(1), in_error)
             }
             None => (0, 0, 0, false),
         };
-        let limit = layout.nesting_depth + if in_error { layout.nesting_depth_error } else { 0 };
+        let limit = layout.nesting_depth.saturating_add(if in_error { layout.nesting_depth_error } else { 0 });
         if depth > limit && !error_block {
             return Err(Abort::BlockStack);
         }

@@ -1,0 +1,72 @@
+//! Executable memory and the way into it: the only file that holds `unsafe`.
+#![allow(unsafe_code)]
+
+use std::fmt;
+
+use cranelift_jit::JITModule;
+use cranelift_module::FuncId;
+
+use crate::run::Run;
+
+/// The function of a block: run, first byte of the arena, first byte of the block's local data, link of this activation; whether
+/// the run is left.
+type Function = extern "C" fn(&mut Run<'_, '_>, *mut u8, usize, usize) -> u64;
+
+/// The machine code of one program. It never changes, and any number of threads may run it at once.
+pub(crate) struct Generation {
+    /// Taken only when the generation is dropped.
+    module: Option<JITModule>,
+    functions: Vec<Function>,
+    bytes: usize,
+}
+
+// SAFETY: the module is only read after `new`, except by `drop`, which owns it; the code holds no state of its own.
+unsafe impl Send for Generation {}
+// SAFETY: as above; calling the code needs `&mut Run`, which no two threads have.
+unsafe impl Sync for Generation {}
+
+impl Generation {
+    /// The finished functions of a module, by block. All of them have the signature of [`Function`]: the translator declares no other.
+    pub(crate) fn new(module: JITModule, blocks: &[FuncId], bytes: usize) -> Self {
+        let functions = blocks
+            .iter()
+            .map(|&block| {
+                let address = module.get_finalized_function(block);
+                // SAFETY: the address is that of a finished function which `translate` declared with exactly this signature, and the
+                // module that owns it lives as long as `self`, who alone hands it out.
+                unsafe { std::mem::transmute::<*const u8, Function>(address) }
+            })
+            .collect();
+        Self { module: Some(module), functions, bytes }
+    }
+
+    /// Bytes of machine code.
+    pub(crate) fn bytes(&self) -> usize {
+        self.bytes
+    }
+
+    /// Runs a block; whether the run is left.
+    ///
+    /// `local` is the address of its local data, which lie inside the arena, and `link` that of its entry in the list of links: the
+    /// callers in `ask.rs` check both against the limits of the run.
+    pub(crate) fn call(&self, code: usize, run: &mut Run<'_, '_>, local: usize, link: usize) -> bool {
+        let arena = run.arena();
+        self.functions[code](run, arena, local, link) != 0
+    }
+}
+
+impl Drop for Generation {
+    fn drop(&mut self) {
+        if let Some(module) = self.module.take() {
+            // SAFETY: every run borrows the engine that owns this generation, so that none of its functions is running, and the only
+            // copies of their addresses are dropped with it.
+            unsafe { module.free_memory() };
+        }
+    }
+}
+
+impl fmt::Debug for Generation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Generation {{ functions: {}, bytes: {} }}", self.functions.len(), self.bytes)
+    }
+}

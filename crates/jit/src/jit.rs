@@ -1,0 +1,224 @@
+//! The engine: a program as machine code, with an interpreter beside it for what machine code cannot do.
+
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use sieben_engine::access;
+use sieben_engine::ir::{Code, Inst};
+use sieben_engine::machine::Registers;
+use sieben_engine::{Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
+use sieben_model::block::BlockId;
+
+use crate::entry::Generation;
+use crate::run::{Run, Scratch};
+use crate::translate::{self, Options};
+
+/// More parameters at one call are left to the interpreter: every activation has room for as many.
+const PARAMETERS_MAX: usize = 256;
+/// Programs with more statements are left to the interpreter: they would compile for seconds.
+const STATEMENTS_MAX: usize = 200_000;
+/// Blocks with more IR instructions are left to the interpreter, with the whole program: the time to compile a function and the
+/// memory that it takes grow faster than its length.
+const BLOCK_INSTRUCTIONS_MAX: usize = 400_000;
+
+/// A block as machine code needs it.
+#[derive(Debug)]
+pub(crate) struct Native {
+    pub(crate) id: BlockId,
+    pub(crate) local_size: u32,
+    pub(crate) code: Code,
+}
+
+impl Native {
+    /// The statement of an instruction.
+    pub(crate) fn statement_of(&self, inst: usize) -> u32 {
+        // The last entry marks the end of the code.
+        let firsts = &self.code.statements[..self.code.statement_count()];
+        firsts.partition_point(|&first| first as usize <= inst).saturating_sub(1) as u32
+    }
+
+    /// How many parameters the statement has passed before this instruction, without those that a call in it took.
+    pub(crate) fn passed_before(&self, inst: usize) -> usize {
+        let first = self.code.statements[self.statement_of(inst) as usize] as usize;
+        passed(&self.code.insts[first..inst])
+    }
+}
+
+/// Parameters passed and not taken by a call.
+fn passed(insts: &[Inst]) -> usize {
+    insts.iter().fold(0usize, |passed, inst| match inst {
+        Inst::PassParameter { .. } => passed + 1,
+        Inst::Call { parameters, .. } => passed.saturating_sub(usize::from(*parameters)),
+        _ => passed,
+    })
+}
+
+/// A program in both forms.
+#[derive(Debug)]
+pub(crate) struct Compiled {
+    pub(crate) interpreter: Interpreter,
+    pub(crate) blocks: Vec<Native>,
+    pub(crate) generation: Generation,
+    pub(crate) parameters_max: usize,
+}
+
+/// A loaded program as machine code; shared by any number of CPUs of the same layout.
+#[derive(Debug)]
+pub struct Jit {
+    compiled: Compiled,
+    layout: Layout,
+    /// The layout of the first machine that ran here, to compare addresses instead of contents.
+    known_layout: OnceLock<Arc<Layout>>,
+    /// Scratch memory of finished runs: as many as there were runs at the same time.
+    scratch: Mutex<Vec<Scratch>>,
+}
+
+impl Jit {
+    /// Compiles all blocks of a program for a layout. A program that cannot become machine code is interpreted.
+    pub fn load(program: &Program, layout: &Layout) -> Arc<dyn Engine> {
+        Self::load_with(program, layout, Options::default())
+    }
+
+    /// Compiles all blocks of a program for a layout.
+    ///
+    /// # Errors
+    /// Why the program cannot become machine code, as the end of a sentence: it is too large, or the machine is not supported.
+    pub fn compiled(program: &Program, layout: &Layout) -> Result<Arc<dyn Engine>, String> {
+        Ok(Arc::new(Self::compile(program, layout, Options::default())?))
+    }
+
+    /// The same with every operation called instead of written out: what the inlined ones are compared with.
+    pub fn load_without_inlining(program: &Program, layout: &Layout) -> Arc<dyn Engine> {
+        Self::load_with(program, layout, Options { inline: false })
+    }
+
+    fn load_with(program: &Program, layout: &Layout, options: Options) -> Arc<dyn Engine> {
+        match Self::compile(program, layout, options) {
+            Ok(jit) => Arc::new(jit),
+            Err(_) => Interpreter::load(program, layout),
+        }
+    }
+
+    fn compile(program: &Program, layout: &Layout, options: Options) -> Result<Self, String> {
+        let parameters_max = limits(program)?;
+        let blocks: Vec<Native> = program
+            .code
+            .iter()
+            .map(|(&id, block)| {
+                let mut code = block.code.clone();
+                if code.insts.is_empty() {
+                    code = sieben_engine::ir::Builder::default().finish();
+                }
+                Native { id, local_size: block.local_size, code }
+            })
+            .collect();
+        let interpreter = Interpreter::new(program, layout);
+        let generation = translate::program(&blocks, &|id| interpreter.code(id), layout, options)?;
+        let compiled = Compiled { interpreter, blocks, generation, parameters_max };
+        Ok(Self { compiled, layout: layout.clone(), known_layout: OnceLock::new(), scratch: Mutex::default() })
+    }
+
+    /// Whether this run can be machine code: nobody watches statements, and the machine is laid out as the code was compiled for.
+    fn fits(&self, machine: &Machine) -> bool {
+        let memory = &machine.memory;
+        let arena = memory.arena.len();
+        let inside = |base: u64, length: u64| base.checked_add(length).is_some_and(|end| end <= arena as u64);
+        let registers = &machine.registers;
+        let known = self.known_layout.get().is_some_and(|known| Arc::ptr_eq(known, &memory.layout));
+        if !known && *memory.layout == self.layout {
+            // Somebody else may have been first; then this layout is compared again each time.
+            let _ = self.known_layout.set(Arc::clone(&memory.layout));
+        }
+        (known || *memory.layout == self.layout)
+            && arena == self.layout.size
+            && inside(registers.db_base, registers.db_length)
+            && inside(registers.di_base, registers.di_length)
+    }
+
+    fn run_native(&self, context: &mut Context<'_>, code: u32, entry: &Entry) -> Exit {
+        let pooled = self.scratch.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        let mut scratch = pooled.unwrap_or_else(|| Scratch::new(self.compiled.parameters_max));
+        let mut run = Run::new(context, &self.compiled, &mut scratch);
+        let local = run.local_start();
+        let parameters = run.parameters_start();
+        let first = &mut run.scratch.links[0];
+        (first.code, first.site, first.local) = (u64::from(code), 0, local as u64);
+        (first.parameters, first.parameters_end) = (parameters, parameters);
+        run.show(0, 0);
+        run.limit_calls();
+        access::write_start_information(run.context.machine, &entry.start_information);
+        let link = run.link_address(0);
+        let left = self.compiled.generation.call(code as usize, &mut run, local, link);
+        let (registers, budget, exit) = (access::registers(&run.registers), run.budget, run.exit.take());
+        self.scratch.lock().unwrap_or_else(PoisonError::into_inner).push(scratch);
+        context.machine.budget = budget;
+        if !left {
+            context.machine.registers = registers;
+            context.machine.frames.clear();
+            context.machine.parameters.clear();
+            return Exit::Finished;
+        }
+        match exit {
+            Some(exit) => exit,
+            None => self.compiled.interpreter.resume(context),
+        }
+    }
+}
+
+impl Engine for Jit {
+    fn run(&self, context: &mut Context<'_>, entry: &Entry) -> Exit {
+        let Some(code) = self.compiled.interpreter.code(entry.block) else { return Exit::Finished };
+        let local_size = self.compiled.blocks[code as usize].local_size as usize;
+        context.machine.frames.clear();
+        context.machine.parameters.clear();
+        context.machine.registers = entry.registers.clone().unwrap_or_else(Registers::fresh);
+        if context.tracer.is_some() || local_size > self.layout.local_class.min(self.layout.local.len()) || !self.fits(context.machine) {
+            return self.compiled.interpreter.run(context, entry);
+        }
+        self.run_native(context, code, entry)
+    }
+
+    fn resume(&self, context: &mut Context<'_>) -> Exit {
+        // A suspended run has all its frames in the machine, as the interpreter keeps them.
+        self.compiled.interpreter.resume(context)
+    }
+
+    fn has_block(&self, block: BlockId) -> bool {
+        self.compiled.interpreter.has_block(block)
+    }
+
+    fn code_bytes(&self) -> usize {
+        self.compiled.generation.bytes()
+    }
+}
+
+/// Checks the limits of machine code; the greatest number of parameters that a statement passes.
+fn limits(program: &Program) -> Result<usize, String> {
+    let statements: usize = program.code.values().map(|block| block.code.statement_count()).sum();
+    if statements > STATEMENTS_MAX {
+        return Err(format!("it has {statements} statements, and {STATEMENTS_MAX} is the most that become machine code"));
+    }
+    let mut most = 0;
+    for (id, block) in &program.code {
+        if block.code.insts.len() > BLOCK_INSTRUCTIONS_MAX {
+            return Err(format!("{id} is too long for machine code"));
+        }
+        for statement in 0..block.code.statement_count() {
+            let insts = block.code.statement(statement);
+            for (index, inst) in insts.iter().enumerate() {
+                let before = passed(&insts[..index]);
+                match inst {
+                    Inst::PassParameter { .. } => most = most.max(before + 1),
+                    Inst::Parameter { index, .. } => most = most.max(usize::from(*index) + 1),
+                    Inst::Call { parameters, .. } if usize::from(*parameters) > before => {
+                        return Err(format!("{id} calls with more parameters than it passes"));
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+    if most > PARAMETERS_MAX {
+        return Err(format!("a block has {most} parameters, and {PARAMETERS_MAX} is the most that become machine code"));
+    }
+    Ok(most)
+}

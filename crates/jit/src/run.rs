@@ -1,0 +1,249 @@
+//! What machine code works on: the registers, the links between activations, and what it asks Rust code for.
+
+use std::ops::Range;
+
+use sieben_engine::access::{self, File};
+use sieben_engine::machine::{CallerRegisters, Origin, Register};
+use sieben_engine::{Context, Exit, Fault};
+
+use crate::jit::Compiled;
+
+/// Activations that a run can nest: the depth of the CPU types and every interrupt that another one interrupts.
+/// What nests deeper goes on in the interpreter.
+pub(crate) const LINKS: usize = 256;
+
+/// One activation of a block; written by whoever enters it, read when a frame must be shown to the Host.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Link {
+    /// The block in the engine's list.
+    pub(crate) code: u64,
+    /// The instruction of the caller that entered it; for an organization block not used.
+    pub(crate) site: u64,
+    /// Address of its local data.
+    pub(crate) local: u64,
+    /// Address of its first parameter.
+    pub(crate) parameters: u64,
+    /// Address behind its last parameter.
+    pub(crate) parameters_end: u64,
+    /// DB register of the caller: number, base, length.
+    pub(crate) shared: [u64; 3],
+    /// DI register of the caller: number, base, length.
+    pub(crate) instance: [u64; 3],
+    /// Whether the MCR was active in the caller.
+    pub(crate) mcr_active: u64,
+    /// The nesting stack of the caller.
+    pub(crate) nesting: u64,
+}
+
+/// Memory of a run that is worth keeping for the next one.
+#[derive(Debug)]
+pub(crate) struct Scratch {
+    pub(crate) links: Box<[Link]>,
+    pub(crate) parameters: Box<[u32]>,
+}
+
+impl Scratch {
+    /// For blocks that pass at most this many parameters at once.
+    pub(crate) fn new(parameters_max: usize) -> Self {
+        Self {
+            links: vec![Link::default(); LINKS].into_boxed_slice(),
+            // Every activation has those that it was given behind those of its caller, and room for those that it passes.
+            parameters: vec![0; (LINKS + 2) * parameters_max.max(1)].into_boxed_slice(),
+        }
+    }
+}
+
+/// One run of machine code. The fields before `context` are reached by machine code through their offsets.
+#[repr(C)]
+pub(crate) struct Run<'a, 'c> {
+    /// All registers, in the order of `Register::ALL`; current wherever machine code asks for something.
+    pub(crate) registers: File,
+    /// The result of what was asked for.
+    pub(crate) value: u64,
+    /// `machine.budget`, current while machine code runs.
+    pub(crate) budget: i64,
+    /// Address behind the local data of the priority class.
+    pub(crate) local_end: u64,
+    /// Address of the last link that a call may use.
+    pub(crate) link_max: u64,
+    pub(crate) context: &'a mut Context<'c>,
+    pub(crate) compiled: &'a Compiled,
+    pub(crate) scratch: &'a mut Scratch,
+    /// The fault of the access that was tried last.
+    pub(crate) fault: Option<Fault>,
+    /// How the run ends, once it is left; `None` = the interpreter goes on.
+    pub(crate) exit: Option<Exit>,
+    /// Frames of the machine that stay while machine code runs: all up to the newest organization block.
+    pub(crate) kept: usize,
+    arena: *mut u8,
+    arena_bytes: usize,
+}
+
+impl<'a, 'c> Run<'a, 'c> {
+    pub(crate) fn new(context: &'a mut Context<'c>, compiled: &'a Compiled, scratch: &'a mut Scratch) -> Self {
+        let memory = &mut context.machine.memory;
+        let arena = memory.arena.as_mut_ptr();
+        let arena_bytes = memory.arena.len();
+        let budget = context.machine.budget;
+        let registers = access::load_file(&context.machine.registers);
+        Self {
+            registers,
+            value: 0,
+            budget,
+            local_end: 0,
+            link_max: 0,
+            context,
+            compiled,
+            scratch,
+            fault: None,
+            exit: None,
+            kept: 0,
+            arena,
+            arena_bytes,
+        }
+    }
+
+    /// First byte of the arena.
+    ///
+    /// # Panics
+    /// If the arena moved in a scan: the contract with the Host forbids it, and machine code holds addresses in it.
+    pub(crate) fn arena(&self) -> *mut u8 {
+        let arena = &self.context.machine.memory.arena;
+        assert!(arena.as_ptr() == self.arena && arena.len() == self.arena_bytes, "the arena does not move in a scan");
+        self.arena
+    }
+
+    /// Address of the local data of the outermost block.
+    pub(crate) fn local_start(&self) -> usize {
+        self.arena as usize + self.context.machine.memory.layout.local.start
+    }
+
+    /// Address of a link.
+    pub(crate) fn link_address(&self, depth: usize) -> usize {
+        self.scratch.links.as_ptr() as usize + depth * size_of::<Link>()
+    }
+
+    /// The depth of an activation, from the address of its link.
+    pub(crate) fn depth(&self, link: u64) -> usize {
+        (link as usize - self.scratch.links.as_ptr() as usize) / size_of::<Link>()
+    }
+
+    /// Address of the first place for parameters.
+    pub(crate) fn parameters_start(&self) -> u64 {
+        self.scratch.parameters.as_ptr() as u64
+    }
+
+    /// Sets the limits of calls, those of the priority class to which the newest frame of the machine belongs.
+    pub(crate) fn limit_calls(&mut self) {
+        let machine = &*self.context.machine;
+        let layout = &machine.memory.layout;
+        let Some((newest, frame)) = machine.frames.iter().enumerate().next_back() else { return };
+        let deeper = if frame.in_error { layout.nesting_depth_error } else { 0 };
+        let depth_max = usize::from(layout.nesting_depth.saturating_add(deeper));
+        // Activations are counted through all priority classes, frames in each of them anew.
+        let link_max = (newest - usize::from(frame.depth).min(newest) + depth_max).min(LINKS - 2);
+        let local_end = (layout.local.start + frame.class_base as usize + layout.local_class).min(layout.local.end);
+        self.link_max = self.link_address(link_max) as u64;
+        self.local_end = self.arena as u64 + local_end as u64;
+    }
+
+    /// The local data of an activation's caller, the caller of that and so on, as ranges of the arena: as `Machine::local_data` has them.
+    pub(crate) fn local_data(&self, depth: usize, outwards: usize) -> Range<usize> {
+        // Behind the newest organization block there are calls only.
+        let organization_block = self.kept.saturating_sub(1);
+        match depth.checked_sub(outwards) {
+            Some(index) if index >= organization_block => self.local_range(index),
+            _ => 0..0,
+        }
+    }
+
+    /// The local data of an activation, as a range of the arena.
+    pub(crate) fn local_range(&self, depth: usize) -> Range<usize> {
+        let link = &self.scratch.links[depth];
+        let start = link.local as usize - self.arena as usize;
+        start..start + self.compiled.blocks[link.code as usize].local_size as usize
+    }
+
+    /// The places of parameters between two addresses.
+    fn parameter_range(&self, from: u64, to: u64) -> Range<usize> {
+        let start = self.parameters_start();
+        let index = |address: u64| (address.saturating_sub(start) / 4) as usize;
+        index(from)..index(to)
+    }
+
+    /// Shows all activations up to `depth` as frames of the machine, with `passed` parameters that the newest is about to pass, and
+    /// the registers and the budget.
+    pub(crate) fn show(&mut self, depth: usize, passed: usize) {
+        let first = self.kept;
+        let parameters_kept = match first.checked_sub(1) {
+            Some(newest) => self.context.machine.frames[newest].parameters_end as usize,
+            None => 0,
+        };
+        self.context.machine.frames.truncate(first);
+        self.context.machine.parameters.truncate(parameters_kept);
+        for index in first..=depth {
+            let link = self.scratch.links[index];
+            let block = &self.compiled.blocks[link.code as usize];
+            if let Some(caller) = self.context.machine.frames.last_mut() {
+                caller.resume = self.compiled.interpreter.resume_behind(caller.code, link.site as u32);
+            }
+            let given = self.parameter_range(link.parameters, link.parameters_end);
+            let machine = &mut *self.context.machine;
+            machine.parameters.extend_from_slice(&self.scratch.parameters[given.clone()]);
+            let origin = match index {
+                0 => Origin::Start,
+                _ => Origin::Call(CallerRegisters {
+                    shared: link.shared,
+                    instance: link.instance,
+                    mcr_active: link.mcr_active,
+                    nesting: link.nesting,
+                }),
+            };
+            let pushed = machine.push_frame(block.id, link.code as u32, block.local_size, given.len() as u16, origin);
+            assert_eq!(pushed, Ok(()), "machine code keeps the limits of calls");
+        }
+        let end = self.scratch.links[depth].parameters_end;
+        let passed = self.parameter_range(end, end + 4 * passed as u64);
+        let machine = &mut *self.context.machine;
+        machine.parameters.extend_from_slice(&self.scratch.parameters[passed]);
+        access::store_file(machine, &self.registers);
+        machine.budget = self.budget;
+    }
+
+    /// Takes over what the Host changed, apart from the registers.
+    pub(crate) fn take_back(&mut self) {
+        self.budget = self.context.machine.budget;
+        self.arena();
+    }
+
+    /// Takes over the registers that a system function may have changed.
+    pub(crate) fn take_registers(&mut self) {
+        self.registers[..Register::COUNT].copy_from_slice(&self.context.machine.registers.to_words());
+        self.check_open_blocks();
+    }
+
+    /// Whether the open data blocks lie inside the arena, on which machine code relies.
+    ///
+    /// # Panics
+    /// If they do not: only the engine and system functions write these registers.
+    pub(crate) fn check_open_blocks(&self) {
+        for [base, length] in [[Register::DbBase, Register::DbLength], [Register::DiBase, Register::DiLength]] {
+            let end = self.registers[base as usize].checked_add(self.registers[length as usize]);
+            assert!(end.is_some_and(|end| end <= self.arena_bytes as u64), "an open data block lies inside the arena");
+        }
+    }
+
+    /// Whether the frames of the machine still restore what the links say: system functions may move data blocks that callers have open.
+    pub(crate) fn frames_as_linked(&self) -> bool {
+        let frames = &self.context.machine.frames;
+        frames.iter().zip(self.scratch.links.iter()).skip(1).all(|(frame, link)| match &frame.origin {
+            Origin::Start => true,
+            Origin::Call(caller) => caller.shared == link.shared && caller.instance == link.instance,
+            Origin::Interrupt { registers, .. } => {
+                [registers.db_number, registers.db_base, registers.db_length] == link.shared
+                    && [registers.di_number, registers.di_base, registers.di_length] == link.instance
+            }
+        })
+    }
+}

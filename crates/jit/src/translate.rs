@@ -1,0 +1,974 @@
+//! Writes the IR of a block as a function of Cranelift's IR.
+//!
+//! Registers of the CPU are variables while the block runs; they are stored where somebody else reads them: at calls, at the end
+//! and where the Host is asked. A path on which something failed is cold code behind the function.
+
+use std::collections::HashMap;
+use std::mem::offset_of;
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{I16, I32, I64};
+use cranelift_codegen::ir::{self as clif, AbiParam, BlockArg, FuncRef, InstBuilder, MemFlagsData, Value};
+use cranelift_codegen::settings::{self, Configurable};
+use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext, Variable};
+use cranelift_jit::{ArenaMemoryProvider, JITBuilder, JITModule};
+use cranelift_module::{FuncId, Linkage, Module, ModuleError};
+use sieben_engine::Layout;
+use sieben_engine::interpreter::weight;
+use sieben_engine::ir::{Callee, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::machine::Register;
+use sieben_model::address::{Area, Width};
+use sieben_model::block::BlockId;
+
+use crate::ask::{GO_ON, LEAVE, Question};
+use crate::entry::Generation;
+use crate::jit::Native;
+use crate::run::{Link, Run};
+
+mod inline;
+mod value;
+
+use value::Val;
+
+/// How a program is compiled.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Options {
+    /// Whether operations that have an inline form use it.
+    pub(crate) inline: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { inline: true }
+    }
+}
+
+/// Address space reserved for the code of a program, per IR instruction and at least.
+const RESERVED_BYTES_PER_INSTRUCTION: usize = 512;
+const RESERVED_BYTES_MIN: usize = 1 << 20;
+
+/// Finds the index of a loaded block.
+type Find<'a> = &'a dyn Fn(BlockId) -> Option<u32>;
+
+/// Compiles all blocks.
+pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<Generation, String> {
+    let mut flags = settings::builder();
+    let set = |flags: &mut settings::Builder, name: &str, value: &str| flags.set(name, value).map_err(|error| error.to_string());
+    set(&mut flags, "opt_level", "none")?;
+    set(&mut flags, "regalloc_algorithm", "single_pass")?;
+    set(&mut flags, "use_colocated_libcalls", "false")?;
+    set(&mut flags, "is_pic", "false")?;
+    set(&mut flags, "enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" })?;
+    let isa = cranelift_native::builder()
+        .map_err(|message| format!("this machine is not supported: {message}"))?
+        .finish(settings::Flags::new(flags))
+        .map_err(|error| error.to_string())?;
+    let mut builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
+    let insts: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
+    let reserve = (insts * RESERVED_BYTES_PER_INSTRUCTION).max(RESERVED_BYTES_MIN);
+    builder.memory_provider(Box::new(ArenaMemoryProvider::new_with_size(reserve).map_err(|error| error.to_string())?));
+    for &op in Op::ALL {
+        builder.symbol(op.name(), op.shim());
+    }
+    for &question in Question::ALL {
+        let ask = question.ask();
+        builder.symbol(ask.name, ask.address);
+    }
+    let mut module = JITModule::new(builder);
+    let functions = declare(&mut module, blocks).map_err(|error| error.to_string())?;
+    let mut context = module.make_context();
+    let mut frontend = FunctionBuilderContext::new();
+    let mut bytes = 0;
+    for (index, block) in blocks.iter().enumerate() {
+        context.func.signature = block_signature(&module);
+        let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
+        let target = module.target_config();
+        Translator::new(builder, &mut module, &functions, blocks, index, find, layout, options).run(target);
+        module.define_function(functions.blocks[index], &mut context).map_err(|error| format!("{}: {error:?}", block.id))?;
+        bytes += context.compiled_code().map_or(0, |code| code.code_buffer().len());
+        module.clear_context(&mut context);
+    }
+    module.finalize_definitions().map_err(|error| error.to_string())?;
+    Ok(Generation::new(module, &functions.blocks, bytes))
+}
+
+/// All functions that code refers to.
+struct Functions {
+    blocks: Vec<FuncId>,
+    ops: HashMap<Op, FuncId>,
+    questions: HashMap<Question, FuncId>,
+}
+
+fn block_signature(module: &JITModule) -> clif::Signature {
+    words_signature(module, 4)
+}
+
+fn words_signature(module: &JITModule, arguments: usize) -> clif::Signature {
+    let mut signature = module.make_signature();
+    signature.params = vec![AbiParam::new(I64); arguments];
+    signature.returns.push(AbiParam::new(I64));
+    signature
+}
+
+fn declare(module: &mut JITModule, blocks: &[Native]) -> Result<Functions, Box<ModuleError>> {
+    let signature = block_signature(module);
+    let blocks = (0..blocks.len())
+        .map(|index| module.declare_function(&format!("block_{index}"), Linkage::Local, &signature).map_err(Box::new))
+        .collect::<Result<_, _>>()?;
+    let mut ops = HashMap::new();
+    for &op in Op::ALL {
+        let signature = words_signature(module, op.arity());
+        ops.insert(op, module.declare_function(op.name(), Linkage::Import, &signature)?);
+    }
+    let mut questions = HashMap::new();
+    for &question in Question::ALL {
+        let ask = question.ask();
+        let signature = words_signature(module, ask.arguments);
+        questions.insert(question, module.declare_function(ask.name, Linkage::Import, &signature)?);
+    }
+    Ok(Functions { blocks, ops, questions })
+}
+
+/// Whether a register holds one bit.
+fn is_bit(register: Register) -> bool {
+    use Register as R;
+    matches!(register, R::Fc | R::Rlo | R::Sta | R::Or | R::Os | R::Ov | R::Cc0 | R::Cc1 | R::Br | R::Ma)
+}
+
+fn bit_of(register: Register) -> u32 {
+    1 << register as u32
+}
+
+/// The data block registers, which a call restores, and which access reads from memory.
+const OPEN_BLOCKS: [Register; 6] =
+    [Register::DbNumber, Register::DbBase, Register::DbLength, Register::DiNumber, Register::DiBase, Register::DiLength];
+/// What a call sets, at the beginning of the callee and behind it.
+const AFTER_CALL: [(Register, u64); 4] = [(Register::Os, 0), (Register::Or, 0), (Register::Sta, 1), (Register::Fc, 0)];
+
+/// What is known where control flow arrives at a statement.
+struct Arrival {
+    block: clif::Block,
+    /// Some way here comes from behind it.
+    backward: bool,
+    /// Registers whose memory may be older than their variable.
+    dirty: u32,
+    /// Registers that hold a constant on every way here; `None` until one is known.
+    known: Option<[Option<u64>; Register::COUNT]>,
+}
+
+/// Where a path goes on after the Host answered.
+#[derive(Clone, Copy)]
+enum After {
+    /// At the next statement.
+    NextStatement,
+    /// At this block, with `run.value` as its argument.
+    Deliver(clif::Block),
+    /// Nowhere: the Host ends the run.
+    Never,
+}
+
+struct Translator<'a> {
+    b: FunctionBuilder<'a>,
+    module: &'a mut JITModule,
+    functions: &'a Functions,
+    blocks: &'a [Native],
+    index: usize,
+    find: Find<'a>,
+    layout: &'a Layout,
+    options: Options,
+    references: HashMap<FuncId, FuncRef>,
+    variables: Vec<Variable>,
+    /// Values of registers in the running piece of code; `None` = in the variable.
+    current: [Option<Val>; Register::COUNT],
+    /// Registers whose value here is newer than the variable.
+    changed: u32,
+    /// Registers whose memory may be older than their value.
+    dirty: u32,
+    temporaries: Vec<Option<Val>>,
+    /// All registers that the block may change.
+    written: u32,
+    arrivals: HashMap<u32, Arrival>,
+    statement: u32,
+    /// Parameters passed and not yet taken.
+    passed: u32,
+    /// Safe points on ways back that are still to be written: the block, the statement, where it begins.
+    ways: Vec<(clif::Block, u32, clif::Block)>,
+    /// Nothing that follows is reached.
+    ended: bool,
+    leave: clif::Block,
+    run: Value,
+    arena: Value,
+    local: Value,
+    link: Value,
+}
+
+const TRUSTED: MemFlagsData = MemFlagsData::trusted();
+
+/// Data memory: always there, at any alignment.
+fn data() -> MemFlagsData {
+    MemFlagsData::new().with_notrap()
+}
+
+fn register_offset(register: Register) -> i32 {
+    (offset_of!(Run<'_, '_>, registers) + register.offset()) as i32
+}
+
+impl<'a> Translator<'a> {
+    #[allow(clippy::too_many_arguments)] // What the pieces of one compilation are.
+    fn new(
+        mut b: FunctionBuilder<'a>,
+        module: &'a mut JITModule,
+        functions: &'a Functions,
+        blocks: &'a [Native],
+        index: usize,
+        find: Find<'a>,
+        layout: &'a Layout,
+        options: Options,
+    ) -> Self {
+        let entry = b.create_block();
+        b.append_block_params_for_function_params(entry);
+        b.switch_to_block(entry);
+        b.seal_block(entry);
+        let &[run, arena, local, link] = b.block_params(entry) else { unreachable!("a block's function takes four arguments") };
+        let variables = Register::ALL.iter().map(|&register| b.declare_var(if is_bit(register) { I32 } else { I64 })).collect();
+        let leave = b.create_block();
+        b.set_cold_block(leave);
+        Self {
+            b,
+            module,
+            functions,
+            blocks,
+            index,
+            find,
+            layout,
+            options,
+            references: HashMap::new(),
+            variables,
+            current: [None; Register::COUNT],
+            changed: 0,
+            dirty: 0,
+            temporaries: Vec::new(),
+            written: 0,
+            arrivals: HashMap::new(),
+            statement: 0,
+            passed: 0,
+            ways: Vec::new(),
+            ended: false,
+            leave,
+            run,
+            arena,
+            local,
+            link,
+        }
+    }
+
+    fn native(&self) -> &'a Native {
+        &self.blocks[self.index]
+    }
+
+    fn run(mut self, target: cranelift_codegen::isa::TargetFrontendConfig) {
+        self.find_registers_and_loops();
+        self.enter_block();
+        let code = &self.native().code;
+        for statement in 0..code.statement_count() {
+            self.statement = statement as u32;
+            self.arrive();
+            if self.ended {
+                continue;
+            }
+            self.temporaries.clear();
+            self.passed = 0;
+            let first = code.statements[statement];
+            for (index, inst) in (first..).zip(code.statement(statement)) {
+                self.inst(index, inst);
+                if self.ended {
+                    break;
+                }
+            }
+        }
+        debug_assert!(self.ended, "a block ends with a return");
+        self.b.switch_to_block(self.leave);
+        let leave = self.b.ins().iconst(I64, LEAVE as i64);
+        self.b.ins().return_(&[leave]);
+        self.b.seal_all_blocks();
+        self.b.finalize(target);
+    }
+
+    /// Which registers the block mentions, and where it jumps back to.
+    fn find_registers_and_loops(&mut self) {
+        let code = &self.native().code;
+        let mut mentioned = 0;
+        let mut back = Vec::new();
+        for statement in 0..code.statement_count() {
+            let mut to = |Target(to): Target| {
+                if to as usize <= statement {
+                    back.push(to);
+                }
+            };
+            for inst in code.statement(statement) {
+                match *inst {
+                    Inst::Jump { to: target } | Inst::Branch { to: target, .. } => to(target),
+                    Inst::JumpTable { first, count, otherwise, .. } => {
+                        code.tables[first as usize..(first + count) as usize].iter().copied().chain([otherwise]).for_each(&mut to);
+                    }
+                    Inst::Call { .. } => {
+                        self.written = u32::MAX;
+                        mentioned = u32::MAX;
+                    }
+                    Inst::Open { .. } => OPEN_BLOCKS.iter().for_each(|&register| {
+                        self.written |= bit_of(register);
+                        mentioned |= bit_of(register);
+                    }),
+                    _ => {}
+                }
+                let register = |var: Var| var.register().map_or(0, bit_of);
+                let written = sieben_engine::ir::verify::writes(inst).map_or(0, register);
+                self.written |= written;
+                mentioned |= written | sieben_engine::ir::verify::reads(inst).into_iter().map(register).fold(0, |all, bit| all | bit);
+            }
+        }
+        for to in back {
+            self.arrival(to).backward = true;
+        }
+        for &register in Register::ALL {
+            if mentioned & bit_of(register) != 0 {
+                let ty = if is_bit(register) { I32 } else { I64 };
+                let value = self.b.ins().load(ty, TRUSTED, self.run, register_offset(register));
+                self.b.def_var(self.variables[register as usize], value);
+            }
+        }
+    }
+
+    fn arrival(&mut self, statement: u32) -> &mut Arrival {
+        let b = &mut self.b;
+        self.arrivals.entry(statement).or_insert_with(|| Arrival { block: b.create_block(), backward: false, dirty: 0, known: None })
+    }
+
+    /// The safe point at the beginning of a block.
+    fn enter_block(&mut self) {
+        let weight = weight(self.native().code.statement_count());
+        let go_on = self.b.create_block();
+        self.count_down(weight, 0, go_on);
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+    }
+
+    /// Takes the weight of a safe point from the budget, asks the Host if it is used up, and goes on at `go_on`.
+    fn count_down(&mut self, weight: u16, statement: u32, go_on: clif::Block) {
+        let offset = offset_of!(Run<'_, '_>, budget) as i32;
+        let budget = self.b.ins().load(I64, TRUSTED, self.run, offset);
+        let left = self.b.ins().iadd_imm_s(budget, -i64::from(weight));
+        self.b.ins().store(TRUSTED, left, self.run, offset);
+        let used_up = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, left, 0);
+        let ask = self.cold_block();
+        self.b.ins().brif(used_up, ask, &[], go_on, &[]);
+        self.b.switch_to_block(ask);
+        self.b.seal_block(ask);
+        self.spill(self.dirty);
+        let code = self.b.ins().iconst(I64, self.index as i64);
+        // The interpreter names the first statement that does something.
+        let statement = self.first_with_code(statement);
+        let statement = self.b.ins().iconst(I64, i64::from(statement));
+        let answer = self.ask(Question::SafePoint, &[self.link, code, statement]);
+        self.b.ins().brif(answer, self.leave, &[], go_on, &[]);
+    }
+
+    fn first_with_code(&self, statement: u32) -> u32 {
+        let code = &self.native().code;
+        (statement as usize..code.statement_count()).find(|&index| !code.statement(index).is_empty()).unwrap_or(0) as u32
+    }
+
+    fn cold_block(&mut self) -> clif::Block {
+        let block = self.b.create_block();
+        self.b.set_cold_block(block);
+        block
+    }
+
+    /// Begins a piece of code at a statement, if something arrives there.
+    fn arrive(&mut self) {
+        if !self.arrivals.contains_key(&self.statement) {
+            return;
+        }
+        if !self.ended {
+            let block = self.edge(self.statement);
+            self.b.ins().jump(block, &[]);
+        }
+        let (backward, written) = (self.arrivals[&self.statement].backward, self.written);
+        let arrival = self.arrival(self.statement);
+        if backward && arrival.known.is_none() {
+            // Nothing comes from above, so that nothing comes from behind either.
+            self.ended = true;
+            return;
+        }
+        let (block, known) = (arrival.block, arrival.known.unwrap_or_default());
+        self.dirty = if backward { written } else { arrival.dirty };
+        self.b.switch_to_block(block);
+        if !backward {
+            self.b.seal_block(block);
+        }
+        self.changed = 0;
+        self.current = if backward { [None; Register::COUNT] } else { known.map(|value| value.map(Val::Const)) };
+        self.ended = false;
+    }
+
+    /// Makes the variables current and returns where the statement begins; the caller jumps there.
+    fn edge(&mut self, statement: u32) -> clif::Block {
+        self.define_variables();
+        let known = self.current.map(|value| match value {
+            Some(Val::Const(value)) => Some(value),
+            _ => None,
+        });
+        let dirty = self.dirty;
+        let arrival = self.arrival(statement);
+        arrival.dirty |= dirty;
+        arrival.known = Some(match arrival.known {
+            None => known,
+            Some(mut before) => {
+                before.iter_mut().zip(known).for_each(|(before, now)| {
+                    if *before != now {
+                        *before = None;
+                    }
+                });
+                before
+            }
+        });
+        arrival.block
+    }
+
+    fn define_variables(&mut self) {
+        for &register in Register::ALL {
+            if self.changed & bit_of(register) != 0
+                && let Some(value) = self.current[register as usize]
+            {
+                let value = if is_bit(register) { self.flag(value) } else { self.word(value) };
+                self.b.def_var(self.variables[register as usize], value);
+            }
+        }
+        self.changed = 0;
+    }
+
+    /// Stores registers where others read them.
+    fn spill(&mut self, registers: u32) {
+        for &register in Register::ALL {
+            if registers & bit_of(register) != 0 {
+                let value = self.register(register);
+                let value = self.word(value);
+                self.b.ins().store(TRUSTED, value, self.run, register_offset(register));
+            }
+        }
+    }
+
+    fn register(&mut self, register: Register) -> Val {
+        if let Some(value) = self.current[register as usize] {
+            return value;
+        }
+        let value = self.b.use_var(self.variables[register as usize]);
+        if is_bit(register) { Val::Bit { value, clean: true } } else { Val::Word(value) }
+    }
+
+    fn get(&mut self, var: Var) -> Val {
+        match var.register() {
+            Some(register) => self.register(register),
+            None => self.temporaries.get(usize::from(var.0) - Register::COUNT).copied().flatten().unwrap_or(Val::Const(0)),
+        }
+    }
+
+    fn set(&mut self, var: Var, value: Val) {
+        match var.register() {
+            Some(register) => self.set_register(register, value),
+            None => {
+                let index = usize::from(var.0) - Register::COUNT;
+                if self.temporaries.len() <= index {
+                    self.temporaries.resize(index + 1, None);
+                }
+                self.temporaries[index] = Some(value);
+            }
+        }
+    }
+
+    fn set_register(&mut self, register: Register, value: Val) {
+        self.current[register as usize] = Some(value);
+        self.changed |= bit_of(register);
+        self.dirty |= bit_of(register);
+    }
+
+    /// Calls a function; its result.
+    fn call(&mut self, function: FuncId, arguments: &[Value]) -> Value {
+        let (module, b) = (&mut *self.module, &mut self.b);
+        let reference = *self.references.entry(function).or_insert_with(|| module.declare_func_in_func(function, b.func));
+        let call = self.b.ins().call(reference, arguments);
+        self.b.inst_results(call)[0]
+    }
+
+    fn ask(&mut self, question: Question, arguments: &[Value]) -> Value {
+        let arguments: Vec<Value> = [self.run].iter().chain(arguments).copied().collect();
+        self.call(self.functions.questions[&question], &arguments)
+    }
+
+    fn site(&mut self, inst: u32) -> Value {
+        self.b.ins().iconst(I64, ((self.index as i64) << 32) | i64::from(inst))
+    }
+
+    fn load_run(&mut self, offset: usize) -> Value {
+        self.b.ins().load(I64, TRUSTED, self.run, offset as i32)
+    }
+
+    fn result(&mut self) -> Value {
+        self.load_run(offset_of!(Run<'_, '_>, value))
+    }
+
+    /// Goes on in cold code if the answer is not 0: asks the Host, who decides how the run goes on.
+    fn unless_failed(&mut self, failed: Value, question: Question, arguments: &[Value], after: After) {
+        let cold = self.cold_block();
+        let go_on = self.b.create_block();
+        self.b.ins().brif(failed, cold, &[], go_on, &[]);
+        self.cold_path(cold, question, arguments, after);
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+    }
+
+    /// Fills a cold block: registers stored, the Host asked.
+    fn cold_path(&mut self, cold: clif::Block, question: Question, arguments: &[Value], after: After) {
+        self.b.switch_to_block(cold);
+        self.b.seal_block(cold);
+        self.spill(self.dirty);
+        let answer = self.ask(question, arguments);
+        match after {
+            After::Never => {
+                self.b.ins().jump(self.leave, &[]);
+            }
+            After::Deliver(block) => {
+                let value = self.result();
+                self.b.ins().brif(answer, self.leave, &[], block, &[BlockArg::Value(value)]);
+            }
+            After::NextStatement => {
+                let changed = self.changed;
+                let next = self.edge(self.statement + 1);
+                self.b.ins().brif(answer, self.leave, &[], next, &[]);
+                self.changed = changed;
+            }
+        }
+    }
+
+    fn inst(&mut self, index: u32, inst: &Inst) {
+        match *inst {
+            Inst::Constant { dst, value } => self.set(dst, Val::Const(value)),
+            Inst::Compute { op, dst, args } => {
+                let result = self.compute(op, args);
+                self.set(dst, result);
+            }
+            Inst::Load { dst, place, width, on_fault } => self.load(index, dst, place, width, on_fault),
+            Inst::Store { place, width, src } => self.store(index, place, width, src),
+            Inst::Move { from, to, .. } => {
+                let pointers = [self.pointer(from), self.pointer(to)];
+                self.store_open_blocks();
+                let site = self.site(index);
+                let failed = self.ask(Question::TryMove, &[self.link, site, pointers[0], pointers[1]]);
+                self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
+            }
+            Inst::Parameter { dst, index } => {
+                let first = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters) as i32);
+                let end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
+                let address = self.b.ins().iadd_imm_u(first, 4 * i64::from(index));
+                let pointer = self.b.ins().load(I32, TRUSTED, address, 0);
+                let given = self.b.ins().icmp(IntCC::UnsignedLessThan, address, end);
+                let none = self.b.ins().iconst(I32, 0);
+                let pointer = self.b.ins().select(given, pointer, none);
+                self.set(dst, Val::Int(pointer));
+            }
+            Inst::PassParameter { src } => {
+                let end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
+                let value = self.get(src);
+                let value = self.int(value);
+                self.b.ins().store(TRUSTED, value, end, 4 * self.passed as i32);
+                self.passed += 1;
+            }
+            Inst::Intrinsic { dst, args, .. } => {
+                let [a, b, c] = [args[0], args[1], args[2]].map(|arg| {
+                    let value = self.get(arg);
+                    self.word(value)
+                });
+                let site = self.site(index);
+                let failed = self.ask(Question::TryIntrinsic, &[site, a, b, c]);
+                self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
+                let result = self.result();
+                self.set(dst, Val::Word(result));
+            }
+            Inst::Require { condition, register, .. } => self.require(index, condition, Some(register), After::NextStatement),
+            Inst::RequireStack { condition, .. } => self.require(index, condition, None, After::Never),
+            Inst::Open { number, .. } => {
+                let number = self.get(number);
+                let number = self.word(number);
+                self.store_open_blocks();
+                let site = self.site(index);
+                let failed = self.ask(Question::TryOpen, &[site, number]);
+                self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
+                for register in OPEN_BLOCKS {
+                    self.reload(register);
+                }
+            }
+            Inst::Jump { to } => {
+                let block = self.way_to(to);
+                self.b.ins().jump(block, &[]);
+                self.fill_ways();
+                self.ended = true;
+            }
+            Inst::Branch { condition, to } => {
+                let condition = self.get(condition);
+                if let Val::Const(value) = condition {
+                    if value & 1 != 0 {
+                        self.inst(index, &Inst::Jump { to });
+                    }
+                    return;
+                }
+                let condition = self.flag(condition);
+                let block = self.way_to(to);
+                let go_on = self.b.create_block();
+                self.b.ins().brif(condition, block, &[], go_on, &[]);
+                self.fill_ways();
+                self.b.switch_to_block(go_on);
+                self.b.seal_block(go_on);
+            }
+            Inst::JumpTable { index, first, count, otherwise } => self.jump_table(index, first, count, otherwise),
+            Inst::Call { callee, parameters } => self.call_block(index, callee, parameters),
+            Inst::Return => {
+                self.spill(self.dirty);
+                let go_on = self.b.ins().iconst(I64, GO_ON as i64);
+                self.b.ins().return_(&[go_on]);
+                self.ended = true;
+            }
+        }
+    }
+
+    fn compute(&mut self, op: Op, args: [Var; 4]) -> Val {
+        let args = args.map(|arg| self.get(arg));
+        let args = &args[..op.arity()];
+        if op == Op::Copy {
+            return args[0];
+        }
+        if let Some(constants) = args.iter().map(|arg| arg.constant()).collect::<Option<Vec<u64>>>() {
+            let mut words = [0; 4];
+            words[..constants.len()].copy_from_slice(&constants);
+            return Val::Const(op.eval(words));
+        }
+        if self.options.inline
+            && let Some(value) = self.inline(op, args)
+        {
+            return value;
+        }
+        let args: Vec<Value> = args.iter().map(|&arg| self.word(arg)).collect();
+        Val::Word(self.call(self.functions.ops[&op], &args))
+    }
+
+    /// The value of a place's pointer, 0 if it has none.
+    fn pointer(&mut self, place: Place) -> Value {
+        let value = match place {
+            Place::Fixed { .. } => Val::Const(0),
+            Place::Indirect { pointer, .. } | Place::Crossing { pointer, .. } => self.get(pointer),
+        };
+        self.word(value)
+    }
+
+    /// Stores the data block registers, from which access by Rust code reads.
+    fn store_open_blocks(&mut self) {
+        let registers = OPEN_BLOCKS.iter().fold(0, |all, &register| all | bit_of(register)) & self.dirty;
+        self.spill(registers);
+        self.dirty &= !registers;
+    }
+
+    /// Takes a register from memory, where Rust code changed it.
+    fn reload(&mut self, register: Register) {
+        let value = if is_bit(register) {
+            Val::Bit { value: self.b.ins().load(I32, TRUSTED, self.run, register_offset(register)), clean: true }
+        } else {
+            Val::Word(self.b.ins().load(I64, TRUSTED, self.run, register_offset(register)))
+        };
+        self.set_register(register, value);
+        self.dirty &= !bit_of(register);
+    }
+
+    /// The address of a constant place in I, Q, M or the local data, if it lies inside: base, offset and bit.
+    fn fixed(&self, place: Place, width: Width) -> Option<(Value, i32, u8)> {
+        let Place::Fixed { area, position } = place else { return None };
+        let (byte, bit) = (position / 8, (position % 8) as u8);
+        let (base, start, length) = match area {
+            Area::Local => (self.local, 0, self.native().local_size as usize),
+            _ => {
+                let range = self.layout.area(area)?;
+                (self.arena, range.start, range.len())
+            }
+        };
+        if (width != Width::Bit && bit != 0) || byte as usize + width.bytes() as usize > length {
+            return None;
+        }
+        Some((base, i32::try_from(start + byte as usize).ok()?, bit))
+    }
+
+    fn load(&mut self, index: u32, dst: Var, place: Place, width: Width, on_fault: OnFault) {
+        if let Some((base, offset, bit)) = self.fixed(place, width) {
+            let value = self.read(base, offset, bit, width);
+            self.set(dst, value);
+            return;
+        }
+        let pointer = self.pointer(place);
+        self.store_open_blocks();
+        let site = self.site(index);
+        let failed = self.ask(Question::TryLoad, &[self.link, site, pointer]);
+        if on_fault != OnFault::DeliverZero {
+            self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
+            let value = self.result();
+            self.set(dst, Val::Word(value));
+            return;
+        }
+        let value = self.result();
+        let cold = self.cold_block();
+        let go_on = self.b.create_block();
+        let delivered = self.b.append_block_param(go_on, I64);
+        self.b.ins().brif(failed, cold, &[], go_on, &[BlockArg::Value(value)]);
+        self.cold_path(cold, Question::Failed, &[self.link, site], After::Deliver(go_on));
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+        self.set(dst, Val::Word(delivered));
+    }
+
+    fn read(&mut self, base: Value, offset: i32, bit: u8, width: Width) -> Val {
+        match width {
+            Width::Bit => {
+                let byte = self.b.ins().uload8(I32, data(), base, offset);
+                let value = if bit == 0 { byte } else { self.b.ins().ushr_imm_u(byte, i64::from(bit)) };
+                Val::Bit { value, clean: bit == 7 }
+            }
+            Width::Byte => Val::Int(self.b.ins().uload8(I32, data(), base, offset)),
+            Width::Word => {
+                let word = self.b.ins().load(I16, data(), base, offset);
+                let word = self.b.ins().bswap(word);
+                Val::Int(self.b.ins().uextend(I32, word))
+            }
+            Width::DoubleWord => {
+                let double = self.b.ins().load(I32, data(), base, offset);
+                Val::Int(self.b.ins().bswap(double))
+            }
+        }
+    }
+
+    fn store(&mut self, index: u32, place: Place, width: Width, src: Var) {
+        let value = self.get(src);
+        if let Some((base, offset, bit)) = self.fixed(place, width) {
+            self.write(base, offset, bit, width, value);
+            return;
+        }
+        let value = self.word(value);
+        let pointer = self.pointer(place);
+        self.store_open_blocks();
+        let site = self.site(index);
+        let failed = self.ask(Question::TryStore, &[self.link, site, pointer, value]);
+        self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
+    }
+
+    fn write(&mut self, base: Value, offset: i32, bit: u8, width: Width, value: Val) {
+        match width {
+            Width::Bit => {
+                let old = self.b.ins().uload8(I32, data(), base, offset);
+                let new = match value {
+                    Val::Const(value) if value & 1 != 0 => self.b.ins().bor_imm_u(old, 1 << bit),
+                    _ => {
+                        let cleared = self.b.ins().band_imm_u(old, i64::from(!(1u8 << bit)));
+                        match value {
+                            Val::Const(_) => cleared,
+                            _ => {
+                                let flag = self.flag(value);
+                                let moved = if bit == 0 { flag } else { self.b.ins().ishl_imm_u(flag, i64::from(bit)) };
+                                self.b.ins().bor(cleared, moved)
+                            }
+                        }
+                    }
+                };
+                self.b.ins().istore8(data(), new, base, offset);
+            }
+            Width::Byte => {
+                let value = self.int(value);
+                self.b.ins().istore8(data(), value, base, offset);
+            }
+            Width::Word => {
+                let value = self.int(value);
+                let word = self.b.ins().ireduce(I16, value);
+                let word = self.b.ins().bswap(word);
+                self.b.ins().store(data(), word, base, offset);
+            }
+            Width::DoubleWord => {
+                let value = self.int(value);
+                let double = self.b.ins().bswap(value);
+                self.b.ins().store(data(), double, base, offset);
+            }
+        }
+    }
+
+    fn require(&mut self, index: u32, condition: Var, register: Option<Var>, after: After) {
+        let condition = self.get(condition);
+        if condition.constant().is_some_and(|value| value & 1 != 0) {
+            return;
+        }
+        let condition = self.flag(condition);
+        let unmet = self.b.ins().bxor_imm_u(condition, 1);
+        let site = self.site(index);
+        let register = register.map_or(Val::Const(0), |register| self.get(register));
+        let register = self.word(register);
+        self.unless_failed(unmet, Question::Unmet, &[self.link, site, register], after);
+    }
+
+    /// Where a jump goes: the statement itself, or the safe point in front of it if it lies behind.
+    fn way_to(&mut self, Target(to): Target) -> clif::Block {
+        let arrival = self.edge(to);
+        if to > self.statement {
+            return arrival;
+        }
+        let way = self.b.create_block();
+        self.ways.push((way, to, arrival));
+        way
+    }
+
+    /// Fills the safe points on the ways back, after the jump that goes there.
+    fn fill_ways(&mut self) {
+        for (way, to, arrival) in std::mem::take(&mut self.ways) {
+            self.b.switch_to_block(way);
+            self.b.seal_block(way);
+            self.count_down(weight((self.statement - to) as usize), to, arrival);
+        }
+    }
+
+    fn jump_table(&mut self, index: Var, first: u32, count: u32, otherwise: Target) {
+        let index = self.get(index);
+        let index = self.word(index);
+        let targets = &self.native().code.tables[first as usize..(first + count) as usize];
+        let mut blocks: HashMap<u32, clif::Block> = HashMap::new();
+        let mut block_of = |this: &mut Self, target: Target| {
+            if let Some(&block) = blocks.get(&target.0) {
+                return block;
+            }
+            let block = this.way_to(target);
+            blocks.insert(target.0, block);
+            block
+        };
+        let otherwise = block_of(self, otherwise);
+        let entries: Vec<clif::Block> = targets.iter().map(|&target| block_of(self, target)).collect();
+        let inside = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, index, i64::from(count));
+        let beyond = self.b.ins().iconst(I64, i64::from(count));
+        let index = self.b.ins().select(inside, index, beyond);
+        let index = self.b.ins().ireduce(I32, index);
+        let default = self.b.func.dfg.block_call(otherwise, &[]);
+        let entries: Vec<_> = entries.into_iter().map(|block| self.b.func.dfg.block_call(block, &[])).collect();
+        let table = self.b.create_jump_table(clif::JumpTableData::new(default, &entries));
+        self.b.ins().br_table(index, table);
+        self.fill_ways();
+        self.ended = true;
+    }
+
+    fn call_block(&mut self, index: u32, callee: Callee, parameters: u16) {
+        match callee {
+            Callee::Block(id) => match (self.find)(id) {
+                Some(code) => self.call_loaded(index, code as usize, parameters),
+                None => self.call_other(index, None),
+            },
+            Callee::Number(_, number) => {
+                let number = self.get(number);
+                let number = self.word(number);
+                self.call_other(index, Some(number));
+            }
+        }
+        self.passed = self.passed.saturating_sub(u32::from(parameters));
+        self.temporaries.clear();
+    }
+
+    fn call_other(&mut self, index: u32, number: Option<Value>) {
+        self.spill(self.dirty);
+        self.dirty = 0;
+        let site = self.site(index);
+        let number = number.unwrap_or_else(|| self.b.ins().iconst(I64, 0));
+        let passed = self.b.ins().iconst(I64, i64::from(self.passed));
+        let answer = self.ask(Question::CallOther, &[self.link, site, number, passed]);
+        let cold = self.cold_block();
+        let go_on = self.b.create_block();
+        self.b.ins().brif(answer, cold, &[], go_on, &[]);
+        self.b.switch_to_block(cold);
+        self.b.seal_block(cold);
+        // A call that failed is answered by the next statement.
+        let left = self.b.ins().icmp_imm_u(IntCC::Equal, answer, LEAVE as i64);
+        for &register in Register::ALL {
+            self.reload(register);
+        }
+        let next = self.edge(self.statement + 1);
+        self.b.ins().brif(left, self.leave, &[], next, &[]);
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+        for &register in Register::ALL {
+            self.reload(register);
+        }
+    }
+
+    fn call_loaded(&mut self, index: u32, code: usize, parameters: u16) {
+        let size = size_of::<Link>() as i64;
+        let local_size = i64::from(self.native().local_size);
+        let callee_size = i64::from(self.blocks[code].local_size);
+        let link = self.b.ins().iadd_imm_u(self.link, size);
+        let local = self.b.ins().iadd_imm_u(self.local, local_size);
+        let end = self.b.ins().iadd_imm_u(local, callee_size);
+        let link_max = self.load_run(offset_of!(Run<'_, '_>, link_max));
+        let local_end = self.load_run(offset_of!(Run<'_, '_>, local_end));
+        let too_deep = self.b.ins().icmp(IntCC::UnsignedGreaterThan, link, link_max);
+        let too_long = self.b.ins().icmp(IntCC::UnsignedGreaterThan, end, local_end);
+        let no_room = self.b.ins().bor(too_deep, too_long);
+        let site = self.site(index);
+        self.unless_failed(no_room, Question::NoRoom, &[self.link, site], After::Never);
+        let callee = self.b.ins().iconst(I64, code as i64);
+
+        let own_end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
+        let first = self.b.ins().iadd_imm_u(own_end, 4 * (i64::from(self.passed) - i64::from(parameters)));
+        let last = self.b.ins().iadd_imm_u(own_end, 4 * i64::from(self.passed));
+        let site = self.b.ins().iconst(I64, i64::from(index));
+        let put = |this: &mut Self, value: Value, offset: usize| {
+            this.b.ins().store(TRUSTED, value, link, offset as i32);
+        };
+        put(self, callee, offset_of!(Link, code));
+        put(self, site, offset_of!(Link, site));
+        put(self, local, offset_of!(Link, local));
+        put(self, first, offset_of!(Link, parameters));
+        put(self, last, offset_of!(Link, parameters_end));
+        let offsets = [
+            offset_of!(Link, shared),
+            offset_of!(Link, shared) + 8,
+            offset_of!(Link, shared) + 16,
+            offset_of!(Link, instance),
+            offset_of!(Link, instance) + 8,
+            offset_of!(Link, instance) + 16,
+            offset_of!(Link, mcr_active),
+            offset_of!(Link, nesting),
+        ];
+        let restored: Vec<Register> = OPEN_BLOCKS.into_iter().chain([Register::Ma, Register::Nesting]).collect();
+        let values: Vec<Val> = restored.iter().map(|&register| self.register(register)).collect();
+        for (&value, offset) in values.iter().zip(offsets) {
+            let value = self.word(value);
+            put(self, value, offset);
+        }
+        for (register, value) in AFTER_CALL.into_iter().chain([(Register::Nesting, 0), (Register::Ma, 0)]) {
+            self.set_register(register, Val::Const(value));
+        }
+        self.spill(self.dirty);
+        let left = self.call(self.functions.blocks[code], &[self.run, self.arena, local, link]);
+        let go_on = self.b.create_block();
+        self.b.ins().brif(left, self.leave, &[], go_on, &[]);
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+        self.dirty = 0;
+        for &register in Register::ALL {
+            if !restored.contains(&register) && !AFTER_CALL.iter().any(|&(set, _)| set == register) {
+                self.reload(register);
+            }
+        }
+        for (register, value) in restored.into_iter().zip(values) {
+            self.set_register(register, value);
+        }
+        for (register, value) in AFTER_CALL {
+            self.set_register(register, Val::Const(value));
+        }
+    }
+}
