@@ -4,6 +4,7 @@
 //! stack overflow, a hang that the parent ends) is found the same way: the parent reads `n` from the child's progress file,
 //! makes the input again, writes it down and says how to replay it.
 
+pub mod engines;
 pub mod mutator;
 pub mod targets;
 

@@ -1,0 +1,372 @@
+//! Whole programs on both engines: whatever a program does, interpreter and machine code leave the same memory, registers,
+//! timers, counters, budget and diagnostic buffer.
+//!
+//! The input chooses the statements of a program that compiles: bit logic, arithmetic, indirect addressing that may miss its area,
+//! calls, loops, interrupts by faults. An input that is itself a program is run too.
+
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+use sieben_cpu::{Cpu, OperatingMode, Rack, Restart, Settings};
+use sieben_engine::{Engine, Interpreter, Layout, Program};
+use sieben_jit::Jit;
+use sieben_lang::Options;
+use sieben_model::cpu_type::CpuType;
+use sieben_model::diagnostic::Severity;
+use sieben_model::source::Sources;
+use sieben_model::symbols::SymbolTable;
+
+/// Safe points that a program may pass in one scan.
+const SAFE_POINTS_MAX: i64 = 3_000;
+/// Scans that are compared.
+const SCANS: u64 = 3;
+/// Statements of one block at most.
+const STATEMENTS_MAX: usize = 160;
+/// Labels of a block, spread over it.
+const LABELS: usize = 6;
+
+/// Runs the input, and the program that it chooses.
+pub fn fuzz(data: &[u8]) {
+    compare(&chosen(data), data.len());
+    if data.len() > 16 {
+        compare(&String::from_utf8_lossy(data), data.len());
+    }
+}
+
+/// Runs a program on both engines, if it compiles.
+fn compare(text: &str, choice: usize) {
+    let cpu_type = &CpuType::ALL[choice % CpuType::ALL.len()];
+    let mut sources = Sources::default();
+    sources.add("fuzz.awl", text);
+    let options = Options { cpu: Some(cpu_type), system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
+    let compiled = sieben_lang::compile(&sources, &SymbolTable::default(), &options);
+    if compiled.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error) {
+        return;
+    }
+    let program = Arc::new(compiled.program);
+    let [mut interpreted, mut native] = [Interpreter::load as Load, Jit::load].map(|load| {
+        let settings = Settings { virtual_safe_points: SAFE_POINTS_MAX, ..Settings::default() };
+        let mut cpu = Cpu::load(cpu_type, Arc::clone(&program), load, Rack::simulated(cpu_type), settings);
+        cpu.restart(Restart::Warm);
+        cpu
+    });
+    for scan in 0..SCANS {
+        interpreted.scan(scan * 10_000);
+        native.scan(scan * 10_000);
+        let (expected, got) = (interpreted.machine(), native.machine());
+        let differs = |what: &str| panic!("after scan {scan} the engines differ in {what}:\n{text}");
+        if expected.memory != got.memory {
+            let at = expected.memory.arena.iter().zip(&got.memory.arena).position(|(expected, got)| expected != got);
+            differs(&format!("memory, arena byte {at:?}"));
+        }
+        if expected.registers != got.registers {
+            differs(&format!("registers:\n{:?}\n{:?}\n", expected.registers, got.registers));
+        }
+        if (&expected.timers, &expected.counters) != (&got.timers, &got.counters) {
+            differs("timers or counters");
+        }
+        if expected.budget != got.budget {
+            differs(&format!("budget: {} and {}", expected.budget, got.budget));
+        }
+        if interpreted.stop_cause() != native.stop_cause() {
+            differs(&format!("the cause of STOP: {:?} and {:?}", interpreted.stop_cause(), native.stop_cause()));
+        }
+        let buffers = [&interpreted, &native].map(|cpu| cpu.diagnostic_buffer().entries().cloned().collect::<Vec<_>>());
+        if buffers[0] != buffers[1] {
+            differs("the diagnostic buffer");
+        }
+        if interpreted.mode() != OperatingMode::Run {
+            return;
+        }
+    }
+}
+
+type Load = fn(&Program, &Layout) -> Arc<dyn Engine>;
+
+/// Bytes that choose.
+struct Choices<'a>(std::slice::Iter<'a, u8>);
+
+impl Choices<'_> {
+    fn more(&self) -> bool {
+        self.0.len() > 0
+    }
+    fn below(&mut self, limit: usize) -> usize {
+        self.0.next().map_or(0, |&byte| usize::from(byte) % limit.max(1))
+    }
+    fn of<'t>(&mut self, words: &[&'t str]) -> &'t str {
+        words[self.below(words.len())]
+    }
+}
+
+/// The program that an input chooses.
+fn chosen(data: &[u8]) -> String {
+    let mut choices = Choices(data.iter());
+    let mut text = String::from(
+        "DATA_BLOCK DB 1\nSTRUCT\n a : ARRAY [0..31] OF WORD;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n\
+         DATA_BLOCK DB 2\nSTRUCT\n a : ARRAY [0..7] OF DINT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n\
+         DATA_BLOCK DB 3\nREAD_ONLY\nSTRUCT\n a : ARRAY [0..7] OF WORD;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n",
+    );
+    let handlers = choices.below(4);
+    let mut blocks = vec![
+        (
+            "FUNCTION FC 1 : VOID\nVAR_INPUT\n n : INT;\n b : BOOL;\nEND_VAR\nVAR_IN_OUT\n w : WORD;\nEND_VAR\nVAR_TEMP\n t : ARRAY [0..9] OF WORD;\nEND_VAR\n",
+            "FUNCTION",
+            true,
+        ),
+        (
+            "FUNCTION_BLOCK FB 1\nVAR_INPUT\n n : INT;\n b : BOOL;\nEND_VAR\nVAR_IN_OUT\n w : WORD;\nEND_VAR\nVAR\n s : ARRAY [0..9] OF WORD;\nEND_VAR\nVAR_TEMP\n t : ARRAY [0..9] OF WORD;\nEND_VAR\n",
+            "FUNCTION_BLOCK",
+            true,
+        ),
+        ("FUNCTION FC 2 : VOID\nVAR_TEMP\n t : ARRAY [0..9] OF WORD;\nEND_VAR\n", "FUNCTION", false),
+    ];
+    if handlers & 1 != 0 {
+        blocks.push((
+            "ORGANIZATION_BLOCK OB 121\nVAR_TEMP\n i : ARRAY [0..19] OF BYTE;\n t : ARRAY [0..9] OF WORD;\nEND_VAR\n",
+            "ORGANIZATION_BLOCK",
+            false,
+        ));
+    }
+    if handlers & 2 != 0 {
+        blocks.push((
+            "ORGANIZATION_BLOCK OB 122\nVAR_TEMP\n i : ARRAY [0..19] OF BYTE;\n t : ARRAY [0..9] OF WORD;\nEND_VAR\n",
+            "ORGANIZATION_BLOCK",
+            false,
+        ));
+        blocks.push((
+            "ORGANIZATION_BLOCK OB 80\nVAR_TEMP\n i : ARRAY [0..19] OF BYTE;\n t : ARRAY [0..9] OF WORD;\nEND_VAR\n",
+            "ORGANIZATION_BLOCK",
+            false,
+        ));
+    }
+    blocks.push((
+        "ORGANIZATION_BLOCK OB 1\nVAR_TEMP\n i : ARRAY [0..19] OF BYTE;\n t : ARRAY [0..9] OF WORD;\nEND_VAR\n",
+        "ORGANIZATION_BLOCK",
+        false,
+    ));
+    let share = (data.len() / blocks.len()).max(1);
+    for (index, (head, kind, parameters)) in blocks.iter().enumerate() {
+        let last = index + 1 == blocks.len();
+        let end = choices.0.len().saturating_sub(share);
+        let mut statements = Vec::new();
+        while choices.more() && (last || choices.0.len() > end) && statements.len() < STATEMENTS_MAX {
+            statements.push(statement(&mut choices, *parameters));
+        }
+        text.push_str(head);
+        text.push_str("BEGIN\n");
+        for label in 0..LABELS {
+            let (from, to) = (label * statements.len() / LABELS, (label + 1) * statements.len() / LABELS);
+            let _ = writeln!(text, "l{label}: NOP 0;");
+            statements[from..to].iter().for_each(|statement| text.push_str(statement));
+        }
+        let _ = writeln!(text, "END_{kind}");
+    }
+    text.push_str("DATA_BLOCK DB 4\nFB 1\nBEGIN\nEND_DATA_BLOCK\n");
+    text
+}
+
+const DATA: &[&str] = &["I", "Q", "M", "M", "L", "DB", "DB", "DI"];
+const OPEN: &[&str] = &["DB 1", "DB 2", "DB 3", "DB 4", "DI 1", "DI 2", "DI 4", "DB 9", "DB [MW 2]", "DI [MW 2]"];
+
+/// An address of a bit, byte, word or double word.
+fn address(choices: &mut Choices<'_>, width: usize, parameters: bool) -> String {
+    let letter = ["X", "B", "W", "D"][width];
+    let area = choices.of(DATA);
+    let name = if matches!(area, "DB" | "DI") || width > 0 { format!("{area}{letter}") } else { area.to_owned() };
+    let (byte, bit) = (choices.below(40), choices.below(8));
+    let dot = if width == 0 { format!(".{bit}") } else { String::new() };
+    match choices.below(12) {
+        0 => format!("{name} [MD {}]", 4 * choices.below(6)),
+        1 => format!("{name} [AR1, P#{}.{}]", choices.below(20), if width == 0 { bit } else { 0 }),
+        2 => format!("{name} [AR2, P#{}.{}]", choices.below(20), if width == 0 { bit } else { 0 }),
+        3 => format!("{} [AR1, P#{}.{}]", if width == 0 { "" } else { letter }, choices.below(20), if width == 0 { bit } else { 0 }),
+        4 if parameters && width == 0 => "#b".to_owned(),
+        4 if parameters && width == 2 => choices.of(&["#n", "#w", "#w"]).to_owned(),
+        4 => format!("{}DBX", "").replace("DBX", &format!("DB1.DB{letter} {byte}{dot}")),
+        5 if area == "L" => format!("L{} {}{dot}", if width == 0 { "" } else { letter }, 20 + choices.below(18)),
+        _ if area == "L" => format!("L{} {}{dot}", if width == 0 { "" } else { letter }, choices.below(16)),
+        _ => format!("{name} {byte}{dot}"),
+    }
+}
+
+/// One statement.
+fn statement(choices: &mut Choices<'_>, parameters: bool) -> String {
+    let word = match choices.below(40) {
+        0..=8 => {
+            let scan = choices.of(&["A", "AN", "O", "ON", "X", "XN", "A", "AN", "O"]);
+            match choices.below(10) {
+                0 => format!(
+                    "{scan} {}",
+                    choices.of(&["T 1", "T 2", "C 1", "C 2", "OV", "OS", "==0", "<>0", ">0", "<0", ">=0", "<=0", "UO", "BR"])
+                ),
+                _ => format!("{scan} {}", address(choices, 0, parameters)),
+            }
+        }
+        9..=12 => format!("{} {}", choices.of(&["=", "=", "S", "R", "FP", "FN"]), address(choices, 0, parameters)),
+        13 => match choices.below(3) {
+            0 => format!(
+                "{};\n O {};\n {} {};\n )",
+                choices.of(&["A(", "AN(", "O(", "ON(", "X(", "XN("]),
+                address(choices, 0, parameters),
+                choices.of(&["A", "ON", "X"]),
+                address(choices, 0, parameters)
+            ),
+            _ => choices.of(&["O", "NOT", "SET", "CLR", "SAVE"]).to_owned(),
+        },
+        14..=18 => {
+            let width = 1 + choices.below(3);
+            format!("L {}", address(choices, width, parameters))
+        }
+        19..=21 => {
+            let width = 1 + choices.below(3);
+            format!("T {}", address(choices, width, parameters))
+        }
+        22 => format!(
+            "L {}",
+            choices.of(&[
+                "0",
+                "1",
+                "-1",
+                "32767",
+                "-32768",
+                "L#100000",
+                "L#-2147483648",
+                "L#2147483647",
+                "W#16#0999",
+                "DW#16#80000000",
+                "1.5",
+                "-0.0",
+                "3.402823e+038",
+                "DW#16#00000001",
+                "DW#16#7FC00000",
+                "P#0.0",
+                "P#2.3",
+                "P#M 4.0",
+                "P#DBX 2.0",
+                "P#L 0.0",
+                "B#16#7F",
+                "S5T#30MS",
+                "C#25",
+            ])
+        ),
+        23..=26 => choices
+            .of(&[
+                "+I", "-I", "*I", "/I", "+D", "-D", "*D", "/D", "MOD", "+R", "-R", "*R", "/R", "==I", "<>I", ">I", "<I", ">=I", "<=I",
+                "==D", "<>D", ">D", "<D", ">=D", "<=D", "==R", "<>R", ">R", "<R", ">=R", "<=R",
+            ])
+            .to_owned(),
+        27 => choices
+            .of(&[
+                "ITD", "DTR", "RND", "RND+", "RND-", "TRUNC", "BTI", "ITB", "BTD", "DTB", "INVI", "INVD", "NEGI", "NEGD", "NEGR", "ABS",
+                "CAW", "CAD", "TAK", "PUSH", "POP", "SQR", "SQRT",
+            ])
+            .to_owned(),
+        28 => match choices.below(4) {
+            0 => choices
+                .of(&["AW", "OW", "XOW", "AD", "OD", "XOD", "SLW", "SRW", "SLD", "SRD", "SSI", "SSD", "RLD", "RRD", "RLDA", "RRDA"])
+                .to_owned(),
+            1 => format!("{} {}", choices.of(&["SLW", "SRW", "SSI"]), choices.below(16)),
+            2 => format!("{} {}", choices.of(&["SLD", "SRD", "SSD", "RLD", "RRD"]), choices.below(33)),
+            _ => format!("{} W#16#{:X}", choices.of(&["AW", "OW", "XOW"]), choices.below(256)),
+        },
+        29 => format!("{} {}", choices.of(&["INC", "DEC", "+"]), choices.below(128)),
+        30 => choices
+            .of(&[
+                "LAR1",
+                "LAR2",
+                "TAR1",
+                "TAR2",
+                "CAR",
+                "TAR1 AR2",
+                "LAR1 AR2",
+                "LAR1 P#2.0",
+                "LAR1 P#M 3.0",
+                "LAR1 P#DBX 1.0",
+                "LAR2 P#4.0",
+                "+AR1",
+                "+AR1 P#1.1",
+                "+AR2 P#2.0",
+                "LAR1 MD 8",
+                "TAR1 MD 8",
+            ])
+            .to_owned(),
+        31 | 32 => match choices.below(8) {
+            0 => "CDB".to_owned(),
+            1 => choices.of(&["L DBNO", "L DINO", "L DBLG", "L DILG"]).to_owned(),
+            _ => format!("OPN {}", choices.of(OPEN)),
+        },
+        33 => format!(
+            "{} l{}",
+            choices.of(&[
+                "JU", "JC", "JCN", "JCB", "JNB", "JBI", "JNBI", "JO", "JOS", "JZ", "JN", "JP", "JM", "JPZ", "JMZ", "JUO", "LOOP", "LOOP"
+            ]),
+            choices.below(LABELS)
+        ),
+        34 => match choices.below(9) {
+            0 | 1 if !parameters => "CALL FC 1 (n := MW 10, b := M 1.0, w := DB1.DBW 4)".to_owned(),
+            2 | 3 if !parameters => "CALL FB 1, DB 4 (n := DB1.DBW 2, b := Q 1.1, w := MW 12)".to_owned(),
+            4 => choices.of(&["BEC", "BEU", "BE"]).replace("BE ", "BEC"),
+            5 => format!("{} FC [MW {}]", choices.of(&["UC", "CC"]), 2 * choices.below(4)),
+            6 if parameters => "CALL FC 1 (n := #n, b := #b, w := #w)".to_owned(),
+            _ => format!("{} FC 2", choices.of(&["UC", "CC", "CALL"])),
+        },
+        35 => match choices.below(4) {
+            0 => format!("L S5T#20MS;\n {} T {}", choices.of(&["SP", "SE", "SD", "SS", "SF"]), choices.below(4)),
+            1 => format!("{} T {}", choices.of(&["R", "FR", "L", "LC"]), choices.below(4)),
+            2 => format!("{} C {}", choices.of(&["CU", "CD", "S", "R", "FR", "L", "LC"]), choices.below(4)),
+            _ => "L C#7;\n S C 1".to_owned(),
+        },
+        36 => choices.of(&["MCRA", "MCRD", "MCR(", ")MCR"]).to_owned(),
+        37 => choices.of(&["L STW", "T STW", "NOP 0", "NOP 1"]).to_owned(),
+        38 => format!(
+            "{} {}",
+            choices.of(&["L PIW", "L PIB", "T PQW", "T PQD", "L PID"]),
+            choices.of(&["0", "4", "300", "2046", "65000", "8190"])
+        ),
+        _ => choices.of(&["ENT", "LEAVE", "TAK", "L MW 2", "T MW 2", "T MD 4", "T MD 8", "L 3;\n T MW 2", "L P#3.0;\n T MD 8"]).to_owned(),
+    };
+    format!(" {word};\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{chosen, fuzz};
+
+    /// Numbers that look random, the same on every run.
+    fn noise(seed: u32, length: usize) -> Vec<u8> {
+        let mut state = seed.wrapping_mul(2_654_435_761).wrapping_add(1);
+        (0..length)
+            .map(|_| {
+                state ^= state << 13;
+                state ^= state >> 17;
+                state ^= state << 5;
+                (state >> 11) as u8
+            })
+            .collect()
+    }
+
+    #[test]
+    fn most_chosen_programs_compile() {
+        let mut refused = std::collections::BTreeSet::new();
+        let mut good = 0;
+        for seed in 0..50 {
+            let text = chosen(&noise(seed, 200));
+            let mut sources = sieben_model::source::Sources::default();
+            sources.add("fuzz.awl", text.as_str());
+            let compiled = sieben_lang::compile(&sources, &Default::default(), &Default::default());
+            let errors = compiled.diagnostics.iter().filter(|found| found.severity() == sieben_model::diagnostic::Severity::Error);
+            let before = refused.len();
+            let wrong = errors.map(|found| refused.insert(format!("{} in `{}`", found.message, sources.slice(found.span)))).count();
+            good += usize::from(wrong == 0);
+            assert!(before <= refused.len());
+        }
+        assert!(good >= 45, "{good} of 50 compile:\n{refused:#?}");
+    }
+
+    #[test]
+    fn engines_agree_on_chosen_programs() {
+        for seed in 0..300 {
+            fuzz(&noise(seed, 60 + seed as usize));
+        }
+    }
+}
