@@ -17,6 +17,7 @@ mod panics;
 mod places;
 mod project;
 mod report;
+mod retain;
 mod rewriting;
 mod screen;
 mod settings;

@@ -64,6 +64,8 @@ pub(crate) struct Project {
     pub(crate) symbols: SymbolTable,
     /// What `sieben.toml` says.
     pub(crate) settings: Settings,
+    /// The folder with the `sieben.toml`, if there is one.
+    pub(crate) home: Option<PathBuf>,
     /// What was noticed while reading.
     pub(crate) findings: Vec<Finding>,
     /// The encoding that the user chose for its files.
@@ -131,6 +133,7 @@ impl Project {
         };
         compiled.add_library_sources(&mut self.texts.program);
         let mut findings = self.findings.clone();
+        findings.extend(self.settings.retain.beyond(cpu).into_iter().map(Finding::document));
         findings.extend(compiled.diagnostics.iter().cloned().map(Finding::program));
         report::sort(&mut findings);
         Build { project: self, compiled, cpu, findings }
@@ -140,6 +143,7 @@ impl Project {
         let project_file = join(folder, Path::new(settings::FILE_NAME));
         let mut settings = Settings::default();
         if project_file.is_file() {
+            self.home = Some(folder.to_path_buf());
             match String::from_utf8(files::read(&project_file)?) {
                 Ok(text) => {
                     let file = self.texts.documents.add(shown(&project_file), text.strip_prefix('\u{FEFF}').unwrap_or(&text));

@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::time::Duration;
 
+use sieben_cpu::RetentiveAreas;
+use sieben_cpu::retain::Numbers;
 use sieben_lang::library::{self, Selection};
 use sieben_model::address::Operand;
 use sieben_model::cpu_type::CpuType;
@@ -55,6 +57,51 @@ pub(crate) struct Settings {
     pub(crate) min_cycle: Option<Duration>,
     /// `cpu.clock_memory_byte`: the byte of bit memory that holds the clock memory.
     pub(crate) clock_memory_byte: Option<u16>,
+    /// `cpu.retain`.
+    pub(crate) retain: Retain,
+}
+
+/// What is retentive, as far as the file says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Retain {
+    /// Bytes of bit memory, with the place of the text.
+    pub(crate) bit_memory: Option<(Numbers, Span)>,
+    /// Timers.
+    pub(crate) timers: Option<(Numbers, Span)>,
+    /// Counters.
+    pub(crate) counters: Option<(Numbers, Span)>,
+    /// How often the data goes to the disk; zero = every scan.
+    pub(crate) sync: Option<Duration>,
+}
+
+impl Retain {
+    /// What is retentive, with the default of the CPU types for what the file does not say.
+    pub(crate) fn areas(&self) -> RetentiveAreas {
+        let or = |numbers: &Option<(Numbers, Span)>, default| numbers.as_ref().map_or(default, |(numbers, _)| numbers.clone());
+        let default = RetentiveAreas::default();
+        RetentiveAreas {
+            bit_memory: or(&self.bit_memory, default.bit_memory),
+            timers: or(&self.timers, default.timers),
+            counters: or(&self.counters, default.counters),
+        }
+    }
+
+    /// Ranges that the CPU type does not have.
+    pub(crate) fn beyond(&self, cpu: &CpuType) -> Vec<Diagnostic> {
+        let rows = [
+            (&self.bit_memory, cpu.bit_memory, "MB"),
+            (&self.timers, u32::from(cpu.timers), "T"),
+            (&self.counters, u32::from(cpu.counters), "C"),
+        ];
+        let beyond = |(numbers, count, area): (&Option<(Numbers, Span)>, u32, &str)| {
+            let (numbers, span) = numbers.as_ref()?;
+            let last = numbers.last().filter(|&last| u32::from(last) >= count)?;
+            let message =
+                format!("{area} {last} cannot be retentive: the CPU {} has {area} 0 to {area} {}", cpu.name, count.saturating_sub(1));
+            Some(Diagnostic::new(Problem::P6030, *span, message))
+        };
+        rows.into_iter().filter_map(beyond).collect()
+    }
 }
 
 /// A key that the file may have: its table, its name, and whether this version uses it.
@@ -92,7 +139,11 @@ const KEYS: &[Key] = &[
     used("cpu", "watchdog"),
     used("cpu", "min_cycle"),
     used("cpu", "clock_memory_byte"),
-    later("cpu", "retain"),
+    used("cpu", "retain"),
+    used("cpu.retain", "m"),
+    used("cpu.retain", "t"),
+    used("cpu.retain", "c"),
+    used("cpu.retain", "sync"),
 ];
 
 /// Reads the text of a `sieben.toml`; what is wrong with one key leaves the others in force.
@@ -165,6 +216,16 @@ impl Reader {
                 ("cpu", "watchdog") => self.watchdog(value),
                 ("cpu", "min_cycle") => self.settings.min_cycle = self.duration(value, name),
                 ("cpu", "clock_memory_byte") => self.clock_memory_byte(value),
+                ("cpu", "retain") => match value.get_ref() {
+                    DeValue::Table(inner) => self.table("cpu.retain", inner),
+                    _ => {
+                        self.wrong(value, "`retain` says which numbers are retentive: `retain = { m = \"0..15\", t = \"\", c = \"0..7\" }`")
+                    }
+                },
+                ("cpu.retain", "m") => self.settings.retain.bit_memory = self.numbers(value, name),
+                ("cpu.retain", "t") => self.settings.retain.timers = self.numbers(value, name),
+                ("cpu.retain", "c") => self.settings.retain.counters = self.numbers(value, name),
+                ("cpu.retain", "sync") => self.settings.retain.sync = self.duration(value, name),
                 _ => {}
             }
         }
@@ -285,6 +346,18 @@ impl Reader {
         }
     }
 
+    /// Ranges of numbers that are retentive.
+    fn numbers(&mut self, value: &Value<'_>, name: &str) -> Option<(Numbers, Span)> {
+        let placed = self.text(value, name)?;
+        match Numbers::parse(&placed.text) {
+            Ok(numbers) => Some((numbers, placed.span)),
+            Err(message) => {
+                self.wrong(value, &message);
+                None
+            }
+        }
+    }
+
     fn duration(&mut self, value: &Value<'_>, name: &str) -> Option<Duration> {
         let DeValue::String(text) = value.get_ref() else {
             self.wrong(value, &format!("`{name}` is a duration in quotes: `{name} = \"10ms\"`"));
@@ -365,6 +438,18 @@ mod tests {
             ("[project]\nsources = 1\n", "P6009: `sources` is a list of patterns: `sources = [\"src/**/*.awl\"]`"),
             ("[project]\nname = true\n", "P6009: `name` is a text in quotes: `name = \"…\"`"),
             ("[project]\nmnemonics = \"fr\"\n", "P6009: `fr` is no mnemonic language: write `auto`, `en` or `de`"),
+            (
+                "[cpu]\nretain = 5\n",
+                "P6009: `retain` says which numbers are retentive: `retain = { m = \"0..15\", t = \"\", c = \"0..7\" }`",
+            ),
+            ("[cpu]\nretain = { m = 5 }\n", "P6009: `m` is a text in quotes: `m = \"…\"`"),
+            (
+                "[cpu]\nretain = { m = \"0-5\" }\n",
+                "P6009: `0-5` is no range of numbers from 0 to 65535; write `0..15`, or `0..15, 20` for several",
+            ),
+            ("[cpu.retain]\nt = \"9..1\"\n", "P6009: `9..1` runs backwards; write `1..9`"),
+            ("[cpu.retain]\nz = \"0\"\n", "P6008: there is no key `z` in `[cpu.retain]`"),
+            ("[cpu.retain]\nsync = 1\n", "P6009: `sync` is a duration in quotes: `sync = \"10ms\"`"),
             ("[servers.s7]\nlisten = \"x\"\n", "P6012: `servers` is known, but this version of Sieben does not use it yet"),
         ] {
             assert_eq!(messages(text), [expected], "{text}");

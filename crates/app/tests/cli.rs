@@ -370,12 +370,12 @@ fn a_new_project_checks_runs_and_is_not_overwritten() {
 
 #[test]
 fn a_project_file_is_checked_key_by_key() {
-    let toml = "[project]\nsuorces = [\"src/*.awl\"]\nsources = [\"../x.awl\", \"src/mian.awl\", \"src/*.awl\"]\n[cpu]\ntype = \"315\"\nretain = { m = \"0..15\" }\n";
+    let toml = "[project]\nsuorces = [\"src/*.awl\"]\nsources = [\"../x.awl\", \"src/mian.awl\", \"src/*.awl\"]\n[cpu]\ntype = \"315\"\nretain = { m = \"0..4095\" }\n";
     let folder = Folder::with(&[("sieben.toml", toml), ("src/main.awl", ADD)]);
     let run = folder.run(&["check", "--json"]).code(3);
     let list = run.json();
     let codes: Vec<&str> = list.as_array().expect("a list").iter().filter_map(|item| item["code"].as_str()).collect();
-    assert_eq!(codes, ["P6008", "P6010", "P6011", "P6009", "P6012"]);
+    assert_eq!(codes, ["P6008", "P6010", "P6011", "P6009", "P6030"]);
     assert_eq!(list[0]["file"], "sieben.toml");
     assert_eq!((&list[0]["line"], &list[0]["column"], &list[0]["end_column"]), (&2.into(), &1.into(), &8.into()));
     assert_eq!(list[0]["fix"]["replacement"], "sources");

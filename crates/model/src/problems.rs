@@ -160,6 +160,9 @@ problems! {
     P6013 Error "a file that cannot be written" "Check the path, the permissions and the space on the disk.";
     P6014 Error "something of this name exists already" "Choose another name, or remove what is there first; nothing is overwritten.";
     P6015 Error "a folder with too many files" "Name the sources in `sieben.toml`, so that the whole folder need not be searched.";
+    P6030 Warning "a retentive range beyond the CPU type" "Shorten the range, or choose a CPU type with more bit memory, timers or counters.";
+    P6031 Error "retentive data that another run is using" "End the other run, name another file with --retain, or run with --no-retain.";
+    P6032 Error "retentive data that cannot be read" "Check the path and the permissions, or run with --no-retain, which leaves the file alone.";
     P6101 Error "a symbol that stands twice in the table" "Rename or delete one of the two rows; case does not distinguish symbols.";
     P6102 Warning "an address with two symbols" "Keep the symbol that the program uses.";
     P6103 Error "an address in the symbol table that is not understood" "Write it as in a program, in either mnemonic language: `I 0.0`, `QW 4`, `T 1`, `DB 5`.";
@@ -188,4 +191,7 @@ problems! {
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";
     P8002 Error "two modules at the same address" "Give one of them another address: every input and output byte belongs to at most one module.";
     P8003 Error "a module beyond the peripheral area of the CPU type" "Use a lower address, or choose a CPU type with a larger peripheral area.";
+    P8030 Warning "retentive data that cannot be kept" "Make room on the disk or correct the permissions: the CPU goes on, and keeping is tried again every second.";
+    P8031 Warning "retentive data that is damaged" "Nothing can be restored from it; check the disk. A copy is set aside.";
+    P8032 Warning "retentive data of a program with other data blocks" "Run with --adopt and the file where it is now, to take over what still fits.";
 }

@@ -16,6 +16,7 @@ use sieben_model::problems::Problem;
 use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
 use crate::project::Build;
+use crate::retain::{RetainArguments, Retention, RunTime};
 use crate::{controller, duration, output};
 
 /// How often the status line is drawn.
@@ -36,8 +37,9 @@ const STOP_BY_SWITCH: u16 = 0x4303;
 #[command(after_help = "Examples:\n  \
   sieben run                            the project in this folder, until Ctrl-C\n  \
   sieben run pump --for 10s             ten seconds, then exit 0\n  \
-  sieben run pump --speed max --for 1h  an hour of virtual time, at full speed\n\n\
-Ctrl-C stops cleanly; a second Ctrl-C stops at once.\n\
+  sieben run pump --speed max --for 1h  an hour of virtual time, at full speed\n  \
+  sieben run pump --restart cold        with all values as the program declares them\n\n\
+Ctrl-C stops cleanly; a second Ctrl-C stops at once. Retentive data of a project survives both, and a kill.\n\
 Exit codes: 0 ok, 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
 pub(crate) struct Arguments {
     /// Source files, symbol tables, or a project folder [default: this folder]
@@ -54,6 +56,8 @@ pub(crate) struct Arguments {
     /// Stop after this time of the CPU's clock
     #[arg(long = "for", value_name = "DURATION", id = "duration", value_parser = duration_argument)]
     duration: Option<Duration>,
+    #[command(flatten)]
+    retain: RetainArguments,
     /// Which engine runs the program
     #[arg(long, value_name = "ENGINE", default_value = "auto")]
     engine: EngineArgument,
@@ -102,9 +106,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         watchdog: project.watchdog.unwrap_or(Settings::default().watchdog),
         clock_memory_byte: project.clock_memory_byte,
         date_and_time: if real { now() } else { DateAndTime::DEFAULT },
+        retain: project.retain.areas(),
         ..Settings::default()
     };
     let mut cpu = controller::load(&build, arguments.engine, settings);
+    let time = if arguments.speed == Speed::Max { RunTime::Virtual } else { RunTime::Real };
+    let choice = arguments.retain.choice(&build.project, time, arguments.json);
+    let retention = choice.map(|choice| Retention::open(&choice, &mut cpu)).transpose()?;
     let interrupt = Interrupt::watch(&cpu)?;
     if !arguments.json {
         let name = project.name.as_deref().map_or_else(String::new, |name| format!(" `{name}`"));
@@ -114,13 +122,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
     let status = Status::new();
     let end_us = arguments.duration.map_or(u64::MAX, micros);
-    let pace = Pace { speed: arguments.speed, cycle_us: micros(cycle), end_us };
+    let mut pace = Pace { speed: arguments.speed, restart: arguments.retain.restart, cycle_us: micros(cycle), end_us, retention };
     let outcome = match arguments.speed {
         Speed::Max => pace.run_virtual(&mut cpu, &interrupt, &status),
         Speed::Factor(factor) => pace.run_timed(factor, &mut cpu, &interrupt, &status),
     };
     status.clear();
-    report(arguments, &build, &cpu, &outcome)
+    if let Some(retention) = &mut pace.retention {
+        retention.close(&mut cpu);
+    }
+    report(arguments, &build, &cpu, &outcome, pace.retention.as_ref())
 }
 
 /// The time of day of this computer, UTC.
@@ -178,17 +189,28 @@ struct Outcome {
 /// When scans begin.
 struct Pace {
     speed: Speed,
+    restart: Restart,
     cycle_us: u64,
     end_us: u64,
+    retention: Option<Retention>,
 }
 
 impl Pace {
+    /// Keeps retentive data before the next scan releases the outputs of this one.
+    fn keep(&mut self, cpu: &mut Cpu) {
+        if let Some(retention) = &mut self.retention {
+            retention.keep(cpu);
+        }
+    }
+
     /// Scans one after another; the clock jumps from scan to scan.
-    fn run_virtual(&self, cpu: &mut Cpu, interrupt: &Interrupt, status: &Status) -> Outcome {
+    fn run_virtual(&mut self, cpu: &mut Cpu, interrupt: &Interrupt, status: &Status) -> Outcome {
         let (mut now_us, mut scans) = (0, 0);
-        cpu.restart(Restart::Warm);
+        cpu.restart(self.restart);
+        self.keep(cpu);
         while cpu.mode() != OperatingMode::Stop && now_us < self.end_us && !interrupt.pressed() {
             cpu.scan(now_us);
+            self.keep(cpu);
             scans += 1;
             if scans % SCANS_PER_LOOK == 0 {
                 status.update(cpu, scans);
@@ -199,11 +221,12 @@ impl Pace {
     }
 
     /// Scans when the clock says so. A late scan begins at once, and the next one a whole cycle after it: nothing is made up for.
-    fn run_timed(&self, factor: f64, cpu: &mut Cpu, interrupt: &Interrupt, status: &Status) -> Outcome {
+    fn run_timed(&mut self, factor: f64, cpu: &mut Cpu, interrupt: &Interrupt, status: &Status) -> Outcome {
         let real = self.speed == Speed::Factor(1.0);
         let begin = Instant::now();
         let mut clock = move || (begin.elapsed().as_micros() as f64 * factor) as u64;
-        cpu.restart_with(Restart::Warm, &mut clock, None);
+        cpu.restart_with(self.restart, &mut clock, None);
+        self.keep(cpu);
         let (mut due_us, mut scans) = (clock(), 0);
         loop {
             let now_us = clock();
@@ -220,6 +243,7 @@ impl Pace {
             } else {
                 cpu.scan(now_us);
             }
+            self.keep(cpu);
             scans += 1;
             status.update(cpu, scans);
             due_us = due_us.saturating_add(self.cycle_us).max(now_us);
@@ -268,7 +292,7 @@ fn cycle_text(cpu: &Cpu) -> String {
 }
 
 /// Says how it went.
-fn report(arguments: &Arguments, build: &Build, cpu: &Cpu, outcome: &Outcome) -> Result<Exit, Failure> {
+fn report(arguments: &Arguments, build: &Build, cpu: &Cpu, outcome: &Outcome, retention: Option<&Retention>) -> Result<Exit, Failure> {
     // The STOP that Ctrl-C asked for is no failure of the program.
     let stopped = cpu
         .stop_cause()
@@ -282,6 +306,9 @@ fn report(arguments: &Arguments, build: &Build, cpu: &Cpu, outcome: &Outcome) ->
             "mode": mode.to_string(), "scans": outcome.scans, "time_ms": ms(outcome.time_us), "interrupted": outcome.interrupted,
             "cycle_ms": { "last": ms(times.last), "min": ms(times.min), "max": ms(times.max) },
         });
+        if let Some(retention) = retention {
+            object["retain"] = retention.json();
+        }
         if let Some(cause) = stopped {
             object["stop"] = controller::stop_json(cause);
         }
