@@ -8,6 +8,7 @@ use sieben_lang::stl::instructions::Instruction;
 use sieben_model::diagnostic::Severity;
 use sieben_model::problems::Problem;
 
+use crate::compatibility;
 use crate::tidy::pages::PROBLEM_PAGES;
 use crate::workspace::{self, TextFile};
 
@@ -32,6 +33,10 @@ pub fn pages(files: &[TextFile]) -> Vec<TextFile> {
         let path = format!("{PROBLEM_PAGES}{}.md", problem.code());
         let text = problem_page(problem, old(&path));
         pages.push(TextFile { path, text });
+    }
+    if let Some(page) = old(compatibility::PATH) {
+        let text = between(page, compatibility::BEGIN, &compatibility::done(files));
+        pages.push(TextFile { path: compatibility::PATH.to_owned(), text });
     }
     if let Some(summary) = old("docs/SUMMARY.md") {
         pages.push(TextFile { path: "docs/SUMMARY.md".to_owned(), text: table_of_contents(summary, files) });
@@ -163,6 +168,6 @@ fn between(text: &str, begin: &str, lines: &str) -> String {
 }
 
 /// Text that may stand in a cell of a Markdown table.
-fn cell(text: &str) -> String {
+pub(crate) fn cell(text: &str) -> String {
     text.replace('|', "\\|").replace('\n', " ")
 }

@@ -13,7 +13,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use sieben_lang::encoding::{self, Encoding};
-use sieben_lang::{Compiled, stl, symbols};
+use sieben_lang::symbols::{self, Format};
+use sieben_lang::{Compiled, stl};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::mnemonics::Mnemonics;
@@ -33,6 +34,8 @@ struct Case {
     page: PathBuf,
     bytes: Vec<u8>,
     symbols: SymbolTable,
+    /// The format of the table.
+    format: Option<Format>,
     /// What is odd about it.
     why: String,
     /// The scenario, if it runs.
@@ -63,15 +66,17 @@ fn case(path: &Path) -> Case {
     let (before, found) = text.split_once("=== found\n").unwrap_or((&text, ""));
     let (why, check) = before.split_once("=== check\n").unwrap_or((before, ""));
     let table = TABLES.iter().map(|ending| path.with_extension(ending)).find(|table| table.is_file());
-    let symbols = table.map_or_else(SymbolTable::default, |table| {
+    let read = table.map(|table| {
         let decoded = encoding::read_source(&fs::read(&table).expect("the table can be read")).expect("the table is a text");
         let format = symbols::by_content(&decoded.text).unwrap_or_else(|| panic!("{} shows its format", table.display()));
         let read = symbols::read(FileId::default(), &decoded.text, format);
         assert_eq!(read.diagnostics, [], "{}", table.display());
-        read.table
+        (read.table, format)
     });
+    let format = read.as_ref().map(|(_, format)| *format);
+    let symbols = read.map(|(table, _)| table).unwrap_or_default();
     let bytes = fs::read(path).expect("the source can be read");
-    Case { name, page, bytes, symbols, why: why.trim().to_owned(), check: check.to_owned(), found: found.to_owned() }
+    Case { name, page, bytes, symbols, format, why: why.trim().to_owned(), check: check.to_owned(), found: found.to_owned() }
 }
 
 /// Compares what came of a case with its text, or writes it there.
@@ -111,12 +116,12 @@ fn line_ends(text: &str) -> &'static str {
 }
 
 /// A summary for readers: encoding, language, blocks with their interfaces and data, warnings.
-fn summary(text: &str, encoding: Encoding, sources: &Sources, compiled: &Compiled, symbols: &SymbolTable) -> String {
+fn summary(case: &Case, text: &str, encoding: Encoding, sources: &Sources, compiled: &Compiled) -> String {
     let language = compiled.mnemonics.values().next().copied().unwrap_or_default();
     let mut out = format!("{}, {}, {language:?} mnemonics", encoding.name(), line_ends(text));
-    let _ = match symbols.symbols().len() {
-        0 => writeln!(out),
-        count => writeln!(out, ", {count} symbols"),
+    let _ = match case.format {
+        None => writeln!(out),
+        Some(format) => writeln!(out, ", {} symbols from .{}", case.symbols.symbols().len(), format.extension()),
     };
     let parsed = stl::parse(FileId::default(), text, Some(language));
     for block in &parsed.file.blocks {
@@ -248,7 +253,7 @@ fn legal(case: &Case, failures: &mut Vec<String>) {
             }
         }
     }
-    compare(case, &summary(text, decoded.encoding, &sources, &compiled, &case.symbols), failures);
+    compare(case, &summary(case, text, decoded.encoding, &sources, &compiled), failures);
 }
 
 /// The message, the line with a mark below the place, what to do.

@@ -49,6 +49,27 @@ impl Format {
         }
     }
 
+    /// What the format is, in a few words.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Self::Csv => "our own: RFC 4180 with a header; of TIA and spreadsheets with their headings",
+            Self::Sdf => "STEP 7 V5: four fields in quotes, padded or not; TIA: nine fields",
+            Self::Asc => "STEP 7 V5: fixed columns of 130 characters a line",
+            Self::Dif => "STEP 7 V5 and spreadsheets: data interchange format",
+            Self::Seq => "STEP 5: address, symbol and comment with tabulators (order and first tabulator uncertain, all are read)",
+        }
+    }
+
+    /// What of a table the format takes when it is written, in a few words.
+    pub fn describe_written(self) -> &'static str {
+        match self {
+            Self::Csv => "everything",
+            Self::Sdf => "in the form of STEP 7 V5, without the columns of the assignment table",
+            Self::Asc | Self::Dif => "without the columns of the assignment table",
+            Self::Seq => "without data types and the columns of the assignment table",
+        }
+    }
+
     /// The format of a file by the extension of its name.
     pub fn from_name(name: &str) -> Option<Self> {
         let (_, extension) = name.rsplit_once('.')?;
