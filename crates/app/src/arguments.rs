@@ -83,6 +83,11 @@ impl ProgramArguments {
         Project::load(paths, self.encoding.chosen())
     }
 
+    /// The encoding that the user chose for its files.
+    pub(crate) fn encoding(&self) -> Option<Encoding> {
+        self.encoding.chosen()
+    }
+
     /// What these arguments say about the program.
     pub(crate) fn overrides(&self) -> Result<Overrides, Failure> {
         let cpu = match &self.cpu {

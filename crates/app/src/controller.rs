@@ -18,8 +18,8 @@ pub(crate) fn load(build: &Build, engine: EngineArgument, settings: Settings) ->
 /// Why the CPU stopped, with the line of the source that did it.
 pub(crate) fn stop_text(build: &Build, cause: &StopCause) -> String {
     let mut text = format!("The CPU went to STOP: {}\n", cause.text);
-    if let Some((place, line)) = stop_line(build, cause) {
-        text.push_str(&format!("  {place}:  {line}\n"));
+    if let Some(Line { file, number, statement }) = stop_line(build, cause) {
+        text.push_str(&format!("  {file}:{number}:  {statement}\n"));
     }
     text.push_str(&format!("  event 16#{:04X}", cause.event));
     if cause.first_event != cause.event {
@@ -29,15 +29,25 @@ pub(crate) fn stop_text(build: &Build, cause: &StopCause) -> String {
     text
 }
 
-/// `main.awl:12` and the statement there.
-fn stop_line(build: &Build, cause: &StopCause) -> Option<(String, String)> {
+/// A line of a source with its statement.
+pub(crate) struct Line {
+    /// The name of the source.
+    pub(crate) file: String,
+    /// The line, counted from 1.
+    pub(crate) number: usize,
+    /// The statement that caused something.
+    pub(crate) statement: String,
+}
+
+/// The line that stopped the CPU.
+pub(crate) fn stop_line(build: &Build, cause: &StopCause) -> Option<Line> {
     let place = cause.place?;
     let span: Span = *build.compiled.program.code.get(&place.block)?.spans.get(place.statement as usize)?;
     let sources = &build.project.texts.program;
     sources.iter().find(|(id, _)| *id == span.file)?;
     let (line, _) = sources.line_column(span);
     let statement = sources.slice(span).split_whitespace().collect::<Vec<_>>().join(" ");
-    Some((format!("{}:{line}", sources.file(span.file).name), statement))
+    Some(Line { file: sources.file(span.file).name.clone(), number: line, statement })
 }
 
 /// The stop with its first cause; statements are counted from 1, as people do.

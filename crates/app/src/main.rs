@@ -22,6 +22,7 @@ mod rewriting;
 mod screen;
 mod settings;
 mod symbol_files;
+mod testing;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -63,6 +64,8 @@ enum Verb {
     Check(commands::check::Arguments),
     /// Run a few scans in virtual time and print values
     Exec(commands::exec::Arguments),
+    /// Run programs that check themselves
+    Test(commands::test::Arguments),
     /// Explain an instruction, a problem code, a CPU type, a system function or an event
     Explain(commands::explain::Arguments),
     /// Bring STL sources into one layout
@@ -100,6 +103,7 @@ fn run(line: CommandLine) -> Exit {
         Some(Verb::Run(arguments)) => commands::run::run(&arguments),
         Some(Verb::Check(arguments)) => commands::check::run(&arguments),
         Some(Verb::Exec(arguments)) => commands::exec::run(&arguments),
+        Some(Verb::Test(arguments)) => commands::test::run(&arguments),
         Some(Verb::Explain(arguments)) => commands::explain::run(&arguments),
         Some(Verb::Fmt(arguments)) => commands::fmt::run(&arguments),
         Some(Verb::Convert(arguments)) => commands::convert::run(&arguments),

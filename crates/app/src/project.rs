@@ -40,6 +40,8 @@ pub(crate) struct Overrides {
     pub(crate) temporaries: TemporaryReads,
     /// `--extended`.
     pub(crate) extended: bool,
+    /// The first source is a test: its blocks take the place of those with the same number.
+    pub(crate) replacing: bool,
 }
 
 /// A source file as it lies on the disk.
@@ -68,6 +70,8 @@ pub(crate) struct Project {
     pub(crate) home: Option<PathBuf>,
     /// What was noticed while reading.
     pub(crate) findings: Vec<Finding>,
+    /// The files that `tests` names.
+    pub(crate) tests: Vec<PathBuf>,
     /// The encoding that the user chose for its files.
     encoding: Option<Encoding>,
 }
@@ -99,7 +103,7 @@ impl Project {
                 project.folder(folder, &mut seen)?;
             } else if path.is_dir() {
                 project.folder(path, &mut seen)?;
-            } else if is_symbol_table(path) || has_ending(path, &["csv"]) {
+            } else if is_symbols(path) {
                 project.symbol_table(path, &mut seen)?;
             } else {
                 project.source(path, &mut seen)?;
@@ -123,6 +127,7 @@ impl Project {
             syntax_only,
             temporaries: overrides.temporaries,
             extended,
+            replacing: overrides.replacing.then_some(FileId(0)),
             system_blocks,
             library: self.settings.library.clone(),
         };
@@ -162,7 +167,12 @@ impl Project {
         let default_symbols =
             |path: &Path| is_symbol_table(path) || path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("symbols.csv"));
         let mut symbols = self.chosen(&listing, settings.symbols.as_deref(), default_symbols);
-        let sources = self.chosen(&listing, settings.sources.as_deref(), |path| has_ending(path, &SOURCE_ENDINGS));
+        let mut sources = self.chosen(&listing, settings.sources.as_deref(), |path| has_ending(path, &SOURCE_ENDINGS));
+        if let Some(tests) = &settings.tests {
+            let tests = self.chosen(&listing, Some(tests), |_| false);
+            sources.retain(|source| !tests.contains(source));
+            self.tests.extend(tests.iter().map(|test| join(folder, test)));
+        }
         // `.asc` also ends the names of signatures: without a program there is nothing that they could name.
         if sources.is_empty() && settings.symbols.is_none() {
             symbols.clear();
@@ -385,6 +395,23 @@ fn is_new(path: &Path, seen: &mut BTreeSet<PathBuf>) -> bool {
     seen.insert(fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf()))
 }
 
+/// The files of a folder and those below it, as [`Project::load`] would find them.
+pub(crate) fn files_below(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let mut listing = Listing { files: Vec::new(), links_outside: Vec::new(), root: folder };
+    listing.walk(folder, 0)?;
+    Ok(listing.files.iter().map(|file| join(folder, file)).collect())
+}
+
+/// Whether a file is a program by its name.
+pub(crate) fn is_program(path: &Path) -> bool {
+    has_ending(path, &SOURCE_ENDINGS)
+}
+
+/// Whether a file named on the command line is a symbol table by its name.
+pub(crate) fn is_symbols(path: &Path) -> bool {
+    is_symbol_table(path) || has_ending(path, &["csv"])
+}
+
 fn is_symbol_table(path: &Path) -> bool {
     has_ending(path, &SYMBOL_ENDINGS)
 }
@@ -410,6 +437,6 @@ fn slashed(path: &Path) -> String {
     path.to_string_lossy().replace('\\', "/")
 }
 
-fn shown(path: &Path) -> String {
+pub(crate) fn shown(path: &Path) -> String {
     path.display().to_string()
 }

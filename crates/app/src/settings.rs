@@ -41,6 +41,8 @@ pub(crate) struct Settings {
     pub(crate) sources: Option<Vec<Placed>>,
     /// `project.symbols`: patterns of symbol tables.
     pub(crate) symbols: Option<Vec<Placed>>,
+    /// `project.tests`: patterns of test files.
+    pub(crate) tests: Option<Vec<Placed>>,
     /// `project.mnemonics`; `None` = judged over each file.
     pub(crate) mnemonics: Option<Mnemonics>,
     /// `project.library` and the numbers under `[library]`.
@@ -130,8 +132,8 @@ const KEYS: &[Key] = &[
     used("project", "sources"),
     used("project", "symbols"),
     used("project", "mnemonics"),
+    used("project", "tests"),
     used("project", "library"),
-    later("project", "tests"),
     later("project", "dialect"),
     used("project", "extended"),
     used("cpu", "type"),
@@ -197,6 +199,7 @@ impl Reader {
                 ("project", "name") => self.settings.name = self.text(value, name).map(|placed| placed.text),
                 ("project", "sources") => self.settings.sources = self.list(value, name),
                 ("project", "symbols") => self.settings.symbols = self.list(value, name),
+                ("project", "tests") => self.settings.tests = self.list(value, name),
                 ("project", "mnemonics") => self.mnemonics(value),
                 ("project", "library") => match value.get_ref() {
                     DeValue::Boolean(enabled) => self.settings.library.enabled = *enabled,

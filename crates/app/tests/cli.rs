@@ -1,109 +1,12 @@
 //! The command line as its users meet it: arguments and files in, text and exit code out.
 
+mod command;
+
 use std::fs;
 use std::io::{BufRead, BufReader};
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::process::{Command, Stdio};
 
-/// A folder of its own for one test, removed at the end.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new() -> Self {
-        static NUMBER: AtomicUsize = AtomicUsize::new(0);
-        let name = format!("sieben-cli-{}-{}", std::process::id(), NUMBER.fetch_add(1, Ordering::Relaxed));
-        let path = std::env::temp_dir().join(name);
-        fs::create_dir_all(&path).expect("the folder for temporary files is writable");
-        Self(path)
-    }
-    fn with(files: &[(&str, &str)]) -> Self {
-        let folder = Self::new();
-        for (name, content) in files {
-            folder.write(name, content.as_bytes());
-        }
-        folder
-    }
-    fn write(&self, name: &str, content: &[u8]) {
-        let path = self.0.join(name);
-        fs::create_dir_all(path.parent().expect("a file lies in a folder")).expect("the folder is writable");
-        fs::write(path, content).expect("the folder is writable");
-    }
-    fn read(&self, name: &str) -> Vec<u8> {
-        fs::read(self.0.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
-    }
-    fn run(&self, arguments: &[&str]) -> Run {
-        Run::of(&self.0, arguments)
-    }
-    fn path(&self) -> &Path {
-        &self.0
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-/// What came of one call.
-struct Run {
-    arguments: String,
-    stdout: String,
-    stderr: String,
-    code: Option<i32>,
-}
-
-fn sieben(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_sieben"));
-    command.args(arguments).current_dir(folder).env("NO_COLOR", "1").env_remove("RUST_BACKTRACE").stdin(Stdio::null());
-    command
-}
-
-impl Run {
-    fn of(folder: &Path, arguments: &[&str]) -> Self {
-        let Output { stdout, stderr, status } = sieben(folder, arguments).output().expect("the binary starts");
-        Self {
-            arguments: arguments.join(" "),
-            stdout: String::from_utf8(stdout).expect("UTF-8 on stdout"),
-            stderr: String::from_utf8(stderr).expect("UTF-8 on stderr"),
-            code: status.code(),
-        }
-    }
-    #[track_caller]
-    fn code(self, code: i32) -> Self {
-        assert_eq!(self.code, Some(code), "sieben {}\n--- stdout\n{}\n--- stderr\n{}", self.arguments, self.stdout, self.stderr);
-        self
-    }
-    #[track_caller]
-    fn stdout(self, part: &str) -> Self {
-        assert!(
-            self.stdout.contains(part),
-            "sieben {}\nwanted on stdout: {part}\n--- stdout\n{}\n--- stderr\n{}",
-            self.arguments,
-            self.stdout,
-            self.stderr
-        );
-        self
-    }
-    #[track_caller]
-    fn stderr(self, part: &str) -> Self {
-        assert!(
-            self.stderr.contains(part),
-            "sieben {}\nwanted on stderr: {part}\n--- stdout\n{}\n--- stderr\n{}",
-            self.arguments,
-            self.stdout,
-            self.stderr
-        );
-        self
-    }
-    fn json(&self) -> serde_json::Value {
-        serde_json::from_str(&self.stdout).unwrap_or_else(|error| panic!("{error}: {}", self.stdout))
-    }
-    fn lines(&self) -> Vec<serde_json::Value> {
-        self.stdout.lines().map(|line| serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}"))).collect()
-    }
-}
+use command::{Folder, sieben};
 
 const ADD: &str = "L MW 0\nL MW 2\n+I\nT MW 4\n";
 const LAMP: &str = "A I 0.0\nL S5T#50MS\nSD T 1\nA T 1\n= Q 0.0\nA I 0.0\nCU C 1\n";
@@ -113,12 +16,14 @@ fn help_names_every_verb_with_an_example() {
     let folder = Folder::new();
     for arguments in [&["--help"][..], &["help"], &["-h"]] {
         let run = folder.run(arguments).code(0);
-        for verb in ["demo", "run", "check", "exec", "explain", "fmt", "convert", "symbols", "refs", "structure", "assignments", "new"] {
+        for verb in
+            ["demo", "run", "check", "exec", "test", "explain", "fmt", "convert", "symbols", "refs", "structure", "assignments", "new"]
+        {
             assert!(run.stdout.contains(&format!("\n  {verb} ")), "{verb}");
         }
         assert!(!run.stdout.contains("bench") && !run.stdout.contains("jit"));
     }
-    for verb in ["run", "check", "exec", "explain", "fmt", "convert", "symbols", "refs", "structure", "assignments", "new"] {
+    for verb in ["run", "check", "exec", "test", "explain", "fmt", "convert", "symbols", "refs", "structure", "assignments", "new"] {
         folder.run(&[verb, "--help"]).code(0).stdout("Example").stdout(&format!("sieben {verb}"));
     }
 }

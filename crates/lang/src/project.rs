@@ -37,6 +37,8 @@ pub struct Options {
     pub mnemonics: Option<Mnemonics>,
     /// Report only what one file alone can tell.
     pub syntax_only: bool,
+    /// A source, the first one, whose blocks take the place of those that others have with the same number: a test.
+    pub replacing: Option<FileId>,
     /// Whether extension words may be used.
     pub extended: bool,
     /// The system blocks of the CPU.
@@ -139,7 +141,7 @@ pub fn compile_syntax(
     };
 
     let mut scope = Scope::new(symbols, &options.system_blocks);
-    let mut found = find_blocks(files, &scope, &cpu, &mut diagnostics);
+    let mut found = find_blocks(files, &scope, &cpu, options.replacing, &mut diagnostics);
     let defined: HashSet<BlockId> = found.iter().map(|found| found.id).collect();
     // One file alone does not tell whether another one defines the block.
     let selection = Selection { enabled: options.library.enabled && !options.syntax_only, ..options.library.clone() };
@@ -285,7 +287,13 @@ fn has_statements(kind: BlockKind) -> bool {
 }
 
 /// The identities of all blocks; of two with the same number only the first is kept.
-fn find_blocks<'a>(files: &'a [SyntaxOfFile], scope: &Scope, cpu: &CpuType, diagnostics: &mut Vec<Diagnostic>) -> Vec<Found<'a>> {
+fn find_blocks<'a>(
+    files: &'a [SyntaxOfFile],
+    scope: &Scope,
+    cpu: &CpuType,
+    replacing: Option<FileId>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<Found<'a>> {
     let mut found: Vec<Found<'a>> = Vec::new();
     let mut places: HashMap<BlockId, Span> = HashMap::new();
     let mut doubled: HashSet<BlockId> = HashSet::new();
@@ -324,6 +332,9 @@ fn find_blocks<'a>(files: &'a [SyntaxOfFile], scope: &Scope, cpu: &CpuType, diag
                 continue;
             }
             if let Some(&first) = places.get(&id) {
+                if replacing == Some(first.file) && first.file != span.file {
+                    continue;
+                }
                 let message = |implicit: bool| match implicit {
                     true => format!("these statements outside any block are `{id}`, which exists already"),
                     false => format!("`{id}` exists twice"),

@@ -186,6 +186,7 @@ problems! {
     P7007 Error "a word that is not in the tables" "Give an instruction (`A`, `SPB`), a problem code (`P2001`), a status bit (`RLO`), an organization block (`OB 121`), a system function (`SFC 46`), an event (`16#4562`) or a CPU type (`416-3`).";
     P7008 Error "a name that cannot be the name of a project" "Use letters, digits, `-` and `_`.";
     P7009 Error "times that make no sense together" "Give a cycle longer than 0, and times in rising order.";
+    P7020 Error "no test to run" "Name a program that checks itself, or a folder with such programs.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";

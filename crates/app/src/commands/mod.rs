@@ -13,3 +13,4 @@ pub(crate) mod refs;
 pub(crate) mod run;
 pub(crate) mod structure;
 pub(crate) mod symbols;
+pub(crate) mod test;

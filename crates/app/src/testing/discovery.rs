@@ -1,0 +1,57 @@
+//! From the paths of the command line to tests.
+
+use std::path::{Path, PathBuf};
+
+use super::{Case, self_checking};
+use crate::failure::Failure;
+use crate::project::{self, Project};
+use crate::settings;
+
+/// The tests that the paths mean; none = the current folder. Each of `tests` is a test of the program that the paths are.
+pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf]) -> Result<Vec<Case>, Failure> {
+    if !tests.is_empty() {
+        for test in tests {
+            // A test that does not exist is a mistake of the command line, not of the program.
+            crate::files::read(test)?;
+        }
+        let program = paths.to_vec();
+        return Ok(tests.iter().map(|test| case(project::shown(test), program.clone(), Some(test.clone()))).collect());
+    }
+    let here = [PathBuf::from(".")];
+    let paths = if paths.is_empty() { &here } else { paths };
+    let (tables, paths): (Vec<_>, Vec<_>) = paths.iter().cloned().partition(|path| !path.is_dir() && project::is_symbols(path));
+    let mut cases = Vec::new();
+    for path in paths {
+        let with_tables = |path: PathBuf| tables.iter().cloned().chain([path]).collect::<Vec<_>>();
+        if !path.is_dir() {
+            crate::files::read(&path)?;
+            cases.push(case(project::shown(&path), with_tables(path), None));
+        } else if path.join(settings::FILE_NAME).is_file() {
+            cases.extend(of_project(&path)?);
+        } else {
+            for file in below(&path)? {
+                cases.push(case(project::shown(&file), with_tables(file), None));
+            }
+        }
+    }
+    Ok(cases)
+}
+
+fn case(name: String, program: Vec<PathBuf>, test: Option<PathBuf>) -> Case {
+    Case { name, run: Box::new(move |conditions| self_checking::run(&program, test.as_ref(), conditions)) }
+}
+
+/// The tests that `sieben.toml` names; a project without any is one test itself.
+fn of_project(folder: &Path) -> Result<Vec<Case>, Failure> {
+    let program = vec![folder.to_path_buf()];
+    let tests = Project::load(&program, None)?.tests;
+    if tests.is_empty() {
+        return Ok(vec![case(project::shown(folder), program, None)]);
+    }
+    Ok(tests.into_iter().map(|test| case(project::shown(&test), program.clone(), Some(test))).collect())
+}
+
+/// The programs of a folder that is no project: every source by itself.
+fn below(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    Ok(project::files_below(folder)?.into_iter().filter(|file| project::is_program(file)).collect())
+}

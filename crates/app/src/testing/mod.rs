@@ -1,0 +1,117 @@
+//! Tests of programs: what a test is, how many run at once, what came of them.
+
+pub(crate) mod discovery;
+pub(crate) mod report;
+pub(crate) mod self_checking;
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+use sieben_lang::encoding::Encoding;
+
+use crate::arguments::EngineArgument;
+use crate::failure::Failure;
+use crate::project::Overrides;
+
+/// One test: a name, and what runs it. Whatever kind of test it is, it answers with an [`Outcome`].
+pub(crate) struct Case {
+    /// The name that reports show and `--filter` looks at: a path.
+    pub(crate) name: String,
+    /// Runs it.
+    pub(crate) run: Box<dyn Fn(&Conditions) -> Outcome + Send + Sync>,
+}
+
+/// Under what conditions tests run.
+#[derive(Clone, Debug)]
+pub(crate) struct Conditions {
+    /// What the command line says about every program.
+    pub(crate) overrides: Overrides,
+    /// The encoding of files without a byte order mark; `None` = guessed.
+    pub(crate) encoding: Option<Encoding>,
+    /// What runs the programs.
+    pub(crate) engine: EngineArgument,
+    /// Time from one scan to the next; `None` = the project's, else 10 ms.
+    pub(crate) cycle: Option<Duration>,
+    /// Virtual time after which a test that has not ended has failed.
+    pub(crate) limit: Duration,
+    /// Scans after which a test that has not ended has failed.
+    pub(crate) scans: Option<u64>,
+    /// Real time after which a test is given up.
+    pub(crate) timeout: Duration,
+}
+
+/// What came of a test.
+#[derive(Debug)]
+pub(crate) struct Outcome {
+    /// Passed or not.
+    pub(crate) verdict: Verdict,
+    /// Scans that were run.
+    pub(crate) scans: u64,
+    /// Virtual time at its end.
+    pub(crate) simulated: Duration,
+}
+
+/// Passed, or why not.
+#[derive(Debug)]
+pub(crate) enum Verdict {
+    /// It ended as it should.
+    Passed,
+    /// It ran and found something wrong, or did not end.
+    Failed(Box<Wrong>),
+    /// It does not compile; the diagnostics as text.
+    DoesNotCompile(String),
+    /// Its files cannot be read.
+    Unreadable(Failure),
+}
+
+/// What a test found wrong.
+#[derive(Debug, Default)]
+pub(crate) struct Wrong {
+    /// In one sentence.
+    pub(crate) message: String,
+    /// The source and its line, counted from 1.
+    pub(crate) place: Option<(String, usize)>,
+    /// The statement that found it.
+    pub(crate) statement: Option<String>,
+    /// `FC 5, statement 3`.
+    pub(crate) block: Option<String>,
+    /// Both values of an assertion.
+    pub(crate) values: Option<(String, String)>,
+}
+
+/// A test with what came of it.
+pub(crate) struct Finished {
+    /// Its name.
+    pub(crate) name: String,
+    /// What came of it.
+    pub(crate) outcome: Outcome,
+    /// How long it took, in real time.
+    pub(crate) took: Duration,
+}
+
+/// Runs all tests, as many at once as `threads`, and tells `progress` how many are done. They come back in their order.
+pub(crate) fn run_all(cases: &[Case], conditions: &Conditions, threads: usize, progress: &(dyn Fn(usize) + Sync)) -> Vec<Finished> {
+    let next = AtomicUsize::new(0);
+    let done = Mutex::new(Vec::with_capacity(cases.len()));
+    std::thread::scope(|scope| {
+        for _ in 0..threads.clamp(1, cases.len().max(1)) {
+            scope.spawn(|| {
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(case) = cases.get(index) else { return };
+                    let begun = Instant::now();
+                    let outcome = (case.run)(conditions);
+                    let finished = Finished { name: case.name.clone(), outcome, took: begun.elapsed() };
+                    // A panic ends the process, so that no one finds the lock poisoned.
+                    let mut done = done.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                    done.push((index, finished));
+                    progress(done.len());
+                }
+            });
+        }
+    });
+    let mut done = done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    done.sort_by_key(|(index, _)| *index);
+    done.into_iter().map(|(_, finished)| finished).collect()
+}

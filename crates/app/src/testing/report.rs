@@ -1,0 +1,243 @@
+//! Results of tests: for people, as JSON, as JUnit XML and as TAP.
+
+use std::fmt::Write as _;
+use std::time::Duration;
+
+use serde_json::{Value, json};
+
+use super::{Finished, Verdict, Wrong};
+use crate::duration;
+use crate::failure::Exit;
+
+/// How many tests ended how.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Tally {
+    /// Those that passed.
+    pub(crate) passed: usize,
+    /// Those that found something wrong or did not end.
+    pub(crate) failed: usize,
+    /// Those that do not compile or cannot be read.
+    pub(crate) broken: usize,
+}
+
+impl Tally {
+    /// Counts.
+    pub(crate) fn of(finished: &[Finished]) -> Self {
+        let mut tally = Self::default();
+        for test in finished {
+            *match test.outcome.verdict {
+                Verdict::Passed => &mut tally.passed,
+                Verdict::Failed(_) => &mut tally.failed,
+                Verdict::DoesNotCompile(_) | Verdict::Unreadable(_) => &mut tally.broken,
+            } += 1;
+        }
+        tally
+    }
+}
+
+/// The exit code: the worst of all tests.
+pub(crate) fn exit(finished: &[Finished]) -> Exit {
+    let any = |wanted: fn(&Verdict) -> bool| finished.iter().any(|test| wanted(&test.outcome.verdict));
+    match () {
+        () if any(|verdict| matches!(verdict, Verdict::Unreadable(_))) => Exit::Usage,
+        () if any(|verdict| matches!(verdict, Verdict::DoesNotCompile(_))) => Exit::DoesNotCompile,
+        () if any(|verdict| matches!(verdict, Verdict::Failed(_))) => Exit::CheckFailed,
+        () => Exit::Success,
+    }
+}
+
+/// Why a test did not pass: a headline and the lines below it.
+fn why(verdict: &Verdict) -> Option<(String, Vec<String>)> {
+    match verdict {
+        Verdict::Passed => None,
+        Verdict::Failed(wrong) => {
+            let headline = match &wrong.place {
+                Some((file, line)) => format!("{file}:{line}: {}", wrong.message),
+                None => wrong.message.clone(),
+            };
+            let mut lines = Vec::new();
+            if let (Some(statement), Some(_)) = (&wrong.statement, &wrong.place) {
+                lines.push(format!("{statement}  // {}", wrong.block.as_deref().unwrap_or_default()));
+            }
+            Some((headline, lines))
+        }
+        Verdict::DoesNotCompile(findings) => Some(("does not compile".to_owned(), findings.lines().map(str::to_owned).collect())),
+        Verdict::Unreadable(failure) => Some((failure.message.clone(), Vec::new())),
+    }
+}
+
+fn plural(count: u64, word: &str) -> String {
+    if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") }
+}
+
+/// One line for each test, more for those that did not pass, and the count.
+pub(crate) fn text(finished: &[Finished]) -> String {
+    let mut out = String::new();
+    // Writing to a text cannot fail.
+    for test in finished {
+        let Some((headline, lines)) = why(&test.outcome.verdict) else {
+            let scans = plural(test.outcome.scans, "scan");
+            let _ = writeln!(out, "ok    {}  ({scans}, {} of CPU time)", test.name, duration::show(test.outcome.simulated));
+            continue;
+        };
+        let headline = headline.strip_prefix(&format!("{}:", test.name)).map_or_else(|| format!(": {headline}"), |rest| format!(":{rest}"));
+        let _ = writeln!(out, "FAIL  {}{headline}", test.name);
+        for line in lines {
+            let _ = writeln!(out, "{}", format!("        {line}").trim_end());
+        }
+    }
+    let Tally { passed, failed, broken } = Tally::of(finished);
+    let broken = if broken > 0 { format!(", {broken} could not run") } else { String::new() };
+    let _ = writeln!(out, "{passed} passed, {failed} failed{broken}");
+    out
+}
+
+/// One object with all tests.
+pub(crate) fn to_json(finished: &[Finished], took: Duration) -> Value {
+    let seconds = |duration: Duration| (duration.as_secs_f64() * 1e6).round() / 1e6;
+    let tests: Vec<Value> = finished.iter().map(|test| one_to_json(test, seconds(test.took))).collect();
+    let Tally { passed, failed, broken } = Tally::of(finished);
+    json!({ "tests": tests, "passed": passed, "failed": failed, "broken": broken, "duration_s": seconds(took) })
+}
+
+fn one_to_json(test: &Finished, seconds: f64) -> Value {
+    let verdict = match &test.outcome.verdict {
+        Verdict::Passed => "passed",
+        Verdict::Failed(_) => "failed",
+        Verdict::DoesNotCompile(_) => "does-not-compile",
+        Verdict::Unreadable(_) => "unreadable",
+    };
+    let nothing = Wrong::default();
+    let wrong = match &test.outcome.verdict {
+        Verdict::Failed(wrong) => wrong,
+        _ => &nothing,
+    };
+    let message = match &test.outcome.verdict {
+        Verdict::Passed => None,
+        Verdict::Failed(wrong) => Some(wrong.message.as_str()),
+        Verdict::DoesNotCompile(findings) => Some(findings.as_str()),
+        Verdict::Unreadable(failure) => Some(failure.message.as_str()),
+    };
+    json!({
+        "name": test.name, "verdict": verdict, "message": message,
+        "file": wrong.place.as_ref().map(|place| &place.0), "line": wrong.place.as_ref().map(|place| place.1),
+        "statement": wrong.statement, "block": wrong.block,
+        "left": wrong.values.as_ref().map(|values| &values.0), "right": wrong.values.as_ref().map(|values| &values.1),
+        "scans": test.outcome.scans, "time_ms": test.outcome.simulated.as_secs_f64() * 1e3, "duration_s": seconds,
+    })
+}
+
+/// JUnit XML, as build servers read it.
+pub(crate) fn junit(finished: &[Finished], took: Duration) -> String {
+    let Tally { passed: _, failed, broken } = Tally::of(finished);
+    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    let _ = writeln!(
+        out,
+        "<testsuites>\n  <testsuite name=\"sieben\" tests=\"{}\" failures=\"{failed}\" errors=\"{broken}\" time=\"{:.3}\">",
+        finished.len(),
+        took.as_secs_f64()
+    );
+    for test in finished {
+        let _ = write!(out, "    <testcase name=\"{}\" classname=\"sieben\" time=\"{:.3}\"", escaped(&test.name), test.took.as_secs_f64());
+        let Some((headline, lines)) = why(&test.outcome.verdict) else {
+            out.push_str("/>\n");
+            continue;
+        };
+        let kind = if matches!(test.outcome.verdict, Verdict::Failed(_)) { "failure" } else { "error" };
+        let text = lines.join("\n");
+        let _ = writeln!(out, ">\n      <{kind} message=\"{}\">{}</{kind}>\n    </testcase>", escaped(&headline), escaped(&text));
+    }
+    out.push_str("  </testsuite>\n</testsuites>\n");
+    out
+}
+
+/// A text inside XML; what no XML document may hold becomes a replacement character.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\n' => out.push_str("&#10;"),
+            '\t' | '\r' => out.push(character),
+            '\0'..='\x1F' | '\u{FFFE}' | '\u{FFFF}' => out.push('\u{FFFD}'),
+            _ => out.push(character),
+        }
+    }
+    out
+}
+
+/// The Test Anything Protocol, version 14.
+pub(crate) fn tap(finished: &[Finished]) -> String {
+    let mut out = format!("TAP version 14\n1..{}\n", finished.len());
+    for (index, test) in finished.iter().enumerate() {
+        let name = test.name.replace('\\', "\\\\").replace('#', "\\#");
+        match why(&test.outcome.verdict) {
+            None => {
+                let _ = writeln!(out, "ok {} - {name}", index + 1);
+            }
+            Some((headline, lines)) => {
+                let _ = writeln!(out, "not ok {} - {name}\n  ---\n  message: {}", index + 1, json!(headline));
+                if !lines.is_empty() {
+                    let _ = writeln!(out, "  detail: {}", json!(lines.join("\n")));
+                }
+                out.push_str("  ...\n");
+            }
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::Outcome;
+
+    fn finished() -> Vec<Finished> {
+        let test = |name: &str, verdict| Finished {
+            name: name.to_owned(),
+            outcome: Outcome { verdict, scans: 1, simulated: Duration::ZERO },
+            took: Duration::from_millis(2),
+        };
+        vec![
+            test("a.awl", Verdict::Passed),
+            test(
+                "b#1.awl",
+                Verdict::Failed(Box::new(Wrong {
+                    message: "expected 1 < 0".to_owned(),
+                    place: Some(("b#1.awl".to_owned(), 3)),
+                    statement: Some("__ASSERT< 1, 0".to_owned()),
+                    block: Some("OB 1, statement 2".to_owned()),
+                    values: Some(("1".to_owned(), "0".to_owned())),
+                })),
+            ),
+            test("c.awl", Verdict::DoesNotCompile("one\ntwo\u{1}\n".to_owned())),
+        ]
+    }
+
+    #[test]
+    fn people_see_the_place_once() {
+        assert_eq!(
+            text(&finished()),
+            "ok    a.awl  (1 scan, 0 µs of CPU time)\n\
+             FAIL  b#1.awl:3: expected 1 < 0\n        __ASSERT< 1, 0  // OB 1, statement 2\n\
+             FAIL  c.awl: does not compile\n        one\n        two\u{1}\n\
+             1 passed, 1 failed, 1 could not run\n"
+        );
+        assert_eq!(exit(&finished()), Exit::DoesNotCompile);
+        assert_eq!(exit(&finished()[..2]), Exit::CheckFailed);
+        assert_eq!(exit(&finished()[..1]), Exit::Success);
+    }
+
+    #[test]
+    fn signs_of_xml_and_tap_are_escaped() {
+        let xml = junit(&finished(), Duration::from_millis(5));
+        assert!(xml.contains("tests=\"3\" failures=\"1\" errors=\"1\""), "{xml}");
+        assert!(xml.contains("<failure message=\"b#1.awl:3: expected 1 &lt; 0\">__ASSERT&lt; 1, 0"), "{xml}");
+        assert!(xml.contains("two\u{FFFD}"), "{xml}");
+        let tap = tap(&finished());
+        assert!(tap.starts_with("TAP version 14\n1..3\nok 1 - a.awl\nnot ok 2 - b\\#1.awl\n  ---\n"), "{tap}");
+    }
+}

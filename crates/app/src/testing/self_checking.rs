@@ -1,0 +1,79 @@
+//! A program that checks itself: it has passed when it reaches `CALL SFC 46`, and failed when an assertion is false.
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use sieben_cpu::diagnostic_buffer::place_text;
+use sieben_cpu::{Cpu, OperatingMode, Restart, Settings, StopCause};
+
+use super::{Conditions, Outcome, Verdict, Wrong};
+use crate::project::{Build, Overrides, Project};
+use crate::{controller, duration, report};
+
+/// STOP by the program: the end of a program that checks itself.
+const STOP_BY_PROGRAM: u16 = 0x457F;
+
+/// Runs a program until it ends. The blocks of `test`, if there is one, take the place of those of the program.
+pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, conditions: &Conditions) -> Outcome {
+    let nothing_ran = |verdict| Outcome { verdict, scans: 0, simulated: Duration::ZERO };
+    let mut all: Vec<PathBuf> = test.into_iter().cloned().collect();
+    all.extend(paths.iter().cloned());
+    let project = match Project::load(&all, conditions.encoding) {
+        Ok(project) => project,
+        Err(failure) => return nothing_ran(Verdict::Unreadable(failure)),
+    };
+    // A program that checks itself cannot do without the words for it.
+    let overrides = Overrides { extended: true, replacing: test.is_some(), ..conditions.overrides };
+    let build = project.compile(overrides, false);
+    if report::has_errors(&build.findings) {
+        return nothing_ran(Verdict::DoesNotCompile(report::render(&build.findings, &build.project.texts, false)));
+    }
+    let settings = Settings { clock_memory_byte: build.project.settings.clock_memory_byte, ..Settings::default() };
+    let mut cpu = controller::load(&build, conditions.engine, settings);
+    let cycle = conditions.cycle.or(build.project.settings.cycle).filter(|cycle| !cycle.is_zero()).unwrap_or(Duration::from_millis(10));
+    let begun = Instant::now();
+    cpu.restart(Restart::Warm);
+    let (mut scans, mut now) = (0, Duration::ZERO);
+    let give_up = loop {
+        if cpu.mode() == OperatingMode::Stop {
+            break None;
+        }
+        if now >= conditions.limit {
+            break Some(format!("{} of the CPU's time", duration::show(conditions.limit)));
+        }
+        if conditions.scans.is_some_and(|most| scans >= most) {
+            break Some(format!("{scans} scans"));
+        }
+        if begun.elapsed() >= conditions.timeout {
+            break Some(format!("{} ({scans} scans)", duration::show(conditions.timeout)));
+        }
+        cpu.scan(u64::try_from(now.as_micros()).unwrap_or(u64::MAX));
+        scans += 1;
+        now = now.saturating_add(cycle);
+    };
+    let simulated = cycle.saturating_mul(u32::try_from(scans.saturating_sub(1)).unwrap_or(u32::MAX));
+    let verdict = match give_up {
+        Some(after) => Verdict::Failed(Box::new(Wrong {
+            message: format!("did not end within {after}; a program that checks itself ends with `CALL SFC 46`"),
+            ..Wrong::default()
+        })),
+        None => cpu.stop_cause().map_or(Verdict::Passed, |cause| verdict(&build, &cpu, cause)),
+    };
+    Outcome { verdict, scans, simulated }
+}
+
+/// What the STOP of the CPU means.
+fn verdict(build: &Build, cpu: &Cpu, cause: &StopCause) -> Verdict {
+    if cause.event == STOP_BY_PROGRAM && cause.first_event == STOP_BY_PROGRAM {
+        return Verdict::Passed;
+    }
+    let failed = cpu.failed_assertion();
+    let line = controller::stop_line(build, cause);
+    Verdict::Failed(Box::new(Wrong {
+        message: failed.map_or_else(|| format!("the CPU went to STOP: {}", cause.text), ToString::to_string),
+        place: line.as_ref().map(|line| (line.file.clone(), line.number)),
+        statement: line.map(|line| line.statement),
+        block: cause.place.map(place_text),
+        values: failed.map(|failed| (failed.left.to_string(), failed.right.to_string())),
+    }))
+}

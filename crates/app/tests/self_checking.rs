@@ -1,0 +1,238 @@
+//! `sieben test`: programs that check themselves, as their users write them.
+
+mod command;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use command::{Folder, Run};
+
+const PASSES: &str = "L 5\nT MW 0\n__ASSERT== MW 0, 5\nCALL SFC 46\n";
+const FAILS: &str = "L 5\nT MW 0\n__ASSERT== MW 0, 7\nCALL SFC 46\n";
+
+#[test]
+fn a_false_assertion_shows_place_statement_and_both_values() {
+    let folder = Folder::with(&[("fails.awl", FAILS), ("passes.awl", PASSES)]);
+    folder.run(&["test", "passes.awl"]).code(0).stdout("ok    passes.awl  (1 scan").stdout("1 passed, 0 failed");
+    folder
+        .run(&["test"])
+        .code(1)
+        .stdout("FAIL  fails.awl:3: expected 5 (16#0005) == 7 (16#0007)\n        __ASSERT== MW 0, 7  // OB 1, statement 3\n")
+        .stdout("1 passed, 1 failed\n");
+    let json = folder.run(&["test", "--json", "fails.awl"]).code(1).json();
+    let test = &json["tests"][0];
+    let seen =
+        ["name", "verdict", "file", "statement", "block", "left", "right"].map(|key| test[key].as_str().unwrap_or_default().to_owned());
+    assert_eq!(seen, ["fails.awl", "failed", "fails.awl", "__ASSERT== MW 0, 7", "OB 1, statement 3", "5 (16#0005)", "7 (16#0007)"]);
+    assert_eq!((test["line"].as_u64(), json["passed"].as_u64(), json["failed"].as_u64()), (Some(3), Some(0), Some(1)));
+    folder.run(&["exec", "fails.awl", "--extended"]).code(4).stderr("an assertion is false: expected 5 (16#0005) == 7 (16#0007)");
+}
+
+#[test]
+fn a_test_that_does_not_end_fails_with_the_limit() {
+    let folder = Folder::with(&[
+        ("never.awl", "L 1\n"),
+        ("loop.awl", "m: JU m\n"),
+        ("slow.awl", "A T 1\nSET\nL S5T#9S\nSE T 1\nAN T 1\nJC e\nBE\ne: CALL SFC 46\n"),
+    ]);
+    folder
+        .run(&["test", "never.awl", "--scans", "7"])
+        .code(1)
+        .stdout("did not end within 7 scans; a program that checks itself ends with `CALL SFC 46`");
+    folder.run(&["test", "never.awl", "--limit", "100ms"]).code(1).stdout("did not end within 100.00 ms of the CPU's time");
+    folder.run(&["test", "loop.awl"]).code(1).stdout("FAIL  loop.awl:1: the CPU went to STOP: cycle time exceeded");
+    folder.run(&["test", "slow.awl", "--limit", "8s"]).code(1).stdout("did not end");
+}
+
+#[test]
+fn exit_codes_are_those_of_the_worst_test() {
+    let folder = Folder::with(&[("passes.awl", PASSES), ("fails.awl", FAILS), ("broken.awl", "FOO\n")]);
+    folder.run(&["test", "passes.awl", "fails.awl"]).code(1);
+    folder.run(&["test", "passes.awl", "fails.awl", "broken.awl"]).code(3).stdout("FAIL  broken.awl: does not compile").stdout("P2001");
+    folder.run(&["test", "nowhere.awl"]).code(2).stderr("P6001");
+    folder.run(&["test", "--filter", "nothing"]).code(2).stderr("P7020");
+    folder.run(&["test", "--filter", "passes"]).code(0);
+    folder.run(&["test", "--engine", "interpreter", "--jobs", "1", "--filter", "passes"]).code(0);
+    Folder::new().run(&["test"]).code(2).stderr("P7020");
+}
+
+#[test]
+fn build_servers_read_the_results() {
+    let folder = Folder::with(&[("passes.awl", PASSES), ("fails.awl", FAILS)]);
+    let tap = folder.run(&["test", "--tap", "--junit", "result.xml"]).code(1);
+    assert!(
+        tap.stdout.starts_with("TAP version 14\n1..2\nnot ok 1 - fails.awl\n  ---\n  message: \"fails.awl:3: expected"),
+        "{}",
+        tap.stdout
+    );
+    assert!(tap.stdout.ends_with("ok 2 - passes.awl\n"), "{}", tap.stdout);
+    let xml = String::from_utf8(folder.read("result.xml")).expect("UTF-8");
+    assert!(xml.contains("<testsuite name=\"sieben\" tests=\"2\" failures=\"1\" errors=\"0\""), "{xml}");
+    assert!(xml.contains("<testcase name=\"passes.awl\" classname=\"sieben\""), "{xml}");
+    assert!(xml.contains("<failure message=\"fails.awl:3: expected 5 (16#0005) == 7 (16#0007)\">__ASSERT== MW 0, 7"), "{xml}");
+}
+
+#[test]
+fn tests_of_a_project_replace_its_main_program() {
+    let main = "ORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1\nCALL FC 1\nEND_ORGANIZATION_BLOCK\n\
+                FUNCTION FC 1 : VOID\nBEGIN\nL \"Count\"\nINC 1\nT \"Count\"\nEND_FUNCTION\n";
+    let test = |wanted| format!("CALL FC 1\n__ASSERT== \"Count\", {wanted}\nCALL SFC 46\n");
+    let folder = Folder::with(&[
+        ("plant/sieben.toml", "[project]\ntests = [\"checks/*.awl\"]\n"),
+        ("plant/src/main.awl", main),
+        ("plant/symbols.csv", "symbol,address\nCount,MW 0\n"),
+        ("plant/checks/right.awl", &test(1)),
+        ("plant/checks/wrong.awl", &test(2)),
+    ]);
+    folder.run(&["check", "plant"]).code(0).stdout("2 blocks in 1 source");
+    folder
+        .run(&["test", "plant"])
+        .code(1)
+        .stdout("ok    plant/checks/right.awl")
+        .stdout("FAIL  plant/checks/wrong.awl:2: expected 1 (16#0001) == 2 (16#0002)");
+    folder.run(&["test", "plant/src/main.awl", "plant/symbols.csv", "--tests", "plant/checks/right.awl"]).code(0);
+}
+
+#[test]
+fn extension_words_have_to_be_allowed() {
+    let folder = Folder::with(&[("passes.awl", PASSES), ("on/sieben.toml", "[project]\nextended = true\n"), ("on/main.awl", PASSES)]);
+    let json = folder.run(&["check", "--json", "passes.awl"]).code(3).json();
+    assert_eq!((json.as_array().map(Vec::len), json[0]["code"].as_str()), (Some(1), Some("P2040")), "{json}");
+    folder.run(&["check", "--extended", "passes.awl"]).code(0);
+    folder.run(&["check", "on"]).code(0);
+    folder.write("bad.toml", b"");
+    folder.write("on/sieben.toml", b"[project]\nextended = 1\n");
+    folder.run(&["check", "on"]).code(3).stderr("P6009");
+    let negative = "CALL SFC -1\nL __ACCU 1\nUC SFC -1\n";
+    let folder = Folder::with(&[("main.awl", negative)]);
+    folder.run(&["check", "main.awl"]).code(3).stderr("`SFC -1` is an extension word");
+}
+
+#[test]
+fn wrong_operands_of_extension_words_are_explained() {
+    for (source, expected) in [
+        ("__ASSERT== 1", "`__ASSERT==` takes two operands with a comma between them"),
+        ("__ASSERT== 1, 2, 3", "takes two operands"),
+        ("__ASSERT==", "takes two operands"),
+        ("__STWRST 1", "`__STWRST` takes no operand"),
+        ("__SLEEP", "`__SLEEP` takes a number of milliseconds"),
+        ("__FEATURE 9", "the properties are 0"),
+        ("__FEATURE 0, 3", "`3` is no value of this property; it is 2 or 4"),
+        ("__ASSERT== __ACCU 5, 1", "`__ACCU` takes a number from 1 to 4"),
+        ("__ASSERT== __STW XYZ, 1", "`__STW` takes the name of a status bit"),
+        ("__ASSERT== DB 1, 1", "`DB 1` has no value to compare"),
+        ("__ASSERT== PQW 0, 1", "`PQW 0` has no value to compare"),
+        ("T __ACCU 1", "does not take `__ACCU 1`"),
+        ("CALL SFC -9", "`SFC -9` does not exist"),
+        ("__NEVER 1", "`__NEVER` is no instruction"),
+    ] {
+        let folder = Folder::with(&[("main.awl", &format!("{source}\n"))]);
+        folder.run(&["check", "--extended", "main.awl"]).code(3).stderr(expected);
+    }
+}
+
+/// Where the programs of the corpus lie.
+fn corpus() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec/awlsim/programs")
+}
+
+#[test]
+fn the_corpus_passes() {
+    let run = Run::of(&corpus(), &["test", "--json"]).code(0);
+    let json = run.json();
+    let tests = json["tests"].as_array().map_or(&[][..], Vec::as_slice);
+    assert!(tests.len() >= 25, "{} programs", tests.len());
+    assert!(tests.iter().all(|test| test["verdict"] == "passed"), "{json:#}");
+}
+
+#[test]
+fn the_corpus_is_written_as_its_users_write() {
+    let mut latin = 0;
+    let mut words = BTreeSet::new();
+    for entry in fs::read_dir(corpus()).expect("the corpus lies in spec/") {
+        let path = entry.expect("a file").path();
+        if path.extension().is_none_or(|ending| ending != "awl") {
+            continue;
+        }
+        let bytes = fs::read(&path).expect("a source");
+        let name = path.display();
+        assert!(bytes.windows(2).any(|pair| pair == b"\r\n"), "{name} has no CRLF");
+        assert_eq!(bytes.iter().filter(|&&byte| byte == b'\n').count(), bytes.iter().filter(|&&byte| byte == b'\r').count(), "{name}");
+        latin += usize::from(std::str::from_utf8(&bytes).is_err());
+        let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
+        // A program in which every assertion were gone would pass, too.
+        assert!(text.matches("__ASSERT").count() >= 3, "{name} asserts nothing");
+        assert!(text.contains("SFC 46") || text.contains("SFC46"), "{name} has no end");
+        words.extend(text.lines().filter_map(|line| {
+            let line = line.rsplit_once(": ").map_or(line, |(_, rest)| rest);
+            line.split(['\t', ' ', ';']).find(|word| !word.is_empty()).map(str::to_owned)
+        }));
+    }
+    assert!(latin >= 10, "{latin} sources in Latin-1");
+    // One instruction of every chapter, and those that only German sources have.
+    let chapters = [
+        "U",
+        "UN",
+        "O",
+        "X",
+        "U(",
+        ")",
+        "=",
+        "S",
+        "FP",
+        "FN",
+        "SAVE",
+        "L",
+        "T",
+        "LC",
+        "LAR1",
+        "TAR1",
+        "TAK",
+        "PUSH",
+        "ENT",
+        "INC",
+        "+I",
+        "*D",
+        "/R",
+        "MOD",
+        "SQRT",
+        "BTI",
+        "RND",
+        "SSI",
+        "RLDA",
+        "UW",
+        "XOD",
+        "==I",
+        "<>D",
+        ">R",
+        "SPA",
+        "SPB",
+        "SPL",
+        "LOOP",
+        "CALL",
+        "UC",
+        "CC",
+        "BEB",
+        "BEA",
+        "SI",
+        "SV",
+        "SE",
+        "SS",
+        "SA",
+        "ZV",
+        "ZR",
+        "AUF",
+        "TDB",
+        "MCR(",
+        ")MCR",
+        "MCRA",
+        "NOP",
+        "BLD",
+        "__STWRST",
+        "__SLEEP",
+        "__FEATURE",
+    ];
+    let missing: Vec<&str> = chapters.into_iter().filter(|&word| !words.contains(word)).collect();
+    assert!(missing.is_empty(), "no program has {}", missing.join(", "));
+}
