@@ -10,6 +10,7 @@ mod failure;
 mod files;
 mod fixing;
 mod glob;
+mod local_check;
 mod names;
 mod nearest;
 mod output;

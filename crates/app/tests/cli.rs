@@ -620,3 +620,57 @@ fn check_fix_mends_what_can_mean_only_one_thing() {
     folder.run(&["check", "--fix", "broken.awl"]).code(2).stderr("P1102");
     assert_eq!(folder.read("broken.awl"), b"\xEF\xBB\xBFA I 0,2; // \xFF\n");
 }
+
+#[test]
+fn exec_check_temp_names_what_was_read_without_a_value() {
+    let program = "\
+FUNCTION FC 1 : VOID
+VAR_INPUT
+ in : INT;
+END_VAR
+VAR_OUTPUT
+ out : INT;
+END_VAR
+BEGIN
+L #in; T MW 0;
+A I 0.0; JCN end; L 5; T #out;
+end: NOP 0;
+END_FUNCTION
+DATA_BLOCK DB 1
+STRUCT
+ value : INT;
+END_STRUCT;
+BEGIN
+END_DATA_BLOCK
+ORGANIZATION_BLOCK OB 1
+VAR_TEMP
+ info : ARRAY[1..20] OF BYTE;
+ given : INT;
+ copied : ARRAY[1..2] OF INT;
+ bits : BYTE;
+END_VAR
+BEGIN
+L #info[4]; L LD 16;
+CALL FC 1 (in := #given, out := DB1.value);
+CALL SFC 20 (SRCBLK := P#M 0.0 INT 2, RET_VAL := MW 10, DSTBLK := #copied);
+L #copied[2]; T MW 12;
+LAR1 P##copied; L 7; T W [AR1,P#0.0]; L #copied[1]; T MW 14;
+SET; = L 26.3; A L 26.3; = M 20.0; A L 26.4; = M 20.1;
+END_ORGANIZATION_BLOCK
+";
+    let folder = Folder::with(&[("main.awl", program)]);
+    let run = folder.run(&["exec", "main.awl", "--check-temp", "--scans", "2"]).code(1);
+    for part in [
+        "`#given` of `OB 1` was read 2 times before it was written",
+        "main.awl:9:1",
+        "a parameter of a block that `OB 1` has called was read 2 times before it was written",
+        "main.awl:28:1",
+        "`#bits` of `OB 1` was read 2 times before it was written",
+        "3 warnings",
+    ] {
+        assert!(run.stderr.contains(part), "{part}\n{}", run.stderr);
+    }
+    let json = folder.run(&["exec", "main.awl", "--check-temp", "--set", "I0.0=1", "--json"]).code(1);
+    assert_eq!(json.stderr.matches("P4024").count(), 2, "{}", json.stderr);
+    folder.run(&["exec", "main.awl", "--scans", "2"]).code(0);
+}

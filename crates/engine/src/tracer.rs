@@ -1,4 +1,4 @@
-//! Statement events: what stepping, program status and coverage read.
+//! Statement events: what stepping, program status and coverage read; and accesses to the local data.
 
 use crate::fault::Place;
 use crate::machine::{Machine, Registers};
@@ -14,8 +14,44 @@ pub struct StatementEvent {
     pub after: Registers,
 }
 
+/// Something that happens to the local data. Bytes are counted from the beginning of the area, over all blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LocalAccess {
+    /// A block gets local data; the first bytes may be start information.
+    Entered {
+        /// The first byte.
+        first: u32,
+        /// How many.
+        bytes: u32,
+        /// How many of them have a value.
+        known: u32,
+    },
+    /// Bytes are written.
+    Written {
+        /// The first byte.
+        first: u32,
+        /// How many.
+        bytes: u32,
+        /// The bits of each byte.
+        mask: u8,
+    },
+    /// Bytes are read.
+    Read {
+        /// The first byte.
+        first: u32,
+        /// How many.
+        bytes: u32,
+        /// The bits of each byte.
+        mask: u8,
+    },
+}
+
 /// Someone who is told of every statement.
 pub trait Tracer {
     /// A statement was executed.
     fn statement(&mut self, machine: &Machine, event: &StatementEvent);
+    /// A statement does something to the local data. What a system function does there is not told: what it is given counts as written.
+    fn local_data(&mut self, machine: &Machine, place: Place, access: LocalAccess) {
+        let _ = (machine, place, access);
+    }
 }

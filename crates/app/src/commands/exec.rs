@@ -6,14 +6,17 @@ use std::time::Duration;
 use clap::Args;
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, OperatingMode, Restart, Settings};
+use sieben_engine::Tracer;
 use sieben_model::problems::Problem;
 use sieben_model::symbols::SymbolTable;
 use sieben_sim::names::Name;
 
 use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
+use crate::local_check::LocalCheck;
 use crate::names::{self, Assignment};
-use crate::{controller, duration, output};
+use crate::report::Finding;
+use crate::{controller, duration, output, project};
 
 /// Run a few scans in virtual time and print values.
 #[derive(Args)]
@@ -26,7 +29,7 @@ Time is virtual: scan k begins at k x cycle, the first at 0. A file of bare\n\
 statements is the body of OB 1. A register gets what `L` would load\n\
 (`ACCU1=-1` is 16#0000_FFFF), an address or variable the number in its own\n\
 width. STW is nine characters: BR CC1 CC0 OV OS OR STA RLO /FC.\n\n\
-Exit codes: 0 ok, 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
+Exit codes: 0 ok, 1 --check-temp found something, 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
 pub(crate) struct Arguments {
     /// Source files, symbol tables, or a project folder
     #[arg(required = true, value_name = "FILE")]
@@ -60,6 +63,9 @@ pub(crate) struct Arguments {
     /// Which engine runs the program
     #[arg(long, value_name = "ENGINE", default_value = "auto")]
     engine: EngineArgument,
+    /// Watch the local data: report every temporary variable that is read before it is written (exit code 1)
+    #[arg(long)]
+    check_temp: bool,
     /// Print one JSON object per printed scan
     #[arg(long)]
     json: bool,
@@ -109,7 +115,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let set = arguments.set.iter().map(|text| Assignment::parse(text, symbols, &cpu)).collect::<Result<Vec<_>, _>>()?;
     let mut at = timed(&arguments.at, symbols, &cpu)?.into_iter().peekable();
 
-    cpu.restart(Restart::Warm);
+    let mut check = arguments.check_temp.then(LocalCheck::default);
+    // A watched run is interpreted, whatever the engine.
+    cpu.restart_with(Restart::Warm, &mut || 0, check.as_mut().map(|check| check as &mut dyn Tracer));
     set.iter().try_for_each(|assignment| assignment.apply(&mut cpu))?;
     let count = schedule.len();
     for scan in 0..count {
@@ -117,7 +125,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         while let Some((_, assignment)) = at.next_if(|(time, _)| time.as_micros() <= u128::from(now_us)) {
             assignment.apply(&mut cpu)?;
         }
-        cpu.scan(now_us);
+        cpu.scan_with(&mut || now_us, check.as_mut().map(|check| check as &mut dyn Tracer));
         let stopped = cpu.mode() == OperatingMode::Stop;
         if arguments.every || stopped || scan + 1 == count {
             print_scan(arguments, &cpu, &shown, scan, now_us)?;
@@ -126,6 +134,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             break;
         }
     }
+    let findings: Vec<Finding> = check.iter().flat_map(|check| check.findings(&build)).map(Finding::program).collect();
+    if !findings.is_empty() {
+        project::print_findings(&findings, &build.project.texts, arguments.json);
+    }
     match cpu.stop_cause() {
         Some(cause) if cpu.mode() == OperatingMode::Stop => {
             if !arguments.json {
@@ -133,6 +145,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             }
             Ok(Exit::Stopped)
         }
+        _ if !findings.is_empty() => Ok(Exit::CheckFailed),
         _ => Ok(Exit::Success),
     }
 }

@@ -1,5 +1,6 @@
 //! Runs the IR at once: the engine that defines what code means.
 
+mod local_data;
 mod prepare;
 mod run;
 

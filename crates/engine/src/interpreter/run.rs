@@ -4,6 +4,7 @@ use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
 
 use super::Interpreter;
+use super::local_data;
 use super::prepare::{Block, Step, weight};
 use crate::access::{
     File, Target, after_call, caller_registers, in_data_block, load_file, locate, move_bytes, open, registers, restore_caller, store_file,
@@ -92,6 +93,10 @@ impl Interpreter {
             let local = context.machine.memory.layout.local.start + frame.local_base as usize;
             let parameters = frame.parameters as usize..frame.parameters_end as usize;
             let mut at = if frame.resume == Frame::ENTERED { 0 } else { frame.resume as usize };
+            if WATCHED && frame.resume == 0 {
+                local_data::entered(context);
+            }
+            let Some(frame) = context.machine.frames.last() else { return Exit::Finished };
             if frame.resume == 0 {
                 context.machine.budget -= i64::from(block.weight);
                 if context.machine.budget < 0 {
@@ -175,8 +180,18 @@ impl Interpreter {
                     Step::StoreByte { src, at } => context.machine.memory.arena[at as usize] = var!(src) as u8,
                     Step::StoreWord { src, at } => write(context.machine, at as usize, 0, Width::Word, var!(src)),
                     Step::StoreDouble { src, at } => write(context.machine, at as usize, 0, Width::DoubleWord, var!(src)),
-                    Step::LoadLocal { dst, bit, width, byte } => var!(dst) = read(context.machine, local + byte as usize, bit, width),
-                    Step::StoreLocal { src, bit, width, byte } => write(context.machine, local + byte as usize, bit, width, var!(src)),
+                    Step::LoadLocal { dst, bit, width, byte } => {
+                        if WATCHED {
+                            local_data::read(context, place_of(block, at), local + byte as usize, bit, width);
+                        }
+                        var!(dst) = read(context.machine, local + byte as usize, bit, width);
+                    }
+                    Step::StoreLocal { src, bit, width, byte } => {
+                        if WATCHED {
+                            local_data::written(context, place_of(block, at), local + byte as usize, bit, width);
+                        }
+                        write(context.machine, local + byte as usize, bit, width, var!(src));
+                    }
                     Step::LoadData { dst, register, width, on_fault, position } => {
                         let write = on_fault == OnFault::SkipWrite;
                         match in_data_block(context.machine, &file, register, position, width, write) {
@@ -195,7 +210,12 @@ impl Interpreter {
                         let machine = &*context.machine;
                         let local = |outwards: usize| machine.local_data(outwards);
                         let result = match locate(machine, &file, &local, block.places[place as usize], width, write) {
-                            Ok(Target::Arena(byte, bit)) => Ok(read(context.machine, byte, bit, width)),
+                            Ok(Target::Arena(byte, bit)) => {
+                                if WATCHED && !write {
+                                    local_data::read(context, place_of(block, at), byte, bit, width);
+                                }
+                                Ok(read(context.machine, byte, bit, width))
+                            }
                             Ok(Target::Peripheral(byte)) => match context.host.peripheral_read(context.machine, byte, width) {
                                 Some(value) => Ok(u64::from(value)),
                                 None => Err(Fault::IoAccess { write: false, width, byte }),
@@ -213,6 +233,9 @@ impl Interpreter {
                         let local = |outwards: usize| machine.local_data(outwards);
                         let result = match locate(machine, &file, &local, block.places[place as usize], width, true) {
                             Ok(Target::Arena(byte, bit)) => {
+                                if WATCHED {
+                                    local_data::written(context, place_of(block, at), byte, bit, width);
+                                }
                                 write(context.machine, byte, bit, width, value);
                                 Ok(())
                             }
@@ -227,6 +250,9 @@ impl Interpreter {
                         }
                     }
                     Step::Move { index } => {
+                        if WATCHED {
+                            local_data::moved(context, &file, place_of(block, at), block.moves[index as usize]);
+                        }
                         let frames = context.machine.frames.len();
                         let locals: Vec<_> = (0..=frames).map(|outwards| context.machine.local_data(outwards)).collect();
                         let local = |outwards: usize| locals[outwards.min(frames)].clone();
@@ -391,6 +417,9 @@ impl Interpreter {
 
     fn system_call(&self, context: &mut Context<'_>, file: &mut File, block: &Block, at: usize, callee: BlockId, parameters: u16) -> Next {
         store_file(context.machine, file);
+        if context.tracer.is_some() {
+            local_data::given(context, place_of(block, at), parameters);
+        }
         if !context.host.has_system_function(callee) {
             let code = if callee.kind == BlockKind::SystemFunction { 0x3D } else { 0x3F };
             return self.fault(context, file, block, at, &Fault::programming(code, callee.number), None);
@@ -527,6 +556,10 @@ fn interrupt_at(machine: &mut Machine, resume: usize) {
     if let Some(frame) = machine.frames.last_mut() {
         frame.resume = if resume == 0 { Frame::ENTERED } else { resume as u32 };
     }
+}
+
+fn place_of(block: &Block, at: usize) -> Place {
+    Place { block: block.id, statement: block.statement_of(at) }
 }
 
 fn deliver(on_fault: OnFault, dst: u8) -> Option<u8> {
