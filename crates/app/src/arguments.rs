@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
-use sieben_jit::Jit;
+use sieben_jit::{Jit, StatusBits};
 use sieben_lang::encoding::Encoding;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::mnemonics::Mnemonics;
@@ -146,11 +146,11 @@ pub(crate) enum EngineArgument {
 
 impl EngineArgument {
     /// Loads a program; if machine code was asked for and cannot be had, says why and interprets it.
-    pub(crate) fn load(self, program: &Program, layout: &Layout) -> Arc<dyn Engine> {
+    pub(crate) fn load(self, program: &Program, layout: &Layout, status: StatusBits) -> Arc<dyn Engine> {
         if self == Self::Interpreter {
             return Interpreter::load(program, layout);
         }
-        Jit::compiled(program, layout).unwrap_or_else(|reason| {
+        Jit::compiled(program, layout, status).unwrap_or_else(|reason| {
             if self == Self::Jit {
                 output::message(&format!("the program runs in the interpreter: {reason}\n"));
             }

@@ -4,15 +4,16 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, Rack, Settings, StopCause};
+use sieben_jit::StatusBits;
 use sieben_model::source::Span;
 
 use crate::arguments::EngineArgument;
 use crate::project::Build;
 
 /// A CPU in STOP with the program loaded and a simulated module at every address.
-pub(crate) fn load(build: &Build, engine: EngineArgument, settings: Settings) -> Cpu {
+pub(crate) fn load(build: &Build, engine: EngineArgument, status: StatusBits, settings: Settings) -> Cpu {
     let program = Arc::new(build.compiled.program.clone());
-    Cpu::load(build.cpu, program, |program, layout| engine.load(program, layout), Rack::simulated(build.cpu), settings)
+    Cpu::load(build.cpu, program, |program, layout| engine.load(program, layout, status), Rack::simulated(build.cpu), settings)
 }
 
 /// Why the CPU stopped, with the line of the source that did it.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use sieben_engine::{Engine, Layout, Program};
-use sieben_jit::Jit;
+use sieben_jit::{Jit, StatusBits};
 
 #[path = "../../cpu/tests/engine_contract/mod.rs"]
 mod engine_contract;
@@ -16,5 +16,5 @@ const LOAD: fn(&Program, &Layout) -> Arc<dyn Engine> = machine_code;
 
 /// Machine code and nothing else.
 fn machine_code(program: &Program, layout: &Layout) -> Arc<dyn Engine> {
-    Jit::compiled(program, layout).unwrap_or_else(|reason| panic!("the program becomes machine code: {reason}"))
+    Jit::compiled(program, layout, StatusBits::All).unwrap_or_else(|reason| panic!("the program becomes machine code: {reason}"))
 }

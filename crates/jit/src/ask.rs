@@ -355,15 +355,24 @@ impl Run<'_, '_> {
         access::after_call(&mut self.registers);
         access::store_file(self.context.machine, &self.registers);
         self.context.machine.parameters.truncate(first);
-        if let Reaction::Fail(fault) = reaction {
-            return self.fail_statement(link, site, &fault);
-        }
+        let fits = self.follow_frames() && self.compiled.fits(&self.context.machine.memory);
         let (code, inst) = parts(site);
-        let resume = self.compiled.interpreter.resume_behind(code as u32, inst as u32);
-        if !self.frames_as_linked() && matches!(reaction, Reaction::Continue) {
-            return self.interpret(resume);
+        let (answer, resume) = match reaction {
+            Reaction::Fail(fault) => {
+                let resume = self.compiled.interpreter.resume_at(code as u32, place.statement + 1);
+                (self.fail_statement(link, site, &fault), resume)
+            }
+            other => {
+                let resume = self.compiled.interpreter.resume_behind(code as u32, inst as u32);
+                (self.react(link, resume, place, other, None), resume)
+            }
+        };
+        if answer == LEAVE || fits {
+            return answer;
         }
-        self.react(link, resume, place, reaction, None)
+        // The program changed data blocks that this code takes to be as they were.
+        self.show(self.depth(link), 0);
+        self.interpret(resume)
     }
 
     /// A fault of a statement that then counts as NOP.

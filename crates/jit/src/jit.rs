@@ -4,7 +4,8 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use sieben_engine::access;
 use sieben_engine::ir::{Code, Inst};
-use sieben_engine::machine::Registers;
+use sieben_engine::machine::memory::DataBlockEntry;
+use sieben_engine::machine::{Memory, Registers};
 use sieben_engine::{Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
 use sieben_model::block::BlockId;
 
@@ -58,7 +59,26 @@ pub(crate) struct Compiled {
     pub(crate) interpreter: Interpreter,
     pub(crate) blocks: Vec<Native>,
     pub(crate) generation: Generation,
+    /// Data blocks that the code takes to be as they were loaded.
+    pinned: Vec<(u16, DataBlockEntry)>,
     pub(crate) parameters_max: usize,
+}
+
+impl Compiled {
+    /// Whether the data blocks are as the code takes them to be.
+    pub(crate) fn fits(&self, memory: &Memory) -> bool {
+        self.pinned.iter().all(|&(number, entry)| memory.data_block(u64::from(number)) == Some(entry))
+    }
+}
+
+/// Which status bits machine code calculates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StatusBits {
+    /// All, wherever somebody may look at the registers: in STOP they are those of the real CPU.
+    All,
+    /// Those that a statement reads, and all of them at the end of an organization block. In STOP and HOLD /FC, STA, OR, OS, OV, CC 0
+    /// and CC 1 may show an older value.
+    Needed,
 }
 
 /// A loaded program as machine code; shared by any number of CPUs of the same layout.
@@ -82,13 +102,14 @@ impl Jit {
     ///
     /// # Errors
     /// Why the program cannot become machine code, as the end of a sentence: it is too large, or the machine is not supported.
-    pub fn compiled(program: &Program, layout: &Layout) -> Result<Arc<dyn Engine>, String> {
-        Ok(Arc::new(Self::compile(program, layout, Options::default())?))
+    pub fn compiled(program: &Program, layout: &Layout, status: StatusBits) -> Result<Arc<dyn Engine>, String> {
+        let options = Options { exact: status == StatusBits::All, ..Options::default() };
+        Ok(Arc::new(Self::compile(program, layout, options)?))
     }
 
     /// The same with every operation called instead of written out: what the inlined ones are compared with.
     pub fn load_without_inlining(program: &Program, layout: &Layout) -> Arc<dyn Engine> {
-        Self::load_with(program, layout, Options { inline: false })
+        Self::load_with(program, layout, Options { inline: false, ..Options::default() })
     }
 
     fn load_with(program: &Program, layout: &Layout, options: Options) -> Arc<dyn Engine> {
@@ -112,8 +133,14 @@ impl Jit {
             })
             .collect();
         let interpreter = Interpreter::new(program, layout);
-        let generation = translate::program(&blocks, &|id| interpreter.code(id), layout, options)?;
-        let compiled = Compiled { interpreter, blocks, generation, parameters_max };
+        let (generation, pinned) = translate::program(&blocks, &|id| interpreter.code(id), layout, options)?;
+        let entry = |number: u16| {
+            let range = &layout.data_blocks[&number];
+            let read_only = layout.read_only.contains(&number);
+            (number, DataBlockEntry { base: range.start as u32, length: range.len() as u32, read_only })
+        };
+        let pinned = pinned.into_iter().map(entry).collect();
+        let compiled = Compiled { interpreter, blocks, generation, pinned, parameters_max };
         Ok(Self { compiled, layout: layout.clone(), known_layout: OnceLock::new(), scratch: Mutex::default() })
     }
 
@@ -130,6 +157,7 @@ impl Jit {
         }
         (known || *memory.layout == self.layout)
             && arena == self.layout.size
+            && self.compiled.fits(memory)
             && inside(registers.db_base, registers.db_length)
             && inside(registers.di_base, registers.di_length)
     }

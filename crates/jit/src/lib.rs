@@ -8,4 +8,4 @@ mod jit;
 mod run;
 mod translate;
 
-pub use jit::Jit;
+pub use jit::{Jit, StatusBits};

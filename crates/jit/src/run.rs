@@ -234,16 +234,23 @@ impl<'a, 'c> Run<'a, 'c> {
         }
     }
 
-    /// Whether the frames of the machine still restore what the links say: system functions may move data blocks that callers have open.
-    pub(crate) fn frames_as_linked(&self) -> bool {
+    /// Takes over what a system function changed in the frames: it may move data blocks that callers have open. Whether nothing changed,
+    /// so that the code of the callers has the right addresses.
+    pub(crate) fn follow_frames(&mut self) -> bool {
+        let mut same = true;
         let frames = &self.context.machine.frames;
-        frames.iter().zip(self.scratch.links.iter()).skip(1).all(|(frame, link)| match &frame.origin {
-            Origin::Start => true,
-            Origin::Call(caller) => caller.shared == link.shared && caller.instance == link.instance,
-            Origin::Interrupt { registers, .. } => {
-                [registers.db_number, registers.db_base, registers.db_length] == link.shared
-                    && [registers.di_number, registers.di_base, registers.di_length] == link.instance
-            }
-        })
+        for (frame, link) in frames.iter().zip(self.scratch.links.iter_mut()).skip(1) {
+            let open = match &frame.origin {
+                Origin::Start => continue,
+                Origin::Call(caller) => [caller.shared, caller.instance],
+                Origin::Interrupt { registers, .. } => [
+                    [registers.db_number, registers.db_base, registers.db_length],
+                    [registers.di_number, registers.di_base, registers.di_length],
+                ],
+            };
+            same &= open == [link.shared, link.instance];
+            [link.shared, link.instance] = open;
+        }
+        same
     }
 }

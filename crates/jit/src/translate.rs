@@ -3,43 +3,48 @@
 //! Registers of the CPU are variables while the block runs; they are stored where somebody else reads them: at calls, at the end
 //! and where the Host is asked. A path on which something failed is cold code behind the function.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::mem::offset_of;
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::{I16, I32, I64};
+use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{self as clif, AbiParam, BlockArg, FuncRef, InstBuilder, MemFlagsData, Value};
 use cranelift_codegen::settings::{self, Configurable};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext, Variable};
 use cranelift_jit::{ArenaMemoryProvider, JITBuilder, JITModule};
 use cranelift_module::{FuncId, Linkage, Module, ModuleError};
 use sieben_engine::Layout;
+use sieben_engine::access::data_registers;
 use sieben_engine::interpreter::weight;
-use sieben_engine::ir::{Callee, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Target, Var};
 use sieben_engine::machine::Register;
-use sieben_model::address::{Area, Width};
-use sieben_model::block::BlockId;
+use sieben_model::block::{BlockId, BlockKind};
 
 use crate::ask::{GO_ON, LEAVE, Question};
 use crate::entry::Generation;
 use crate::jit::Native;
 use crate::run::{Link, Run};
 
+mod analysis;
 mod inline;
+mod memory;
 mod value;
 
-use value::Val;
+use analysis::{SPARED, Summary, open_blocks, set_by_calls};
+use value::{Lazy, Val};
 
 /// How a program is compiled.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Options {
     /// Whether operations that have an inline form use it.
     pub(crate) inline: bool,
+    /// Whether every status bit is calculated, also where no statement reads it, for those who look at the registers.
+    pub(crate) exact: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { inline: true }
+        Self { inline: true, exact: true }
     }
 }
 
@@ -50,8 +55,8 @@ const RESERVED_BYTES_MIN: usize = 1 << 20;
 /// Finds the index of a loaded block.
 type Find<'a> = &'a dyn Fn(BlockId) -> Option<u32>;
 
-/// Compiles all blocks.
-pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<Generation, String> {
+/// Compiles all blocks. The code takes the data blocks with the returned numbers to be as they were loaded.
+pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<(Generation, BTreeSet<u16>), String> {
     let mut flags = settings::builder();
     let set = |flags: &mut settings::Builder, name: &str, value: &str| flags.set(name, value).map_err(|error| error.to_string());
     set(&mut flags, "opt_level", "none")?;
@@ -76,20 +81,24 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
     }
     let mut module = JITModule::new(builder);
     let functions = declare(&mut module, blocks).map_err(|error| error.to_string())?;
+    let summaries = analysis::summaries(blocks, find, options.exact);
     let mut context = module.make_context();
     let mut frontend = FunctionBuilderContext::new();
     let mut bytes = 0;
+    let mut pinned = BTreeSet::new();
     for (index, block) in blocks.iter().enumerate() {
         context.func.signature = block_signature(&module);
         let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
         let target = module.target_config();
-        Translator::new(builder, &mut module, &functions, blocks, index, find, layout, options).run(target);
+        let program = Program { functions: &functions, blocks, summaries: &summaries, find, layout, options };
+        pinned.append(&mut Translator::new(builder, &mut module, program, index).run(target));
         module.define_function(functions.blocks[index], &mut context).map_err(|error| format!("{}: {error:?}", block.id))?;
         bytes += context.compiled_code().map_or(0, |code| code.code_buffer().len());
         module.clear_context(&mut context);
     }
     module.finalize_definitions().map_err(|error| error.to_string())?;
-    Ok(Generation::new(module, &functions.blocks, bytes))
+    pinned.remove(&0);
+    Ok((Generation::new(module, &functions.blocks, bytes), pinned))
 }
 
 /// All functions that code refers to.
@@ -135,7 +144,7 @@ fn is_bit(register: Register) -> bool {
     matches!(register, R::Fc | R::Rlo | R::Sta | R::Or | R::Os | R::Ov | R::Cc0 | R::Cc1 | R::Br | R::Ma)
 }
 
-fn bit_of(register: Register) -> u32 {
+const fn bit_of(register: Register) -> u32 {
     1 << register as u32
 }
 
@@ -144,6 +153,10 @@ const OPEN_BLOCKS: [Register; 6] =
     [Register::DbNumber, Register::DbBase, Register::DbLength, Register::DiNumber, Register::DiBase, Register::DiLength];
 /// What a call sets, at the beginning of the callee and behind it.
 const AFTER_CALL: [(Register, u64); 4] = [(Register::Os, 0), (Register::Or, 0), (Register::Sta, 1), (Register::Fc, 0)];
+
+/// What a called block finds.
+const AT_CALL: &[(Register, u64)] =
+    &[(Register::Os, 0), (Register::Or, 0), (Register::Sta, 1), (Register::Fc, 0), (Register::Ma, 0), (Register::Nesting, 0)];
 
 /// What is known where control flow arrives at a statement.
 struct Arrival {
@@ -167,15 +180,32 @@ enum After {
     Never,
 }
 
+/// What is compiled.
+#[derive(Clone, Copy)]
+struct Program<'a> {
+    functions: &'a Functions,
+    blocks: &'a [Native],
+    summaries: &'a [Summary],
+    find: Find<'a>,
+    layout: &'a Layout,
+    options: Options,
+}
+
 struct Translator<'a> {
     b: FunctionBuilder<'a>,
     module: &'a mut JITModule,
     functions: &'a Functions,
     blocks: &'a [Native],
+    summaries: &'a [Summary],
     index: usize,
     find: Find<'a>,
     layout: &'a Layout,
     options: Options,
+    /// Data blocks that the code takes to be as they were loaded.
+    pinned: BTreeSet<u16>,
+    lazies: Vec<Lazy>,
+    /// The cold block that is being written, if it is one.
+    cold: Option<clif::Block>,
     references: HashMap<FuncId, FuncRef>,
     variables: Vec<Variable>,
     /// Values of registers in the running piece of code; `None` = in the variable.
@@ -204,27 +234,13 @@ struct Translator<'a> {
 
 const TRUSTED: MemFlagsData = MemFlagsData::trusted();
 
-/// Data memory: always there, at any alignment.
-fn data() -> MemFlagsData {
-    MemFlagsData::new().with_notrap()
-}
-
 fn register_offset(register: Register) -> i32 {
     (offset_of!(Run<'_, '_>, registers) + register.offset()) as i32
 }
 
 impl<'a> Translator<'a> {
-    #[allow(clippy::too_many_arguments)] // What the pieces of one compilation are.
-    fn new(
-        mut b: FunctionBuilder<'a>,
-        module: &'a mut JITModule,
-        functions: &'a Functions,
-        blocks: &'a [Native],
-        index: usize,
-        find: Find<'a>,
-        layout: &'a Layout,
-        options: Options,
-    ) -> Self {
+    fn new(mut b: FunctionBuilder<'a>, module: &'a mut JITModule, program: Program<'a>, index: usize) -> Self {
+        let Program { functions, blocks, summaries, find, layout, options } = program;
         let entry = b.create_block();
         b.append_block_params_for_function_params(entry);
         b.switch_to_block(entry);
@@ -238,10 +254,14 @@ impl<'a> Translator<'a> {
             module,
             functions,
             blocks,
+            summaries,
             index,
             find,
             layout,
             options,
+            pinned: BTreeSet::new(),
+            lazies: Vec::new(),
+            cold: None,
             references: HashMap::new(),
             variables,
             current: [None; Register::COUNT],
@@ -262,11 +282,17 @@ impl<'a> Translator<'a> {
         }
     }
 
+    /// Whether the block is entered by calls and nothing else.
+    fn called_only(&self) -> bool {
+        self.native().id.kind != BlockKind::OrganizationBlock
+    }
+
     fn native(&self) -> &'a Native {
         &self.blocks[self.index]
     }
 
-    fn run(mut self, target: cranelift_codegen::isa::TargetFrontendConfig) {
+    /// Writes the function; the data blocks that it takes to be as they were loaded.
+    fn run(mut self, target: cranelift_codegen::isa::TargetFrontendConfig) -> BTreeSet<u16> {
         self.find_registers_and_loops();
         self.enter_block();
         let code = &self.native().code;
@@ -292,6 +318,7 @@ impl<'a> Translator<'a> {
         self.b.ins().return_(&[leave]);
         self.b.seal_all_blocks();
         self.b.finalize(target);
+        self.pinned
     }
 
     /// Which registers the block mentions, and where it jumps back to.
@@ -330,8 +357,19 @@ impl<'a> Translator<'a> {
         for to in back {
             self.arrival(to).backward = true;
         }
+        if self.called_only() {
+            // What is known there is not in memory.
+            self.written |= AT_CALL.iter().fold(0, |all, &(register, _)| all | bit_of(register));
+        }
+        let known = if self.called_only() { AT_CALL } else { &[] };
         for &register in Register::ALL {
-            if mentioned & bit_of(register) != 0 {
+            if let Some(&(_, value)) = known.iter().find(|&&(known, _)| known == register) {
+                let ty = if is_bit(register) { I32 } else { I64 };
+                let constant = self.b.ins().iconst(ty, value as i64);
+                self.b.def_var(self.variables[register as usize], constant);
+                self.current[register as usize] = Some(Val::Const(value));
+                self.dirty |= bit_of(register);
+            } else if mentioned & bit_of(register) != 0 {
                 let ty = if is_bit(register) { I32 } else { I64 };
                 let value = self.b.ins().load(ty, TRUSTED, self.run, register_offset(register));
                 self.b.def_var(self.variables[register as usize], value);
@@ -364,7 +402,9 @@ impl<'a> Translator<'a> {
         self.b.ins().brif(used_up, ask, &[], go_on, &[]);
         self.b.switch_to_block(ask);
         self.b.seal_block(ask);
+        let before = self.cold.replace(ask);
         self.spill(self.dirty);
+        self.cold = before;
         let code = self.b.ins().iconst(I64, self.index as i64);
         // The interpreter names the first statement that does something.
         let statement = self.first_with_code(statement);
@@ -393,13 +433,8 @@ impl<'a> Translator<'a> {
             let block = self.edge(self.statement);
             self.b.ins().jump(block, &[]);
         }
-        let (backward, written) = (self.arrivals[&self.statement].backward, self.written);
+        let (backward, written) = (self.arrivals[&self.statement].backward, self.written & !self.dead_at(self.statement));
         let arrival = self.arrival(self.statement);
-        if backward && arrival.known.is_none() {
-            // Nothing comes from above, so that nothing comes from behind either.
-            self.ended = true;
-            return;
-        }
         let (block, known) = (arrival.block, arrival.known.unwrap_or_default());
         self.dirty = if backward { written } else { arrival.dirty };
         self.b.switch_to_block(block);
@@ -413,12 +448,13 @@ impl<'a> Translator<'a> {
 
     /// Makes the variables current and returns where the statement begins; the caller jumps there.
     fn edge(&mut self, statement: u32) -> clif::Block {
-        self.define_variables();
+        let dead = self.dead_at(statement);
+        self.define_variables(!dead);
         let known = self.current.map(|value| match value {
             Some(Val::Const(value)) => Some(value),
             _ => None,
         });
-        let dirty = self.dirty;
+        let dirty = self.dirty & !dead;
         let arrival = self.arrival(statement);
         arrival.dirty |= dirty;
         arrival.known = Some(match arrival.known {
@@ -435,16 +471,22 @@ impl<'a> Translator<'a> {
         arrival.block
     }
 
-    fn define_variables(&mut self) {
+    /// Status bits that nobody needs from a statement on.
+    fn dead_at(&self, statement: u32) -> u32 {
+        let live = &self.summaries[self.index].live;
+        SPARED & !live.get(statement as usize).copied().unwrap_or(SPARED)
+    }
+
+    fn define_variables(&mut self, wanted: u32) {
         for &register in Register::ALL {
-            if self.changed & bit_of(register) != 0
+            if self.changed & wanted & bit_of(register) != 0
                 && let Some(value) = self.current[register as usize]
             {
                 let value = if is_bit(register) { self.flag(value) } else { self.word(value) };
                 self.b.def_var(self.variables[register as usize], value);
             }
         }
-        self.changed = 0;
+        self.changed &= !wanted;
     }
 
     /// Stores registers where others read them.
@@ -531,6 +573,7 @@ impl<'a> Translator<'a> {
     fn cold_path(&mut self, cold: clif::Block, question: Question, arguments: &[Value], after: After) {
         self.b.switch_to_block(cold);
         self.b.seal_block(cold);
+        let before = self.cold.replace(cold);
         self.spill(self.dirty);
         let answer = self.ask(question, arguments);
         match after {
@@ -539,6 +582,7 @@ impl<'a> Translator<'a> {
             }
             After::Deliver(block) => {
                 let value = self.result();
+                let value = self.b.ins().ireduce(I32, value);
                 self.b.ins().brif(answer, self.leave, &[], block, &[BlockArg::Value(value)]);
             }
             After::NextStatement => {
@@ -548,13 +592,14 @@ impl<'a> Translator<'a> {
                 self.changed = changed;
             }
         }
+        self.cold = before;
     }
 
     fn inst(&mut self, index: u32, inst: &Inst) {
         match *inst {
             Inst::Constant { dst, value } => self.set(dst, Val::Const(value)),
             Inst::Compute { op, dst, args } => {
-                let result = self.compute(op, args);
+                let result = self.compute(op, dst, args);
                 self.set(dst, result);
             }
             Inst::Load { dst, place, width, on_fault } => self.load(index, dst, place, width, on_fault),
@@ -596,8 +641,13 @@ impl<'a> Translator<'a> {
             }
             Inst::Require { condition, register, .. } => self.require(index, condition, Some(register), After::NextStatement),
             Inst::RequireStack { condition, .. } => self.require(index, condition, None, After::Never),
-            Inst::Open { number, .. } => {
+            Inst::Open { register, number } => {
                 let number = self.get(number);
+                if let Val::Const(number) = number
+                    && self.open_known(register, number & 0xFFFF)
+                {
+                    return;
+                }
                 let number = self.word(number);
                 self.store_open_blocks();
                 let site = self.site(index);
@@ -615,6 +665,7 @@ impl<'a> Translator<'a> {
             }
             Inst::Branch { condition, to } => {
                 let condition = self.get(condition);
+                let condition = self.force(condition);
                 if let Val::Const(value) = condition {
                     if value & 1 != 0 {
                         self.inst(index, &Inst::Jump { to });
@@ -632,7 +683,11 @@ impl<'a> Translator<'a> {
             Inst::JumpTable { index, first, count, otherwise } => self.jump_table(index, first, count, otherwise),
             Inst::Call { callee, parameters } => self.call_block(index, callee, parameters),
             Inst::Return => {
-                self.spill(self.dirty);
+                let handed_back = match self.called_only() {
+                    true => self.dirty & !set_by_calls() & !(SPARED & !self.summaries[self.index].live_out),
+                    false => self.dirty,
+                };
+                self.spill(handed_back);
                 let go_on = self.b.ins().iconst(I64, GO_ON as i64);
                 self.b.ins().return_(&[go_on]);
                 self.ended = true;
@@ -640,12 +695,21 @@ impl<'a> Translator<'a> {
         }
     }
 
-    fn compute(&mut self, op: Op, args: [Var; 4]) -> Val {
+    fn compute(&mut self, op: Op, dst: Var, args: [Var; 4]) -> Val {
         let args = args.map(|arg| self.get(arg));
-        let args = &args[..op.arity()];
+        let used = &args[..op.arity()];
         if op == Op::Copy {
             return args[0];
         }
+        // Most status bits are never read; an operation with a constant is often no operation.
+        let spared = dst.register().is_some_and(|register| SPARED & bit_of(register) != 0);
+        if spared && self.options.inline && used.iter().all(|arg| arg.constant().is_none()) {
+            return self.later(op, args);
+        }
+        self.compute_now(op, used)
+    }
+
+    fn compute_now(&mut self, op: Op, args: &[Val]) -> Val {
         if let Some(constants) = args.iter().map(|arg| arg.constant()).collect::<Option<Vec<u64>>>() {
             let mut words = [0; 4];
             words[..constants.len()].copy_from_slice(&constants);
@@ -660,22 +724,6 @@ impl<'a> Translator<'a> {
         Val::Word(self.call(self.functions.ops[&op], &args))
     }
 
-    /// The value of a place's pointer, 0 if it has none.
-    fn pointer(&mut self, place: Place) -> Value {
-        let value = match place {
-            Place::Fixed { .. } => Val::Const(0),
-            Place::Indirect { pointer, .. } | Place::Crossing { pointer, .. } => self.get(pointer),
-        };
-        self.word(value)
-    }
-
-    /// Stores the data block registers, from which access by Rust code reads.
-    fn store_open_blocks(&mut self) {
-        let registers = OPEN_BLOCKS.iter().fold(0, |all, &register| all | bit_of(register)) & self.dirty;
-        self.spill(registers);
-        self.dirty &= !registers;
-    }
-
     /// Takes a register from memory, where Rust code changed it.
     fn reload(&mut self, register: Register) {
         let value = if is_bit(register) {
@@ -687,120 +735,21 @@ impl<'a> Translator<'a> {
         self.dirty &= !bit_of(register);
     }
 
-    /// The address of a constant place in I, Q, M or the local data, if it lies inside: base, offset and bit.
-    fn fixed(&self, place: Place, width: Width) -> Option<(Value, i32, u8)> {
-        let Place::Fixed { area, position } = place else { return None };
-        let (byte, bit) = (position / 8, (position % 8) as u8);
-        let (base, start, length) = match area {
-            Area::Local => (self.local, 0, self.native().local_size as usize),
-            _ => {
-                let range = self.layout.area(area)?;
-                (self.arena, range.start, range.len())
-            }
+    /// Opens a data block that the program has; whether that is known beforehand. The run makes sure that it is there.
+    fn open_known(&mut self, register: DataRegister, number: u64) -> bool {
+        let range = match number {
+            0 => 0..0,
+            _ => match u16::try_from(number).ok().and_then(|number| self.layout.data_blocks.get(&number)) {
+                Some(range) => range.clone(),
+                None => return false,
+            },
         };
-        if (width != Width::Bit && bit != 0) || byte as usize + width.bytes() as usize > length {
-            return None;
+        let values = [number, range.start as u64, range.len() as u64];
+        for (register, value) in data_registers(register).into_iter().zip(values) {
+            self.set_register(register, Val::Const(value));
         }
-        Some((base, i32::try_from(start + byte as usize).ok()?, bit))
-    }
-
-    fn load(&mut self, index: u32, dst: Var, place: Place, width: Width, on_fault: OnFault) {
-        if let Some((base, offset, bit)) = self.fixed(place, width) {
-            let value = self.read(base, offset, bit, width);
-            self.set(dst, value);
-            return;
-        }
-        let pointer = self.pointer(place);
-        self.store_open_blocks();
-        let site = self.site(index);
-        let failed = self.ask(Question::TryLoad, &[self.link, site, pointer]);
-        if on_fault != OnFault::DeliverZero {
-            self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
-            let value = self.result();
-            self.set(dst, Val::Word(value));
-            return;
-        }
-        let value = self.result();
-        let cold = self.cold_block();
-        let go_on = self.b.create_block();
-        let delivered = self.b.append_block_param(go_on, I64);
-        self.b.ins().brif(failed, cold, &[], go_on, &[BlockArg::Value(value)]);
-        self.cold_path(cold, Question::Failed, &[self.link, site], After::Deliver(go_on));
-        self.b.switch_to_block(go_on);
-        self.b.seal_block(go_on);
-        self.set(dst, Val::Word(delivered));
-    }
-
-    fn read(&mut self, base: Value, offset: i32, bit: u8, width: Width) -> Val {
-        match width {
-            Width::Bit => {
-                let byte = self.b.ins().uload8(I32, data(), base, offset);
-                let value = if bit == 0 { byte } else { self.b.ins().ushr_imm_u(byte, i64::from(bit)) };
-                Val::Bit { value, clean: bit == 7 }
-            }
-            Width::Byte => Val::Int(self.b.ins().uload8(I32, data(), base, offset)),
-            Width::Word => {
-                let word = self.b.ins().load(I16, data(), base, offset);
-                let word = self.b.ins().bswap(word);
-                Val::Int(self.b.ins().uextend(I32, word))
-            }
-            Width::DoubleWord => {
-                let double = self.b.ins().load(I32, data(), base, offset);
-                Val::Int(self.b.ins().bswap(double))
-            }
-        }
-    }
-
-    fn store(&mut self, index: u32, place: Place, width: Width, src: Var) {
-        let value = self.get(src);
-        if let Some((base, offset, bit)) = self.fixed(place, width) {
-            self.write(base, offset, bit, width, value);
-            return;
-        }
-        let value = self.word(value);
-        let pointer = self.pointer(place);
-        self.store_open_blocks();
-        let site = self.site(index);
-        let failed = self.ask(Question::TryStore, &[self.link, site, pointer, value]);
-        self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
-    }
-
-    fn write(&mut self, base: Value, offset: i32, bit: u8, width: Width, value: Val) {
-        match width {
-            Width::Bit => {
-                let old = self.b.ins().uload8(I32, data(), base, offset);
-                let new = match value {
-                    Val::Const(value) if value & 1 != 0 => self.b.ins().bor_imm_u(old, 1 << bit),
-                    _ => {
-                        let cleared = self.b.ins().band_imm_u(old, i64::from(!(1u8 << bit)));
-                        match value {
-                            Val::Const(_) => cleared,
-                            _ => {
-                                let flag = self.flag(value);
-                                let moved = if bit == 0 { flag } else { self.b.ins().ishl_imm_u(flag, i64::from(bit)) };
-                                self.b.ins().bor(cleared, moved)
-                            }
-                        }
-                    }
-                };
-                self.b.ins().istore8(data(), new, base, offset);
-            }
-            Width::Byte => {
-                let value = self.int(value);
-                self.b.ins().istore8(data(), value, base, offset);
-            }
-            Width::Word => {
-                let value = self.int(value);
-                let word = self.b.ins().ireduce(I16, value);
-                let word = self.b.ins().bswap(word);
-                self.b.ins().store(data(), word, base, offset);
-            }
-            Width::DoubleWord => {
-                let value = self.int(value);
-                let double = self.b.ins().bswap(value);
-                self.b.ins().store(data(), double, base, offset);
-            }
-        }
+        self.pinned.insert(number as u16);
+        true
     }
 
     fn require(&mut self, index: u32, condition: Var, register: Option<Var>, after: After) {
@@ -949,23 +898,30 @@ impl<'a> Translator<'a> {
             let value = self.word(value);
             put(self, value, offset);
         }
-        for (register, value) in AFTER_CALL.into_iter().chain([(Register::Nesting, 0), (Register::Ma, 0)]) {
-            self.set_register(register, Val::Const(value));
-        }
-        self.spill(self.dirty);
+        // The callee knows what a call sets, and does not read it.
+        let callee = &self.summaries[code];
+        let handed = self.dirty & !set_by_calls() & !(SPARED & !callee.live_in()) | self.dirty & open_blocks();
+        let written = callee.written;
+        self.spill(handed);
+        self.dirty &= !handed;
         let left = self.call(self.functions.blocks[code], &[self.run, self.arena, local, link]);
         let go_on = self.b.create_block();
         self.b.ins().brif(left, self.leave, &[], go_on, &[]);
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
-        self.dirty = 0;
         for &register in Register::ALL {
-            if !restored.contains(&register) && !AFTER_CALL.iter().any(|&(set, _)| set == register) {
+            let needed = SPARED & bit_of(register) == 0 || self.options.exact || callee.live_out & bit_of(register) != 0;
+            if written & !set_by_calls() & bit_of(register) != 0 && needed {
                 self.reload(register);
             }
         }
         for (register, value) in restored.into_iter().zip(values) {
-            self.set_register(register, value);
+            let memory_may_differ =
+                written & bit_of(register) != 0 || !OPEN_BLOCKS.contains(&register) || self.dirty & bit_of(register) != 0;
+            self.current[register as usize] = Some(value);
+            if memory_may_differ {
+                self.dirty |= bit_of(register);
+            }
         }
         for (register, value) in AFTER_CALL {
             self.set_register(register, Val::Const(value));

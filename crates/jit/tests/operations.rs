@@ -6,7 +6,7 @@ use std::sync::Arc;
 use sieben_engine::ir::{Builder, Op, Var};
 use sieben_engine::machine::{Register, Registers};
 use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Interpreter, Layout, Machine, Program, Reaction};
-use sieben_jit::Jit;
+use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::Width;
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
@@ -131,7 +131,8 @@ fn engines_agree_on_every_operation() {
     for constants in CONSTANTS {
         let program = program(constants);
         let layout = Arc::new(Layout::new(cpu, &program));
-        let engines = [Jit::compiled(&program, &layout).expect("machine code"), Jit::load_without_inlining(&program, &layout)];
+        let engines =
+            [Jit::compiled(&program, &layout, StatusBits::All).expect("machine code"), Jit::load_without_inlining(&program, &layout)];
         assert!(engines.iter().all(|engine| engine.code_bytes() > 0));
         let interpreter = Interpreter::load(&program, &layout);
         let mut machine = Machine::new(Arc::clone(&layout));

@@ -7,6 +7,7 @@ use clap::Args;
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, OperatingMode, Restart, Settings};
 use sieben_engine::Tracer;
+use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 use sieben_model::symbols::SymbolTable;
 use sieben_sim::names::Name;
@@ -104,7 +105,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Err(exit) => return Ok(exit),
     };
     let settings = Settings { clock_memory_byte: build.project.settings.clock_memory_byte, ..Settings::default() };
-    let mut cpu = controller::load(&build, arguments.engine, settings);
+    let mut cpu = controller::load(&build, arguments.engine, StatusBits::All, settings);
     let symbols = &build.project.symbols;
     let shown = arguments
         .show

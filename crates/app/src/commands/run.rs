@@ -11,6 +11,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Restart, Settings, TimeSource};
+use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 
 use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
@@ -109,7 +110,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         retain: project.retain.areas(),
         ..Settings::default()
     };
-    let mut cpu = controller::load(&build, arguments.engine, settings);
+    let mut cpu = controller::load(&build, arguments.engine, StatusBits::Needed, settings);
     let time = if arguments.speed == Speed::Max { RunTime::Virtual } else { RunTime::Real };
     let choice = arguments.retain.choice(&build.project, time, arguments.json);
     let retention = choice.map(|choice| Retention::open(&choice, &mut cpu)).transpose()?;

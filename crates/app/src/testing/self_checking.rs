@@ -7,6 +7,8 @@ use sieben_cpu::diagnostic_buffer::place_text;
 use sieben_cpu::{Cpu, OperatingMode, Restart, Settings, StopCause};
 
 use super::{Conditions, Outcome, Verdict, Wrong};
+use sieben_jit::StatusBits;
+
 use crate::project::{Build, Overrides, Project};
 use crate::{controller, duration, report};
 
@@ -29,7 +31,7 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, conditions: &Condit
         return nothing_ran(Verdict::DoesNotCompile(report::render(&build.findings, &build.project.texts, false)));
     }
     let settings = Settings { clock_memory_byte: build.project.settings.clock_memory_byte, ..Settings::default() };
-    let mut cpu = controller::load(&build, conditions.engine, settings);
+    let mut cpu = controller::load(&build, conditions.engine, StatusBits::All, settings);
     let cycle = conditions.cycle.or(build.project.settings.cycle).filter(|cycle| !cycle.is_zero()).unwrap_or(Duration::from_millis(10));
     let begun = Instant::now();
     cpu.restart(Restart::Warm);

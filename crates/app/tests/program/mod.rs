@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use sieben_cpu::{Cpu, IoModule, Rack, Settings, SimulatedModule};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
-use sieben_jit::Jit;
+use sieben_jit::{Jit, StatusBits};
 use sieben_lang::{Compiled, Options};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
@@ -20,7 +20,7 @@ pub(crate) const ENGINES: &[(&str, Load)] = &[("interpreter", Interpreter::load)
 
 /// Machine code and nothing else: a program of a page or vector that stays in the interpreter would be tested twice there.
 fn machine_code(program: &Program, layout: &Layout) -> Arc<dyn Engine> {
-    Jit::compiled(program, layout).unwrap_or_else(|reason| panic!("the program becomes machine code: {reason}"))
+    Jit::compiled(program, layout, StatusBits::All).unwrap_or_else(|reason| panic!("the program becomes machine code: {reason}"))
 }
 
 /// A text and its translation into the other mnemonic language, with the language's name.

@@ -1,7 +1,8 @@
 //! Values of variables, in the form that costs least.
 
 use cranelift_codegen::ir::types::{I32, I64};
-use cranelift_codegen::ir::{InstBuilder, Value};
+use cranelift_codegen::ir::{self as clif, InstBuilder, Value};
+use sieben_engine::ir::Op;
 
 use super::Translator;
 
@@ -16,7 +17,23 @@ pub(super) enum Val {
     Int(Value),
     /// One bit, lowest in 32; the others are 0 only if it is clean.
     Bit { value: Value, clean: bool },
+    /// An operation that is written where its result is needed first, if it ever is; by its number.
+    Lazy(u32),
 }
+
+/// An operation that waits for somebody who needs its result.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lazy {
+    op: Op,
+    args: [Val; 4],
+    /// How many waiting operations its arguments rest on.
+    depth: u8,
+    /// The result and the block in which it was written; `None` = on the hot path, which goes on through all that follows.
+    written: Option<(Option<clif::Block>, Val)>,
+}
+
+/// Waiting operations that rest on one another: more would make cold code long.
+const DEPTH_MAX: u8 = 6;
 
 impl Val {
     /// The constant, if it is one.
@@ -29,13 +46,43 @@ impl Val {
 }
 
 impl Translator<'_> {
+    /// The result of an operation, written when it is needed.
+    pub(super) fn later(&mut self, op: Op, args: [Val; 4]) -> Val {
+        let depth = args[..op.arity()].iter().map(|&arg| self.depth(arg)).max().unwrap_or(0) + 1;
+        let number = self.lazies.len() as u32;
+        self.lazies.push(Lazy { op, args, depth, written: None });
+        if depth > DEPTH_MAX { self.force(Val::Lazy(number)) } else { Val::Lazy(number) }
+    }
+
+    fn depth(&self, value: Val) -> u8 {
+        match value {
+            Val::Lazy(number) if self.lazies[number as usize].written.is_none() => self.lazies[number as usize].depth,
+            _ => 0,
+        }
+    }
+
+    /// Writes an operation that waits, unless its result is there already.
+    pub(super) fn force(&mut self, value: Val) -> Val {
+        let Val::Lazy(number) = value else { return value };
+        let lazy = self.lazies[number as usize];
+        match lazy.written {
+            Some((None, value)) => return value,
+            Some((block, value)) if block == self.cold => return value,
+            _ => {}
+        }
+        let result = self.compute_now(lazy.op, &lazy.args[..lazy.op.arity()]);
+        let result = self.force(result);
+        self.lazies[number as usize].written = Some((self.cold, result));
+        result
+    }
+
     /// As 64 bits.
     pub(super) fn word(&mut self, value: Val) -> Value {
-        match value {
+        match self.force(value) {
             Val::Const(value) => self.b.ins().iconst(I64, value as i64),
             Val::Word(value) => value,
             Val::Int(value) => self.b.ins().uextend(I64, value),
-            Val::Bit { .. } => {
+            value => {
                 let flag = self.flag(value);
                 self.b.ins().uextend(I64, flag)
             }
@@ -44,28 +91,29 @@ impl Translator<'_> {
 
     /// The low 32 bits.
     pub(super) fn int(&mut self, value: Val) -> Value {
-        match value {
+        match self.force(value) {
             Val::Const(value) => self.b.ins().iconst(I32, i64::from(value as u32)),
             Val::Word(value) => self.b.ins().ireduce(I32, value),
             Val::Int(value) => value,
-            Val::Bit { .. } => self.flag(value),
+            value => self.flag(value),
         }
     }
 
     /// Bit 0, with anything above it, in 32 bits.
     pub(super) fn bit(&mut self, value: Val) -> Value {
-        match value {
+        match self.force(value) {
             Val::Const(value) => self.b.ins().iconst(I32, (value & 1) as i64),
             Val::Word(value) => self.b.ins().ireduce(I32, value),
             Val::Int(value) | Val::Bit { value, .. } => value,
+            Val::Lazy(_) => unreachable!("it was written"),
         }
     }
 
     /// Bit 0 alone, in 32 bits.
     pub(super) fn flag(&mut self, value: Val) -> Value {
-        match value {
-            Val::Const(_) | Val::Bit { clean: true, .. } => self.bit(value),
-            _ => {
+        match self.force(value) {
+            value @ (Val::Const(_) | Val::Bit { clean: true, .. }) => self.bit(value),
+            value => {
                 let bit = self.bit(value);
                 self.b.ins().band_imm_u(bit, 1)
             }

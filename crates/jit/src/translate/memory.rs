@@ -1,0 +1,343 @@
+//! Access to data memory: addresses known beforehand are offsets, the others cost one comparison; what that does not cover, or
+//! fails, is asked for.
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{I16, I32, I64};
+use cranelift_codegen::ir::{BlockArg, InstBuilder, MemFlagsData, Value};
+use sieben_engine::ir::{DataRegister, OnFault, Place, Var};
+use sieben_model::address::{Area, Width};
+
+use super::value::Val;
+use super::{After, Translator};
+use crate::ask::Question;
+
+/// Data memory: always there, at any alignment.
+fn data() -> MemFlagsData {
+    MemFlagsData::new().with_notrap()
+}
+
+/// A bit of a byte.
+#[derive(Clone, Copy)]
+enum Bit {
+    Number(u8),
+    /// Its number, 0 to 7, in 32 bits.
+    Computed(Value),
+}
+
+/// An address: base, offset and bit.
+#[derive(Clone, Copy)]
+struct Address {
+    base: Value,
+    offset: i32,
+    bit: Bit,
+}
+
+/// How a place is reached.
+enum Way {
+    /// It is there.
+    Direct(Address),
+    /// It is there if the condition holds.
+    Checked(Value, Address),
+    /// By Rust code.
+    Asked,
+}
+
+impl Translator<'_> {
+    pub(super) fn load(&mut self, index: u32, dst: Var, place: Place, width: Width, on_fault: OnFault) {
+        let way = self.way(place, width, on_fault == OnFault::SkipWrite);
+        if let Way::Direct(address) = way {
+            let value = self.read(address, width);
+            self.set(dst, value);
+            return;
+        }
+        let go_on = self.b.create_block();
+        let delivered = self.b.append_block_param(go_on, I32);
+        let slow = match way {
+            Way::Checked(condition, address) => {
+                let [fast, slow] = [self.b.create_block(), self.cold_block()];
+                self.b.ins().brif(condition, fast, &[], slow, &[]);
+                self.b.switch_to_block(fast);
+                self.b.seal_block(fast);
+                let value = self.read(address, width);
+                let value = if width == Width::Bit { self.bit(value) } else { self.int(value) };
+                self.b.ins().jump(go_on, &[BlockArg::Value(value)]);
+                slow
+            }
+            Way::Direct(_) | Way::Asked => {
+                let slow = self.b.create_block();
+                self.b.ins().jump(slow, &[]);
+                slow
+            }
+        };
+        self.b.switch_to_block(slow);
+        self.b.seal_block(slow);
+        let before = self.cold.replace(slow);
+        let pointer = self.pointer(place);
+        self.store_open_blocks();
+        let site = self.site(index);
+        let failed = self.ask(Question::TryLoad, &[self.link, site, pointer]);
+        let value = self.result();
+        let value = self.b.ins().ireduce(I32, value);
+        let cold = self.cold_block();
+        self.b.ins().brif(failed, cold, &[], go_on, &[BlockArg::Value(value)]);
+        let after = if on_fault == OnFault::DeliverZero { After::Deliver(go_on) } else { After::NextStatement };
+        self.cold_path(cold, Question::Failed, &[self.link, site], after);
+        self.cold = before;
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+        self.set(dst, if width == Width::Bit { Val::Bit { value: delivered, clean: false } } else { Val::Int(delivered) });
+    }
+
+    pub(super) fn store(&mut self, index: u32, place: Place, width: Width, src: Var) {
+        let value = self.get(src);
+        let go_on;
+        let slow = match self.way(place, width, true) {
+            Way::Direct(address) => {
+                self.write(address, width, value);
+                return;
+            }
+            Way::Checked(condition, address) => {
+                // Needed on both ways.
+                let value = self.force(value);
+                go_on = self.b.create_block();
+                let [fast, slow] = [self.b.create_block(), self.cold_block()];
+                self.b.ins().brif(condition, fast, &[], slow, &[]);
+                self.b.switch_to_block(fast);
+                self.b.seal_block(fast);
+                self.write(address, width, value);
+                self.b.ins().jump(go_on, &[]);
+                slow
+            }
+            Way::Asked => {
+                go_on = self.b.create_block();
+                let slow = self.b.create_block();
+                self.b.ins().jump(slow, &[]);
+                slow
+            }
+        };
+        self.b.switch_to_block(slow);
+        self.b.seal_block(slow);
+        let before = self.cold.replace(slow);
+        let value = self.word(value);
+        let pointer = self.pointer(place);
+        self.store_open_blocks();
+        let site = self.site(index);
+        let failed = self.ask(Question::TryStore, &[self.link, site, pointer, value]);
+        let cold = self.cold_block();
+        self.b.ins().brif(failed, cold, &[], go_on, &[]);
+        self.cold_path(cold, Question::Failed, &[self.link, site], After::NextStatement);
+        self.cold = before;
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+    }
+
+    /// How a place is reached.
+    fn way(&mut self, place: Place, width: Width, write: bool) -> Way {
+        match place {
+            Place::Fixed { area, position } => self.way_to_constant(area, position, width, write),
+            Place::Indirect { area, pointer, offset } => {
+                let pointer = self.get(pointer);
+                let pointer = self.force(pointer);
+                match pointer.constant() {
+                    Some(pointer) => self.way_to_constant(area, moved(pointer, offset), width, write),
+                    None => self.way_to_pointer(area, pointer, offset, width, write),
+                }
+            }
+            Place::Crossing { pointer, offset } => {
+                let pointer = self.get(pointer);
+                let Some(pointer) = self.force(pointer).constant() else { return Way::Asked };
+                let area = match pointer >> 24 & 0xFF {
+                    0x81 => Area::Input,
+                    0x82 => Area::Output,
+                    0x83 => Area::BitMemory,
+                    0x84 => Area::SharedData,
+                    0x85 => Area::InstanceData,
+                    0x86 => Area::Local,
+                    _ => return Way::Asked,
+                };
+                self.way_to_constant(area, moved(pointer, offset), width, write)
+            }
+        }
+    }
+
+    /// First byte and number of bytes of an area, if they are known beforehand.
+    fn area(&self, area: Area) -> Option<(Value, i32, usize)> {
+        match area {
+            Area::Local => Some((self.local, 0, self.native().local_size as usize)),
+            _ => {
+                let range = self.layout.area(area)?;
+                Some((self.arena, i32::try_from(range.start).ok()?, range.len()))
+            }
+        }
+    }
+
+    /// Number, base and length of an open data block, unless it may be protected and is written.
+    fn open_block(&mut self, area: Area, write: bool) -> Option<(Val, Val)> {
+        let register = match area {
+            Area::SharedData => DataRegister::Shared,
+            Area::InstanceData => DataRegister::Instance,
+            _ => return None,
+        };
+        let [number, base, length] = sieben_engine::access::data_registers(register).map(|register| self.register(register));
+        let protected = match number {
+            Val::Const(number) => self.layout.read_only.iter().any(|&protected| u64::from(protected) == number),
+            _ => !self.layout.read_only.is_empty(),
+        };
+        (!(write && protected)).then_some((base, length))
+    }
+
+    fn way_to_constant(&mut self, area: Area, position: u32, width: Width, write: bool) -> Way {
+        let (byte, bit) = (position / 8, (position % 8) as u8);
+        if width != Width::Bit && bit != 0 {
+            return Way::Asked;
+        }
+        let end = u64::from(byte) + u64::from(width.bytes());
+        if let Some((base, start, length)) = self.area(area) {
+            return match i32::try_from(i64::from(start) + i64::from(byte)) {
+                Ok(offset) if end <= length as u64 => Way::Direct(Address { base, offset, bit: Bit::Number(bit) }),
+                _ => Way::Asked,
+            };
+        }
+        let Some((base, length)) = self.open_block(area, write) else { return Way::Asked };
+        let Ok(offset) = i32::try_from(byte) else { return Way::Asked };
+        if let (Val::Const(base), Val::Const(length)) = (base, length) {
+            return match i32::try_from(base + u64::from(byte)) {
+                Ok(offset) if end <= length => Way::Direct(Address { base: self.arena, offset, bit: Bit::Number(bit) }),
+                _ => Way::Asked,
+            };
+        }
+        let (base, length) = (self.word(base), self.word(length));
+        let inside = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThanOrEqual, length, end as i64);
+        let base = self.b.ins().iadd(self.arena, base);
+        Way::Checked(inside, Address { base, offset, bit: Bit::Number(bit) })
+    }
+
+    fn way_to_pointer(&mut self, area: Area, pointer: Val, offset: u32, width: Width, write: bool) -> Way {
+        let (base, start, length) = if let Some((base, start, length)) = self.area(area) {
+            (base, start, Val::Const(length as u64))
+        } else if let Some((base, length)) = self.open_block(area, write) {
+            match base {
+                Val::Const(base) if i32::try_from(base).is_ok() => (self.arena, base as i32, length),
+                base => {
+                    let base = self.word(base);
+                    (self.b.ins().iadd(self.arena, base), 0, length)
+                }
+            }
+        } else {
+            return Way::Asked;
+        };
+        let pointer = self.int(pointer);
+        let pointer = if offset == 0 { pointer } else { self.b.ins().iadd_imm_u(pointer, i64::from(offset)) };
+        let moved = self.b.ins().band_imm_u(pointer, 0x00FF_FFFF);
+        // A pointer that is not to the beginning of a byte becomes a large number here, and fails the one comparison.
+        let (byte, bit) = match width {
+            Width::Bit => {
+                let bit = self.b.ins().band_imm_u(moved, 7);
+                (self.b.ins().ushr_imm_u(moved, 3), Bit::Computed(bit))
+            }
+            _ => (self.b.ins().rotr_imm_u(moved, 3), Bit::Number(0)),
+        };
+        let byte = self.b.ins().uextend(I64, byte);
+        let bytes = i64::from(width.bytes());
+        let inside = match length {
+            Val::Const(length) if length < bytes as u64 => return Way::Asked,
+            Val::Const(length) => self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, byte, length as i64 - bytes),
+            length => {
+                let length = self.word(length);
+                let end = self.b.ins().iadd_imm_u(byte, bytes);
+                self.b.ins().icmp(IntCC::UnsignedLessThanOrEqual, end, length)
+            }
+        };
+        let base = self.b.ins().iadd(base, byte);
+        Way::Checked(inside, Address { base, offset: start, bit })
+    }
+
+    fn read(&mut self, Address { base, offset, bit }: Address, width: Width) -> Val {
+        match width {
+            Width::Bit => {
+                let byte = self.b.ins().uload8(I32, data(), base, offset);
+                match bit {
+                    Bit::Number(0) => Val::Bit { value: byte, clean: false },
+                    Bit::Number(bit) => Val::Bit { value: self.b.ins().ushr_imm_u(byte, i64::from(bit)), clean: bit == 7 },
+                    Bit::Computed(bit) => Val::Bit { value: self.b.ins().ushr(byte, bit), clean: false },
+                }
+            }
+            Width::Byte => Val::Int(self.b.ins().uload8(I32, data(), base, offset)),
+            Width::Word => {
+                let word = self.b.ins().load(I16, data(), base, offset);
+                let word = self.b.ins().bswap(word);
+                Val::Int(self.b.ins().uextend(I32, word))
+            }
+            Width::DoubleWord => {
+                let double = self.b.ins().load(I32, data(), base, offset);
+                Val::Int(self.b.ins().bswap(double))
+            }
+        }
+    }
+
+    fn write(&mut self, Address { base, offset, bit }: Address, width: Width, value: Val) {
+        match width {
+            Width::Bit => {
+                let old = self.b.ins().uload8(I32, data(), base, offset);
+                let value = self.force(value);
+                let new = match (value, bit) {
+                    (Val::Const(value), Bit::Number(bit)) if value & 1 != 0 => self.b.ins().bor_imm_u(old, 1 << bit),
+                    (Val::Const(_), Bit::Number(bit)) => self.b.ins().band_imm_u(old, i64::from(!(1u8 << bit))),
+                    (value, Bit::Number(bit)) => {
+                        let cleared = self.b.ins().band_imm_u(old, i64::from(!(1u8 << bit)));
+                        let flag = self.flag(value);
+                        let moved = if bit == 0 { flag } else { self.b.ins().ishl_imm_u(flag, i64::from(bit)) };
+                        self.b.ins().bor(cleared, moved)
+                    }
+                    (value, Bit::Computed(bit)) => {
+                        let one = self.b.ins().iconst(I32, 1);
+                        let mask = self.b.ins().ishl(one, bit);
+                        let cleared = self.b.ins().band_not(old, mask);
+                        let flag = self.flag(value);
+                        let moved = self.b.ins().ishl(flag, bit);
+                        self.b.ins().bor(cleared, moved)
+                    }
+                };
+                self.b.ins().istore8(data(), new, base, offset);
+            }
+            Width::Byte => {
+                let value = self.int(value);
+                self.b.ins().istore8(data(), value, base, offset);
+            }
+            Width::Word => {
+                let value = self.int(value);
+                let word = self.b.ins().ireduce(I16, value);
+                let word = self.b.ins().bswap(word);
+                self.b.ins().store(data(), word, base, offset);
+            }
+            Width::DoubleWord => {
+                let value = self.int(value);
+                let double = self.b.ins().bswap(value);
+                self.b.ins().store(data(), double, base, offset);
+            }
+        }
+    }
+
+    /// The value of a place's pointer, 0 if it has none.
+    pub(super) fn pointer(&mut self, place: Place) -> Value {
+        let value = match place {
+            Place::Fixed { .. } => Val::Const(0),
+            Place::Indirect { pointer, .. } | Place::Crossing { pointer, .. } => self.get(pointer),
+        };
+        self.word(value)
+    }
+
+    /// Stores the data block registers, from which Rust code reads.
+    pub(super) fn store_open_blocks(&mut self) {
+        let registers = super::OPEN_BLOCKS.iter().fold(0, |all, &register| all | super::bit_of(register)) & self.dirty;
+        self.spill(registers);
+        if self.cold.is_none() {
+            self.dirty &= !registers;
+        }
+    }
+}
+
+/// A pointer moved by an offset, 24 bits.
+fn moved(pointer: u64, offset: u32) -> u32 {
+    ((pointer & 0x00FF_FFFF) + u64::from(offset)) as u32 & 0x00FF_FFFF
+}
