@@ -48,25 +48,51 @@ macro_rules! blocks {
 }
 
 blocks! {
+    Function 1 "AD_DT_TM" "iec/fc001_ad_dt_tm.awl";
     Function 2 "CONCAT" "iec/fc002_concat.awl";
+    Function 3 "D_TOD_DT" "iec/fc003_d_tod_dt.awl";
     Function 4 "DELETE" "iec/fc004_delete.awl";
     Function 5 "DI_STRNG" "iec/fc005_di_strng.awl";
+    Function 6 "DT_DATE" "iec/fc006_dt_date.awl";
+    Function 7 "DT_DAY" "iec/fc007_dt_day.awl";
+    Function 8 "DT_TOD" "iec/fc008_dt_tod.awl";
+    Function 9 "EQ_DT" "iec/fc009_eq_dt.awl";
     Function 10 "EQ_STRNG" "iec/fc010_eq_strng.awl";
     Function 11 "FIND" "iec/fc011_find.awl";
+    Function 12 "GE_DT" "iec/fc012_ge_dt.awl";
     Function 13 "GE_STRNG" "iec/fc013_ge_strng.awl";
+    Function 14 "GT_DT" "iec/fc014_gt_dt.awl";
     Function 15 "GT_STRNG" "iec/fc015_gt_strng.awl";
     Function 16 "I_STRNG" "iec/fc016_i_strng.awl";
     Function 17 "INSERT" "iec/fc017_insert.awl";
+    Function 18 "LE_DT" "iec/fc018_le_dt.awl";
     Function 19 "LE_STRNG" "iec/fc019_le_strng.awl";
     Function 20 "LEFT" "iec/fc020_left.awl";
     Function 21 "LEN" "iec/fc021_len.awl";
+    Function 22 "LIMIT" "iec/fc022_limit.awl";
+    Function 23 "LT_DT" "iec/fc023_lt_dt.awl";
     Function 24 "LT_STRNG" "iec/fc024_lt_strng.awl";
+    Function 25 "MAX" "iec/fc025_max.awl";
     Function 26 "MID" "iec/fc026_mid.awl";
+    Function 27 "MIN" "iec/fc027_min.awl";
+    Function 28 "NE_DT" "iec/fc028_ne_dt.awl";
     Function 29 "NE_STRNG" "iec/fc029_ne_strng.awl";
     Function 31 "REPLACE" "iec/fc031_replace.awl";
     Function 32 "RIGHT" "iec/fc032_right.awl";
+    Function 33 "S5TI_TIM" "iec/fc033_s5ti_tim.awl";
+    Function 34 "SB_DT_DT" "iec/fc034_sb_dt_dt.awl";
+    Function 35 "SB_DT_TM" "iec/fc035_sb_dt_tm.awl";
+    Function 36 "SEL" "iec/fc036_sel.awl";
     Function 37 "STRNG_DI" "iec/fc037_strng_di.awl";
     Function 38 "STRNG_I" "iec/fc038_strng_i.awl";
+    Function 40 "TIM_S5TI" "iec/fc040_tim_s5ti.awl";
+    Function 93 "SEG" "ti/fc093_seg.awl";
+    Function 96 "ENCO" "ti/fc096_enco.awl";
+    Function 97 "DECO" "ti/fc097_deco.awl";
+    Function 98 "BCDCPL" "ti/fc098_bcdcpl.awl";
+    Function 99 "BITSUM" "ti/fc099_bitsum.awl";
+    Function 105 "SCALE" "ti/fc105_scale.awl";
+    Function 106 "UNSCALE" "ti/fc106_unscale.awl";
 }
 
 /// The block with this name, without regard to case.

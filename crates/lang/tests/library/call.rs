@@ -21,11 +21,8 @@ pub(crate) const S1: usize = 0;
 pub(crate) const S2: usize = 256;
 pub(crate) const R: usize = 512;
 /// Where the dates begin.
-#[allow(dead_code, reason = "each test file uses what it needs")]
 pub(crate) const T1: usize = 768;
-#[allow(dead_code, reason = "each test file uses what it needs")]
 pub(crate) const T2: usize = 776;
-#[allow(dead_code, reason = "each test file uses what it needs")]
 pub(crate) const T: usize = 784;
 
 /// A loaded program that calls one block.
@@ -68,7 +65,7 @@ impl Call {
         let machine = &mut state.machine;
         let exit = self.engine.run(&mut Context { machine, host: &mut Strict, tracer: None }, &entry);
         assert_eq!(exit, Exit::Finished, "{}", self.text);
-        assert_eq!(state.bit_memory(1004, Width::DoubleWord), 0x8400_0000 | 77 << 3, "AR2 is the caller's again");
+        assert_eq!(state.bit_memory(1004, Width::DoubleWord), 0x8400_0000 | (77 << 3), "AR2 is the caller's again");
         assert_eq!(state.bit_memory(1008, Width::Word), 2, "DI is the caller's again");
         state.bit_memory(1000, Width::Byte) == 1
     }
@@ -102,13 +99,11 @@ impl State {
     }
 
     /// A word of bit memory as a number with sign.
-    #[allow(dead_code, reason = "each test file uses what it needs")]
     pub(crate) fn word(&self, at: usize) -> i16 {
         self.bit_memory(at, Width::Word) as u16 as i16
     }
 
     /// A double word of bit memory.
-    #[allow(dead_code, reason = "each test file uses what it needs")]
     pub(crate) fn double_word(&self, at: usize) -> u32 {
         self.bit_memory(at, Width::DoubleWord)
     }

@@ -1,9 +1,6 @@
 //! The string functions of the library against a second model, written over slices from the words of the manual.
 
-mod library_call;
-mod strict;
-
-use library_call::{Call, R, S1, S2};
+use crate::call::{Call, R, S1, S2};
 use proptest::prelude::*;
 
 /// What a function leaves: the string before it is cut, and whether nothing was wrong.
