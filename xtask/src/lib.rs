@@ -6,6 +6,7 @@ mod compatibility;
 pub mod fuzz;
 pub mod generate;
 pub mod markdown;
+pub mod soak;
 pub mod test;
 pub mod tidy;
 pub mod workspace;

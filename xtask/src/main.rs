@@ -4,7 +4,7 @@
 
 use std::process::ExitCode;
 
-use xtask::{fuzz, generate, test, tidy};
+use xtask::{fuzz, generate, soak, test, tidy};
 
 const USAGE: &str = "usage: cargo xtask TASK
 
@@ -15,7 +15,8 @@ const USAGE: &str = "usage: cargo xtask TASK
        [--target NAME]  only this one
        [--seed N]       other inputs than the last time
   fuzz --replay TARGET FILE
-                        run one target on one input";
+                        run one target on one input
+  soak kill [--count N] kill a running program N times (1000) and look at its retentive data";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -28,6 +29,7 @@ fn main() -> ExitCode {
         "tidy" => tidy::run(),
         "generate" => generate::run(),
         "fuzz" => fuzz::run(rest),
+        "soak" => soak::run(rest),
         "help" | "--help" | "-h" => {
             println!("{USAGE}");
             Ok(())

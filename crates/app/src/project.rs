@@ -429,7 +429,7 @@ fn leaves_folder(pattern: &str) -> bool {
 }
 
 /// A path inside a folder, without a `./` in front that nobody typed.
-fn join(folder: &Path, relative: &Path) -> PathBuf {
+pub(crate) fn join(folder: &Path, relative: &Path) -> PathBuf {
     if folder == Path::new(".") { relative.to_path_buf() } else { folder.join(relative) }
 }
 

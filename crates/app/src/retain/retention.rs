@@ -48,7 +48,7 @@ pub(crate) struct Choice {
 impl Choice {
     /// The file of a project.
     pub(crate) fn project_file(folder: &Path) -> PathBuf {
-        folder.join(FOLDER).join(FILE)
+        crate::project::join(folder, &Path::new(FOLDER).join(FILE))
     }
 }
 

@@ -1,0 +1,80 @@
+//! `cargo xtask soak`: what takes longer than a test may, and proves more.
+
+pub mod kill;
+
+use std::path::PathBuf;
+use std::process::Command;
+use std::time::Instant;
+
+use crate::workspace;
+
+/// Runs the task.
+pub fn run(arguments: &[String]) -> Result<(), String> {
+    let options = read_options(arguments)?;
+    match options.name.as_str() {
+        "kill" => kill_runs(&options),
+        unknown => Err(format!("`{unknown}` is no soak: kill")),
+    }
+}
+
+struct Options {
+    name: String,
+    count: u32,
+    binary: Option<PathBuf>,
+}
+
+fn read_options(arguments: &[String]) -> Result<Options, String> {
+    let (name, rest) = arguments.split_first().ok_or("say what: `cargo xtask soak kill`")?;
+    let mut options = Options { name: name.clone(), count: 1000, binary: None };
+    let mut words = rest.iter();
+    while let Some(word) = words.next() {
+        let mut value = |what: &str| words.next().cloned().ok_or(format!("`{word}` is followed by {what}"));
+        match word.as_str() {
+            "--count" => {
+                let text = value("a number")?;
+                options.count = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
+            }
+            "--binary" => options.binary = Some(value("a file")?.into()),
+            unknown => return Err(format!("`{unknown}` is no option of soak: --count or --binary")),
+        }
+    }
+    Ok(options)
+}
+
+/// The binary to run: the one that was named, or a fresh one.
+fn binary(options: &Options) -> Result<PathBuf, String> {
+    if let Some(binary) = &options.binary {
+        return binary.canonicalize().map_err(|error| format!("cannot find {}: {error}", binary.display()));
+    }
+    let status = Command::new(env!("CARGO"))
+        .args(["build", "-p", "sieben-app"])
+        .current_dir(workspace::root())
+        .status()
+        .map_err(|error| format!("cannot start cargo: {error}"))?;
+    if !status.success() {
+        return Err("soak: the binary cannot be built".to_owned());
+    }
+    // Both binaries lie in the same folder.
+    let own = std::env::current_exe().map_err(|error| format!("cannot find myself: {error}"))?;
+    Ok(own.with_file_name("sieben").with_extension(std::env::consts::EXE_EXTENSION))
+}
+
+fn kill_runs(options: &Options) -> Result<(), String> {
+    let binary = binary(options)?;
+    let began = Instant::now();
+    // Both ways: once with a thread that syncs, once with a sync in every scan.
+    for (sync, kills) in [("1s", options.count - options.count / 4), ("0ms", options.count / 4)] {
+        let folder = std::env::temp_dir().join(format!("sieben-soak-kill-{}", std::process::id()));
+        let outcome = kill::run(&binary, &folder, kills, sync, |outcome| {
+            if outcome.kills.is_multiple_of(100) {
+                println!("soak kill: {} kills, {} scans, {:.0} s", outcome.kills, outcome.scans, began.elapsed().as_secs_f64());
+            }
+        })?;
+        println!(
+            "soak kill: sync {sync}: {} kills ({} before the first scan), {} scans; every run began with one whole scan's data\n  \
+             of {} runs that were looked at before the kill, {} lost the scan that was running, none lost more",
+            outcome.kills, outcome.early, outcome.scans, outcome.looked_at, outcome.scans_lost
+        );
+    }
+    Ok(())
+}
