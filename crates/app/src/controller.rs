@@ -10,6 +10,20 @@ use sieben_model::source::Span;
 use crate::arguments::EngineArgument;
 use crate::project::Build;
 
+/// How the project sets up its CPU; what is not said is as usual.
+pub(crate) fn settings(build: &Build) -> Settings {
+    let project = &build.project.settings;
+    let usual = Settings::default();
+    Settings {
+        watchdog: project.watchdog.unwrap_or(usual.watchdog),
+        clock_memory_byte: project.clock_memory_byte,
+        retain: project.retain.areas(),
+        cyclic: project.cyclic.clone(),
+        min_cycle: project.min_cycle.unwrap_or_default(),
+        ..usual
+    }
+}
+
 /// A CPU in STOP with the program loaded and a simulated module at every address.
 pub(crate) fn load(build: &Build, engine: EngineArgument, status: StatusBits, settings: Settings) -> Cpu {
     let program = Arc::new(build.compiled.program.clone());

@@ -1,10 +1,13 @@
 //! `sieben.toml`: what a project says about itself.
 
+mod cyclic;
+
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::time::Duration;
 
-use sieben_cpu::RetentiveAreas;
 use sieben_cpu::retain::Numbers;
+use sieben_cpu::{CyclicInterrupt, RetentiveAreas};
 use sieben_lang::library::{self, Selection};
 use sieben_model::address::Operand;
 use sieben_model::cpu_type::CpuType;
@@ -59,6 +62,8 @@ pub(crate) struct Settings {
     pub(crate) min_cycle: Option<Duration>,
     /// `cpu.clock_memory_byte`: the byte of bit memory that holds the clock memory.
     pub(crate) clock_memory_byte: Option<u16>,
+    /// `[cyclic.35]` and the like: cyclic interrupts by the number of their organization block.
+    pub(crate) cyclic: BTreeMap<u16, CyclicInterrupt>,
     /// `cpu.retain`.
     pub(crate) retain: Retain,
 }
@@ -126,7 +131,7 @@ const KEYS: &[Key] = &[
     used("", "cpu"),
     used("", "library"),
     later("", "module"),
-    later("", "cyclic"),
+    used("", "cyclic"),
     later("", "servers"),
     used("project", "name"),
     used("project", "sources"),
@@ -183,6 +188,7 @@ impl Reader {
             }
             match (key.get_ref().as_ref(), value.get_ref()) {
                 ("library", DeValue::Table(inner)) => self.library(inner),
+                ("cyclic", DeValue::Table(inner)) => self.cyclic(inner),
                 (name @ ("project" | "cpu"), DeValue::Table(inner)) => self.table(name, inner),
                 (name, _) => self.wrong(value, &format!("`{name}` is a table: write `[{name}]` on a line of its own, and its keys below")),
             }
@@ -398,13 +404,16 @@ mod tests {
     fn a_whole_file_is_read() {
         let (settings, diagnostics) = parse(
             "[project]\nname = \"p\"\nsources = [\"src/*.awl\"]\nsymbols = \"symbols.csv\"\nmnemonics = \"de\"\n\
-             [cpu]\ntype = \"416-3\"\ncycle = \"free\"\nwatchdog = \"150ms\"\nmin_cycle = \"1ms\"\n",
+             [cpu]\ntype = \"416-3\"\ncycle = \"free\"\nwatchdog = \"150ms\"\nmin_cycle = \"1ms\"\n\
+             [cyclic.35]\ninterval = \"50ms\"\nphase = \"5ms\"\n[cyclic.34]\nphase = \"1ms\"\n",
             FileId(0),
         );
         assert_eq!(diagnostics, []);
         assert_eq!(settings.mnemonics, Some(Mnemonics::German));
         assert_eq!(settings.cpu.map(|cpu| cpu.name), Some("416-3"));
         assert_eq!(settings.cycle, Some(Duration::ZERO));
+        let cyclic: Vec<_> = settings.cyclic.iter().map(|(number, one)| (*number, one.interval_ms, one.phase_ms)).collect();
+        assert_eq!(cyclic, [(34, 200, 1), (35, 50, 5)]);
         assert_eq!(settings.watchdog, Some(Duration::from_millis(150)));
         assert_eq!(settings.symbols.map(|list| list.len()), Some(1));
     }
@@ -441,6 +450,20 @@ mod tests {
             ("[project]\nsources = 1\n", "P6009: `sources` is a list of patterns: `sources = [\"src/**/*.awl\"]`"),
             ("[project]\nname = true\n", "P6009: `name` is a text in quotes: `name = \"…\"`"),
             ("[project]\nmnemonics = \"fr\"\n", "P6009: `fr` is no mnemonic language: write `auto`, `en` or `de`"),
+            (
+                "[cyclic.29]\n",
+                "P6008: `29` is no cyclic interrupt: write `[cyclic.30]` to `[cyclic.38]`, the number of the organization block",
+            ),
+            ("[cyclic]\n35 = 1\n", "P6009: write `[cyclic.35]` on a line of its own, and `interval = \"100ms\"` below"),
+            ("[cyclic.35]\nperiod = 1\n", "P6008: there is no key `period` in `[cyclic.35]`"),
+            (
+                "[cyclic.35]\ninterval = \"0ms\"\n",
+                "P6009: `interval` of a cyclic interrupt is 1 ms to 60 s, in whole milliseconds: `interval = \"100ms\"`",
+            ),
+            (
+                "[cyclic.35]\nphase = \"61s\"\n",
+                "P6009: `phase` of a cyclic interrupt is 0 ms to 60 s, in whole milliseconds: `phase = \"100ms\"`",
+            ),
             (
                 "[cpu]\nretain = 5\n",
                 "P6009: `retain` says which numbers are retentive: `retain = { m = \"0..15\", t = \"\", c = \"0..7\" }`",

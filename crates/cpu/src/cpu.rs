@@ -1,12 +1,14 @@
 //! One CPU: its state and what can be done with it.
 
 mod access;
+mod background;
 mod extension;
 mod interrupting;
 mod restart;
 mod retentive;
 mod run;
 mod scan;
+mod stack;
 mod stop;
 
 use std::sync::Arc;
@@ -29,8 +31,10 @@ use crate::retain::{Declarations, Keeper};
 use crate::settings::Settings;
 use crate::system;
 
+pub(crate) use background::Slice;
 pub use retentive::DataLoss;
 pub use scan::ScanReport;
+use stack::Stack;
 use stop::Held;
 pub use stop::{StopCause, StopRequest};
 
@@ -60,6 +64,16 @@ pub struct Cpu {
     interrupts: Interrupts,
     /// When the event came whose block starts next, in microseconds.
     requested_us: Option<u64>,
+    /// How long OB 90 may run now.
+    slice: Option<Slice>,
+    /// OB 90, while the cycle runs.
+    paused: Option<Stack>,
+    /// OB 90 has begun since the start.
+    background_began: bool,
+    /// The cycle that a STOP interrupted: a hot restart goes on with it.
+    interrupted: Option<Stack>,
+    /// The program was loaded, or the memory reset: there is nothing that a hot restart could go on with.
+    warm_demanded: bool,
     declarations: Declarations,
     keeper: Keeper,
     /// A STOP from outside has ended the last run in the middle.
@@ -105,6 +119,11 @@ impl Cpu {
             system: system::State::default(),
             interrupts,
             requested_us: None,
+            slice: None,
+            paused: None,
+            background_began: false,
+            interrupted: None,
+            warm_demanded: true,
             declarations,
             keeper: Keeper::default(),
             torn: false,

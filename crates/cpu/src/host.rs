@@ -9,6 +9,7 @@ use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 
 use crate::clock::DateAndTime;
+use crate::cpu::Slice;
 use crate::diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 use crate::interrupts::{Again, Interrupts, Now, Request};
 use crate::io::Rack;
@@ -107,7 +108,10 @@ impl Watchdog {
     fn expired(&self, time: &Time<'_>) -> bool {
         match time.source {
             TimeSource::Virtual => self.passed > self.limit_points,
-            TimeSource::Real => !self.startup && time.now_us.saturating_sub(self.started_us) > self.limit_us,
+            // The time of OB 90 is not monitored.
+            TimeSource::Real => {
+                !self.startup && self.limit_points != i64::MAX && time.now_us.saturating_sub(self.started_us) > self.limit_us
+            }
         }
     }
 }
@@ -135,6 +139,8 @@ pub(crate) struct CpuHost<'a> {
     pub(crate) interrupts: &'a mut Interrupts,
     /// The time of day was set.
     pub(crate) clock_set: bool,
+    /// How long OB 90 may run now; `None` when that is over.
+    pub(crate) slice: Option<Slice>,
 }
 
 impl CpuHost<'_> {
@@ -148,7 +154,11 @@ impl CpuHost<'_> {
 
     fn grant(&mut self, machine: &mut Machine) {
         // Safe points with an event are those of the cycle; OB 1 runs on top of nothing.
-        let until = if self.in_cycle() { self.interrupts.next_point() } else { None };
+        let until = match self.slice {
+            Some(Slice::Points(points)) => Some(points),
+            _ if self.in_cycle() => self.interrupts.next_point(),
+            _ => None,
+        };
         self.watchdog.grant(self.time.source, machine, until);
     }
 
@@ -255,7 +265,7 @@ impl CpuHost<'_> {
             return Reaction::Continue;
         }
         let class = self.class(machine);
-        let Some(Request { info, raised_us }) = self.interrupts.take(class.priority) else { return Reaction::Continue };
+        let Some(Request { info, raised_us }) = self.interrupts.take(class.rank()) else { return Reaction::Continue };
         self.interrupts.run_times.begin(u16::from(info.block), machine.frames.len(), raised_us, self.time.now_us);
         self.system.interrupt(machine, info);
         Reaction::Enter { block: BlockId::ob(u16::from(info.block)), start_information: info.bytes(self.time.date_and_time()) }
@@ -264,7 +274,7 @@ impl CpuHost<'_> {
     /// Aborts the priority class: OB 88 where there is one, STOP otherwise.
     fn abort(&mut self, class: StartInformation, info: StartInformation, stop_event: u16, place: FaultPlace) -> Reaction {
         let event = if self.cpu_type.has_ob88 { 0x4570 } else { stop_event };
-        if self.cpu_type.has_ob88 && class.priority < 28 && self.engine.has_block(ob::PROCESSING_ABORT) {
+        if self.cpu_type.has_ob88 && class.rank() < 28 && self.engine.has_block(ob::PROCESSING_ABORT) {
             self.abort = Some(info);
         }
         Reaction::Stop(StopReason { event, place: Some(place) })
@@ -356,8 +366,17 @@ impl Host for CpuHost<'_> {
             self.raise(machine, event.start_information());
         }
         self.gather(machine);
+        let slice_over = match self.slice {
+            Some(Slice::Points(points)) => self.watchdog.total >= points,
+            Some(Slice::Until(until_us)) => self.time.now_us >= until_us,
+            None => false,
+        };
         self.grant(machine);
         match self.pre_empt(machine) {
+            Reaction::Continue if slice_over => {
+                self.slice = None;
+                Reaction::Suspend
+            }
             Reaction::Continue if self.requests.hold.swap(false, Ordering::Relaxed) => Reaction::Suspend,
             reaction => reaction,
         }

@@ -9,6 +9,9 @@ use crate::cycle::CycleTimes;
 use crate::interrupts::CyclicInterrupt;
 use crate::mode::Restart;
 
+/// The priority class that the start information of OB 90 shows: 29 stands for 0.29, below OB 1.
+const BELOW_THE_CYCLE: u8 = 29;
+
 /// Start information as it lies in the local data, field by field.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StartInformation {
@@ -137,6 +140,16 @@ impl StartInformation {
     /// OB 10 to OB 17.
     pub(crate) fn time_of_day_interrupt(number: u16, period: u16) -> Self {
         Self { info_1: period, ..Self::interrupt(number, 0x1111 + (number - 10)) }
+    }
+
+    /// OB 90, for the first time since the start or from its beginning again.
+    pub(crate) fn background(first: bool) -> Self {
+        Self { event: if first { 0x1191 } else { 0x1195 }, priority: BELOW_THE_CYCLE, block: 90, ..Self::default() }
+    }
+
+    /// The priority class that others have to be above to interrupt this block.
+    pub(crate) fn rank(&self) -> u8 {
+        if self.priority == BELOW_THE_CYCLE { 0 } else { self.priority }
     }
 
     /// OB 121, OB 122 or OB 88 for a fault at `place`, in an organization block of class `priority` started as `class` tells.

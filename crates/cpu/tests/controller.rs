@@ -74,6 +74,8 @@ fn startup_blocks_read_why_the_cpu_stopped() {
     for (restart, number, low) in [(Restart::Warm, 100, 0x81), (Restart::Hot, 101, 0x83), (Restart::Cold, 102, 0x85)] {
         let steps = [Step::StartInformation(0, "MD0"), Step::StartInformation(6, "MW4")];
         let mut cpu = cpu_of("416-3", &[(number, &steps), (1, &[Step::Sfc(46)])], Settings::default());
+        // The first start after loading is no hot one.
+        assert_eq!(cpu.restart(Restart::Warm), OperatingMode::Run);
         cpu.restart(restart);
         assert_eq!(value(&cpu, "MD0"), 0x1300_1B00 | low << 16 | u32::from(number));
         cpu.scan(0);

@@ -139,7 +139,7 @@ impl Scenario {
 
     /// The distance of two scans, in microseconds.
     pub fn cycle_us(&self) -> u64 {
-        self.cycle_us
+        self.cycle_us.max(self.min_cycle_us)
     }
 
     fn line(&mut self, number: usize, line: &str) -> Result<(), String> {
@@ -240,7 +240,7 @@ impl Scenario {
         for (index, line) in self.lines.iter().enumerate() {
             if let Command::Table { inputs, outputs, rows } = &line.command {
                 for (number, values) in rows {
-                    let mut row = Run::start(self.prepare(fresh()), symbols, self.cycle_us);
+                    let mut row = Run::start(self.prepare(fresh()), symbols, self.cycle_us());
                     row.line = *number;
                     for above in &self.lines[..index] {
                         if let Command::Set(assignments) = &above.command {
@@ -257,7 +257,7 @@ impl Scenario {
                 }
                 continue;
             }
-            let run = run.get_or_insert_with(|| Run::start(self.prepare(fresh()), symbols, self.cycle_us));
+            let run = run.get_or_insert_with(|| Run::start(self.prepare(fresh()), symbols, self.cycle_us()));
             run.line = line.number;
             run.command(&line.command);
         }

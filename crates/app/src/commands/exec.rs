@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use clap::Args;
 use serde_json::{Value, json};
-use sieben_cpu::{Cpu, OperatingMode, Restart, Settings};
+use sieben_cpu::{Cpu, OperatingMode, Restart};
 use sieben_engine::Tracer;
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
@@ -99,13 +99,12 @@ impl Schedule {
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let overrides = arguments.program.overrides()?;
     let project = arguments.program.load(&arguments.paths)?;
-    let schedule = schedule(arguments, project.settings.cycle)?;
+    let schedule = schedule(arguments, project.settings.cycle, project.settings.min_cycle.unwrap_or_default())?;
     let build = match project.compile(overrides, false).or_report(arguments.json) {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
-    let settings = Settings { clock_memory_byte: build.project.settings.clock_memory_byte, ..Settings::default() };
-    let mut cpu = controller::load(&build, arguments.engine, StatusBits::All, settings);
+    let mut cpu = controller::load(&build, arguments.engine, StatusBits::All, controller::settings(&build));
     let symbols = &build.project.symbols;
     let shown = arguments
         .show
@@ -151,7 +150,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
 }
 
-fn schedule(arguments: &Arguments, project_cycle: Option<Duration>) -> Result<Schedule, Failure> {
+fn schedule(arguments: &Arguments, project_cycle: Option<Duration>, min_cycle: Duration) -> Result<Schedule, Failure> {
     if !arguments.scan_at.is_empty() {
         if let Some(pair) = arguments.scan_at.windows(2).find(|pair| pair[1] < pair[0]) {
             let (late, early) = (duration::show(pair[0]), duration::show(pair[1]));
@@ -163,7 +162,7 @@ fn schedule(arguments: &Arguments, project_cycle: Option<Duration>) -> Result<Sc
         return Ok(Schedule::At(arguments.scan_at.clone()));
     }
     let project_cycle = project_cycle.filter(|cycle| !cycle.is_zero());
-    let cycle = arguments.cycle.or(project_cycle).unwrap_or(Duration::from_millis(10));
+    let cycle = arguments.cycle.or(project_cycle).unwrap_or(Duration::from_millis(10)).max(min_cycle);
     let scans = match arguments.duration {
         None => arguments.scans.unwrap_or(1),
         Some(_) if cycle.is_zero() => {

@@ -104,11 +104,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let real = arguments.speed == Speed::Factor(1.0);
     let settings = Settings {
         time: if real { TimeSource::Real } else { TimeSource::Virtual },
-        watchdog: project.watchdog.unwrap_or(Settings::default().watchdog),
-        clock_memory_byte: project.clock_memory_byte,
         date_and_time: if real { now() } else { DateAndTime::DEFAULT },
-        retain: project.retain.areas(),
-        ..Settings::default()
+        ..controller::settings(&build)
     };
     let mut cpu = controller::load(&build, arguments.engine, StatusBits::Needed, settings);
     let time = if arguments.speed == Speed::Max { RunTime::Virtual } else { RunTime::Real };
@@ -236,7 +233,16 @@ impl Pace {
             }
             let until = due_us.min(self.end_us);
             if now_us < until {
-                interrupt.sleep(Duration::from_micros(((until - now_us) as f64 / factor).ceil() as u64));
+                if real && cpu.has_background() {
+                    cpu.background_with(until, &mut clock);
+                    continue;
+                }
+                // An interrupt that comes while the CPU waits runs at its own time.
+                let wake_us = cpu.next_interrupt_us().map_or(until, |next| next.clamp(now_us, until));
+                interrupt.sleep(Duration::from_micros(((wake_us - now_us) as f64 / factor).ceil() as u64));
+                let woken_us = clock().min(until);
+                let mut virtual_time = || woken_us;
+                cpu.serve_with(if real { &mut clock } else { &mut virtual_time }, None);
                 continue;
             }
             if real {

@@ -73,6 +73,9 @@ impl Cpu {
             self.watchdog = self.new_watchdog();
             self.serve_waiting(clock, &mut tracer);
             let next = self.next_interrupt_us().filter(|&due| due <= until_us);
+            if self.settings.time == TimeSource::Virtual {
+                self.background(next.unwrap_or(until_us), clock, &mut tracer);
+            }
             match (next, self.settings.time) {
                 (Some(due), TimeSource::Virtual) => self.advance(due),
                 (Some(_), TimeSource::Real) => self.advance(until_us),

@@ -31,7 +31,14 @@ impl Cpu {
         self.requests.stop.store(false, Ordering::Relaxed);
         self.requests.hold.store(false, Ordering::Relaxed);
         // Hot restart is a matter of the S7-400, as is OB 88.
-        self.restart = if restart == Restart::Hot && !self.cpu_type.has_ob88 { Restart::Warm } else { restart };
+        // It goes on with what was there: after loading and a memory reset there is nothing.
+        let hot = self.cpu_type.has_ob88 && !self.warm_demanded;
+        self.restart = if restart == Restart::Hot && !hot { Restart::Warm } else { restart };
+        self.warm_demanded = false;
+        if self.restart != Restart::Hot {
+            self.interrupted = None;
+        }
+        self.background_began = false;
         self.clear();
         let stop_event = self.cause.take().map_or(0, |cause| cause.event);
         self.cycle = Cycle::default();

@@ -57,6 +57,8 @@ impl Cpu {
         match judged {
             Ok(judged) => {
                 self.clear_work_memory();
+                self.interrupted = None;
+                self.warm_demanded = true;
                 let restored = judged.put(&mut self.machine, &mut self.system, &self.settings.retain);
                 self.torn = false;
                 self.keeper.forget();
@@ -97,6 +99,8 @@ impl Cpu {
         self.log(StartInformation { event: MEMORY_RESET, ..StartInformation::default() }, None);
         self.clear_work_memory();
         self.rack.clear_outputs();
+        self.interrupted = None;
+        self.warm_demanded = true;
         self.torn = false;
         self.log(StartInformation { event: MEMORY_RESET_DONE, ..StartInformation::default() }, None);
     }

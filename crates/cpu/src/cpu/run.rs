@@ -46,6 +46,7 @@ impl Cpu {
                 system: &mut self.system,
                 interrupts: &mut self.interrupts,
                 clock_set: false,
+                slice: self.slice,
             };
             if !resume {
                 if let Some(entry) = &entry {
@@ -67,6 +68,7 @@ impl Cpu {
                 _ => engine.resume(&mut context),
             };
             let (abort, first, now_us, start) = (host.abort, host.first, host.time.now_us, host.time.start);
+            self.slice = host.slice;
             self.watchdog.settle(&self.machine);
             self.now_us = now_us;
             self.settings.date_and_time = start;

@@ -56,6 +56,13 @@ impl Cpu {
         if self.mode != OperatingMode::Run {
             return self.report(false, 0);
         }
+        if let Some(stack) = self.interrupted.take() {
+            // After a hot restart the rest of the interrupted cycle comes first, without the cycle control point.
+            self.put_stack(stack);
+            self.watchdog = self.new_watchdog();
+            let outcome = self.run(None, clock, again(&mut tracer));
+            return self.after_cycle(outcome, clock, tracer);
+        }
         self.cycle.begin(self.now_us);
         self.cycle_control_point();
         self.watchdog = self.new_watchdog();

@@ -86,6 +86,9 @@ impl Cpu {
         // Nobody knows which statements came before a STOP from outside: what they wrote is not a scan's.
         self.torn = matches!(event, 0x4303 | 0x4304) && !self.machine.frames.is_empty();
         self.cause = Some(StopCause { event, first_event, place, text });
+        let in_run = self.mode == OperatingMode::Run || matches!(self.held, Some(Held::Cycle | Held::Interrupt));
+        self.interrupted = if in_run && self.cpu_type.has_ob88 { self.take_stack() } else { None };
+        self.paused = None;
         self.mode = OperatingMode::Stop;
         self.held = None;
         self.machine.frames.clear();

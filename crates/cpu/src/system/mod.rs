@@ -74,7 +74,7 @@ use crate::host::CpuHost;
 pub(crate) use created_data_blocks::{create, created, delete_created, fit};
 pub(crate) use error_masks::filter_bit;
 use parameters::Answer;
-pub(crate) use state::{Meter, State};
+pub(crate) use state::{Meter, Running, State};
 
 /// A call: the machine, the CPU behind it, and the first parameter pointer.
 pub(crate) struct Call<'a, 'h> {

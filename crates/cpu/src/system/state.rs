@@ -27,6 +27,13 @@ pub(crate) struct Meter {
     pub(crate) since_us: Option<u64>,
 }
 
+/// What belongs to the blocks that run.
+#[derive(Clone, Debug)]
+pub(crate) struct Running {
+    classes: BTreeMap<u16, Class>,
+    interrupts: Vec<(usize, StartInformation)>,
+}
+
 /// The memory of the system functions of a CPU.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct State {
@@ -68,6 +75,17 @@ impl State {
     pub(crate) fn begin(&mut self, number: u16) {
         self.classes.remove(&number);
         self.interrupts.clear();
+    }
+
+    /// Hands out what belongs to the blocks that run, to be put aside with them.
+    pub(crate) fn take_running(&mut self) -> Running {
+        Running { classes: std::mem::take(&mut self.classes), interrupts: std::mem::take(&mut self.interrupts) }
+    }
+
+    /// Takes it back.
+    pub(crate) fn put_running(&mut self, running: Running) {
+        self.classes = running.classes;
+        self.interrupts = running.interrupts;
     }
 
     /// An organization block interrupts another.

@@ -84,6 +84,7 @@ fn with_host(memory: &[u8], parameters: &[u32], ar2: u32, check: impl FnOnce(&mu
         system: &mut state,
         interrupts: &mut interrupts,
         clock_set: false,
+        slice: None,
     };
     check(&mut Call { machine: &mut machine, host: &mut host, first: 0 });
 }

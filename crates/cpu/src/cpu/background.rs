@@ -1,0 +1,74 @@
+//! OB 90 (S7-400): what the CPU does while it waits for the next cycle.
+
+use sieben_engine::Tracer;
+
+use super::Cpu;
+use super::interrupting::again;
+use super::run::Outcome;
+use super::stop::Held;
+use crate::host::Watchdog;
+use crate::mode::OperatingMode;
+use crate::organization_blocks::{self as ob, StartInformation};
+use crate::settings::TimeSource;
+
+/// Safe points that OB 90 gets in one pause in virtual time, where no clock tells how long the pause is.
+const SLICE_POINTS: u64 = 1000;
+
+impl Cpu {
+    /// Whether OB 90 runs while the CPU waits for the least cycle time.
+    pub fn has_background(&self) -> bool {
+        self.mode == OperatingMode::Run && !self.settings.min_cycle.is_zero() && self.interrupts.is_available(ob::BACKGROUND.number)
+    }
+
+    /// Runs OB 90 in a pause that lasts to `until_us`, from its beginning or from where the last pause ended.
+    /// In virtual time it is a limited number of safe points; in real time it starts again and again until the time has come.
+    pub(super) fn background(&mut self, until_us: u64, clock: &mut dyn FnMut() -> u64, tracer: &mut Option<&mut dyn Tracer>) {
+        if !self.has_background() || until_us <= self.now_us {
+            return;
+        }
+        let class = self.class;
+        let resumed = self.paused.take().map(|stack| self.put_stack(stack)).is_some();
+        if !resumed {
+            self.class = StartInformation::background(!self.background_began);
+            self.background_began = true;
+        }
+        let entry = (!resumed).then(|| self.entry(ob::BACKGROUND, None));
+        self.watchdog = Watchdog::new(false, self.now_us, self.watchdog_us(), i64::MAX);
+        self.slice = Some(match self.settings.time {
+            TimeSource::Virtual => Slice::Points(SLICE_POINTS),
+            TimeSource::Real => Slice::Until(until_us),
+        });
+        let outcome = self.run(entry, clock, again(tracer));
+        let ended = self.slice.take().is_none();
+        match outcome {
+            Outcome::Finished => {}
+            Outcome::Suspended if ended => self.paused = self.take_stack(),
+            Outcome::Suspended => self.hold(Held::Interrupt),
+            Outcome::Stopped(reason, first) => self.enter_stop(reason, first),
+        }
+        if matches!(self.mode, OperatingMode::Run) {
+            self.class = class;
+        }
+    }
+
+    /// Runs OB 90 and interrupts until the clock shows `until_us`, instead of waiting; in real time.
+    pub fn background_with(&mut self, until_us: u64, clock: &mut dyn FnMut() -> u64) {
+        loop {
+            self.serve_with(clock, None);
+            if self.now_us >= until_us || !self.has_background() {
+                return;
+            }
+            let next = self.next_interrupt_us().map_or(until_us, |next| next.min(until_us));
+            self.background(next, clock, &mut None);
+        }
+    }
+}
+
+/// How long OB 90 runs in one pause.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Slice {
+    /// So many safe points.
+    Points(u64),
+    /// Until this time, in microseconds.
+    Until(u64),
+}
