@@ -240,6 +240,150 @@ fn every_instruction_occurs_in_a_page() {
     assert!(missing.is_empty(), "instructions without a page: {}", missing.join(", "));
 }
 
+/// The kinds of operand that a page must show for an instruction, by what it takes. `FP L 8.0` is no use: the bit is lost.
+fn demanded(instruction: Instruction) -> Vec<&'static str> {
+    const BITS: [&str; 17] = [
+        "I",
+        "Q",
+        "M",
+        "DBX",
+        "DIX",
+        "a data block",
+        "a variable",
+        "M [MD]",
+        "M [LD]",
+        "M [DBD]",
+        "M [DID]",
+        "I [MD]",
+        "DBX [MD]",
+        "M [AR1]",
+        "Q [AR2]",
+        "[AR1]",
+        "[AR2]",
+    ];
+    const STATUS: [&str; 10] = ["==0", "<>0", ">0", "<0", ">=0", "<=0", "UO", "OV", "OS", "BR"];
+    const LOCAL: [&str; 2] = ["L", "L [MD]"];
+    const READ: [&str; 3] = ["PIB", "PIW", "PID"];
+    const WRITTEN: [&str; 3] = ["PQB", "PQW", "PQD"];
+    const VALUES: [&str; 34] = [
+        "IB",
+        "IW",
+        "ID",
+        "QB",
+        "QW",
+        "QD",
+        "MB",
+        "MW",
+        "MD",
+        "LB",
+        "LW",
+        "LD",
+        "DBB",
+        "DBW",
+        "DBD",
+        "DIB",
+        "DIW",
+        "DID",
+        "a data block",
+        "a variable",
+        "MB [MD]",
+        "MW [MD]",
+        "MD [MD]",
+        "LW [MD]",
+        "DBW [MD]",
+        "DIW [MD]",
+        "MW [LD]",
+        "MW [DBD]",
+        "MW [DID]",
+        "MW [AR1]",
+        "B [AR1]",
+        "W [AR1]",
+        "D [AR1]",
+        "D [AR2]",
+    ];
+    let timer = ["T", "T [MW]", "T [a variable]", "a variable"];
+    let counter = ["C", "C [MW]", "C [a variable]", "a variable"];
+    match instruction.operand() {
+        OperandClass::ScanBit => BITS.into_iter().chain(LOCAL).chain(STATUS).chain(["T", "C", "T [MW]", "C [LW]"]).collect(),
+        OperandClass::AssignBit if matches!(instruction, Instruction::EdgePositive | Instruction::EdgeNegative) => BITS.to_vec(),
+        OperandClass::AssignBit => BITS.into_iter().chain(LOCAL).collect(),
+        OperandClass::Load => VALUES.into_iter().chain(READ).chain(["T", "C", "T [MW]", "C [MW]", "a constant", "a pointer"]).collect(),
+        OperandClass::Transfer => VALUES.into_iter().chain(WRITTEN).collect(),
+        OperandClass::DataBlockInfo => vec!["DBNO", "DBLG", "DINO", "DILG"],
+        OperandClass::Timer => timer.to_vec(),
+        OperandClass::Counter => counter.to_vec(),
+        OperandClass::TimerOrCounter => timer.into_iter().chain(counter).collect(),
+        OperandClass::PointerSource => vec!["MD", "LD", "DBD", "DID", "a variable", "a pointer", "AR2"],
+        OperandClass::PointerSourceWithoutAr2 => vec!["MD", "LD", "DBD", "DID", "a variable", "a pointer"],
+        OperandClass::PointerTarget => vec!["MD", "LD", "DBD", "DID", "a variable", "AR2"],
+        OperandClass::PointerTargetWithoutAr2 => vec!["MD", "LD", "DBD", "DID", "a variable"],
+        OperandClass::OptionalPointerOffset => vec!["nothing", "a pointer"],
+        OperandClass::ShiftCount16 | OperandClass::ShiftCount32 | OperandClass::OptionalConstant16 | OperandClass::OptionalConstant32 => {
+            vec!["nothing", "a constant"]
+        }
+        OperandClass::CallBlock => vec!["FC", "FB", "FC [MW]", "FC [a variable]", "FC [DBW]", "FB [MW]", "a variable"],
+        OperandClass::OpenBlock => vec!["DB", "DI", "DB [MW]", "DI [MW]", "DB [a variable]", "a variable"],
+        OperandClass::Call => vec!["FC", "FB", "SFC", "SFB", "a variable"],
+        OperandClass::None => vec!["nothing"],
+        OperandClass::StatusWord => vec!["STW"],
+        OperandClass::ByteConstant
+        | OperandClass::IntConstant
+        | OperandClass::DoubleIntConstant
+        | OperandClass::Zero
+        | OperandClass::One => {
+            vec!["a constant"]
+        }
+        OperandClass::Label => vec!["a label"],
+        // Their pages are those of the extension words.
+        OperandClass::Extension => Vec::new(),
+    }
+}
+
+/// What kind of operand this is, in the words of [`demanded`].
+fn kind_of(operand: &Operand) -> String {
+    let is_keyword = |word: &str| {
+        !word.starts_with(|first: char| first.is_ascii_alphabetic())
+            || word.bytes().all(|byte| byte.is_ascii_uppercase() || byte.is_ascii_digit())
+    };
+    match operand {
+        Operand::None => "nothing".to_owned(),
+        Operand::Constant(constant) if matches!(constant.value, Some(Value::Pointer(_))) => "a pointer".to_owned(),
+        Operand::Constant(_) => "a constant".to_owned(),
+        Operand::AddressOf(_) => "a pointer".to_owned(),
+        Operand::Absolute { letters, .. } => letters.to_ascii_uppercase(),
+        Operand::InBlock { .. } | Operand::BlockField { .. } => "a data block".to_owned(),
+        Operand::Local { .. } => "a variable".to_owned(),
+        Operand::Name { word, .. } if is_keyword(&word.text) => word.text.to_ascii_uppercase(),
+        Operand::Name { .. } => "a label".to_owned(),
+        Operand::Indirect { letters, pointer, .. } => format!("{} [{}]", letters.to_ascii_uppercase(), kind_of(pointer)),
+        Operand::RegisterIndirect { letters, register, .. } => format!("{} [{}]", letters, register.text).trim_start().to_ascii_uppercase(),
+        Operand::Call(call) => kind_of(&call.callee),
+        _ => "something else".to_owned(),
+    }
+}
+
+#[test]
+fn every_kind_of_operand_of_every_instruction_occurs_in_a_page() {
+    let mut seen = BTreeSet::new();
+    for (_, page) in ["course", "stl", "cpu", "system"].into_iter().flat_map(pages) {
+        for section in sections(&page).iter().filter(|section| !section.checks.is_empty()) {
+            for block in parse(FileId::default(), &section.stl, Some(Mnemonics::English)).file.blocks {
+                for statement in block.statements {
+                    seen.insert((statement.mnemonic.text.to_ascii_uppercase(), kind_of(&statement.operand)));
+                }
+            }
+        }
+    }
+    let shown = |word: &str, kind: &str| seen.contains(&(word.to_owned(), kind.to_owned()));
+    let missing: Vec<String> = Instruction::ALL
+        .iter()
+        .flat_map(|&instruction| demanded(instruction).into_iter().map(move |kind| (instruction.english(), kind)))
+        .filter(|(word, kind)| !shown(word, kind))
+        .map(|(word, kind)| format!("`{word}` with {kind}"))
+        .collect();
+    assert!(missing.is_empty(), "no page shows {}", missing.join(", "));
+}
+
 /// Whether an operand belongs to this row among the rows with the same mnemonic.
 fn fits(class: OperandClass, operand: &Operand) -> bool {
     let letters = match operand {
