@@ -52,7 +52,8 @@ fn load(text: &str) -> Cpu {
     let cpu_type = &CpuType::ALL[0];
     let mut sources = Sources::default();
     sources.add("bench.awl", text);
-    let compiled = compile(&sources, &SymbolTable::default(), &Options::default());
+    let options = Options { system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
+    let compiled = compile(&sources, &SymbolTable::default(), &options);
     let errors: Vec<_> = compiled.diagnostics.iter().map(|diagnostic| &diagnostic.message).collect();
     assert!(compiled.diagnostics.iter().all(|diagnostic| diagnostic.severity() < sieben_model::diagnostic::Severity::Error), "{errors:?}");
     let program = Arc::new(compiled.program);
@@ -98,11 +99,54 @@ fn compile_speed(statements: usize) {
     );
 }
 
+/// What it costs to hand out the retentive data of a program with `blocks` data blocks of 8 KB, when nothing, one double word or all of it changes.
+fn retentive(blocks: usize) {
+    let changes: [(&str, &dyn Fn(usize) -> String); 3] = [
+        ("nothing changes", &|_| String::new()),
+        ("one double word changes", &|number| {
+            if number == 1 { "L DB1.DBD 0; L L#1; +D; T DB1.DBD 0;\n".to_owned() } else { String::new() }
+        }),
+        ("everything changes", &|number| {
+            format!("CALL SFC 21 (BVAL := P#M 20.0 BYTE 4, RET_VAL := MW 30, BLK := P#DB{number}.DBX 0.0 BYTE 8192);\n")
+        }),
+    ];
+    for (name, change) in changes {
+        let mut text = String::new();
+        for number in 1..=blocks {
+            let _ = writeln!(text, "DATA_BLOCK DB {number}\nSTRUCT\n a : ARRAY [1..2048] OF DINT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK");
+        }
+        let body: String = (1..=blocks).map(change).collect();
+        let _ = writeln!(text, "ORGANIZATION_BLOCK OB 1\nBEGIN\nL MD 20; L L#1; +D; T MD 20;\n{body}END_ORGANIZATION_BLOCK");
+        let mut cpu = load(&text);
+        let (mut best, mut bytes) = (f64::INFINITY, 0);
+        // Less than a second passes, or the clock alone would make a new image.
+        for scan in 0..REPETITIONS as u64 * 5 {
+            cpu.scan(scan * CYCLE_US / 10);
+            let start = Instant::now();
+            let image = cpu.retain_image();
+            let elapsed = start.elapsed().as_nanos() as f64;
+            let length = image.map(|image| image.bytes.len());
+            if scan > 0 {
+                assert_eq!(length.is_some(), !name.starts_with("nothing"), "{name}");
+                best = best.min(elapsed);
+            }
+            bytes = bytes.max(length.unwrap_or_default());
+        }
+        assert!(cpu.stop_cause().is_none(), "{name} keeps running: {:?}", cpu.stop_cause());
+        println!("retentive data, {:>4} KB, {name:<24} {:>9.2} µs a scan", bytes >> 10, best / 1000.0);
+    }
+}
+
 fn main() {
+    // `cargo bench … -- retain` measures only that.
+    if std::env::args().any(|argument| argument == "retain") {
+        return [1, 8, 32].into_iter().for_each(retentive);
+    }
     compile_speed(1_000);
     compile_speed(100_000);
     run("bit logic, 1,000 statements", &bit_logic(1_000));
     run("bit logic, 10,000 statements", &bit_logic(10_000));
     run("arithmetic loop", include_str!("../../../benches/arithmetic_loop.awl"));
     run("calls mix", include_str!("../../../benches/calls_mix.awl"));
+    [1, 8, 32].into_iter().for_each(retentive);
 }
