@@ -24,6 +24,7 @@ use crate::stl::extension;
 use crate::stl::lower::{ResolvedBlock, lower};
 use crate::stl::parser::{Parsed, parse};
 use crate::stl::resolve::{Known, plain_callee, plain_data_block};
+use crate::stl::size::code_bytes;
 
 /// Bytes that all data blocks of a project may have together: the work memory of the largest CPU type.
 const DATA_BYTES_MAX: usize = 32 << 20;
@@ -226,6 +227,14 @@ pub fn compile_syntax(
             diagnostics.push(Diagnostic::new(Problem::P5007, block.name.span(), message));
         }
         let mut checked = check::block(&known, *id, block, interface, *mnemonics, &reported);
+        let bytes = code_bytes(&checked.block.statements);
+        if bytes > u64::from(cpu.block_size_max) {
+            let message = format!(
+                "`{id}` has at least {bytes} bytes of code in a CPU; a block of CPU {} has at most {}",
+                cpu.name, cpu.block_size_max
+            );
+            checked.diagnostics.push(Diagnostic::new(Problem::P5009, block.name.span(), message));
+        }
         // What a check finds in a block of the library is no matter of the user's; that there are no errors is a test.
         if !compiled.is_of_library(*id) {
             diagnostics.append(&mut checked.diagnostics);

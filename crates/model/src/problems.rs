@@ -146,6 +146,7 @@ problems! {
     P5006 Error "more data than a CPU holds" "Make the data blocks smaller, or fewer.";
     P5007 Warning "more local data than the CPU type has for a block" "Move large variables from VAR_TEMP into a data block.";
     P5008 Warning "an instruction that the CPU type does not have" "Leave it out, or choose a CPU type with four accumulators, such as 416-3.";
+    P5009 Warning "more code than a block of the CPU type can have" "Split the block into several, or leave it so if it need not go into a CPU.";
 
     // 6xxx files and projects
     P6001 Error "a file that cannot be read" "Check the path and the permissions.";

@@ -13,6 +13,7 @@ pub mod mnemonics;
 pub mod operands;
 pub mod parser;
 pub(crate) mod resolve;
+pub(crate) mod size;
 pub mod syntax;
 
 pub use convert::convert;
