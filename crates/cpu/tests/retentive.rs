@@ -102,13 +102,25 @@ fn a_refused_image_leaves_the_initial_values_and_an_entry() {
 }
 
 #[test]
-fn the_program_goes_on_when_nothing_can_be_kept() {
-    let mut cpu = with_db(4);
+fn the_program_goes_on_when_nothing_can_be_kept_and_ob_81_learns_it() {
+    let mut without = with_db(4);
+    without.restart(Restart::Warm);
+    without.backup_failed();
+    assert_eq!(without.scan(0).mode, OperatingMode::Run);
+    without.backup_works();
+    without.scan(10_000);
+    assert_eq!(events(&without)[..2], [0x3822, 0x3922]);
+    let mut cpu = cpu(&[(1, &[]), (81, &[Step::StartInformation(0, "MW 100")])], Settings::default());
     cpu.restart(Restart::Warm);
-    cpu.backup_failed();
-    cpu.backup_works();
-    assert_eq!(events(&cpu)[..2], [0x3822, 0x3922]);
-    assert_eq!(cpu.scan(0).mode, OperatingMode::Run);
+    for (event, now) in [(0x3922, 0), (0x3822, 10_000)] {
+        if event == 0x3922 {
+            cpu.backup_failed();
+        } else {
+            cpu.backup_works();
+        }
+        assert_eq!(cpu.scan(now).mode, OperatingMode::Run);
+        assert_eq!(values(&cpu, &["MW 100"]), [event]);
+    }
 }
 
 #[test]

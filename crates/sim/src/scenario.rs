@@ -14,6 +14,8 @@
 //! interrupt OB 40                      before the next scan; with EVENT= ID= INFO1= INFO2= for its start information
 //! interrupt OB 40 at safe point 17     in the next scan: its 17th backward jump or block entry
 //! restart warm | restart hot | restart cold
+//! power failure                        power off and on: a fresh CPU takes back the retentive data, modules begin anew
+//! retain m=0..31,40 t=1 c=             retentive bytes of M, timers and counters, from the start (default: those of the CPU)
 //! expect Q 0.0=1 T 1=70 STW.RLO=1
 //! expect Q 4.0=1 within 20ms           scans until it is so
 //! expect stop 16#2522                  the first cause, or the event of the STOP
@@ -28,7 +30,8 @@ use std::fmt;
 use std::ops::Range;
 use std::time::Duration;
 
-use sieben_cpu::{Cpu, CyclicInterrupt, Interrupt, OperatingMode, Restart};
+use sieben_cpu::retain::{Adoption, Numbers};
+use sieben_cpu::{Cpu, CyclicInterrupt, Interrupt, OperatingMode, Restart, RetentiveAreas};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::symbols::SymbolTable;
 
@@ -64,6 +67,7 @@ pub struct Scenario {
     cycle_us: u64,
     min_cycle_us: u64,
     cyclic: Vec<(u16, CyclicInterrupt)>,
+    retain: Option<RetentiveAreas>,
     lines: Vec<Line>,
 }
 
@@ -84,6 +88,7 @@ enum Command {
     At(u64, Assignments),
     Interrupt(Interrupt, Option<u64>),
     Restart(Restart),
+    PowerFailure,
     Expect(Assignments, Option<u64>),
     ExpectStop(u16),
     ExpectMode(OperatingMode),
@@ -96,8 +101,7 @@ const CYCLE_US: u64 = 10_000;
 const SCANS_MAX: u64 = 1_000_000;
 
 /// The words a line can begin with.
-const WORDS: &str =
-    "`cpu`, `cycle`, `min-cycle`, `cyclic`, `modules`, `set`, `scan`, `at`, `interrupt`, `restart`, `expect`, `table` or `known-gap`";
+const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `modules`, `retain`, `set`, `scan`, `at`, `interrupt`, `restart`, `power`, `expect`, `table` or `known-gap`";
 
 impl Scenario {
     /// Reads a scenario.
@@ -168,6 +172,10 @@ impl Scenario {
                 self.min_cycle_us = duration(rest)?;
                 return Ok(());
             }
+            "retain" => {
+                self.retain = Some(retain(rest)?);
+                return Ok(());
+            }
             "modules" => {
                 self.modules = Some(byte_range(rest)?);
                 return Ok(());
@@ -194,6 +202,8 @@ impl Scenario {
                 "cold" => Restart::Cold,
                 _ => return Err(format!("`{rest}` is no kind of restart; write `warm`, `hot` or `cold`")),
             }),
+            "power" if rest.eq_ignore_ascii_case("failure") => Command::PowerFailure,
+            "power" => return Err(format!("`power {rest}` is not understood; write `power failure`")),
             "expect" => expect(rest)?,
             "table" => {
                 let (inputs, outputs) =
@@ -229,6 +239,9 @@ impl Scenario {
             cpu.set_cyclic_interrupt(number, setting);
         }
         cpu.set_min_cycle(Duration::from_micros(self.min_cycle_us));
+        if let Some(areas) = &self.retain {
+            cpu.set_retentive_areas(areas.clone());
+        }
         cpu
     }
 
@@ -259,7 +272,10 @@ impl Scenario {
             }
             let run = run.get_or_insert_with(|| Run::start(self.prepare(fresh()), symbols, self.cycle_us()));
             run.line = line.number;
-            run.command(&line.command);
+            match line.command {
+                Command::PowerFailure => run.power_failure(self.prepare(fresh())),
+                _ => run.command(&line.command),
+            }
         }
         if let Some(mut run) = run {
             run.finish();
@@ -336,8 +352,23 @@ impl<'a> Run<'a> {
                     self.fail(format!("expected the mode {mode}, got {got}{}", self.why_stopped()));
                 }
             }
-            Command::Table { .. } => {}
+            // These need more than one CPU.
+            Command::PowerFailure | Command::Table { .. } => {}
         }
+    }
+
+    /// The retentive data of the CPU goes to a fresh one, which starts at the time that it is.
+    fn power_failure(&mut self, mut fresh: Cpu) {
+        let Some(image) = self.cpu.retain_image().cloned() else {
+            return self.fail("a scan is not at its end, and only whole scans are kept");
+        };
+        if let Err(refusal) = fresh.restore(&image, Adoption::SameProgram) {
+            return self.fail(format!("the retentive data is not taken back: {refusal}"));
+        }
+        let now_us = self.last_us.unwrap_or(0);
+        fresh.restart_with(Restart::Warm, &mut || now_us, None);
+        self.cpu = fresh;
+        self.stop_expected = false;
     }
 
     fn set(&mut self, assignments: &Assignments) {
@@ -529,6 +560,22 @@ fn block_number(text: &str) -> Option<(u16, &str)> {
 }
 
 /// `OB 35 50ms`, `OB 35 50ms phase 10ms`.
+/// Reads `m=0..31,40 t=1 c=`; what is not named stays as the CPU has it.
+fn retain(rest: &str) -> Result<RetentiveAreas, String> {
+    let mut areas = RetentiveAreas::default();
+    for word in rest.split_whitespace() {
+        let (name, text) = word.split_once('=').unwrap_or((word, "?"));
+        let numbers = match name.to_ascii_lowercase().as_str() {
+            "m" => &mut areas.bit_memory,
+            "t" => &mut areas.timers,
+            "c" => &mut areas.counters,
+            _ => return Err(format!("`{word}` is not understood; write `retain m=0..31 t=0..3 c=0..7`")),
+        };
+        *numbers = Numbers::parse(text)?;
+    }
+    Ok(areas)
+}
+
 fn cyclic(rest: &str) -> Result<(u16, CyclicInterrupt), String> {
     let not_understood = || format!("`cyclic {rest}` is not understood; write `cyclic OB 35 50ms` or `cyclic OB 35 50ms phase 10ms`");
     let (number, behind) = block_number(rest).ok_or_else(not_understood)?;
@@ -674,6 +721,10 @@ mod tests {
             ("cyclic OB 35 0ms", "1ms to 60s"),
             ("cyclic OB 35", "not understood"),
             ("restart", "kind of restart"),
+            ("power off", "power failure"),
+            ("retain q=1", "retain m="),
+            ("retain m", "no range"),
+            ("retain m=5..1", "backwards"),
             ("modules 5", "no bytes"),
             ("scan until 9999999h", "ten years"),
         ] {

@@ -141,6 +141,8 @@ fn scenario_words() -> Vec<&'static str> {
         "STW.RLO=1",
         "modules 0..63",
         "restart warm",
+        "power failure",
+        "retain m=0..31,40 t=1 c=",
         "interrupt OB 40 at safe point 17",
         "known-gap \"why\"",
         "ACCU1=",

@@ -235,6 +235,7 @@ impl Pace {
             if now_us < until {
                 if real && cpu.has_background() {
                     cpu.background_with(until, &mut clock);
+                    self.keep(cpu);
                     continue;
                 }
                 // An interrupt that comes while the CPU waits runs at its own time.
@@ -243,7 +244,14 @@ impl Pace {
                 let woken_us = clock().min(until);
                 let mut virtual_time = || woken_us;
                 cpu.serve_with(if real { &mut clock } else { &mut virtual_time }, None);
+                self.keep(cpu);
                 continue;
+            }
+            if cpu.next_interrupt_us().is_some_and(|next| next <= now_us) {
+                // What it writes to the process image goes out with the outputs of the last scan.
+                let mut time = || now_us;
+                cpu.serve_with(if real { &mut clock } else { &mut time }, None);
+                self.keep(cpu);
             }
             if real {
                 cpu.scan_with(&mut clock, None);

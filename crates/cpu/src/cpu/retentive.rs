@@ -1,9 +1,10 @@
 //! Retentive data as those who run the CPU meet it: handed out between two scans, taken back before the start, lost or deleted.
 
 use super::Cpu;
+use crate::interrupts::{Coming, Interrupt};
 use crate::mode::OperatingMode;
 use crate::organization_blocks::StartInformation;
-use crate::retain::{self, Adoption, Refusal, Restored, RetainImage};
+use crate::retain::{self, Adoption, Refusal, Restored, RetainImage, RetentiveAreas};
 
 /// Memory reset started by a programming device, and automatically; and done.
 const MEMORY_RESET: u16 = 0x4307;
@@ -11,9 +12,8 @@ const MEMORY_RESET_AUTOMATIC: u16 = 0x4309;
 const MEMORY_RESET_DONE: u16 = 0x430E;
 /// Power on with the data that was kept.
 const POWER_ON: u16 = 0x4300;
-/// Retentive data is no longer kept, and is kept again: the events of the backup battery.
-const BACKUP_FAILED: u16 = 0x3922;
-const BACKUP_WORKS: u16 = 0x3822;
+/// Backup voltage, among the events of the power supply.
+const BACKUP_VOLTAGE: u8 = 0x22;
 
 /// Why there is no retentive data where there was some.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +44,12 @@ impl Cpu {
             return None;
         }
         self.keeper.image(&self.machine, &self.system, &self.settings.retain, &self.declarations, self.cycle.number)
+    }
+
+    /// Sets what is retentive beside the data blocks.
+    pub fn set_retentive_areas(&mut self, areas: RetentiveAreas) {
+        self.settings.retain = areas;
+        self.keeper.forget();
     }
 
     /// Takes retentive data back, as at power on: all else begins anew, and the restart that follows clears what it clears.
@@ -82,14 +88,14 @@ impl Cpu {
         }
     }
 
-    /// Notes that retentive data cannot be kept from now on. The CPU goes on.
+    /// Retentive data cannot be kept from now on: no backup voltage, OB 81. The CPU goes on also without it.
     pub fn backup_failed(&mut self) {
-        self.log(StartInformation { event: BACKUP_FAILED, ..self.class }, None);
+        self.raise(Interrupt::power_supply(Coming::Coming, BACKUP_VOLTAGE, 0));
     }
 
-    /// Notes that retentive data is kept again.
+    /// Retentive data is kept again: OB 81.
     pub fn backup_works(&mut self) {
-        self.log(StartInformation { event: BACKUP_WORKS, ..self.class }, None);
+        self.raise(Interrupt::power_supply(Coming::Going, BACKUP_VOLTAGE, 0));
     }
 
     /// Memory reset (MRES): STOP, then all memory as if the program had just been loaded.
