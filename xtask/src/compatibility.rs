@@ -122,7 +122,7 @@ fn instructions(text: &mut String, files: &[TextFile], pages: &[(&str, Uses)]) {
     let _ = writeln!(
         text,
         "{} words with {} forms of operands, in both mnemonic languages. Every form is run over all status words and edge values by `crates/lang/tests/status_rows.rs`, in both directions: what its row says changes is \
-         seen to change, what it does not say does not. Arithmetic, comparisons, conversions, shifts, logic, accumulators, addresses, jumps, MCR, timers and counters agree with the independent model in `crates/lang/tests/independent_model/`. \
+         seen to change, what it does not say does not. Arithmetic, comparisons, conversions, shifts, logic, accumulators, addresses, jumps, MCR, timers and counters agree on both engines with the independent model in `crates/lang/tests/model/`. \
          `{VECTORS}` has {} rows; a row that uses several instructions counts for each of them. Every form stands in an executable page; the table names those that use the word most.\n",
         words.len(),
         Instruction::ALL.len(),

@@ -1,4 +1,4 @@
-//! What the interpreter is tested by, on machine code: the contract between CPU and engine and the status rows.
+//! What the interpreter is tested by, on machine code: the contract between CPU and engine, the status rows and the independent model.
 
 use std::sync::Arc;
 
@@ -7,6 +7,8 @@ use sieben_jit::{Jit, StatusBits};
 
 #[path = "../../cpu/tests/engine_contract/mod.rs"]
 mod engine_contract;
+#[path = "../../lang/tests/model/mod.rs"]
+mod model;
 #[path = "../../lang/tests/rows/mod.rs"]
 mod rows;
 #[path = "../../lang/tests/strict/mod.rs"]

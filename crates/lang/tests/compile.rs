@@ -262,3 +262,22 @@ fn a_function_has_as_many_parameters_as_a_call_can_hold() {
         assert_eq!((compiled.has_errors(), refused), (!fits, !fits), "{count}: {:?}", compiled.diagnostics.first());
     }
 }
+
+#[test]
+fn a_knot_of_jumps_is_compiled_in_reasonable_time() {
+    // Every statement writes a variable of its own and jumps back, so that the paths can hardly be followed.
+    let count = 1_500;
+    let names: String = (0..count).map(|n| format!("v{n}:INT;\n")).collect();
+    let label = |n: usize| {
+        format!("a{}{}{}", (b'a' + (n / 676 % 26) as u8) as char, (b'a' + (n / 26 % 26) as u8) as char, (b'a' + (n % 26) as u8) as char)
+    };
+    let body: String = (0..count)
+        .map(|n| format!("{}: T #v{n}; L #v{}; A I 0.0; JC {};\n", label(n), (n * 7) % count, label((n * 31 + 17) % count)))
+        .collect();
+    let mut sources = Sources::default();
+    sources.add("knot.awl", format!("FUNCTION FC 1 : VOID\nVAR_TEMP\n{names}END_VAR\nBEGIN\n{body}END_FUNCTION\n"));
+    for temporaries in [sieben_lang::TemporaryReads::Certain, sieben_lang::TemporaryReads::Possible] {
+        let compiled = compile(&sources, &SymbolTable::default(), &Options { temporaries, ..Options::default() });
+        assert!(!compiled.has_errors(), "{:?}", compiled.diagnostics.first());
+    }
+}

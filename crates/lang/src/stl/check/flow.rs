@@ -21,7 +21,11 @@ pub(super) fn successors(statements: &[Statement], index: usize) -> Vec<usize> {
     after.into_iter().filter(|&statement| statement < statements.len()).collect()
 }
 
-/// The states before all statements, joined over every path: `None` where no path leads.
+/// Visits of statements, on average: programs of people need two or three. Jumps crossed like a knot could need thousands.
+const VISITS_MAX: usize = 64;
+
+/// The states before all statements, joined over every path: `None` where no path leads. All are `None` if the paths cannot be
+/// followed in reasonable time.
 ///
 /// `step` gives the state behind a statement, `join` puts a state into another one and says whether that changed.
 pub(super) fn states<S: Clone>(
@@ -36,9 +40,14 @@ pub(super) fn states<S: Clone>(
     }
     before[0] = Some(start);
     let mut waiting = std::collections::BTreeSet::from([0]);
+    let mut visits = 0;
     // The lowest first: jumps mostly lead forward, so that a statement is seen when its state is whole.
     while let Some(index) = waiting.pop_first() {
         let Some(state) = &before[index] else { continue };
+        visits += 1;
+        if visits > VISITS_MAX * statements.len() {
+            return vec![None; statements.len()];
+        }
         let after = step(index, state);
         for next in successors(statements, index) {
             let changed = match &mut before[next] {

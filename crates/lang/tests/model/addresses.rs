@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use sieben_engine::machine::Registers;
 use sieben_model::address::Area;
 
-use crate::bench::Bench;
+use super::bench::Bench;
 
 /// Bytes of M, I and Q on a CPU 315.
 const BYTES: i128 = 2048;

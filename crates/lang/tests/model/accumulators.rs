@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use sieben_engine::machine::Registers;
 
-use crate::bench::Bench;
+use super::bench::Bench;
 
 /// Words whose whole effect is on the accumulators.
 const WORDS: [&str; 21] = [

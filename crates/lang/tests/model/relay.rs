@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use sieben_model::address::Area;
 
-use crate::bench::{Bench, with};
+use super::bench::{Bench, with};
 
 /// What a program does, one statement or zone after another.
 #[derive(Clone, Debug)]
@@ -93,7 +93,7 @@ fn run(items: &[Item], active: &mut bool, zones: &mut Vec<bool>, memory: &mut [u
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 120, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn the_master_control_relay(items in prop::collection::vec(item(5), 1..12), start in any::<[u8; 4]>()) {

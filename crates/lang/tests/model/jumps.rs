@@ -2,7 +2,7 @@
 
 use sieben_engine::machine::{Registers, StatusWord};
 
-use crate::bench::Bench;
+use super::bench::Bench;
 
 /// Whether a jump is taken, by the bits that the manual names.
 fn taken(word: &str, status: u16) -> bool {

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use sieben_model::address::Area;
 
-use crate::bench::{Bench, with};
+use super::bench::{Bench, with};
 
 /// A logic string, as one writes it down.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use crate::bench::{Bench, with};
+use super::bench::{Bench, with};
 
 /// A timer as the manual draws it: a level S, a time that runs, and what is kept when it has run out.
 #[derive(Clone, Debug, Default)]

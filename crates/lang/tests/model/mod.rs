@@ -7,8 +7,6 @@ mod bench;
 mod jumps;
 mod logic;
 mod relay;
-#[path = "../strict/mod.rs"]
-mod strict;
 mod timers_and_counters;
 
 use std::collections::HashMap;
@@ -16,7 +14,7 @@ use std::sync::{Arc, LazyLock, Mutex};
 
 use proptest::prelude::*;
 use sieben_engine::machine::Registers;
-use sieben_engine::{Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
+use sieben_engine::{Context, Engine, Entry, Exit, Layout, Machine, Program};
 use sieben_lang::stl::instructions::Instruction;
 use sieben_lang::stl::lower::{ResolvedBlock, Statement, lower};
 use sieben_lang::stl::operands::Operand;
@@ -26,7 +24,8 @@ use sieben_model::interface::Interface;
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::Span;
-use strict::Strict;
+
+use crate::strict::Strict;
 
 /// What an instruction leaves: ACCU 1, CC 1, CC 0, OV, RLO (where it writes them), or a fault.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -56,7 +55,7 @@ fn engine(word: &str, operand: Option<i16>, accu1: u32, accu2: u32) -> Outcome {
         let mut program = Program::default();
         program.code.insert(block.id, lower(&block, &CpuType::default()));
         let layout = Arc::new(Layout::new(&CpuType::default(), &program));
-        Arc::new((Interpreter::load(&program, &layout), layout))
+        Arc::new((crate::LOAD(&program, &layout), layout))
     }));
     drop(cache);
     let mut machine = Machine::new(loaded.1.clone());
