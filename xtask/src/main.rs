@@ -16,7 +16,11 @@ const USAGE: &str = "usage: cargo xtask TASK
        [--seed N]       other inputs than the last time
   fuzz --replay TARGET FILE
                         run one target on one input
-  soak kill [--count N] kill a running program N times (1000) and look at its retentive data";
+  soak kill [--count N] kill a running program N times (1000) and look at its retentive data
+  soak run [--minutes N]
+                        run a program for N minutes (60) and watch its memory
+  soak fuzz [--minutes N]
+                        all fuzz targets, round after round with other inputs";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

@@ -1,31 +1,38 @@
 //! `cargo xtask soak`: what takes longer than a test may, and proves more.
 
 pub mod kill;
+mod long_run;
 
 use std::path::PathBuf;
 use std::process::Command;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-use crate::workspace;
+use crate::{fuzz, workspace};
 
 /// Runs the task.
 pub fn run(arguments: &[String]) -> Result<(), String> {
     let options = read_options(arguments)?;
     match options.name.as_str() {
         "kill" => kill_runs(&options),
-        unknown => Err(format!("`{unknown}` is no soak: kill")),
+        "run" => {
+            let folder = std::env::temp_dir().join(format!("sieben-soak-run-{}", std::process::id()));
+            long_run::run(&binary(&options)?, &folder, options.time)
+        }
+        "fuzz" => fuzz_rounds(options.time),
+        unknown => Err(format!("`{unknown}` is no soak: kill, run or fuzz")),
     }
 }
 
 struct Options {
     name: String,
     count: u32,
+    time: Duration,
     binary: Option<PathBuf>,
 }
 
 fn read_options(arguments: &[String]) -> Result<Options, String> {
     let (name, rest) = arguments.split_first().ok_or("say what: `cargo xtask soak kill`")?;
-    let mut options = Options { name: name.clone(), count: 1000, binary: None };
+    let mut options = Options { name: name.clone(), count: 1000, time: Duration::from_secs(3600), binary: None };
     let mut words = rest.iter();
     while let Some(word) = words.next() {
         let mut value = |what: &str| words.next().cloned().ok_or(format!("`{word}` is followed by {what}"));
@@ -34,8 +41,13 @@ fn read_options(arguments: &[String]) -> Result<Options, String> {
                 let text = value("a number")?;
                 options.count = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
             }
+            "--minutes" => {
+                let text = value("a number")?;
+                let minutes: u32 = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
+                options.time = Duration::from_secs(60) * minutes;
+            }
             "--binary" => options.binary = Some(value("a file")?.into()),
-            unknown => return Err(format!("`{unknown}` is no option of soak: --count or --binary")),
+            unknown => return Err(format!("`{unknown}` is no option of soak: --count, --minutes or --binary")),
         }
     }
     Ok(options)
@@ -75,6 +87,25 @@ fn kill_runs(options: &Options) -> Result<(), String> {
              of {} runs that were looked at before the kill, {} lost the scan that was running, none lost more",
             outcome.kills, outcome.early, outcome.scans, outcome.looked_at, outcome.scans_lost
         );
+    }
+    Ok(())
+}
+
+/// Seconds of one round over all fuzz targets.
+const ROUND_SECONDS: u64 = 300;
+
+/// Runs all fuzz targets, round after round, each with other inputs.
+fn fuzz_rounds(time: Duration) -> Result<(), String> {
+    let began = Instant::now();
+    // Rounds of a later soak shall have other inputs than those of this one.
+    let first = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).map_or(1, |since| since.as_secs());
+    for round in 0.. {
+        let left = time.saturating_sub(began.elapsed()).as_secs();
+        if left == 0 {
+            break;
+        }
+        let seconds = left.min(ROUND_SECONDS).to_string();
+        fuzz::run(&["--seconds".to_owned(), seconds, "--seed".to_owned(), (first + round).to_string()])?;
     }
     Ok(())
 }
