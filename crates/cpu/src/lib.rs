@@ -21,6 +21,7 @@ pub mod retain;
 pub mod settings;
 pub mod station;
 pub mod system;
+pub mod system_status_list;
 
 pub use clock::DateAndTime;
 pub use cpu::{Cpu, DataLoss, ScanReport, StopCause, StopRequest};

@@ -201,12 +201,14 @@ pub fn compile_syntax(
     let exists = |id: BlockId| {
         blocks.contains_key(&id) || system.contains_key(&id) || (id.kind == BlockKind::DataBlock && data.contains_key(&id.number))
     };
+    let only = |id: BlockId| system.get(&id).and_then(|block| Some((block.name, block.only?)));
     let known = Known {
         sources,
         scope: &scope,
         cpu: &cpu,
         interfaces: &interfaces,
         exists: &exists,
+        only: &only,
         data: &data,
         field_names: &field_names,
         temporaries: options.temporaries,

@@ -57,7 +57,8 @@ impl Scope {
             });
         }
         let mut scope = Self { globals, suggestions: Cell::new(0) };
-        for block in system {
+        // Of blocks that the CPU does not have only the numbers count: `"START"` and `"COUNT"` are everybody's words.
+        for block in system.iter().filter(|block| block.only.is_none()) {
             scope.add_block(block.name, block.block);
         }
         scope

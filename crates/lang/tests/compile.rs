@@ -15,7 +15,12 @@ use sieben_model::types::{DataType, Structure};
 
 fn system_blocks() -> Vec<SystemBlock> {
     let mut blocks = Vec::new();
-    blocks.push(SystemBlock { block: BlockId::new(BlockKind::SystemFunction, 46), name: "STP", interface: Interface::default() });
+    blocks.push(SystemBlock {
+        block: BlockId::new(BlockKind::SystemFunction, 46),
+        name: "STP",
+        interface: Interface::default(),
+        only: None,
+    });
     let parameter = |name: &str, section, data_type, offset| Variable {
         name: name.to_owned(),
         section,
@@ -36,6 +41,7 @@ fn system_blocks() -> Vec<SystemBlock> {
             ],
             ..Interface::default()
         },
+        only: None,
     });
     blocks
 }

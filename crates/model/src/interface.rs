@@ -80,4 +80,6 @@ pub struct SystemBlock {
     pub name: &'static str,
     /// Its parameters.
     pub interface: Interface,
+    /// What has it, if the CPU types of this program do not: "CPU 31xC". A call compiles, is warned of, and fails at run time.
+    pub only: Option<&'static str>,
 }

@@ -73,6 +73,7 @@ impl Cpu {
                 retain.timers.clear_others(&mut self.machine.timers);
                 retain.counters.clear_others(&mut self.machine.counters);
                 self.load_data_blocks(|non_retain| non_retain);
+                system::clear(&mut self.machine, &self.system.non_retain);
             }
         }
     }
@@ -85,6 +86,7 @@ impl Cpu {
         self.machine.timers.fill(Default::default());
         self.machine.counters.fill(Default::default());
         system::delete_created(&mut self.machine);
+        self.system.non_retain.clear();
         self.load_data_blocks(|_| true);
     }
 
@@ -94,8 +96,10 @@ impl Cpu {
             let Some(Some(entry)) = self.machine.memory.data_blocks.get_mut(usize::from(number)) else { continue };
             entry.read_only = block.read_only;
             let start = entry.base as usize;
-            let length = block.image.len().min(entry.length as usize);
-            self.machine.memory.arena[start..start + length].copy_from_slice(&block.image[..length]);
+            // The program may have written the load memory (SFC 84).
+            let image = self.system.load_memory.get(&number).unwrap_or(&block.image);
+            let length = image.len().min(entry.length as usize);
+            self.machine.memory.arena[start..start + length].copy_from_slice(&image[..length]);
         }
     }
 

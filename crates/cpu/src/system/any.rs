@@ -8,7 +8,7 @@ use super::Call;
 use super::parameters::{Place, Refused, locate};
 
 /// Bytes of one element of a type by its code in an ANY; `None` = no type that lies in memory.
-fn element_bytes(code: u8) -> Option<u32> {
+pub(super) fn element_bytes(code: u8) -> Option<u32> {
     Some(match code {
         // BYTE, CHAR and, counted in bytes, STRING.
         0x02 | 0x03 | 0x13 => 1,
@@ -25,27 +25,32 @@ fn element_bytes(code: u8) -> Option<u32> {
 impl Call<'_, '_> {
     /// The arena bytes that an ANY parameter means.
     pub(super) fn any(&self, index: usize, write: bool) -> Result<Range<usize>, u16> {
-        let [syntax, code, c1, c0, d1, d0, p3, p2, p1, p0] = self.passed::<10>(index, write)?;
-        let refuse = |refused: Refused| refused.of(index);
+        let any = self.passed::<10>(index, write)?;
+        self.area(any, write).map_err(|refused| refused.of(index))
+    }
+
+    /// The arena bytes that an ANY means.
+    pub(super) fn area(&self, any: [u8; 10], write: bool) -> Result<Range<usize>, Refused> {
+        let [syntax, code, c1, c0, d1, d0, p3, p2, p1, p0] = any;
         if syntax != 0x10 {
-            return Err(refuse(Refused::AREA.when(write)));
+            return Err(Refused::AREA.when(write));
         }
         let count = u32::from(u16::from_be_bytes([c1, c0]));
         let pointer = u32::from_be_bytes([p3, p2, p1, p0]);
         let bytes = match (code, element_bytes(code)) {
             // Bits only as whole bytes.
             (0x01, _) if count % 8 == 0 => count / 8,
-            (0x01, _) => return Err(refuse(Refused::LENGTH.when(write))),
+            (0x01, _) => return Err(Refused::LENGTH.when(write)),
             (_, Some(element)) => count * element,
-            _ => return Err(refuse(Refused::AREA.when(write))),
+            _ => return Err(Refused::AREA.when(write)),
         };
         if pointer & 7 != 0 {
-            return Err(refuse(Refused::BIT.when(write)));
+            return Err(Refused::BIT.when(write));
         }
-        match locate(self.machine, u16::from_be_bytes([d1, d0]), pointer, bytes, write).map_err(refuse)? {
+        match locate(self.machine, u16::from_be_bytes([d1, d0]), pointer, bytes, write)? {
             Place::Arena(at) => Ok(at..at + bytes as usize),
             // The peripheral, timers and counters are no areas for blocks of data.
-            Place::Peripheral(_) => Err(refuse(Refused::AREA.when(write))),
+            Place::Peripheral(_) => Err(Refused::AREA.when(write)),
         }
     }
 

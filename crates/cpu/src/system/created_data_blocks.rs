@@ -1,5 +1,6 @@
-//! Data blocks that the program makes (SFC 22 to 25): room for them, where they are open, and how they outlive a power failure.
+//! Data blocks that the program makes (SFC 22 to 25 and 85): room for them, where they are open, and how they outlive a power failure.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use sieben_engine::Machine;
@@ -15,6 +16,10 @@ pub(super) const BAD_NUMBER: u16 = 0x80A1;
 pub(super) const NOT_THERE: u16 = 0x80B1;
 /// The data block is only in the load memory (UNLINKED).
 pub(super) const UNLINKED: u16 = 0x80B2;
+/// The length is 0 or odd.
+const BAD_LENGTH: u16 = 0x80A2;
+/// No number of the range is free.
+const NO_NUMBER: u16 = 0x80B1;
 /// There is not as much memory.
 const NO_MEMORY: u16 = 0x80B2;
 /// There is as much memory, but not in one piece.
@@ -32,6 +37,28 @@ impl Call<'_, '_> {
             None if self.host.program.data.contains_key(&number) => Err(UNLINKED),
             None => Err(NOT_THERE),
         }
+    }
+
+    /// Makes a data block from the first three parameters, LOW_LIMIT, UP_LIMIT and COUNT; its number goes to parameter `number_at`.
+    pub(super) fn make_data_block(&mut self, number_at: usize) -> Result<u16, u16> {
+        let low = self.input(0, Width::Word)? as u16;
+        let high = self.input(1, Width::Word)? as u16;
+        let length = self.input(2, Width::Word)?;
+        if low == 0 || low > high || high > self.machine.memory.layout.db_number_max {
+            return Err(BAD_NUMBER);
+        }
+        if length == 0 || !length.is_multiple_of(2) {
+            return Err(BAD_LENGTH);
+        }
+        let program = &self.host.program.data;
+        let memory = &self.machine.memory;
+        let free = |number: &u16| memory.data_block(u64::from(*number)).is_none() && !program.contains_key(number);
+        let number = (low..=high).find(free).ok_or(NO_NUMBER)?;
+        let base = place(self.machine, room(length))?;
+        // A number that cannot be delivered must not leave a block behind.
+        self.output(number_at, Width::Word, u32::from(number))?;
+        insert(self.machine, number, base, length);
+        Ok(number)
     }
 }
 
@@ -62,7 +89,7 @@ pub(super) fn room(bytes: u32) -> usize {
 }
 
 /// The first gap that is large enough, or the error code.
-pub(super) fn place(machine: &Machine, bytes: usize) -> Result<usize, u16> {
+fn place(machine: &Machine, bytes: usize) -> Result<usize, u16> {
     let reserve = reserve(machine);
     let mut cursor = reserve.start;
     let mut free = reserve.len();
@@ -82,7 +109,7 @@ pub(super) fn place(machine: &Machine, bytes: usize) -> Result<usize, u16> {
 }
 
 /// Makes a data block of zeros at a place that [`place`] found.
-pub(super) fn insert(machine: &mut Machine, number: u16, base: usize, length: u32) {
+fn insert(machine: &mut Machine, number: u16, base: usize, length: u32) {
     let memory = &mut machine.memory;
     memory.arena[base..base + length as usize].fill(0);
     let index = usize::from(number);
@@ -98,6 +125,14 @@ pub(crate) fn created(machine: &Machine) -> Vec<(u16, u32, u32)> {
     taken(machine).into_iter().filter_map(|(_, number)| entry(number).map(|entry| (number, entry.base, entry.length))).collect()
 }
 
+/// Sets created data blocks to zeros.
+pub(crate) fn clear(machine: &mut Machine, numbers: &BTreeSet<u16>) {
+    for &number in numbers {
+        let Some(entry) = machine.memory.data_block(u64::from(number)) else { continue };
+        machine.memory.arena[entry.base as usize..(entry.base + entry.length) as usize].fill(0);
+    }
+}
+
 /// Deletes all created data blocks; no block may be running.
 pub(crate) fn delete_created(machine: &mut Machine) {
     for (_, number) in taken(machine) {
@@ -107,7 +142,7 @@ pub(crate) fn delete_created(machine: &mut Machine) {
 
 /// The room that data blocks need of the reserve, if they can be created together, which have their numbers and lengths in bytes.
 pub(crate) fn fit(machine: &Machine, blocks: impl Iterator<Item = (u16, usize)>) -> bool {
-    let mut numbers = std::collections::BTreeSet::new();
+    let mut numbers = BTreeSet::new();
     let mut left = RESERVE;
     for (number, length) in blocks {
         let sound = number > 0 && number <= machine.memory.layout.db_number_max && length > 0 && length.is_multiple_of(2);

@@ -23,11 +23,11 @@ const RESTART_OF_CPU: u32 = 1;
 
 /// What programs call by number or name.
 pub(super) static CALLED: &[Row] = &[
-    Row { block: NOTHING, name: "__SFC_NOP", parameters: &[], run: Run::Reaction(nothing) },
-    Row { block: REBOOT, name: "__REBOOT", parameters: REBOOT_PARAMETERS, run: Run::Reaction(reboot) },
-    Row { block: SHUTDOWN, name: "__SHUTDOWN", parameters: &[], run: Run::Reaction(shutdown) },
-    Row { block: RESTART_CLOCK_MEMORY, name: "__CLKRST", parameters: &[], run: Run::Reaction(restart_clock_memory) },
-    Row { block: NOTHING_WITH_INSTANCE, name: "__SFB_NOP", parameters: &[], run: Run::Instance(|_| true) },
+    Row { block: NOTHING, name: "__SFC_NOP", parameters: &[], run: Run::Reaction(nothing), only: None },
+    Row { block: REBOOT, name: "__REBOOT", parameters: REBOOT_PARAMETERS, run: Run::Reaction(reboot), only: None },
+    Row { block: SHUTDOWN, name: "__SHUTDOWN", parameters: &[], run: Run::Reaction(shutdown), only: None },
+    Row { block: RESTART_CLOCK_MEMORY, name: "__CLKRST", parameters: &[], run: Run::Reaction(restart_clock_memory), only: None },
+    Row { block: NOTHING_WITH_INSTANCE, name: "__SFB_NOP", parameters: &[], run: Run::Instance(|_| true), only: None },
 ];
 
 const REBOOT_PARAMETERS: &[Parameter] = &[input("REBOOT_TYPE", DataType::Int)];

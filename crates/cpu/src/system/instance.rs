@@ -50,6 +50,43 @@ impl<'a> Instance<'a> {
         self.machine.memory.write_at(self.start + byte, 0, Width::DoubleWord, value as u32);
     }
 
+    pub(super) fn byte(&self, byte: usize) -> u8 {
+        self.machine.memory.read_at(self.start + byte, 0, Width::Byte) as u8
+    }
+
+    pub(super) fn set_byte(&mut self, byte: usize, value: u8) {
+        self.machine.memory.write_at(self.start + byte, 0, Width::Byte, u32::from(value));
+    }
+
+    pub(super) fn word(&self, byte: usize) -> u16 {
+        self.machine.memory.read_at(self.start + byte, 0, Width::Word) as u16
+    }
+
+    pub(super) fn set_word(&mut self, byte: usize, value: u16) {
+        self.machine.memory.write_at(self.start + byte, 0, Width::Word, u32::from(value));
+    }
+
+    pub(super) fn double_word(&self, byte: usize) -> u32 {
+        self.machine.memory.read_at(self.start + byte, 0, Width::DoubleWord)
+    }
+
+    pub(super) fn set_double_word(&mut self, byte: usize, value: u32) {
+        self.machine.memory.write_at(self.start + byte, 0, Width::DoubleWord, value);
+    }
+
+    pub(super) fn real(&self, byte: usize) -> f32 {
+        f32::from_bits(self.double_word(byte))
+    }
+
+    pub(super) fn set_real(&mut self, byte: usize, value: f32) {
+        self.set_double_word(byte, value.to_bits());
+    }
+
+    /// A TIME in seconds.
+    pub(super) fn seconds(&self, byte: usize) -> f32 {
+        self.time(byte) as f32 / 1000.0
+    }
+
     /// The time that IEC timers count by, in milliseconds: 31 bits, then from 0 again.
     pub(super) fn now(&self) -> i32 {
         (self.machine.clock_us / 1000 % (1 << 31)) as i32

@@ -1,17 +1,25 @@
 //! System functions: one file each, one row here.
 
 mod any;
+mod connection;
 mod consistent_data;
+mod controller;
 mod created_data_blocks;
+mod declaration;
+mod dpv1;
 mod error_masks;
 mod extension;
 mod iec_timer;
 mod instance;
 mod interrupt_blocks;
 mod interrupt_locks;
+mod load_memory;
+pub(crate) mod modules;
+mod mpi_partner;
 mod output_bits;
 mod parameters;
 mod process_image_partitions;
+mod records;
 mod run_time_meters;
 mod sfb000_ctu;
 mod sfb001_ctd;
@@ -19,12 +27,27 @@ mod sfb002_ctud;
 mod sfb003_tp;
 mod sfb004_ton;
 mod sfb005_tof;
+mod sfb008_usend;
+mod sfb009_urcv;
+mod sfb012_bsend;
+mod sfb013_brcv;
+mod sfb014_get;
+mod sfb015_put;
+mod sfb032_drum;
+mod sfb041_cont_c;
+mod sfb042_cont_s;
+mod sfb043_pulsegen;
+mod sfb052_rdrec;
+mod sfb053_wrrec;
+mod sfb054_ralrm;
 mod sfc000_set_clk;
 mod sfc001_read_clk;
 mod sfc002_set_rtm;
 mod sfc003_ctrl_rtm;
 mod sfc004_read_rtm;
+mod sfc005_gadr_lgc;
 mod sfc006_rd_sinfo;
+mod sfc013_dpnrm_dg;
 mod sfc014_dprd_dat;
 mod sfc015_dpwr_dat;
 mod sfc020_blkmov;
@@ -54,26 +77,44 @@ mod sfc043_re_trigr;
 mod sfc044_repl_val;
 mod sfc046_stp;
 mod sfc047_wait;
+mod sfc049_lgc_gadr;
+mod sfc050_rd_lgadr;
+mod sfc051_rdsysst;
+mod sfc052_wr_usmsg;
+mod sfc058_wr_rec;
+mod sfc059_rd_rec;
+mod sfc062_control;
 mod sfc064_time_tck;
+mod sfc065_x_send;
+mod sfc066_x_rcv;
+mod sfc067_x_get;
+mod sfc068_x_put;
+mod sfc069_x_abort;
 mod sfc078_ob_rt;
 mod sfc079_set;
 mod sfc080_rset;
 mod sfc081_ublkmov;
+mod sfc083_read_dbl;
+mod sfc084_writ_dbl;
+mod sfc085_crea_db;
+mod sfc100_set_clks;
+mod sfc101_rtm;
 mod state;
 #[cfg(test)]
 mod tests;
+mod unavailable;
 
 use sieben_engine::{Machine, Reaction};
-use sieben_model::block::{BlockId, BlockKind};
-use sieben_model::interface::{Interface, Section, SystemBlock, Variable};
-use sieben_model::source::Span;
-use sieben_model::types::{DataType, place};
+use sieben_model::block::BlockId;
+use sieben_model::interface::SystemBlock;
 
 use crate::host::CpuHost;
 
-pub(crate) use created_data_blocks::{create, created, delete_created, fit};
+pub(crate) use created_data_blocks::{clear, create, created, delete_created, fit};
+use declaration::{
+    Initial, Parameter, RET_VAL, Row, Run, Type, in_out, input, made, output, preset, ret_val, sfb, sfc, stored, stored_preset,
+};
 pub(crate) use error_masks::filter_bit;
-use parameters::Answer;
 pub(crate) use state::{Meter, Running, State};
 
 /// A call: the machine, the CPU behind it, and the first parameter pointer.
@@ -83,64 +124,6 @@ pub(crate) struct Call<'a, 'h> {
     pub(crate) first: usize,
 }
 
-/// What a system block does.
-enum Run {
-    /// Only its reaction counts; BR stays.
-    Reaction(fn(&mut Call<'_, '_>) -> Reaction),
-    /// A function with RET_VAL: a value of at least 0 and BR = 1, or an error code and BR = 0.
-    Value(fn(&mut Call<'_, '_>) -> Answer),
-    /// A function block; the answer is BR.
-    Instance(fn(&mut Call<'_, '_>) -> bool),
-}
-
-/// The type of a parameter.
-enum Type {
-    Plain(DataType),
-    Made(fn() -> DataType),
-}
-
-/// One parameter or variable of an instance.
-struct Parameter {
-    name: &'static str,
-    section: Section,
-    data_type: Type,
-}
-
-const fn input(name: &'static str, data_type: DataType) -> Parameter {
-    Parameter { name, section: Section::Input, data_type: Type::Plain(data_type) }
-}
-
-const fn output(name: &'static str, data_type: DataType) -> Parameter {
-    Parameter { name, section: Section::Output, data_type: Type::Plain(data_type) }
-}
-
-const fn stored(name: &'static str, data_type: DataType) -> Parameter {
-    Parameter { name, section: Section::Static, data_type: Type::Plain(data_type) }
-}
-
-/// The result. It is the first output in the declaration of a system function: error codes count parameters so.
-const fn ret_val() -> Parameter {
-    output(RET_VAL, DataType::Int)
-}
-
-const RET_VAL: &str = "RET_VAL";
-
-/// One row: the block, its name, its parameters, what it does.
-struct Row {
-    block: BlockId,
-    name: &'static str,
-    parameters: &'static [Parameter],
-    run: Run,
-}
-
-const fn sfc(number: u16, name: &'static str, parameters: &'static [Parameter], run: Run) -> Row {
-    Row { block: BlockId::new(BlockKind::SystemFunction, number), name, parameters, run }
-}
-
-const fn sfb(number: u16, name: &'static str, parameters: &'static [Parameter], run: fn(&mut Call<'_, '_>) -> bool) -> Row {
-    Row { block: BlockId::new(BlockKind::SystemFunctionBlock, number), name, parameters, run: Run::Instance(run) }
-}
-
 /// All system blocks of the CPU, functions first, by number.
 static TABLE: &[Row] = &[
     sfc000_set_clk::ROW,
@@ -148,7 +131,9 @@ static TABLE: &[Row] = &[
     sfc002_set_rtm::ROW,
     sfc003_ctrl_rtm::ROW,
     sfc004_read_rtm::ROW,
+    sfc005_gadr_lgc::ROW,
     sfc006_rd_sinfo::ROW,
+    sfc013_dpnrm_dg::ROW,
     sfc014_dprd_dat::ROW,
     sfc015_dpwr_dat::ROW,
     sfc020_blkmov::ROW,
@@ -178,88 +163,78 @@ static TABLE: &[Row] = &[
     sfc044_repl_val::ROW,
     sfc046_stp::ROW,
     sfc047_wait::ROW,
+    sfc049_lgc_gadr::ROW,
+    sfc050_rd_lgadr::ROW,
+    sfc051_rdsysst::ROW,
+    sfc052_wr_usmsg::ROW,
+    sfc058_wr_rec::ROW,
+    sfc059_rd_rec::ROW,
+    sfc062_control::ROW,
     sfc064_time_tck::ROW,
+    sfc065_x_send::ROW,
+    sfc066_x_rcv::ROW,
+    sfc067_x_get::ROW,
+    sfc068_x_put::ROW,
+    sfc069_x_abort::ROW,
     sfc078_ob_rt::ROW,
     sfc079_set::ROW,
     sfc080_rset::ROW,
     sfc081_ublkmov::ROW,
+    sfc083_read_dbl::ROW,
+    sfc084_writ_dbl::ROW,
+    sfc085_crea_db::ROW,
+    sfc100_set_clks::ROW,
+    sfc101_rtm::ROW,
     sfb000_ctu::ROW,
     sfb001_ctd::ROW,
     sfb002_ctud::ROW,
     sfb003_tp::ROW,
     sfb004_ton::ROW,
     sfb005_tof::ROW,
+    sfb008_usend::ROW,
+    sfb009_urcv::ROW,
+    sfb012_bsend::ROW,
+    sfb013_brcv::ROW,
+    sfb014_get::ROW,
+    sfb015_put::ROW,
+    sfb032_drum::ROW,
+    sfb041_cont_c::ROW,
+    sfb042_cont_s::ROW,
+    sfb043_pulsegen::ROW,
+    sfb052_rdrec::ROW,
+    sfb053_wrrec::ROW,
+    sfb054_ralrm::ROW,
 ];
 
-impl Row {
-    fn interface(&self) -> Interface {
-        let function = self.block.kind == BlockKind::SystemFunction;
-        let mut interface = Interface::default();
-        let (mut cursor, mut section) = (0, None);
-        for (index, parameter) in self.parameters.iter().enumerate() {
-            let data_type = match &parameter.data_type {
-                Type::Plain(data_type) => data_type.clone(),
-                Type::Made(make) => make(),
-            };
-            // Each section of an instance starts at an even byte.
-            if section.replace(parameter.section) != Some(parameter.section) {
-                cursor = u64::next_multiple_of(cursor, 16);
-            }
-            let (offset, behind) = place(cursor, &data_type);
-            cursor = behind;
-            interface.variables.push(Variable {
-                name: parameter.name.to_owned(),
-                section: parameter.section,
-                data_type,
-                offset: if function { index as u32 } else { offset as u32 },
-                initial: Vec::new(),
-                comment: String::new(),
-                span: Span::default(),
-            });
-        }
-        if !function {
-            interface.instance_size = (cursor.next_multiple_of(16) / 8) as u32;
-        }
-        interface
-    }
-
-    fn run(&self, call: &mut Call<'_, '_>) -> Reaction {
-        match self.run {
-            Run::Reaction(run) => return run(call),
-            Run::Value(run) => {
-                let answer = run(call);
-                call.answer(self.parameters, answer);
-            }
-            Run::Instance(run) => {
-                let done = run(call);
-                call.machine.registers.br = u64::from(done);
-            }
-        }
-        Reaction::Continue
-    }
+/// Every system block, those that this CPU does not have included.
+fn rows() -> impl Iterator<Item = &'static Row> {
+    TABLE.iter().chain(unavailable::ROWS)
 }
 
-/// The interfaces of all system functions, for those who compile and complete calls.
+/// The interfaces of all system functions, by number, functions first, for those who compile and complete calls.
 pub fn interfaces() -> Vec<SystemBlock> {
-    TABLE.iter().map(|row| SystemBlock { block: row.block, name: row.name, interface: row.interface() }).collect()
+    let mut blocks: Vec<SystemBlock> = rows().map(Row::system_block).collect();
+    blocks.sort_by_key(|block| block.block);
+    blocks
 }
 
 /// The interfaces of the system functions with negative numbers, which only extended programs call.
 pub fn extension_interfaces() -> Vec<SystemBlock> {
-    extension::CALLED.iter().map(|row| SystemBlock { block: row.block, name: row.name, interface: row.interface() }).collect()
+    extension::CALLED.iter().map(Row::system_block).collect()
 }
 
-/// The row of a system function.
+/// The row of a system function. The two large tables are sorted.
 fn row(block: BlockId) -> Option<&'static Row> {
-    TABLE.iter().chain(extension::CALLED).find(|row| row.block == block)
+    let sorted = |table: &'static [Row]| table.binary_search_by_key(&block, |row| row.block).ok().map(|at| &table[at]);
+    sorted(TABLE).or_else(|| sorted(unavailable::ROWS)).or_else(|| extension::CALLED.iter().find(|row| row.block == block))
 }
 
-/// Whether the CPU has this system function.
+/// Whether a call of this system function does something: those that the CPU does not have answer with an error.
 pub(crate) fn has(block: BlockId) -> bool {
     row(block).is_some() || extension::asked(block).is_some()
 }
 
-/// Runs a system function; `None` if the CPU does not have it.
+/// Runs a system function; `None` if there is none of this number.
 pub(crate) fn run(block: BlockId, call: &mut Call<'_, '_>) -> Option<Reaction> {
     match row(block) {
         Some(row) => Some(row.run(call)),

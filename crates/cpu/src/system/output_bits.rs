@@ -1,7 +1,7 @@
 //! What SFC 79 and 80 have in common: a run of output bits.
 
 use sieben_engine::Host;
-use sieben_model::address::Width;
+use sieben_model::address::{Area, Width};
 use sieben_model::types::DataType;
 
 use super::parameters::{Answer, Refused};
@@ -14,7 +14,8 @@ pub(super) fn write(call: &mut Call<'_, '_>, value: bool) -> Answer {
     let count = call.input(0, Width::Word)? as u16 as i16;
     let [_, _, p3, p2, p1, p0] = call.passed::<6>(2, true)?;
     let pointer = u32::from_be_bytes([p3, p2, p1, p0]);
-    if pointer >> 24 != 0x80 {
+    // The process image means the same outputs: whoever writes one writes the other.
+    if ![Area::PeripheralOutput, Area::Output].iter().any(|area| u32::from(area.pointer_code()) == pointer >> 24) {
         return Err(Refused::AREA.when(true).of(2));
     }
     let count = u32::try_from(count).map_err(|_| Refused::LENGTH.of(0))?;

@@ -10,6 +10,11 @@ use super::{Call, Parameter, RET_VAL, Type};
 /// RET_VAL of a call: a value of at least 0, or an error code (bit 15 set).
 pub(super) type Answer = Result<u32, u16>;
 
+/// RET_VAL of a function that runs over several calls: REQ = 0, and no job runs.
+pub(super) const NO_JOB: u32 = 0x7000;
+/// RET_VAL of the call that starts a job.
+pub(super) const STARTED: u32 = 0x7001;
+
 /// A general error code without the number of the parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Refused(u8);
@@ -21,7 +26,7 @@ impl Refused {
     const SHARED_PROTECTED: Self = Self(0x30);
     const INSTANCE_PROTECTED: Self = Self(0x31);
     const DB_NUMBER: Self = Self(0x32);
-    const DB_NOT_LOADED: Self = Self(0x3A);
+    pub(super) const DB_NOT_LOADED: Self = Self(0x3A);
     pub(super) const PERIPHERAL: Self = Self(0x42);
 
     /// Codes that come in pairs are one higher for a write.
@@ -86,6 +91,11 @@ impl Call<'_, '_> {
     fn pointer(&self, index: usize, write: bool) -> Result<u32, u16> {
         // `UC` passes none.
         self.machine.parameters.get(self.first + index).copied().ok_or(Refused::AREA.when(write).of(index))
+    }
+
+    /// The number of a block, timer or counter: what is passed is the number itself.
+    pub(super) fn block_number(&self, index: usize) -> Result<u16, u16> {
+        Ok(self.pointer(index, false)? as u16)
     }
 
     fn place(&self, index: usize, width: Width, write: bool) -> Result<(Place, u8), u16> {

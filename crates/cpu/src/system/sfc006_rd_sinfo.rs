@@ -8,15 +8,12 @@ use sieben_model::types::{DataType, Field, Structure};
 use crate::organization_blocks::StartInformation;
 
 use super::parameters::Answer;
-use super::{Call, Parameter, Row, Run, Type, ret_val, sfc};
+use super::{Call, Parameter, Row, Run, made, ret_val, sfc};
 
 pub(super) const ROW: Row = sfc(6, "RD_SINFO", PARAMETERS, Run::Value(run));
 
-const PARAMETERS: &[Parameter] = &[
-    ret_val(),
-    Parameter { name: "TOP_SI", section: Section::Output, data_type: Type::Made(start_information) },
-    Parameter { name: "START_UP_SI", section: Section::Output, data_type: Type::Made(start_information) },
-];
+const PARAMETERS: &[Parameter] =
+    &[ret_val(), made("TOP_SI", Section::Output, start_information), made("START_UP_SI", Section::Output, start_information)];
 
 /// The first 12 bytes of start information.
 const BYTES: usize = 12;

@@ -27,6 +27,7 @@ fn run(call: &mut Call<'_, '_>) -> Reaction {
                 return Reaction::Fail(Fault::Programming { code, register: number, access: 0 });
             }
             call.machine.memory.data_blocks[usize::from(number)] = None;
+            call.host.system.non_retain.remove(&number);
             Ok(0)
         }
         Err(code) => Err(code),

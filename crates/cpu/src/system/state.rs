@@ -1,6 +1,6 @@
 //! What system functions remember from call to call.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use sieben_engine::{Machine, machine::Origin};
 use sieben_model::extension::FailedAssertion;
@@ -53,6 +53,35 @@ pub(crate) struct State {
     pub(crate) clock_memory_from_us: u64,
     /// CPU clock at the last restart that was no hot one.
     pub(crate) restarted_us: u64,
+    /// Jobs of functions that run over several calls: the function and the area that it works on.
+    pub(crate) jobs: Vec<(u16, [u8; 10])>,
+    /// Data blocks whose bytes in the load memory the program has changed (SFC 84).
+    pub(crate) load_memory: BTreeMap<u16, Vec<u8>>,
+    /// Created data blocks that a warm or cold restart clears (SFC 85).
+    pub(crate) non_retain: BTreeSet<u16>,
+    /// What SFC 100 said about the clock.
+    pub(crate) clock: ClockStatus,
+}
+
+/// What the program knows about the clock of the CPU.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct ClockStatus {
+    /// Difference to the base time in half hours, -24 to 26.
+    pub(crate) correction: i8,
+    /// Daylight saving time.
+    pub(crate) summer: bool,
+    /// The hour before a change between summer and winter time.
+    pub(crate) announced: bool,
+}
+
+impl ClockStatus {
+    /// The status as one word: bit 15 = behind the base time, bits 14 to 10 half hours, bit 9 announced, bit 8 summer.
+    pub(crate) fn word(self) -> u16 {
+        u16::from(self.correction < 0) << 15
+            | u16::from(self.correction.unsigned_abs() & 0x1F) << 10
+            | u16::from(self.announced) << 9
+            | u16::from(self.summer) << 8
+    }
 }
 
 impl State {
@@ -63,6 +92,7 @@ impl State {
         self.reboot = false;
         self.classes.clear();
         self.interrupts.clear();
+        self.jobs.clear();
         if !hot {
             self.restarted_us = now_us;
             for meter in &mut self.meters {

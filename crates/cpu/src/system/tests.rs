@@ -5,6 +5,7 @@ use std::sync::Arc;
 use proptest::prelude::*;
 use sieben_engine::machine::{Frame, Origin};
 use sieben_engine::{Interpreter, Layout, Program};
+use sieben_model::block::BlockKind;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::program::DataBlock;
 
@@ -126,7 +127,7 @@ proptest! {
         with_host(&memory, &parameters, ar2, |call| {
             let size = call.machine.memory.arena.len();
             // Twice: what the first round leaves behind is what the second one finds.
-            for row in TABLE.iter().chain(TABLE) {
+            for row in rows().chain(rows()) {
                 row.run(call);
                 assert_eq!(call.machine.memory.arena.len(), size, "{}", row.name);
                 for entry in call.machine.memory.data_blocks.iter().flatten() {
@@ -134,6 +135,18 @@ proptest! {
                 }
             }
         });
+    }
+}
+
+#[test]
+fn both_tables_are_sorted_and_have_nothing_in_common() {
+    for table in [TABLE, unavailable::ROWS] {
+        assert!(table.is_sorted_by(|a, b| a.block < b.block));
+    }
+    for row in rows() {
+        let twice: Vec<_> = rows().filter(|other| other.block == row.block || other.name == row.name).map(|row| row.block).collect();
+        assert_eq!(twice, [row.block]);
+        assert!(row.parameters.is_sorted_by_key(|parameter| parameter.section), "{} is declared section by section", row.name);
     }
 }
 

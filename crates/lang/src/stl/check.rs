@@ -89,6 +89,7 @@ pub(crate) fn block(
     for statement in &statements {
         calls(known, statement, &mut diagnostics);
         edge_memory(statement, &mut diagnostics);
+        unavailable(known, statement, &mut diagnostics);
         missing_instructions(known, statement, &mut diagnostics);
     }
     whole &= !diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error);
@@ -378,6 +379,18 @@ fn edge_memory(statement: &Statement, diagnostics: &mut Vec<Diagnostic>) {
         let message = "this edge memory lies in temporary data, which the next cycle does not find again".to_owned();
         diagnostics.push(Diagnostic::new(Problem::P4016, statement.span, message));
     }
+}
+
+/// A system block that needs other hardware: the call compiles and fails at run time.
+fn unavailable(known: &Known<'_>, statement: &Statement, diagnostics: &mut Vec<Diagnostic>) {
+    let id = match &statement.operand {
+        Operand::Call(call) => call.callee,
+        Operand::Block(BlockOperand { kind, number: NumberOperand::Fixed(number), .. }) => BlockId::new(*kind, *number),
+        _ => return,
+    };
+    let Some((name, only)) = (known.only)(id) else { return };
+    let message = format!("`{id}` ({name}) is not available on this CPU: it needs {only}; the call answers with an error");
+    diagnostics.push(Diagnostic::new(Problem::P5020, statement.span, message));
 }
 
 /// `ENT` and `LEAVE` are instructions of CPUs with four accumulators.

@@ -43,6 +43,8 @@ pub(crate) struct Known<'a> {
     pub(crate) interfaces: &'a HashMap<BlockId, BlockInterface>,
     /// Every block that exists, laid out or not.
     pub(crate) exists: &'a dyn Fn(BlockId) -> bool,
+    /// Name of a system block that the CPU does not have, and what has it.
+    pub(crate) only: &'a dyn Fn(BlockId) -> Option<(&'static str, &'static str)>,
     /// Layouts of the data blocks.
     pub(crate) data: &'a HashMap<u16, DataLayout>,
     pub(crate) field_names: &'a FieldNames,

@@ -1,0 +1,22 @@
+//! SFB 13 BRCV: receives what BSEND sends.
+
+use sieben_model::types::DataType;
+
+use super::connection::{self, Block};
+use super::{Parameter, Row, in_out, input, output, sfb, stored};
+
+pub(super) const ROW: Row = sfb(13, "BRCV", VARIABLES, |call| connection::call(call, &BLOCK));
+
+const VARIABLES: &[Parameter] = &[
+    input("EN_R", DataType::Bool),
+    input("ID", DataType::Word),
+    input("R_ID", DataType::DoubleWord),
+    output("NDR", DataType::Bool),
+    output("ERROR", DataType::Bool),
+    output("STATUS", DataType::Word),
+    in_out("RD_1", DataType::Any),
+    in_out("LEN", DataType::Word),
+    stored("EN_R_OLD", DataType::Bool),
+];
+
+const BLOCK: Block = Block { outputs: 8, remote: &[], local: &[12], receives: true, length: Some(22), edge: 24 };

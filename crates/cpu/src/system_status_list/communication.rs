@@ -1,0 +1,85 @@
+//! Communication, clock and protection: lists 16#0131, 16#0132 and 16#0232. Nobody is connected yet: what counts jobs is 0.
+
+use super::{SystemStatus, record, words};
+
+/// Bytes of each record.
+const BYTES: usize = 40;
+/// Bytes of the largest telegram, on an S7-300 and on an S7-400.
+const PDU: [u16; 2] = [240, 480];
+/// Connections, on an S7-300 and on an S7-400.
+const CONNECTIONS: [u16; 2] = [16, 64];
+/// Bits per second on the MPI network and on the K bus.
+const MPI_SPEED: u32 = 187_500;
+const K_BUS_SPEED: u32 = 10_500_000;
+/// The MPI address of the CPU.
+const MPI_ADDRESS: u16 = 2;
+
+fn of_family(status: &SystemStatus<'_>, values: [u16; 2]) -> u16 {
+    values[usize::from(status.cpu_type.accumulators == 4)]
+}
+
+/// List 16#0131: what communication the CPU is capable of. Index 0 means 1, as some clients ask.
+pub(super) fn capability(status: &SystemStatus<'_>, index: u16) -> Option<Vec<Vec<u8>>> {
+    let record = match index {
+        0 | 1 => {
+            let [pdu, connections] = [of_family(status, PDU), of_family(status, CONNECTIONS)].map(u16::to_be_bytes);
+            record(BYTES, &[&[0, 1], &pdu, &connections, &MPI_SPEED.to_be_bytes(), &K_BUS_SPEED.to_be_bytes()])
+        }
+        // Test functions, cyclic reading, operator control, diagnosis, connections, messages: none of them is there.
+        2..=9 | 0x10 => words(BYTES, &[index]),
+        _ => return None,
+    };
+    Some(vec![record])
+}
+
+/// List 16#0132: the state of communication.
+pub(super) fn status(status: &SystemStatus<'_>, index: u16) -> Option<Vec<Vec<u8>>> {
+    let record = match index {
+        // One connection is kept for a programming device, one for an operator panel.
+        1 => words(BYTES, &[index, 1, 1, 0, 0, 0, 0, of_family(status, CONNECTIONS) - 2, 0, 0]),
+        2 | 3 | 5 | 6 | 7 | 0xA => words(BYTES, &[index]),
+        4 => protection_levels(),
+        8 => clock(status),
+        9 => words(BYTES, &[index, MPI_ADDRESS]),
+        0xB => meters(status, index, 0),
+        0xC => meters(status, index, 4),
+        _ => return None,
+    };
+    Some(vec![record])
+}
+
+/// Level of the mode switch, level of the configuration (0: none), level that holds, the mode switch (1: RUN), startup (2: warm).
+fn protection_levels() -> Vec<u8> {
+    words(BYTES, &[4, 1, 0, 1, 1, 2])
+}
+
+/// List 16#0232: protection. Index 0 means 4, as some clients ask.
+pub(super) fn protection(_: &SystemStatus<'_>, index: u16) -> Option<Vec<Vec<u8>>> {
+    matches!(index, 0 | 4).then(|| vec![protection_levels()])
+}
+
+/// Meters that run, 16-bit meters, time of day and what is known about it.
+fn clock(status: &SystemStatus<'_>) -> Vec<u8> {
+    let meters: Vec<u8> = status
+        .meters
+        .iter()
+        .flat_map(|&hours| u16::try_from(hours).unwrap_or(i16::MAX as u16).min(i16::MAX as u16).to_be_bytes())
+        .collect();
+    record(
+        BYTES,
+        &[
+            &8_u16.to_be_bytes(),
+            &[status.meters_running, 0, 0, 0],
+            &meters,
+            &[0, 0],
+            &status.time.to_bcd(),
+            &status.clock_status.to_be_bytes(),
+        ],
+    )
+}
+
+/// Meters that run, which have overflowed, and four 32-bit meters from `first` on.
+fn meters(status: &SystemStatus<'_>, index: u16, first: usize) -> Vec<u8> {
+    let meters: Vec<u8> = status.meters.iter().skip(first).take(4).flat_map(|hours| hours.to_be_bytes()).collect();
+    record(BYTES, &[&index.to_be_bytes(), &[status.meters_running, 0], &meters])
+}
