@@ -21,6 +21,9 @@ const STATEMENTS_MAX: usize = 200_000;
 /// memory that it takes grow faster than its length.
 const BLOCK_INSTRUCTIONS_MAX: usize = 400_000;
 
+/// Longer programs are compiled without Cranelift's optimizations, so that the first scan does not wait for them.
+const OPTIMIZED_STATEMENTS_MAX: usize = 5_000;
+
 /// A block as machine code needs it.
 #[derive(Debug)]
 pub(crate) struct Native {
@@ -103,7 +106,9 @@ impl Jit {
     /// # Errors
     /// Why the program cannot become machine code, as the end of a sentence: it is too large, or the machine is not supported.
     pub fn compiled(program: &Program, layout: &Layout, status: StatusBits) -> Result<Arc<dyn Engine>, String> {
-        let options = Options { exact: status == StatusBits::All, ..Options::default() };
+        let statements: usize = program.code.values().map(|block| block.code.statement_count()).sum();
+        let optimize = status == StatusBits::Needed && statements <= OPTIMIZED_STATEMENTS_MAX;
+        let options = Options { exact: status == StatusBits::All, optimize, ..Options::default() };
         Ok(Arc::new(Self::compile(program, layout, options)?))
     }
 
@@ -171,9 +176,10 @@ impl Jit {
         let first = &mut run.scratch.links[0];
         (first.code, first.site, first.local) = (u64::from(code), 0, local as u64);
         (first.parameters, first.parameters_end) = (parameters, parameters);
-        run.show(0, 0);
-        run.limit_calls();
-        access::write_start_information(run.context.machine, &entry.start_information);
+        run.limit_outermost();
+        let start = run.context.machine.memory.layout.local.start;
+        let length = entry.start_information.len().min(self.compiled.blocks[code as usize].local_size as usize);
+        run.context.machine.memory.arena[start..start + length].copy_from_slice(&entry.start_information[..length]);
         let link = run.link_address(0);
         let left = self.compiled.generation.call(code as usize, &mut run, local, link);
         let (registers, budget, exit) = (access::registers(&run.registers), run.budget, run.exit.take());
@@ -194,7 +200,8 @@ impl Jit {
 
 impl Engine for Jit {
     fn run(&self, context: &mut Context<'_>, entry: &Entry) -> Exit {
-        let Some(code) = self.compiled.interpreter.code(entry.block) else { return Exit::Finished };
+        let Ok(code) = self.compiled.blocks.binary_search_by_key(&entry.block, |block| block.id) else { return Exit::Finished };
+        let code = code as u32;
         let local_size = self.compiled.blocks[code as usize].local_size as usize;
         context.machine.frames.clear();
         context.machine.parameters.clear();

@@ -6,6 +6,8 @@ use sieben_engine::access::{self, File};
 use sieben_engine::machine::{CallerRegisters, Origin, Register};
 use sieben_engine::{Context, Exit, Fault};
 
+use sieben_model::address::Area;
+
 use crate::jit::Compiled;
 
 /// Activations that a run can nest: the depth of the CPU types and every interrupt that another one interrupts.
@@ -67,6 +69,8 @@ pub(crate) struct Run<'a, 'c> {
     pub(crate) local_end: u64,
     /// Address of the last link that a call may use.
     pub(crate) link_max: u64,
+    /// First byte in the arena and length of I, Q and M, under the low half of their codes in pointers; no bytes under other codes.
+    pub(crate) areas: [[u64; 2]; 16],
     pub(crate) context: &'a mut Context<'c>,
     pub(crate) compiled: &'a Compiled,
     pub(crate) scratch: &'a mut Scratch,
@@ -87,12 +91,18 @@ impl<'a, 'c> Run<'a, 'c> {
         let arena_bytes = memory.arena.len();
         let budget = context.machine.budget;
         let registers = access::load_file(&context.machine.registers);
+        let mut areas = [[0; 2]; 16];
+        for area in [Area::Input, Area::Output, Area::BitMemory] {
+            let range = context.machine.memory.layout.area(area).unwrap_or(0..0);
+            areas[usize::from(area.pointer_code() & 0xF)] = [range.start as u64, range.len() as u64];
+        }
         Self {
             registers,
             value: 0,
             budget,
             local_end: 0,
             link_max: 0,
+            areas,
             context,
             compiled,
             scratch,
@@ -132,6 +142,15 @@ impl<'a, 'c> Run<'a, 'c> {
     /// Address of the first place for parameters.
     pub(crate) fn parameters_start(&self) -> u64 {
         self.scratch.parameters.as_ptr() as u64
+    }
+
+    /// Sets the limits of calls of an outermost block, before the machine shows its frame.
+    pub(crate) fn limit_outermost(&mut self) {
+        let layout = &self.context.machine.memory.layout;
+        let local_end = (layout.local.start + layout.local_class).min(layout.local.end);
+        let link_max = usize::from(layout.nesting_depth).min(LINKS - 2);
+        self.local_end = self.arena as u64 + local_end as u64;
+        self.link_max = self.link_address(link_max) as u64;
     }
 
     /// Sets the limits of calls, those of the priority class to which the newest frame of the machine belongs.

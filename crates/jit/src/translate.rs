@@ -16,8 +16,9 @@ use cranelift_module::{FuncId, Linkage, Module, ModuleError};
 use sieben_engine::Layout;
 use sieben_engine::access::data_registers;
 use sieben_engine::interpreter::weight;
-use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Target, Var};
+use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
+use sieben_model::address::Area;
 use sieben_model::block::{BlockId, BlockKind};
 
 use crate::ask::{GO_ON, LEAVE, Question};
@@ -40,11 +41,13 @@ pub(crate) struct Options {
     pub(crate) inline: bool,
     /// Whether every status bit is calculated, also where no statement reads it, for those who look at the registers.
     pub(crate) exact: bool,
+    /// Whether Cranelift optimizes: two to three times the time to compile, for code that is up to half as long.
+    pub(crate) optimize: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { inline: true, exact: true }
+        Self { inline: true, exact: true, optimize: false }
     }
 }
 
@@ -59,8 +62,9 @@ type Find<'a> = &'a dyn Fn(BlockId) -> Option<u32>;
 pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<(Generation, BTreeSet<u16>), String> {
     let mut flags = settings::builder();
     let set = |flags: &mut settings::Builder, name: &str, value: &str| flags.set(name, value).map_err(|error| error.to_string());
-    set(&mut flags, "opt_level", "none")?;
-    set(&mut flags, "regalloc_algorithm", "single_pass")?;
+    let (level, algorithm) = if options.optimize { ("speed", "backtracking") } else { ("none", "single_pass") };
+    set(&mut flags, "opt_level", level)?;
+    set(&mut flags, "regalloc_algorithm", algorithm)?;
     set(&mut flags, "use_colocated_libcalls", "false")?;
     set(&mut flags, "is_pic", "false")?;
     set(&mut flags, "enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" })?;
@@ -153,6 +157,14 @@ const OPEN_BLOCKS: [Register; 6] =
     [Register::DbNumber, Register::DbBase, Register::DbLength, Register::DiNumber, Register::DiBase, Register::DiLength];
 /// What a call sets, at the beginning of the callee and behind it.
 const AFTER_CALL: [(Register, u64); 4] = [(Register::Os, 0), (Register::Or, 0), (Register::Sta, 1), (Register::Fc, 0)];
+
+/// Whether an access may go to an open data block.
+fn may_be_in_data_block(place: Place) -> bool {
+    match place {
+        Place::Fixed { area, .. } | Place::Indirect { area, .. } => matches!(area, Area::SharedData | Area::InstanceData),
+        Place::Crossing { .. } => true,
+    }
+}
 
 /// What a called block finds.
 const AT_CALL: &[(Register, u64)] =
@@ -342,10 +354,11 @@ impl<'a> Translator<'a> {
                         self.written = u32::MAX;
                         mentioned = u32::MAX;
                     }
-                    Inst::Open { .. } => OPEN_BLOCKS.iter().for_each(|&register| {
-                        self.written |= bit_of(register);
-                        mentioned |= bit_of(register);
-                    }),
+                    Inst::Open { .. } => {
+                        self.written |= open_blocks();
+                        mentioned |= open_blocks();
+                    }
+                    Inst::Load { place, .. } | Inst::Store { place, .. } if may_be_in_data_block(place) => mentioned |= open_blocks(),
                     _ => {}
                 }
                 let register = |var: Var| var.register().map_or(0, bit_of);

@@ -1,15 +1,19 @@
 //! Access to data memory: addresses known beforehand are offsets, the others cost one comparison; what that does not cover, or
 //! fails, is asked for.
 
+use std::mem::offset_of;
+
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I16, I32, I64};
 use cranelift_codegen::ir::{BlockArg, InstBuilder, MemFlagsData, Value};
 use sieben_engine::ir::{DataRegister, OnFault, Place, Var};
+use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
 use super::value::Val;
 use super::{After, Translator};
 use crate::ask::Question;
+use crate::run::{Link, Run};
 
 /// Data memory: always there, at any alignment.
 fn data() -> MemFlagsData {
@@ -145,7 +149,9 @@ impl Translator<'_> {
             }
             Place::Crossing { pointer, offset } => {
                 let pointer = self.get(pointer);
-                let Some(pointer) = self.force(pointer).constant() else { return Way::Asked };
+                let pointer = self.force(pointer);
+                let Some(constant) = pointer.constant() else { return self.way_to_any_area(pointer, offset, width, write) };
+                let pointer = constant;
                 let area = match pointer >> 24 & 0xFF {
                     0x81 => Area::Input,
                     0x82 => Area::Output,
@@ -226,6 +232,53 @@ impl Translator<'_> {
         } else {
             return Way::Asked;
         };
+        self.way_in(base, start, length, pointer, offset, width)
+    }
+
+    /// A pointer whose area is known only when the program runs: I, Q, M, an open data block, or the local data of the caller.
+    fn way_to_any_area(&mut self, pointer: Val, offset: u32, width: Width, write: bool) -> Way {
+        if write && !self.layout.read_only.is_empty() {
+            return Way::Asked;
+        }
+        let bits = self.int(pointer);
+        let code = self.b.ins().ushr_imm_u(bits, 24);
+        // I, Q and M stand in a table under their codes, 16#81 to 16#83; it has 16 places, and the code chooses without a branch.
+        let group = self.b.ins().ushr_imm_u(bits, 28);
+        let known = self.b.ins().icmp_imm_u(IntCC::Equal, group, 8);
+        let index = self.b.ins().band_imm_u(code, 0xF);
+        let none = self.b.ins().iconst(I32, 0);
+        let index = self.b.ins().select(known, index, none);
+        let index = self.b.ins().uextend(I64, index);
+        let moved = self.b.ins().ishl_imm_u(index, 4);
+        let entry = self.b.ins().iadd(self.run, moved);
+        let table = offset_of!(Run<'_, '_>, areas) as i32;
+        let trusted = MemFlagsData::trusted();
+        let mut start = self.b.ins().load(I64, trusted, entry, table);
+        let mut length = self.b.ins().load(I64, trusted, entry, table + 8);
+        for (area, base, bytes) in [(0x84, Register::DbBase, Register::DbLength), (0x85, Register::DiBase, Register::DiLength)] {
+            let is_it = self.b.ins().icmp_imm_u(IntCC::Equal, code, area);
+            let (base, bytes) = (self.register(base), self.register(bytes));
+            let (base, bytes) = (self.word(base), self.word(bytes));
+            start = self.b.ins().select(is_it, base, start);
+            length = self.b.ins().select(is_it, bytes, length);
+        }
+        if self.called_only() {
+            // The local data of the caller end where those of this block begin. A pointer that was passed on further is asked for.
+            let caller = -(size_of::<Link>() as i32) + offset_of!(Link, local) as i32;
+            let caller = self.b.ins().load(I64, trusted, self.link, caller);
+            let bytes = self.b.ins().isub(self.local, caller);
+            let base = self.b.ins().isub(caller, self.arena);
+            let calls = self.b.ins().ushr_imm_u(bits, 19);
+            let is_it = self.b.ins().icmp_imm_u(IntCC::Equal, calls, 0x87 << 5);
+            start = self.b.ins().select(is_it, base, start);
+            length = self.b.ins().select(is_it, bytes, length);
+        }
+        let base = self.b.ins().iadd(self.arena, start);
+        self.way_in(base, 0, Val::Word(length), pointer, offset, width)
+    }
+
+    /// A computed position in an area.
+    fn way_in(&mut self, base: Value, start: i32, length: Val, pointer: Val, offset: u32, width: Width) -> Way {
         let pointer = self.int(pointer);
         let pointer = if offset == 0 { pointer } else { self.b.ins().iadd_imm_u(pointer, i64::from(offset)) };
         let moved = self.b.ins().band_imm_u(pointer, 0x00FF_FFFF);
