@@ -11,6 +11,7 @@ use sieben_lang::encoding::Encoding;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
+use sieben_model::profile::Profile;
 
 use crate::document::Document;
 use crate::failure::Failure;
@@ -29,6 +30,9 @@ pub(crate) struct ProgramArguments {
     /// Allow the extension words of awlsim, such as `__ASSERT==` [default: the project's, else not]
     #[arg(long)]
     extended: bool,
+    /// Whose rules hold where awlsim and the manual differ [default: the project's, else siemens]
+    #[arg(long, value_name = "NAME")]
+    profile: Option<ProfileArgument>,
     #[command(flatten)]
     encoding: EncodingArgument,
 }
@@ -53,6 +57,24 @@ fn encoding_argument(text: &str) -> Result<Encoding, String> {
         let names = Encoding::ALL.map(Encoding::name).join(", ");
         format!("`{text}` is no encoding of source files; there are {names}")
     })
+}
+
+/// Whose rules hold where awlsim and the manual differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum ProfileArgument {
+    // The manual.
+    Siemens,
+    // awlsim.
+    Awlsim,
+}
+
+impl From<ProfileArgument> for Profile {
+    fn from(argument: ProfileArgument) -> Self {
+        match argument {
+            ProfileArgument::Siemens => Self::Siemens,
+            ProfileArgument::Awlsim => Self::Awlsim,
+        }
+    }
 }
 
 /// A mnemonic language, or the judgement over the whole file.
@@ -94,7 +116,13 @@ impl ProgramArguments {
             None => None,
             Some(name) => Some(CpuType::by_name(name).ok_or_else(|| Failure::usage(Problem::P7002, settings::unknown_cpu(name)))?),
         };
-        Ok(Overrides { cpu, mnemonics: self.mnemonics.map(MnemonicsArgument::language), extended: self.extended, ..Overrides::default() })
+        Ok(Overrides {
+            cpu,
+            mnemonics: self.mnemonics.map(MnemonicsArgument::language),
+            extended: self.extended,
+            profile: self.profile.map(Profile::from),
+            ..Overrides::default()
+        })
     }
 }
 

@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod awlpro;
 mod commands;
 mod controller;
 mod document;

@@ -10,10 +10,12 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
+use sieben_model::profile::Profile;
 use sieben_model::source::{FileId, Span};
 use sieben_model::symbols::SymbolTable;
 
 use crate::arguments::{ProgramArguments, ReportArguments};
+use crate::awlpro;
 use crate::failure::{Exit, Failure};
 use crate::files;
 use crate::glob::Pattern;
@@ -40,6 +42,8 @@ pub(crate) struct Overrides {
     pub(crate) temporaries: TemporaryReads,
     /// `--extended`.
     pub(crate) extended: bool,
+    /// `--profile`.
+    pub(crate) profile: Option<Profile>,
     /// The first source is a test: its blocks take the place of those with the same number.
     pub(crate) replacing: bool,
 }
@@ -53,6 +57,8 @@ pub(crate) struct SourceFile {
     pub(crate) id: FileId,
     /// Its text and how it was encoded.
     pub(crate) decoded: Decoded,
+    /// It lies inside another file, which is not ours to write.
+    pub(crate) embedded: bool,
 }
 
 /// Everything read and decoded, nothing compiled.
@@ -73,7 +79,7 @@ pub(crate) struct Project {
     /// The files that `tests` names.
     pub(crate) tests: Vec<PathBuf>,
     /// The encoding that the user chose for its files.
-    encoding: Option<Encoding>,
+    pub(crate) encoding: Option<Encoding>,
 }
 
 /// A project with what the compiler made of it.
@@ -103,6 +109,8 @@ impl Project {
                 project.folder(folder, &mut seen)?;
             } else if path.is_dir() {
                 project.folder(path, &mut seen)?;
+            } else if awlpro::is_project(path) {
+                awlpro::load(&mut project, path, &mut seen)?;
             } else if is_symbols(path) {
                 project.symbol_table(path, &mut seen)?;
             } else {
@@ -116,6 +124,9 @@ impl Project {
     /// Compiles it for the CPU type of the command line, else of the project, else the default.
     pub(crate) fn compile(mut self, overrides: Overrides, syntax_only: bool) -> Build {
         let cpu = overrides.cpu.or(self.settings.cpu).unwrap_or(&CpuType::ALL[0]);
+        let profile = overrides.profile.or(self.settings.profile).unwrap_or_default();
+        // A CPU type lives as long as the process; few have rules of their own.
+        let cpu = if profile == Profile::Siemens { cpu } else { Box::leak(Box::new(profile.applied_to(cpu))) };
         let extended = overrides.extended || self.settings.extended;
         let mut system_blocks = sieben_cpu::system::interfaces();
         if extended {
@@ -164,6 +175,11 @@ impl Project {
         }
         let mut listing = Listing { files: Vec::new(), links_outside: Vec::new(), root: folder };
         listing.walk(folder, 0)?;
+        // A project of awlsim that is alone in its folder is what the folder means, unless a `sieben.toml` says otherwise.
+        let others: Vec<&PathBuf> = listing.files.iter().filter(|file| awlpro::is_project(file)).collect();
+        if let ([other], false) = (others.as_slice(), project_file.is_file()) {
+            return awlpro::load(self, &join(folder, other), seen);
+        }
         let default_symbols =
             |path: &Path| is_symbol_table(path) || path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("symbols.csv"));
         let mut symbols = self.chosen(&listing, settings.symbols.as_deref(), default_symbols);
@@ -231,7 +247,7 @@ impl Project {
         self.findings.len() > before
     }
 
-    fn source(&mut self, path: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<(), Failure> {
+    pub(crate) fn source(&mut self, path: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<(), Failure> {
         if !is_new(path, seen) {
             return Ok(());
         }
@@ -251,11 +267,11 @@ impl Project {
             self.findings.push(Finding::file(Problem::P6004, shown(path), format!("`{}` is empty", shown(path))));
         }
         let id = self.texts.program.add(shown(path), decoded.text.clone());
-        self.sources.push(SourceFile { path: path.to_path_buf(), id, decoded });
+        self.sources.push(SourceFile { path: path.to_path_buf(), id, decoded, embedded: false });
         Ok(())
     }
 
-    fn symbol_table(&mut self, path: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<(), Failure> {
+    pub(crate) fn symbol_table(&mut self, path: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<(), Failure> {
         if !is_new(path, seen) {
             return Ok(());
         }
@@ -269,22 +285,26 @@ impl Project {
             Err(failure) => return Err(failure),
         };
         self.findings.extend(file.findings);
-        // Twice in one table is found where the table is read; here are the tables before this one.
+        self.add_symbols(&shown(path), &file.read.table);
+        Ok(())
+    }
+
+    /// Takes in a symbol table. Twice in one table is found where the table is read; here are the tables before this one.
+    pub(crate) fn add_symbols(&mut self, name: &str, table: &SymbolTable) {
         let before = self.symbols.clone();
-        for symbol in file.read.table.symbols() {
+        for symbol in table.symbols() {
             if let Some(other) = before.find(&symbol.name).filter(|other| other.operand() != symbol.operand()) {
                 let message = format!(
                     "`{}` is `{}` in `{}` and `{}` in another symbol table",
                     symbol.name,
                     symbol.address.trim(),
-                    shown(path),
+                    name,
                     other.address.trim()
                 );
-                self.findings.push(Finding::file(Problem::P6101, shown(path), message));
+                self.findings.push(Finding::file(Problem::P6101, name, message));
             }
             self.symbols.push(symbol.clone());
         }
-        Ok(())
     }
 
     /// A program needs at least one source with something in it.
@@ -404,7 +424,7 @@ pub(crate) fn files_below(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 
 /// Whether a file is a program by its name.
 pub(crate) fn is_program(path: &Path) -> bool {
-    has_ending(path, &SOURCE_ENDINGS)
+    has_ending(path, &SOURCE_ENDINGS) || awlpro::is_project(path)
 }
 
 /// Whether a file named on the command line is a symbol table by its name.
@@ -421,7 +441,7 @@ fn has_ending(path: &Path, endings: &[&str]) -> bool {
 }
 
 /// Whether a pattern points outside the folder it is relative to.
-fn leaves_folder(pattern: &str) -> bool {
+pub(crate) fn leaves_folder(pattern: &str) -> bool {
     let path = Path::new(pattern);
     path.components().any(|part| !matches!(part, Component::Normal(_) | Component::CurDir))
         || pattern.contains('\\')

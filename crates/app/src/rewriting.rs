@@ -95,6 +95,10 @@ impl Rewriting {
 /// Writes the new text of a source to a file as a whole, unless something would be lost or someone else has changed the file.
 pub(crate) fn write(target: &Path, source: &SourceFile, text: &str, encoding: Encoding) -> Result<(), Failure> {
     let shown = source.path.display();
+    if source.embedded {
+        let message = format!("`{shown}` holds this source inside; it is not ours to write");
+        return Err(Failure::usage(Problem::P6046, message));
+    }
     if source.decoded.had_errors {
         let message = format!("`{shown}` holds bytes that mean nothing in {}; rewriting would lose them", source.decoded.encoding.name());
         return Err(Failure::usage(Problem::P1102, message));

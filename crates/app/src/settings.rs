@@ -14,6 +14,7 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
+use sieben_model::profile::Profile;
 use sieben_model::source::{FileId, Span};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -24,7 +25,7 @@ use crate::nearest::{nearest, one_of};
 pub(crate) const FILE_NAME: &str = "sieben.toml";
 
 /// What the cycle monitoring time can be set to.
-const WATCHDOG: std::ops::RangeInclusive<Duration> = Duration::from_millis(1)..=Duration::from_secs(6);
+pub(crate) const WATCHDOG: std::ops::RangeInclusive<Duration> = Duration::from_millis(1)..=Duration::from_secs(6);
 
 /// A text with its place.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +53,8 @@ pub(crate) struct Settings {
     pub(crate) library: Selection,
     /// `project.extended`: the sources use the extension words of awlsim.
     pub(crate) extended: bool,
+    /// `project.profile`: whose rules hold where awlsim and the manual differ.
+    pub(crate) profile: Option<Profile>,
     /// `cpu.type`.
     pub(crate) cpu: Option<&'static CpuType>,
     /// `cpu.cycle`; zero = free running.
@@ -141,6 +144,7 @@ const KEYS: &[Key] = &[
     used("project", "library"),
     later("project", "dialect"),
     used("project", "extended"),
+    used("project", "profile"),
     used("cpu", "type"),
     used("cpu", "cycle"),
     used("cpu", "watchdog"),
@@ -211,6 +215,7 @@ impl Reader {
                     DeValue::Boolean(enabled) => self.settings.library.enabled = *enabled,
                     _ => self.wrong(value, "`library` is `true` or `false`; numbers of its blocks stand in a table `[library]`"),
                 },
+                ("project", "profile") => self.profile(value),
                 ("project", "extended") => match value.get_ref() {
                     DeValue::Boolean(extended) => self.settings.extended = *extended,
                     _ => self.wrong(value, "`extended` is `true` or `false`: `extended = true`"),
@@ -324,6 +329,14 @@ impl Reader {
             "en" => Some(Mnemonics::English),
             "de" => Some(Mnemonics::German),
             _ => return self.wrong(value, &format!("`{}` is no mnemonic language: write `auto`, `en` or `de`", placed.text)),
+        }
+    }
+
+    fn profile(&mut self, value: &Value<'_>) {
+        let Some(placed) = self.text(value, "profile") else { return };
+        match Profile::from_name(&placed.text) {
+            Some(profile) => self.settings.profile = Some(profile),
+            None => self.wrong(value, &format!("`{}` is no profile: write `siemens` or `awlsim`", placed.text)),
         }
     }
 

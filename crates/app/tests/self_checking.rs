@@ -236,3 +236,32 @@ fn the_corpus_is_written_as_its_users_write() {
     let missing: Vec<&str> = chapters.into_iter().filter(|&word| !words.contains(word)).collect();
     assert!(missing.is_empty(), "no program has {}", missing.join(", "));
 }
+
+#[test]
+fn the_profile_of_awlsim_has_its_rules_and_no_other_has() {
+    let stw = "SET\nSAVE\nSET\nA M 0.0\nL STW\nT MW 0\n";
+    // The difference of these two is denormal.
+    let tiny = "L 1.5e-38\nL 1.6e-38\n==R\n= M 10.0\nL __CNST_PINF\nL __CNST_PINF\n==R\n= M 10.1\nL 2.0\nL 1.0\n>R\n= M 10.2\n";
+    let numbers = "ORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 60000\nEND_ORGANIZATION_BLOCK\nFUNCTION FC 60000 : VOID\nBEGIN\nEND_FUNCTION\n";
+    let folder = Folder::with(&[("stw.awl", stw), ("tiny.awl", tiny), ("numbers.awl", numbers)]);
+    for (profile, word, bits, code) in [("siemens", "16#0100", "16#06", 3), ("awlsim", "16#0101", "16#05", 0)] {
+        folder.run(&["exec", "stw.awl", "--show", "MW0", "--profile", profile]).code(0).stdout(&format!("MW0 = {word}\n"));
+        folder.run(&["exec", "tiny.awl", "--extended", "--show", "MB10", "--profile", profile]).code(0).stdout(&format!("MB10 = {bits}\n"));
+        folder.run(&["check", "numbers.awl", "--profile", profile]).code(code);
+    }
+    folder.write("sieben.toml", b"[project]\nprofile = \"awlsim\"\nsources = \"numbers.awl\"\n");
+    folder.run(&["check", "."]).code(0);
+    folder.write("sieben.toml", b"[project]\nprofile = \"other\"\nsources = \"numbers.awl\"\n");
+    folder.run(&["check", "."]).code(3).stderr("`other` is no profile: write `siemens` or `awlsim`");
+    folder.run(&["check", "stw.awl", "--profile", "other"]).code(2);
+}
+
+#[test]
+fn the_page_on_awlsim_names_every_difference() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/how-to/from-awlsim.md");
+    let page = fs::read_to_string(path).expect("the page is there");
+    for difference in sieben_model::profile::DIFFERENCES {
+        let row = format!("| {} | {} | {} |", difference.name, difference.theirs, difference.ours);
+        assert!(page.contains(&row), "docs/how-to/from-awlsim.md lacks\n{row}");
+    }
+}

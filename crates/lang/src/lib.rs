@@ -1,6 +1,7 @@
 //! Text → checked program → IR.
 #![forbid(unsafe_code)]
 
+pub mod awlsim_project;
 mod declarations;
 pub mod encoding;
 pub mod library;

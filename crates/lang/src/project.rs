@@ -458,7 +458,7 @@ fn block_names(found: &[Found<'_>], scope: &Scope) -> BTreeMap<BlockId, String> 
 pub fn fuzz(data: &[u8]) {
     let mut sources = Sources::default();
     sources.add("fuzz.awl", String::from_utf8_lossy(data));
-    let compiled = compile(&sources, &SymbolTable::default(), &Options::default());
+    let compiled = compile(&sources, &SymbolTable::default(), &Options { extended: true, ..Options::default() });
     for (id, block) in &compiled.program.code {
         assert_eq!(sieben_engine::ir::verify(&block.code), Ok(()), "the code of {id} keeps the rules of the IR");
     }

@@ -39,6 +39,8 @@ pub struct CpuType {
     pub has_ob88: bool,
     /// `L STW` and `T STW` move all nine status bits (S7-400) or not /FC, STA and OR (S7-300).
     pub status_word_whole: bool,
+    /// REAL numbers compare by their difference instead of their values, see [`crate::profile`].
+    pub compares_real_by_difference: bool,
     /// Entries of the diagnostic buffer.
     pub diagnostic_buffer: u16,
 }
@@ -68,6 +70,7 @@ const S7_300: CpuType = CpuType {
     organization_blocks: S7_300_BLOCKS,
     has_ob88: false,
     status_word_whole: false,
+    compares_real_by_difference: false,
     diagnostic_buffer: 100,
 };
 const S7_400: CpuType = CpuType {

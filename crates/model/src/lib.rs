@@ -11,6 +11,7 @@ pub mod interface;
 pub mod literal;
 pub mod mnemonics;
 pub mod problems;
+pub mod profile;
 pub mod program;
 pub mod source;
 pub mod symbols;

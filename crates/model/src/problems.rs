@@ -166,6 +166,13 @@ problems! {
     P6030 Warning "a retentive range beyond the CPU type" "Shorten the range, or choose a CPU type with more bit memory, timers or counters.";
     P6031 Error "retentive data that another run is using" "End the other run, name another file with --retain, or run with --no-retain.";
     P6032 Error "retentive data that cannot be read" "Check the path and the permissions, or run with --no-retain, which leaves the file alone.";
+    P6040 Error "an awlsim project that is not XML" "Save the project anew, or restore the file; a project has neither DTD nor entities of its own.";
+    P6041 Error "a file that is no awlsim project of a known version" "Name a file that awlsim has saved as `.awlpro`, format version 1.";
+    P6042 Error "a value that an awlsim project cannot have" "Write the value the way the message shows, or set it in awlsim.";
+    P6043 Error "a diagram in an awlsim project" "Write the diagram as STL, or disable it in the project.";
+    P6044 Warning "a part of an awlsim project that is not used" "Remove it from the project, or live without it: the rest of the project runs.";
+    P6045 Error "a library block of an awlsim project that Sieben does not have" "Write the block yourself, or take it out of the project; `sieben explain library` lists the blocks there are.";
+    P6046 Error "a file inside a project that cannot be written alone" "Change the source in the program that wrote the project.";
     P6101 Error "a symbol that stands twice in the table" "Rename or delete one of the two rows; case does not distinguish symbols.";
     P6102 Warning "an address with two symbols" "Keep the symbol that the program uses.";
     P6103 Error "an address in the symbol table that is not understood" "Write it as in a program, in either mnemonic language: `I 0.0`, `QW 4`, `T 1`, `DB 5`.";

@@ -36,6 +36,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "cpu-run", fuzz: run, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "engines", fuzz: super::engines::fuzz, corpus: "engines", fences: &["stl"], words: stl_words },
     Target { name: "cpu-retain", fuzz: retain, corpus: "retain", fences: &[], words: no_words },
+    Target { name: "lang-awlsim-project", fuzz: sieben_lang::awlsim_project::fuzz, corpus: "awlpro", fences: &[], words: project_words },
     Target { name: "lang-encoding", fuzz: encoding, corpus: "encoding", fences: &[], words: no_words },
     Target { name: "lang-stl", fuzz: sieben_lang::stl::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "lang-symbols", fuzz: sieben_lang::symbols::fuzz, corpus: "symbols", fences: &[], words: symbol_words },
@@ -49,7 +50,7 @@ const SAFE_POINTS_MAX: i64 = 10_000;
 fn compiled(data: &[u8]) -> sieben_lang::Compiled {
     let mut sources = Sources::default();
     sources.add("fuzz.awl", String::from_utf8_lossy(data));
-    sieben_lang::compile(&sources, &SymbolTable::default(), &Options::default())
+    sieben_lang::compile(&sources, &SymbolTable::default(), &Options { extended: true, ..Options::default() })
 }
 
 /// Compiles the input and, if it has no errors, runs three scans of it.
@@ -147,6 +148,30 @@ fn scenario_words() -> Vec<&'static str> {
         "known-gap \"why\"",
         "ACCU1=",
         "DB1.DBD4=1.5",
+    ]
+}
+
+fn project_words() -> Vec<&'static str> {
+    vec![
+        "<awlsim_project format_version=\"1\">",
+        "</awlsim_project>",
+        "<cpu>",
+        "<specs nr_accus=\"4\"/>",
+        "nr_flags=\"65536\"",
+        "<config mnemonics=\"2\"/>",
+        "<language_awl>",
+        "<language_fup>",
+        "<symbols>",
+        "<source name=\"a\" file=\"b\">",
+        "</source>",
+        "<![CDATA[",
+        "]]>",
+        "<lib_selection name=\"IEC\" type=\"FC\" index=\"2\"/>",
+        "<!DOCTYPE a [",
+        "&amp;",
+        "&#0;",
+        "<!--",
+        "-->",
     ]
 }
 
@@ -289,6 +314,15 @@ fn stl_words() -> Vec<&'static str> {
         "UO",
         "AR2",
         "STW",
+        "__ASSERT== 1, 2",
+        "__ASSERT==R",
+        "__STWRST",
+        "__SLEEP 1",
+        "__FEATURE 0, 4",
+        "__ACCU 1",
+        "__STW VKE",
+        "__CNST_PI",
+        "SFC -1",
         "label:",
         "{ S7_m_c := 'true' }",
     ];

@@ -1,8 +1,10 @@
 //! From the paths of the command line to tests.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::{Case, self_checking};
+use crate::awlpro;
 use crate::failure::Failure;
 use crate::project::{self, Project};
 use crate::settings;
@@ -51,7 +53,10 @@ fn of_project(folder: &Path) -> Result<Vec<Case>, Failure> {
     Ok(tests.into_iter().map(|test| case(project::shown(&test), program.clone(), Some(test))).collect())
 }
 
-/// The programs of a folder that is no project: every source by itself.
+/// The programs of a folder that is no project: every source by itself. What a project of awlsim names belongs to that.
 fn below(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    Ok(project::files_below(folder)?.into_iter().filter(|file| project::is_program(file)).collect())
+    let mut files: Vec<PathBuf> = project::files_below(folder)?.into_iter().filter(|file| project::is_program(file)).collect();
+    let parts: BTreeSet<PathBuf> = files.iter().filter(|file| awlpro::is_project(file)).flat_map(|file| awlpro::parts(file)).collect();
+    files.retain(|file| !parts.contains(file));
+    Ok(files)
 }
