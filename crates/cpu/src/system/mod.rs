@@ -4,11 +4,14 @@ mod any;
 mod connection;
 mod consistent_data;
 mod controller;
+#[cfg(test)]
+mod controller_tests;
 mod created_data_blocks;
 mod declaration;
 mod dpv1;
 mod error_masks;
 mod extension;
+mod fuzz;
 mod iec_timer;
 mod instance;
 mod interrupt_blocks;
@@ -115,6 +118,7 @@ use declaration::{
     Initial, Parameter, RET_VAL, Row, Run, Type, in_out, input, made, output, preset, ret_val, sfb, sfc, stored, stored_preset,
 };
 pub(crate) use error_masks::filter_bit;
+pub use fuzz::fuzz;
 pub(crate) use state::{Meter, Running, State};
 
 /// A call: the machine, the CPU behind it, and the first parameter pointer.
