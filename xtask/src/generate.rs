@@ -4,8 +4,11 @@ use std::fmt::Write as _;
 use std::fs;
 
 use sieben_engine::ir::ops::Op;
+use sieben_lang::Options;
+use sieben_lang::library;
 use sieben_lang::stl::instructions::Instruction;
 use sieben_model::diagnostic::Severity;
+use sieben_model::interface::{Section, Variable};
 use sieben_model::problems::Problem;
 
 use crate::compatibility;
@@ -27,6 +30,7 @@ pub fn pages(files: &[TextFile]) -> Vec<TextFile> {
     let mut pages = vec![
         TextFile { path: "docs/reference/instructions.md".to_owned(), text: instructions() },
         TextFile { path: "docs/reference/ir-operations.md".to_owned(), text: ir_operations() },
+        TextFile { path: "docs/reference/library.md".to_owned(), text: library_blocks() },
         TextFile { path: "docs/reference/problems.md".to_owned(), text: problem_list() },
     ];
     for &problem in Problem::ALL {
@@ -94,6 +98,45 @@ fn ir_operations() -> String {
     );
     for &op in Op::ALL {
         writeln!(text, "| `{}` | {} | {} |", op.name(), op.arity(), cell(op.doc())).expect("a string takes all text");
+    }
+    text
+}
+
+fn library_blocks() -> String {
+    let mut text = GENERATED.to_owned();
+    text.push_str(
+        "# The library\n\n\
+         One STL source each in `library/`; its head gives the sentences of this page. A call brings the block into the program: \
+         [how](../how-to/library.md). Inputs are before the arrow, results behind it.\n",
+    );
+    let described: Vec<_> = library::ALL.iter().map(|block| (block, library::describe(block, &Options::default()))).collect();
+    let mut families: Vec<&str> = described.iter().map(|(_, description)| description.family.as_str()).collect();
+    families.sort_unstable();
+    families.dedup();
+    for family in families {
+        write!(text, "\n## {family}\n").expect("a string takes all text");
+        for (block, description) in described.iter().filter(|(_, description)| description.family == family) {
+            let spell = |variable: &Variable| {
+                let data_type = variable.data_type.word().unwrap_or("STRUCT");
+                format!("`{}` {data_type}", variable.name)
+            };
+            let (inputs, outputs): (Vec<_>, Vec<_>) =
+                description.interface.parameters().partition(|parameter| parameter.section == Section::Input);
+            let list = |variables: &[&Variable]| variables.iter().map(|variable| spell(variable)).collect::<Vec<_>>().join(", ");
+            let comment = description.comment.split_whitespace().collect::<Vec<_>>().join(" ");
+            let path = block.path;
+            write!(
+                text,
+                "\n### {} {}\n\n{}: {} → {}\n\n{comment}\n\n[Source](../../{path}), {} bytes of local data.\n",
+                block.block,
+                block.name,
+                description.title,
+                list(&inputs),
+                list(&outputs),
+                description.local_bytes
+            )
+            .expect("a string takes all text");
+        }
     }
     text
 }

@@ -77,6 +77,7 @@ blocks! {
     Function 27 "MIN" "iec/fc027_min.awl";
     Function 28 "NE_DT" "iec/fc028_ne_dt.awl";
     Function 29 "NE_STRNG" "iec/fc029_ne_strng.awl";
+    Function 30 "R_STRNG" "iec/fc030_r_strng.awl";
     Function 31 "REPLACE" "iec/fc031_replace.awl";
     Function 32 "RIGHT" "iec/fc032_right.awl";
     Function 33 "S5TI_TIM" "iec/fc033_s5ti_tim.awl";
@@ -85,6 +86,7 @@ blocks! {
     Function 36 "SEL" "iec/fc036_sel.awl";
     Function 37 "STRNG_DI" "iec/fc037_strng_di.awl";
     Function 38 "STRNG_I" "iec/fc038_strng_i.awl";
+    Function 39 "STRNG_R" "iec/fc039_strng_r.awl";
     Function 40 "TIM_S5TI" "iec/fc040_tim_s5ti.awl";
     Function 93 "SEG" "ti/fc093_seg.awl";
     Function 96 "ENCO" "ti/fc096_enco.awl";
@@ -156,6 +158,8 @@ pub struct Description {
     pub version: String,
     /// Its parameters and local data.
     pub interface: Interface,
+    /// Bytes of local data that a call of it needs.
+    pub local_bytes: u32,
 }
 
 /// Reads what the source of a block says about it.
@@ -173,5 +177,6 @@ pub fn describe(block: &LibraryBlock, options: &Options) -> Description {
         family: text(header.family),
         version: text(header.version),
         interface: compiled.blocks.get(&block.block).map(|block| block.interface.clone()).unwrap_or_default(),
+        local_bytes: compiled.program.code.get(&block.block).map_or(0, |block| block.local_size),
     }
 }

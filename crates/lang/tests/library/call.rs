@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use sieben_engine::tracer::{StatementEvent, Tracer};
 use sieben_engine::{Context, Engine, Entry, Exit, Interpreter, Layout, Machine};
 use sieben_lang::{Options, compile};
 use sieben_model::address::Width;
-use sieben_model::block::BlockId;
+use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::Sources;
@@ -38,6 +39,18 @@ pub(crate) struct State {
     machine: Machine,
 }
 
+/// Counts the statements of functions.
+#[derive(Default)]
+struct Counter {
+    statements: usize,
+}
+
+impl Tracer for Counter {
+    fn statement(&mut self, _: &Machine, event: &StatementEvent) {
+        self.statements += usize::from(event.place.block.kind == BlockKind::Function);
+    }
+}
+
 impl Call {
     /// `call` is the CALL statement. Around it stands what shows that the block gives AR2 and DI back.
     pub(crate) fn new(call: &str) -> Self {
@@ -61,14 +74,29 @@ impl Call {
 
     /// Runs OB 1 once; the BR that the block left.
     pub(crate) fn run(&self, state: &mut State) -> bool {
-        let entry = Entry { block: BlockId::ob(1), start_information: [0; 20], registers: None };
-        let machine = &mut state.machine;
-        let exit = self.engine.run(&mut Context { machine, host: &mut Strict, tracer: None }, &entry);
-        assert_eq!(exit, Exit::Finished, "{}", self.text);
+        let exit = self.engine.run(&mut Context { machine: &mut state.machine, host: &mut Strict, tracer: None }, &entry());
+        self.ended(state, &exit)
+    }
+
+    /// Runs OB 1 once; how many statements the block executes.
+    pub(crate) fn statements(&self, state: &mut State) -> usize {
+        let mut counter = Counter::default();
+        let tracer: Option<&mut dyn Tracer> = Some(&mut counter);
+        let exit = self.engine.run(&mut Context { machine: &mut state.machine, host: &mut Strict, tracer }, &entry());
+        self.ended(state, &exit);
+        counter.statements
+    }
+
+    fn ended(&self, state: &State, exit: &Exit) -> bool {
+        assert_eq!(*exit, Exit::Finished, "{}", self.text);
         assert_eq!(state.bit_memory(1004, Width::DoubleWord), 0x8400_0000 | (77 << 3), "AR2 is the caller's again");
         assert_eq!(state.bit_memory(1008, Width::Word), 2, "DI is the caller's again");
         state.bit_memory(1000, Width::Byte) == 1
     }
+}
+
+fn entry() -> Entry {
+    Entry { block: BlockId::ob(1), start_information: [0; 20], registers: None }
 }
 
 impl State {
