@@ -95,6 +95,14 @@ fn tests_of_a_project_replace_its_main_program() {
 }
 
 #[test]
+fn extension_words_are_explained() {
+    let folder = Folder::new();
+    folder.run(&["explain", "__ASSERT=="]).code(0).stdout("__ASSERT==, an extension word of awlsim").stdout("two operands");
+    folder.run(&["explain", "__sleep"]).code(0).stdout("milliseconds");
+    folder.run(&["explain", "__NEVER"]).code(2);
+}
+
+#[test]
 fn extension_words_have_to_be_allowed() {
     let folder = Folder::with(&[("passes.awl", PASSES), ("on/sieben.toml", "[project]\nextended = true\n"), ("on/main.awl", PASSES)]);
     let json = folder.run(&["check", "--json", "passes.awl"]).code(3).json();

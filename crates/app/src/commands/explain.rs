@@ -4,6 +4,7 @@ use clap::Args;
 use sieben_cpu::diagnostic_buffer::event_text;
 use sieben_lang::Options;
 use sieben_lang::library::{self, LibraryBlock};
+use sieben_lang::stl::extension::Word;
 use sieben_lang::stl::instructions::Instruction;
 use sieben_lang::stl::operands::OperandClass;
 use sieben_model::cpu_type::CpuType;
@@ -92,6 +93,13 @@ fn explain(word: &str) -> Option<String> {
         .or_else(|| CpuType::by_name(word).map(cpu_type))
         .or_else(|| status_bit(word))
         .or_else(|| organization_block(word))
+        .or_else(|| extension_word(word))
+}
+
+/// A word of awlsim, such as `__ASSERT==`.
+fn extension_word(word: &str) -> Option<String> {
+    let word = Word::from_spelling(word)?;
+    Some(format!("{}, an extension word of awlsim\n  {}\n  Operands: {}\n", word.spelling(), word.doc(), word.operands()))
 }
 
 /// A bit of the status word, in either language.
