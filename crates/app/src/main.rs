@@ -66,6 +66,8 @@ enum Verb {
     Check(commands::check::Arguments),
     /// Run a few scans in virtual time and print values
     Exec(commands::exec::Arguments),
+    /// Measure how long a scan takes
+    Bench(commands::bench::Arguments),
     /// Run programs that check themselves
     Test(commands::test::Arguments),
     /// Explain an instruction, a problem code, a CPU type, a system function or an event
@@ -105,6 +107,7 @@ fn run(line: CommandLine) -> Exit {
         Some(Verb::Run(arguments)) => commands::run::run(&arguments),
         Some(Verb::Check(arguments)) => commands::check::run(&arguments),
         Some(Verb::Exec(arguments)) => commands::exec::run(&arguments),
+        Some(Verb::Bench(arguments)) => commands::bench::run(&arguments),
         Some(Verb::Test(arguments)) => commands::test::run(&arguments),
         Some(Verb::Explain(arguments)) => commands::explain::run(&arguments),
         Some(Verb::Fmt(arguments)) => commands::fmt::run(&arguments),

@@ -16,16 +16,47 @@ fn help_names_every_verb_with_an_example() {
     let folder = Folder::new();
     for arguments in [&["--help"][..], &["help"], &["-h"]] {
         let run = folder.run(arguments).code(0);
-        for verb in
-            ["demo", "run", "check", "exec", "test", "explain", "fmt", "convert", "symbols", "refs", "structure", "assignments", "new"]
-        {
+        for verb in [
+            "demo",
+            "run",
+            "check",
+            "exec",
+            "bench",
+            "test",
+            "explain",
+            "fmt",
+            "convert",
+            "symbols",
+            "refs",
+            "structure",
+            "assignments",
+            "new",
+        ] {
             assert!(run.stdout.contains(&format!("\n  {verb} ")), "{verb}");
         }
-        assert!(!run.stdout.contains("bench") && !run.stdout.contains("jit"));
     }
-    for verb in ["run", "check", "exec", "test", "explain", "fmt", "convert", "symbols", "refs", "structure", "assignments", "new"] {
+    for verb in ["run", "check", "exec", "bench", "test", "explain", "fmt", "convert", "symbols", "refs", "structure", "assignments", "new"]
+    {
         folder.run(&[verb, "--help"]).code(0).stdout("Example").stdout(&format!("sieben {verb}"));
     }
+}
+
+#[test]
+fn bench_prints_what_its_contract_says() {
+    let folder = Folder::with(&[("count.awl", "L MW 0\nL 1\n+I\nT MW 0\n"), ("stop.awl", "OPN DB 77\n")]);
+    let few = ["--reps", "2", "--min-ms", "1", "--warmup-scans", "7", "--show", "MW0", "--json"];
+    for (engine, native) in [("interpreter", false), ("jit", true), ("auto", true)] {
+        let arguments: Vec<&str> = ["bench", "count.awl", "--engine", engine].into_iter().chain(few).collect();
+        let run = folder.run(&arguments).code(0);
+        let json: serde_json::Value = serde_json::from_str(&run.stdout).expect("one JSON object");
+        assert_eq!(json["values"]["MW0"], "16#0007", "the value after exactly the scans of the warm-up");
+        assert_eq!(json["ns_per_scan"].as_array().map(Vec::len), Some(2));
+        assert!(
+            ["compile_s", "ns_per_statement", "cold_ns_per_scan"].iter().all(|key| json[key].as_f64().is_some_and(|value| value > 0.0))
+        );
+        assert_eq!(json["code_bytes"].as_u64().is_some_and(|bytes| bytes > 0), native, "{engine}");
+    }
+    folder.run(&["bench", "stop.awl", "--min-ms", "1"]).code(4).stderr("16#");
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The verbs, one file each.
 
 pub(crate) mod assignments;
+pub(crate) mod bench;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod convert;
