@@ -124,7 +124,11 @@ fn system_function(word: &str) -> Option<String> {
         block.name.eq_ignore_ascii_case(&compact) || block.block.to_string().replace(' ', "").eq_ignore_ascii_case(&compact)
     };
     let block = sieben_cpu::system::interfaces().into_iter().find(named)?;
-    Some(format!("{} \"{}\", a system function of the CPU\n{}", block.block, block.name, parameters(&block.interface)))
+    let whose = match block.only {
+        None => "a system function of the CPU".to_owned(),
+        Some(only) => format!("a system function that the CPU types here do not have: it needs {only}, and a call answers with an error"),
+    };
+    Some(format!("{} \"{}\", {whose}\n{}", block.block, block.name, parameters(&block.interface)))
 }
 
 /// A block of the library by number or name, with what its source says.
