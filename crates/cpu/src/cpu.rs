@@ -76,7 +76,7 @@ pub struct Cpu {
     warm_demanded: bool,
     declarations: Declarations,
     keeper: Keeper,
-    /// A STOP from outside has ended the last run in the middle.
+    /// A STOP from outside has ended the last cycle in the middle, or a hot restart is to end it.
     torn: bool,
 }
 

@@ -110,7 +110,7 @@ fn the_program_goes_on_when_nothing_can_be_kept_and_ob_81_learns_it() {
     without.backup_works();
     without.scan(10_000);
     assert_eq!(events(&without)[..2], [0x3822, 0x3922]);
-    let mut cpu = cpu(&[(1, &[]), (81, &[Step::StartInformation(0, "MW 100")])], Settings::default());
+    let mut cpu = cpu_of("416-3", &[(1, &[]), (81, &[Step::StartInformation(0, "MW 100")])], Settings::default());
     cpu.restart(Restart::Warm);
     for (event, now) in [(0x3922, 0), (0x3822, 10_000)] {
         if event == 0x3922 {
@@ -143,6 +143,24 @@ fn a_scan_that_a_stop_from_outside_ends_is_not_handed_out() {
     assert!(cpu.retain_image().is_none());
     cpu.restart(Restart::Warm);
     assert!(cpu.retain_image().is_some(), "the CPU itself goes on with what it has");
+}
+
+#[test]
+fn a_hot_restart_hands_out_nothing_before_the_interrupted_scan_has_ended() {
+    let blocks: &[(u16, &[Step])] = &[(1, &[Step::Set("MB 0", 5), Step::Loop(3), Step::Set("MB 1", 5)])];
+    let mut cpu = cpu_of("416-3", blocks, Settings::default());
+    cpu.restart(Restart::Warm);
+    assert!(cpu.retain_image().is_some());
+    cpu.stop_request().hold();
+    assert_eq!(cpu.scan(0).mode, OperatingMode::Hold);
+    Station::stop(&mut cpu);
+    assert!(cpu.retain_image().is_none());
+    assert_eq!(cpu.restart(Restart::Hot), OperatingMode::Run);
+    assert_eq!(values(&cpu, &["MB 0", "MB 1"]), [5, 0]);
+    assert!(cpu.retain_image().is_none(), "half a scan");
+    cpu.scan(10_000);
+    assert_eq!(values(&cpu, &["MB 0", "MB 1"]), [5, 5]);
+    assert!(cpu.retain_image().is_some());
 }
 
 #[test]

@@ -25,7 +25,6 @@ impl Cpu {
     /// Starts the CPU with a clock (microseconds) and someone who watches statements.
     pub fn restart_with(&mut self, restart: Restart, clock: &mut dyn FnMut() -> u64, tracer: Option<&mut dyn Tracer>) -> OperatingMode {
         self.stop();
-        self.torn = false;
         self.advance(clock());
         // What was asked of the CPU before it started is fulfilled by its having been in STOP.
         self.requests.stop.store(false, Ordering::Relaxed);
@@ -38,6 +37,8 @@ impl Cpu {
         if self.restart != Restart::Hot {
             self.interrupted = None;
         }
+        // After a hot restart the rest of the interrupted cycle is still to come.
+        self.torn = self.interrupted.is_some();
         self.background_began = false;
         self.clear();
         let stop_event = self.cause.take().map_or(0, |cause| cause.event);

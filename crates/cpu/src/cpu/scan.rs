@@ -140,7 +140,10 @@ impl Cpu {
         self.registers = self.machine.registers.clone();
         match outcome {
             // What came after the last safe point, or was held up until the end.
-            Outcome::Finished => self.serve_waiting(clock, &mut tracer),
+            Outcome::Finished => {
+                self.torn = false;
+                self.serve_waiting(clock, &mut tracer);
+            }
             Outcome::Suspended => self.hold(Held::Cycle),
             Outcome::Stopped(..) if self.system.reboot => self.reboot(clock),
             Outcome::Stopped(reason, first) => self.enter_stop(reason, first),
