@@ -26,7 +26,7 @@ use crate::interrupts::Interrupts;
 use crate::io::Rack;
 use crate::mode::{OperatingMode, Restart};
 use crate::organization_blocks::StartInformation;
-use crate::process_image::Overrides;
+use crate::process_image::{Failures, Overrides};
 use crate::retain::{Declarations, Keeper};
 use crate::settings::Settings;
 use crate::system;
@@ -60,6 +60,8 @@ pub struct Cpu {
     registers: Registers,
     requests: Arc<Requests>,
     overrides: Overrides,
+    /// What the last cycle control point could not exchange.
+    image_failures: Failures,
     system: system::State,
     interrupts: Interrupts,
     /// When the event came whose block starts next, in microseconds.
@@ -116,6 +118,7 @@ impl Cpu {
             registers,
             requests: Arc::default(),
             overrides: Overrides::new(),
+            image_failures: Failures::new(),
             system: system::State::default(),
             interrupts,
             requested_us: None,

@@ -26,6 +26,15 @@ pub trait IoModule: Any + Send {
     fn advance(&mut self, dt_us: u64) {
         let _ = dt_us;
     }
+    /// Whether it answers at all; one that has failed or was pulled does not.
+    fn answers(&self) -> bool {
+        true
+    }
+    /// Lets it fail, or answer again; `false` if it cannot be told so.
+    fn set_answering(&mut self, answers: bool) -> bool {
+        let _ = answers;
+        false
+    }
     /// Interrupts that the module has raised since it was asked last: hardware, diagnostic, exchange …
     fn alarms(&mut self) -> Vec<Interrupt> {
         Vec::new()
@@ -44,13 +53,14 @@ pub struct SimulatedModule {
     first: u32,
     inputs: Vec<u8>,
     outputs: Vec<u8>,
+    failed: bool,
 }
 
 impl SimulatedModule {
     /// A module with as many input as output bytes at these addresses.
     pub fn new(name: impl Into<String>, addresses: Range<u32>) -> Self {
         let length = addresses.len();
-        Self { name: name.into(), first: addresses.start, inputs: vec![0; length], outputs: vec![0; length] }
+        Self { name: name.into(), first: addresses.start, inputs: vec![0; length], outputs: vec![0; length], failed: false }
     }
     /// What the program has written.
     pub fn output_bytes(&self) -> &[u8] {
@@ -75,6 +85,13 @@ impl IoModule for SimulatedModule {
     fn write(&mut self, offset: u32, from: &[u8]) {
         let start = offset as usize;
         self.outputs[start..start + from.len()].copy_from_slice(from);
+    }
+    fn answers(&self) -> bool {
+        !self.failed
+    }
+    fn set_answering(&mut self, answers: bool) -> bool {
+        self.failed = !answers;
+        true
     }
     fn set_input(&mut self, offset: u32, mask: u8, value: u8) -> bool {
         let byte = &mut self.inputs[offset as usize];
@@ -218,6 +235,9 @@ impl Rack {
         for (index, into) in bytes[..length].iter_mut().enumerate() {
             let at = byte.checked_add(index as u32)?;
             let module = &self.modules[usize::from(owner(&self.input_owner, at)?)];
+            if !module.answers() {
+                return None;
+            }
             module.read(at - module.inputs().start, std::slice::from_mut(into));
         }
         Some(bytes[..length].iter().fold(0, |value, &byte| value << 8 | u32::from(byte)))
@@ -226,7 +246,8 @@ impl Rack {
     /// Writes the module itself; `false` and nothing written if no module answers for one of the bytes.
     pub fn peripheral_write(&mut self, byte: u32, width: Width, value: u32) -> bool {
         let length = width.bytes();
-        let covered = (0..length).all(|index| byte.checked_add(index).is_some_and(|at| owner(&self.output_owner, at).is_some()));
+        let answers = |at: u32| owner(&self.output_owner, at).is_some_and(|module| self.modules[usize::from(module)].answers());
+        let covered = (0..length).all(|index| byte.checked_add(index).is_some_and(answers));
         if covered {
             let bytes = value.to_be_bytes();
             for index in 0..length {
@@ -270,29 +291,48 @@ impl Rack {
         std::mem::take(&mut self.alarms)
     }
 
-    /// Process image of the outputs → modules.
-    pub(crate) fn put_image(&mut self, image: &[u8]) {
+    /// Lets the module that answers for this input or output byte fail, or answer again; `false` if there is none that can.
+    pub fn set_answering(&mut self, byte: u32, answers: bool) -> bool {
+        let index = owner(&self.input_owner, byte).or_else(|| owner(&self.output_owner, byte));
+        index.is_some_and(|index| self.modules[usize::from(index)].set_answering(answers))
+    }
+
+    /// Process image of the outputs → modules. Returns the bytes of those that do not answer.
+    pub(crate) fn put_image(&mut self, image: &[u8]) -> Vec<Range<usize>> {
+        let mut failed = Vec::new();
         for run in &self.output_runs {
             let bytes = run.bytes.start..run.bytes.end.min(image.len());
             let Some(source) = image.get(bytes.clone()) else { continue };
             self.outputs[bytes.clone()].copy_from_slice(source);
-            if self.enabled {
-                let module = &mut self.modules[run.module];
+            let module = &mut self.modules[run.module];
+            if !module.answers() {
+                failed.push(bytes);
+            } else if self.enabled {
                 let offset = bytes.start as u32 - module.outputs().start;
                 module.write(offset, source);
                 collect(&mut self.alarms, &mut **module);
             }
         }
+        failed
     }
 
-    /// Modules → process image of the inputs. Bytes without a module keep their value.
-    pub(crate) fn get_image(&self, image: &mut [u8]) {
+    /// Modules → process image of the inputs. Bytes without a module keep their value; those of a module that does not answer are 0
+    /// and are returned.
+    pub(crate) fn get_image(&self, image: &mut [u8]) -> Vec<Range<usize>> {
         let length = image.len();
+        let mut failed = Vec::new();
         for run in &self.input_runs {
-            let Some(target) = image.get_mut(run.bytes.start..run.bytes.end.min(length)) else { continue };
+            let bytes = run.bytes.start..run.bytes.end.min(length);
+            let Some(target) = image.get_mut(bytes.clone()) else { continue };
             let module = &self.modules[run.module];
-            module.read(run.bytes.start as u32 - module.inputs().start, target);
+            if module.answers() {
+                module.read(run.bytes.start as u32 - module.inputs().start, target);
+            } else {
+                target.fill(0);
+                failed.push(bytes);
+            }
         }
+        failed
     }
 
     /// Forgets what was put out: modules see 0 until the program writes again.

@@ -31,5 +31,5 @@ pub use interrupts::{Coming, CyclicInterrupt, Interrupt};
 pub use io::{IoModule, Rack, RackError, SimulatedModule};
 pub use mode::{OperatingMode, Restart};
 pub use retain::{RetainImage, RetentiveAreas};
-pub use settings::{Settings, TimeSource};
+pub use settings::{ImageErrors, Settings, TimeSource};
 pub use station::{AccessError, Station, TimerReading};

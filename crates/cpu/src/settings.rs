@@ -17,6 +17,18 @@ pub enum TimeSource {
     Real,
 }
 
+/// What the CPU does when a module does not answer while the process image is exchanged.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ImageErrors {
+    /// Nothing; its inputs read 0.
+    #[default]
+    Ignored,
+    /// OB 85 at every exchange, 16#39B1 and 16#39B2.
+    EveryTime,
+    /// OB 85 when it begins and when it is over, 16#39B3, 16#39B4, 16#38B3 and 16#38B4.
+    Changes,
+}
+
 /// How a CPU is set up.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Settings {
@@ -32,6 +44,8 @@ pub struct Settings {
     pub date_and_time: DateAndTime,
     /// Cyclic interrupts by the number of their organization block, 30 to 38. A block that is loaded and not in here has its usual interval.
     pub cyclic: BTreeMap<u16, CyclicInterrupt>,
+    /// What happens when the process image cannot be exchanged with a module.
+    pub image_errors: ImageErrors,
     /// Least distance of two starts of OB 1; the rest of it is for OB 90 (S7-400).
     pub min_cycle: Duration,
     /// Which bit memory, timers and counters a warm restart and a power failure leave alone.
@@ -47,6 +61,7 @@ impl Default for Settings {
             clock_memory_byte: None,
             date_and_time: DateAndTime::DEFAULT,
             cyclic: BTreeMap::new(),
+            image_errors: ImageErrors::Ignored,
             min_cycle: Duration::ZERO,
             retain: RetentiveAreas::default(),
         }

@@ -121,6 +121,12 @@ impl StartInformation {
         }
     }
 
+    /// OB 85 because the process image could not be exchanged with a module: its first byte and how many.
+    pub(crate) fn image_error(event: u16, byte: u32, bytes: u32) -> Self {
+        // The data ID 16#57 says that a range of bytes follows.
+        Self { event, priority: 26, block: 85, data_id: 0x5700, info_1: byte as u16, info_2: bytes }
+    }
+
     fn interrupt(number: u16, event: u16) -> Self {
         let priority = crate::organization_blocks::priority(BlockId::ob(number));
         Self { event, priority, block: number as u8, ..Self::default() }

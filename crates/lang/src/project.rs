@@ -341,6 +341,9 @@ fn find_blocks<'a>(
                 let message = format!("`{id}`: CPU {} has numbers up to {limit}", cpu.name);
                 diagnostics.push(Diagnostic::new(Problem::P5003, span, message));
             }
+            if id.kind == BlockKind::OrganizationBlock && !cpu.has_organization_block(id.number) {
+                diagnostics.push(not_called(cpu, id.number, span));
+            }
             if id == BlockId::db(0) {
                 diagnostics.push(Diagnostic::new(Problem::P5003, span, "`DB 0` is reserved; data blocks begin with `DB 1`"));
                 continue;
@@ -462,4 +465,17 @@ pub fn fuzz(data: &[u8]) {
     for (id, block) in &compiled.program.code {
         assert_eq!(sieben_engine::ir::verify(&block.code), Ok(()), "the code of {id} keeps the rules of the IR");
     }
+}
+
+/// The warning about an organization block that never runs.
+fn not_called(cpu: &CpuType, number: u16, span: Span) -> Diagnostic {
+    let ranges = cpu.organization_blocks.iter().map(|&(first, last)| match last - first {
+        0 => format!("{first}"),
+        1 => format!("{first}, {last}"),
+        _ => format!("{first} to {last}"),
+    });
+    let message = format!("the CPU {} never calls `OB {number}`; it calls OB {}", cpu.name, ranges.collect::<Vec<_>>().join(", "));
+    let others: Vec<&str> = CpuType::ALL.iter().filter(|other| other.has_organization_block(number)).map(|other| other.name).collect();
+    let diagnostic = Diagnostic::new(Problem::P5010, span, message);
+    if others.is_empty() { diagnostic } else { diagnostic.help(format!("CPU types that call it: {}", others.join(", "))) }
 }

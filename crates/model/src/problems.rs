@@ -147,6 +147,7 @@ problems! {
     P5007 Warning "more local data than the CPU type has for a block" "Move large variables from VAR_TEMP into a data block.";
     P5008 Warning "an instruction that the CPU type does not have" "Leave it out, or choose a CPU type with four accumulators, such as 416-3.";
     P5009 Warning "more code than a block of the CPU type can have" "Split the block into several, or leave it so if it need not go into a CPU.";
+    P5010 Warning "an organization block that the CPU type does not call" "Choose a CPU type that calls it, or another organization block.";
     P5020 Warning "a system function that the CPU does not have" "Leave the call out, or evaluate RET_VAL, ERROR and BR: the call answers as a CPU without that hardware does.";
 
     // 6xxx files and projects

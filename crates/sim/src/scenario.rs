@@ -10,6 +10,8 @@
 //! scan | scan 3 | scan until 400ms | scan at 410ms
 //! at 310ms I 0.0=0                     when a scan begins at that time or later
 //! cyclic OB 35 50ms phase 10ms         interval and phase offset of a cyclic interrupt, from the start
+//! image-errors every | changes         OB 85 when a module does not answer the process image (default: ignored)
+//! module 4 fails | module 4 answers    the module that has byte 4, from now on
 //! min-cycle 50ms                       the least cycle time, from the start
 //! interrupt OB 40                      before the next scan; with EVENT= ID= INFO1= INFO2= for its start information
 //! interrupt OB 40 at safe point 17     in the next scan: its 17th backward jump or block entry
@@ -31,7 +33,7 @@ use std::ops::Range;
 use std::time::Duration;
 
 use sieben_cpu::retain::{Adoption, Numbers};
-use sieben_cpu::{Cpu, CyclicInterrupt, Interrupt, OperatingMode, Restart, RetentiveAreas};
+use sieben_cpu::{Cpu, CyclicInterrupt, ImageErrors, Interrupt, OperatingMode, Restart, RetentiveAreas};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::symbols::SymbolTable;
 
@@ -66,6 +68,7 @@ pub struct Scenario {
     pub known_gap: Option<String>,
     cycle_us: u64,
     min_cycle_us: u64,
+    image_errors: ImageErrors,
     cyclic: Vec<(u16, CyclicInterrupt)>,
     retain: Option<RetentiveAreas>,
     lines: Vec<Line>,
@@ -88,6 +91,7 @@ enum Command {
     At(u64, Assignments),
     Interrupt(Interrupt, Option<u64>),
     Restart(Restart),
+    Module(u32, bool),
     PowerFailure,
     Expect(Assignments, Option<u64>),
     ExpectStop(u16),
@@ -101,7 +105,7 @@ const CYCLE_US: u64 = 10_000;
 const SCANS_MAX: u64 = 1_000_000;
 
 /// The words a line can begin with.
-const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `modules`, `retain`, `set`, `scan`, `at`, `interrupt`, `restart`, `power`, `expect`, `table` or `known-gap`";
+const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `retain`, `set`, `scan`, `at`, `interrupt`, `restart`, `power`, `expect`, `table` or `known-gap`";
 
 impl Scenario {
     /// Reads a scenario.
@@ -168,6 +172,15 @@ impl Scenario {
                 self.cyclic.push(cyclic(rest)?);
                 return Ok(());
             }
+            "image-errors" => {
+                self.image_errors = match rest {
+                    "ignored" => ImageErrors::Ignored,
+                    "every" => ImageErrors::EveryTime,
+                    "changes" => ImageErrors::Changes,
+                    _ => return Err(format!("`image-errors {rest}` is not understood; write `ignored`, `every` or `changes`")),
+                };
+                return Ok(());
+            }
             "min-cycle" => {
                 self.min_cycle_us = duration(rest)?;
                 return Ok(());
@@ -202,6 +215,12 @@ impl Scenario {
                 "cold" => Restart::Cold,
                 _ => return Err(format!("`{rest}` is no kind of restart; write `warm`, `hot` or `cold`")),
             }),
+            "module" => match rest.split_whitespace().collect::<Vec<_>>().as_slice() {
+                [byte, what @ ("fails" | "answers")] if byte.parse::<u32>().is_ok() => {
+                    Command::Module(byte.parse().unwrap_or_default(), *what == "answers")
+                }
+                _ => return Err(format!("`module {rest}` is not understood; write `module 4 fails` or `module 4 answers`")),
+            },
             "power" if rest.eq_ignore_ascii_case("failure") => Command::PowerFailure,
             "power" => return Err(format!("`power {rest}` is not understood; write `power failure`")),
             "expect" => expect(rest)?,
@@ -238,6 +257,7 @@ impl Scenario {
         for &(number, setting) in &self.cyclic {
             cpu.set_cyclic_interrupt(number, setting);
         }
+        cpu.set_image_errors(self.image_errors);
         cpu.set_min_cycle(Duration::from_micros(self.min_cycle_us));
         if let Some(areas) = &self.retain {
             cpu.set_retentive_areas(areas.clone());
@@ -339,6 +359,11 @@ impl<'a> Run<'a> {
             },
             Command::Interrupt(interrupt, None) => self.cpu.raise(*interrupt),
             Command::Interrupt(interrupt, Some(point)) => self.cpu.raise_at_safe_point(*point, *interrupt),
+            Command::Module(byte, answers) => {
+                if !self.cpu.rack_mut().set_answering(*byte, *answers) {
+                    self.fail(format!("no module has the byte {byte}"));
+                }
+            }
             Command::Restart(restart) => {
                 self.cpu.restart(*restart);
                 self.stop_expected = false;
@@ -717,6 +742,8 @@ mod tests {
             ("interrupt OB 1", "no event starts"),
             ("interrupt OB 82 EVENTS=1", "start information"),
             ("interrupt OB 82 EVENT=16#39420", "start information"),
+            ("image-errors some", "not understood"),
+            ("module 4 burns", "not understood"),
             ("cyclic OB 1 5ms", "no cyclic"),
             ("cyclic OB 35 0ms", "1ms to 60s"),
             ("cyclic OB 35", "not understood"),

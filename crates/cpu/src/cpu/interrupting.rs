@@ -14,7 +14,7 @@ use crate::host::Watchdog;
 use crate::interrupts::{CyclicInterrupt, Interrupt, Now, Request};
 use crate::mode::OperatingMode;
 use crate::organization_blocks as ob;
-use crate::settings::TimeSource;
+use crate::settings::{ImageErrors, TimeSource};
 
 impl Cpu {
     /// An interrupt or asynchronous error happens. Its organization block runs at the next safe point, or before the next scan;
@@ -39,6 +39,11 @@ impl Cpu {
     /// Sets a cyclic interrupt, from the next change to RUN on. OB 30 to OB 38 have one.
     pub fn set_cyclic_interrupt(&mut self, number: u16, setting: CyclicInterrupt) {
         self.settings.cyclic.insert(number, setting);
+    }
+
+    /// Sets what happens when the process image cannot be exchanged with a module.
+    pub fn set_image_errors(&mut self, how: ImageErrors) {
+        self.settings.image_errors = how;
     }
 
     /// Sets the least cycle time.

@@ -123,7 +123,11 @@ impl Cpu {
     }
 
     pub(super) fn cycle_control_point(&mut self) {
-        process_image::exchange(&mut self.machine, &mut self.rack, &mut self.overrides);
+        let failures = process_image::exchange(&mut self.machine, &mut self.rack, &mut self.overrides);
+        for error in process_image::errors(self.settings.image_errors, &self.image_failures, &failures) {
+            self.interrupts.raise(error, &self.class, self.now_us);
+        }
+        self.image_failures = failures;
         if let Some(byte) = self.settings.clock_memory_byte
             && let Some(byte) = self.machine.memory.area_mut(Area::BitMemory).get_mut(usize::from(byte))
         {

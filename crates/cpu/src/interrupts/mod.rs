@@ -46,9 +46,10 @@ impl Now {
         self.start.plus_us(self.now_us)
     }
 
-    /// When the CPU clock shows this, if the CPU stays in RUN.
+    /// When the CPU clock shows this, or has shown it, if the CPU stays in RUN.
     fn at_clock(&self, clock_us: u64) -> u64 {
-        self.now_us.saturating_add(clock_us.saturating_sub(self.clock_us))
+        let ahead = clock_us.saturating_sub(self.clock_us);
+        self.now_us.saturating_add(ahead).saturating_sub(self.clock_us.saturating_sub(clock_us))
     }
 
     /// When the time of day is this, in milliseconds since 1990.

@@ -30,6 +30,10 @@ pub(crate) enum Step {
     Sfc(u16),
     /// ACCU 1 + 1.
     Count,
+    /// MW 0 := how many blocks run now, if that is more.
+    Nest,
+    /// The number of a block behind those recorded before, from MB 10 on; MB 9 counts them.
+    Record(u16),
 }
 
 /// Scripts by block.
@@ -94,6 +98,17 @@ impl Script {
                     let block = BlockId::new(BlockKind::SystemFunction, *number);
                     let reaction = context.host.system_function(context.machine, block, 0);
                     self.react(context, reaction)
+                }
+                Step::Nest => {
+                    let depth = context.machine.frames.len() as u32;
+                    let deepest = context.machine.memory.read(&operand("MW0")).unwrap_or_default().max(depth);
+                    self.write(context, place, "MW0", deepest)
+                }
+                Step::Record(number) => {
+                    let count = context.machine.memory.read(&operand("MB9")).unwrap_or_default();
+                    let to = Operand::parse(&format!("MB{}", 10 + count)).expect("an operand");
+                    assert!(context.machine.memory.write(&to, u32::from(*number)), "the record fits");
+                    self.write(context, place, "MB9", count + 1)
                 }
                 Step::Count => {
                     context.machine.registers.accu1 += 1;

@@ -1,0 +1,150 @@
+//! Interrupts in numbers: storms, every class inside every lower one, whatever mixture.
+
+mod script;
+
+use proptest::prelude::*;
+use script::{Step, cpu_of};
+use sieben_cpu::{Cpu, CyclicInterrupt, Interrupt, OperatingMode, Restart, Settings, Station};
+use sieben_model::address::Operand;
+
+/// Every block that an event can start on a 416-3, lowest class first.
+fn blocks() -> Vec<u16> {
+    let mut blocks: Vec<u16> = (10..=87).filter(|&number| Interrupt::usual(number).is_some()).collect();
+    blocks.sort_by_key(|&number| sieben_cpu::organization_blocks::priority(sieben_model::block::BlockId::ob(number)));
+    blocks
+}
+
+fn interrupt(number: u16) -> Interrupt {
+    Interrupt::usual(number).unwrap_or_else(|| panic!("an event starts OB {number}"))
+}
+
+fn value(cpu: &Cpu, text: &str) -> u32 {
+    cpu.read(&Operand::parse(text).expect("an operand")).expect("a value")
+}
+
+#[test]
+fn every_class_interrupts_every_lower_one() {
+    let priority = |number: u16| sieben_cpu::organization_blocks::priority(sieben_model::block::BlockId::ob(number));
+    let mut classes = blocks();
+    classes.dedup_by_key(|number| priority(*number));
+    assert!(classes.len() > 20, "{classes:?}");
+    let steps = |number: u16| vec![Step::Loop(5), Step::Nest, Step::Loop(1000), Step::Record(number)];
+    let steps: Vec<(u16, Vec<Step>)> = [1].into_iter().chain(classes.iter().copied()).map(|number| (number, steps(number))).collect();
+    let refs: Vec<(u16, &[Step])> = steps.iter().map(|(number, steps)| (*number, steps.as_slice())).collect();
+    let mut cpu = cpu_of("416-3", &refs, Settings::default());
+    cpu.restart(Restart::Warm);
+    for (index, &number) in classes.iter().enumerate() {
+        cpu.raise_at_safe_point(10 + 10 * index as u64, interrupt(number));
+    }
+    cpu.scan(0);
+    assert_eq!(cpu.mode(), OperatingMode::Run, "{:?}", Cpu::stop_cause(&cpu));
+    // Each began while all lower ones were still running, and they ended in the opposite order.
+    assert_eq!(value(&cpu, "MW0"), classes.len() as u32 + 1, "blocks nested");
+    let ended: Vec<u32> = (0..=classes.len()).map(|index| value(&cpu, &format!("MB{}", 10 + index))).collect();
+    let expected: Vec<u32> = classes.iter().rev().copied().chain([1]).map(u32::from).collect();
+    assert_eq!(ended, expected);
+}
+
+#[test]
+fn a_storm_ends_in_a_time_error() {
+    for (with_ob_80, event) in [(false, 0x3507), (true, 0x3501)] {
+        let mut blocks: Vec<(u16, &[Step])> = vec![(1, &[Step::Loop(2_000_000)]), (40, &[Step::Loop(40)])];
+        if with_ob_80 {
+            blocks.push((80, &[]));
+        }
+        let mut cpu = cpu_of("416-3", &blocks, Settings { virtual_safe_points: 20_000, ..Settings::default() });
+        cpu.restart(Restart::Warm);
+        for point in 1..=60_000 {
+            cpu.raise_at_safe_point(point, interrupt(40));
+        }
+        cpu.scan(0);
+        let cause = Cpu::stop_cause(&cpu).expect("a STOP");
+        assert_eq!((cause.event, cause.first_event), (0x4568, event), "OB 80 loaded: {with_ob_80}");
+        assert!(cpu.diagnostic_buffer().entries().any(|entry| entry.event() == 0x3507), "OB 80 loaded: {with_ob_80}");
+    }
+}
+
+#[derive(Clone, Debug)]
+enum Action {
+    Scan(u64),
+    Raise(usize),
+    At(u64, usize),
+    Restart(Restart),
+    Hold,
+    Resume,
+    Reset,
+}
+
+fn action() -> impl Strategy<Value = Action> {
+    prop_oneof![
+        4 => (0_u64..300_000).prop_map(Action::Scan),
+        3 => any::<prop::sample::Index>().prop_map(|index| Action::Raise(index.index(blocks().len()))),
+        3 => (1_u64..60, any::<prop::sample::Index>()).prop_map(|(point, index)| Action::At(point, index.index(blocks().len()))),
+        1 => prop_oneof![Just(Restart::Warm), Just(Restart::Hot), Just(Restart::Cold)].prop_map(Action::Restart),
+        1 => Just(Action::Hold),
+        1 => Just(Action::Resume),
+        1 => Just(Action::Reset),
+    ]
+}
+
+fn steps() -> impl Strategy<Value = Vec<Step>> {
+    let step = prop_oneof![
+        (1_u64..40).prop_map(Step::Loop),
+        Just(Step::Count),
+        Just(Step::Sfc(41)),
+        Just(Step::Sfc(42)),
+        Just(Step::Sfc(43)),
+        Just(Step::Sfc(46)),
+        Just(script::programming(0x22)),
+        Just(script::read_error(5000)),
+        Just(Step::Fault(sieben_engine::Fault::Abort(sieben_engine::Abort::NestingStack))),
+    ];
+    prop::collection::vec(step, 0..4)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(128))]
+
+    #[test]
+    fn no_mixture_of_interrupts_hangs_or_panics(
+        programs in prop::collection::vec((any::<prop::sample::Index>(), steps()), 0..12),
+        actions in prop::collection::vec(action(), 1..20),
+        cpu_type in prop_oneof![Just("315-2PN/DP"), Just("416-3")],
+        interval_ms in 0_u16..50,
+    ) {
+        let numbers: Vec<u16> = [1, 1, 1, 80, 82, 85, 88, 90, 100, 101, 121, 122].into_iter().chain(blocks()).collect();
+        let programs: Vec<(u16, Vec<Step>)> = programs.into_iter().map(|(index, steps)| (*index.get(&numbers), steps)).collect();
+        let refs: Vec<(u16, &[Step])> = programs.iter().map(|(number, steps)| (*number, steps.as_slice())).collect();
+        let settings = Settings {
+            virtual_safe_points: 2000,
+            min_cycle: std::time::Duration::from_millis(5),
+            cyclic: [(35, CyclicInterrupt { interval_ms, phase_ms: 3 })].into(),
+            ..Settings::default()
+        };
+        let mut cpu = cpu_of(cpu_type, &refs, settings);
+        cpu.restart(Restart::Warm);
+        let mut now_us = 0;
+        for action in actions {
+            match action {
+                Action::Scan(us) => {
+                    now_us += us;
+                    cpu.scan(now_us);
+                }
+                Action::Raise(index) => cpu.raise(interrupt(blocks()[index])),
+                Action::At(point, index) => cpu.raise_at_safe_point(point, interrupt(blocks()[index])),
+                Action::Restart(kind) => {
+                    cpu.restart(kind);
+                }
+                Action::Hold => cpu.stop_request().hold(),
+                Action::Resume => {
+                    cpu.resume(now_us);
+                }
+                Action::Reset => cpu.memory_reset(),
+            }
+            if cpu.mode() != OperatingMode::Hold {
+                prop_assert!(cpu.machine().frames.is_empty(), "{:?}", cpu.machine().frames);
+            }
+            prop_assert!((cpu.mode() == OperatingMode::Stop) == Cpu::stop_cause(&cpu).is_some());
+        }
+    }
+}
