@@ -269,7 +269,10 @@ impl Run<'_, '_> {
         }
         self.registers = access::load_file(&Registers::fresh());
         access::write_start_information(self.context.machine, information);
-        if depth + 2 >= self.scratch.links.len() {
+        // The block may call as deep as its class allows.
+        let layout = &self.context.machine.memory.layout;
+        let deepest = depth + 2 + usize::from(layout.nesting_depth) + usize::from(layout.nesting_depth_error);
+        if deepest >= self.compiled.generation.levels() {
             // Too deep for machine code: the frame of the organization block begins in the interpreter.
             access::store_file(self.context.machine, &self.registers);
             return self.leave(None);

@@ -18,6 +18,7 @@ pub(crate) struct Generation {
     module: Option<JITModule>,
     functions: Vec<Function>,
     bytes: usize,
+    levels: usize,
 }
 
 // SAFETY: the module is only read after `new`, except by `drop`, which owns it; the code holds no state of its own.
@@ -27,7 +28,7 @@ unsafe impl Sync for Generation {}
 
 impl Generation {
     /// The finished functions of a module, by block. All of them have the signature of [`Function`]: the translator declares no other.
-    pub(crate) fn new(module: JITModule, blocks: &[FuncId], bytes: usize) -> Self {
+    pub(crate) fn new(module: JITModule, blocks: &[FuncId], bytes: usize, levels: usize) -> Self {
         let functions = blocks
             .iter()
             .map(|&block| {
@@ -37,12 +38,17 @@ impl Generation {
                 unsafe { std::mem::transmute::<*const u8, Function>(address) }
             })
             .collect();
-        Self { module: Some(module), functions, bytes }
+        Self { module: Some(module), functions, bytes, levels }
     }
 
     /// Bytes of machine code.
     pub(crate) fn bytes(&self) -> usize {
         self.bytes
+    }
+
+    /// Activations whose frames fit on the native stack.
+    pub(crate) fn levels(&self) -> usize {
+        self.levels
     }
 
     /// Runs a block; whether the run is left.

@@ -1,9 +1,10 @@
 //! The engine: a program as machine code, with an interpreter beside it for what machine code cannot do.
 
+use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use sieben_engine::access;
-use sieben_engine::ir::{Code, Inst};
+use sieben_engine::ir::{Code, Inst, Target};
 use sieben_engine::machine::memory::DataBlockEntry;
 use sieben_engine::machine::{Memory, Registers};
 use sieben_engine::{Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
@@ -11,7 +12,7 @@ use sieben_model::block::BlockId;
 
 use crate::entry::Generation;
 use crate::run::{Run, Scratch};
-use crate::translate::{self, Options};
+use crate::translate::{self, LEVELS_MIN, Options};
 
 /// More parameters at one call are left to the interpreter: every activation has room for as many.
 const PARAMETERS_MAX: usize = 256;
@@ -21,8 +22,12 @@ const STATEMENTS_MAX: usize = 200_000;
 /// memory that it takes grow faster than its length.
 const BLOCK_INSTRUCTIONS_MAX: usize = 400_000;
 
+/// Blocks with more loops are left to the interpreter: the time to compile them grows with the square of their number.
+const LOOPS_MAX: usize = 1_000;
 /// Longer programs are compiled without Cranelift's optimizations, so that the first scan does not wait for them.
 const OPTIMIZED_STATEMENTS_MAX: usize = 5_000;
+/// Blocks with more loops too: a hundred of them in one another take Cranelift a second, eight hundred a minute.
+const OPTIMIZED_LOOPS_MAX: usize = 32;
 
 /// A block as machine code needs it.
 #[derive(Debug)]
@@ -107,7 +112,8 @@ impl Jit {
     /// Why the program cannot become machine code, as the end of a sentence: it is too large, or the machine is not supported.
     pub fn compiled(program: &Program, layout: &Layout, status: StatusBits) -> Result<Arc<dyn Engine>, String> {
         let statements: usize = program.code.values().map(|block| block.code.statement_count()).sum();
-        let optimize = status == StatusBits::Needed && statements <= OPTIMIZED_STATEMENTS_MAX;
+        let loops = program.code.values().map(|block| loop_heads(&block.code)).max().unwrap_or(0);
+        let optimize = status == StatusBits::Needed && statements <= OPTIMIZED_STATEMENTS_MAX && loops <= OPTIMIZED_LOOPS_MAX;
         let options = Options { exact: status == StatusBits::All, optimize, ..Options::default() };
         Ok(Arc::new(Self::compile(program, layout, options)?))
     }
@@ -126,6 +132,9 @@ impl Jit {
 
     fn compile(program: &Program, layout: &Layout, options: Options) -> Result<Self, String> {
         let parameters_max = limits(program)?;
+        if usize::from(layout.nesting_depth) + usize::from(layout.nesting_depth_error) + 2 > LEVELS_MIN {
+            return Err("blocks nest too deep on this CPU type".to_owned());
+        }
         let blocks: Vec<Native> = program
             .code
             .iter()
@@ -226,6 +235,28 @@ impl Engine for Jit {
     }
 }
 
+/// Statements to which a later one jumps.
+fn loop_heads(code: &Code) -> usize {
+    let mut heads = BTreeSet::new();
+    for statement in 0..code.statement_count() {
+        let mut jump = |Target(to): Target| {
+            if to as usize <= statement {
+                heads.insert(to);
+            }
+        };
+        for inst in code.statement(statement) {
+            match *inst {
+                Inst::Jump { to } | Inst::Branch { to, .. } => jump(to),
+                Inst::JumpTable { first, count, otherwise, .. } => {
+                    code.tables.iter().skip(first as usize).take(count as usize).copied().chain([otherwise]).for_each(&mut jump);
+                }
+                _ => {}
+            }
+        }
+    }
+    heads.len()
+}
+
 /// Checks the limits of machine code; the greatest number of parameters that a statement passes.
 fn limits(program: &Program) -> Result<usize, String> {
     let statements: usize = program.code.values().map(|block| block.code.statement_count()).sum();
@@ -236,6 +267,10 @@ fn limits(program: &Program) -> Result<usize, String> {
     for (id, block) in &program.code {
         if block.code.insts.len() > BLOCK_INSTRUCTIONS_MAX {
             return Err(format!("{id} is too long for machine code"));
+        }
+        let loops = loop_heads(&block.code);
+        if loops > LOOPS_MAX {
+            return Err(format!("{id} jumps back to {loops} places, and {LOOPS_MAX} is the most that become machine code"));
         }
         for statement in 0..block.code.statement_count() {
             let insts = block.code.statement(statement);

@@ -24,7 +24,7 @@ use sieben_model::block::{BlockId, BlockKind};
 use crate::ask::{GO_ON, LEAVE, Question};
 use crate::entry::Generation;
 use crate::jit::Native;
-use crate::run::{Link, Run};
+use crate::run::{LINKS, Link, Run};
 
 mod analysis;
 mod inline;
@@ -55,6 +55,15 @@ impl Default for Options {
 const RESERVED_BYTES_PER_INSTRUCTION: usize = 512;
 const RESERVED_BYTES_MIN: usize = 1 << 20;
 
+/// Native stack that a run may take; threads have 2 MiB and more.
+const STACK_BYTES: usize = 768 << 10;
+/// What an activation takes beside the frame of its function, and its share of the Rust code that enters interrupts.
+const STACK_BYTES_OF_A_CALL: usize = 1 << 10;
+/// Activations that fit at least: the greatest nesting depth of a CPU type, twice.
+pub(crate) const LEVELS_MIN: usize = 64;
+/// The instruction that makes room on the stack is among these bytes.
+const PROLOGUE_BYTES: usize = 16;
+
 /// Finds the index of a loaded block.
 type Find<'a> = &'a dyn Fn(BlockId) -> Option<u32>;
 
@@ -67,6 +76,8 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
     set(&mut flags, "regalloc_algorithm", algorithm)?;
     set(&mut flags, "use_colocated_libcalls", "false")?;
     set(&mut flags, "is_pic", "false")?;
+    // Frames have a limit below, so that nobody has to look for the end of the stack.
+    set(&mut flags, "enable_probestack", "false")?;
     set(&mut flags, "enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" })?;
     let isa = cranelift_native::builder()
         .map_err(|message| format!("this machine is not supported: {message}"))?
@@ -88,7 +99,7 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
     let summaries = analysis::summaries(blocks, find, options.exact);
     let mut context = module.make_context();
     let mut frontend = FunctionBuilderContext::new();
-    let mut bytes = 0;
+    let (mut bytes, mut frame_max) = (0, 0);
     let mut pinned = BTreeSet::new();
     for (index, block) in blocks.iter().enumerate() {
         context.func.signature = block_signature(&module);
@@ -97,12 +108,36 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
         let program = Program { functions: &functions, blocks, summaries: &summaries, find, layout, options };
         pinned.append(&mut Translator::new(builder, &mut module, program, index).run(target));
         module.define_function(functions.blocks[index], &mut context).map_err(|error| format!("{}: {error:?}", block.id))?;
-        bytes += context.compiled_code().map_or(0, |code| code.code_buffer().len());
+        let code = context.compiled_code().map_or(&[][..], |code| code.code_buffer());
+        bytes += code.len();
+        frame_max = frame_max.max(frame_bytes(code));
         module.clear_context(&mut context);
     }
     module.finalize_definitions().map_err(|error| error.to_string())?;
+    let levels = (STACK_BYTES / (frame_max + STACK_BYTES_OF_A_CALL)).min(LINKS);
+    if levels < LEVELS_MIN {
+        return Err(format!("its blocks need up to {frame_max} bytes of stack"));
+    }
     pinned.remove(&0);
-    Ok((Generation::new(module, &functions.blocks, bytes), pinned))
+    Ok((Generation::new(module, &functions.blocks, bytes, levels), pinned))
+}
+
+/// Bytes of the native stack that a function takes, without what a call takes anyway: read from its first instructions.
+fn frame_bytes(code: &[u8]) -> usize {
+    if !cfg!(target_arch = "x86_64") {
+        // Every value may have its place: at most one for each instruction.
+        return 2 * code.len();
+    }
+    let beginning = &code[..code.len().min(PROLOGUE_BYTES)];
+    let short = beginning.windows(4).find_map(|bytes| match bytes {
+        [0x48, 0x83, 0xEC, size] => Some(usize::from(*size)),
+        _ => None,
+    });
+    let long = beginning.windows(7).find_map(|bytes| match *bytes {
+        [0x48, 0x81, 0xEC, a, b, c, d] => Some(u32::from_le_bytes([a, b, c, d]) as usize),
+        _ => None,
+    });
+    long.or(short).unwrap_or(0)
 }
 
 /// All functions that code refers to.

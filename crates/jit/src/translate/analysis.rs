@@ -8,6 +8,9 @@ use sieben_model::block::BlockKind;
 use super::{AFTER_CALL, Find, OPEN_BLOCKS, bit_of};
 use crate::jit::Native;
 
+/// Rounds over a program or a block after which everything counts as needed.
+const ROUNDS_MAX: usize = 24;
+
 /// All registers.
 pub(super) const ALL: u32 = (1 << Register::COUNT) - 1;
 
@@ -81,8 +84,8 @@ pub(super) fn summaries(blocks: &[Native], find: Find<'_>, exact: bool) -> Vec<S
         })
         .collect();
     let effects: Vec<Vec<Effect>> = blocks.iter().map(|block| block.code.insts.iter().map(effect).collect()).collect();
-    // Sets only grow, so that this ends; mostly after three rounds.
-    loop {
+    // Sets only grow, so that this ends; mostly after three rounds. A program made to take many is not worth them.
+    for _ in 0..ROUNDS_MAX {
         let mut changed = false;
         for (index, block) in blocks.iter().enumerate().rev() {
             changed |= written(&mut all, index, block, &effects[index], &callee);
@@ -94,6 +97,11 @@ pub(super) fn summaries(blocks: &[Native], find: Find<'_>, exact: bool) -> Vec<S
             return all;
         }
     }
+    for summary in &mut all {
+        summary.live.fill(SPARED);
+        (summary.live_out, summary.written) = (SPARED, ALL);
+    }
+    all
 }
 
 /// Brings what a block writes up to date; whether that changed it.
@@ -112,7 +120,7 @@ fn written(all: &mut [Summary], index: usize, block: &Native, effects: &[Effect]
 fn live(all: &mut [Summary], index: usize, code: &Code, effects: &[Effect], callee: &dyn Fn(&Callee) -> Option<usize>) -> bool {
     let after_call = AFTER_CALL.iter().fold(0, |all, &(register, _)| all | bit_of(register));
     let mut changed_anything = false;
-    loop {
+    for _ in 0..ROUNDS_MAX {
         let mut changed = false;
         let mut needed = all[index].live_out;
         for statement in (0..code.statement_count()).rev() {
@@ -160,6 +168,8 @@ fn live(all: &mut [Summary], index: usize, code: &Code, effects: &[Effect], call
             return changed_anything;
         }
     }
+    all[index].live.fill(SPARED);
+    true
 }
 
 fn effect(inst: &Inst) -> Effect {

@@ -1,0 +1,106 @@
+//! Programs built to hurt a compiler become machine code within bounded time and memory, or stay in the interpreter.
+
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+
+use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target};
+use sieben_engine::machine::Register;
+use sieben_engine::{CodeBlock, Layout, Program};
+use sieben_jit::{Jit, StatusBits};
+use sieben_model::address::{Area, Width};
+use sieben_model::block::BlockId;
+use sieben_model::cpu_type::CpuType;
+
+/// Far more than any of them takes, also on a busy machine and without optimization.
+const LIMIT: Duration = Duration::from_secs(60);
+
+fn bit(builder: &mut Builder, number: u32) {
+    let place = Place::Fixed { area: Area::BitMemory, position: number % 2_000 };
+    builder.push(Inst::Load { dst: Register::Sta.into(), place, width: Width::Bit, on_fault: OnFault::SkipStatement });
+    let [rlo, sta, fc] = [Register::Rlo, Register::Sta, Register::Fc].map(Into::into);
+    builder.compute_into(Register::Rlo, Op::ScanXor, &[rlo, sta, fc]);
+    builder.compute_into(Register::Os, Op::Or, &[Register::Os.into(), rlo]);
+}
+
+fn program(blocks: u16, build: &dyn Fn(&mut Builder)) -> Program {
+    let mut code = BTreeMap::new();
+    for number in 1..=blocks {
+        let mut builder = Builder::default();
+        build(&mut builder);
+        let id = if number == 1 { BlockId::ob(1) } else { BlockId::fc(number) };
+        code.insert(id, CodeBlock { code: builder.finish(), local_size: 20, ..CodeBlock::default() });
+    }
+    Program { code, ..Program::default() }
+}
+
+fn in_time(name: &str, program: &Program) {
+    let layout = Layout::new(&CpuType::ALL[0], program);
+    #[allow(clippy::disallowed_methods)] // What is measured is the compiler's time.
+    let started = Instant::now();
+    let result = Jit::compiled(program, &layout, StatusBits::Needed);
+    let time = started.elapsed();
+    assert!(time < LIMIT, "{name} took {time:?}");
+    if let Err(reason) = result {
+        assert!(!reason.is_empty(), "{name} says why it stays in the interpreter");
+    }
+}
+
+#[test]
+fn one_long_network() {
+    in_time(
+        "100,000 statements",
+        &program(1, &|builder| {
+            for number in 0..100_000 {
+                builder.begin_statement();
+                bit(builder, number);
+            }
+        }),
+    );
+}
+
+/// Each statement of the second half jumps back to a label of its own, the last to the first.
+fn loops(labels: u32) -> Program {
+    program(1, &|builder| {
+        for number in 0..2 * labels {
+            builder.begin_statement();
+            bit(builder, number);
+            if number >= labels {
+                builder.push(Inst::Branch { condition: Register::Rlo.into(), to: Target(2 * labels - 1 - number) });
+            }
+        }
+    })
+}
+
+#[test]
+fn many_labels() {
+    in_time("30 loops in one another", &loops(30));
+    in_time("900 loops in one another", &loops(900));
+    in_time("30,000 loops in one another", &loops(30_000));
+}
+
+#[test]
+fn many_blocks() {
+    in_time(
+        "3,000 blocks",
+        &program(3_000, &|builder| {
+            builder.begin_statement();
+            bit(builder, 1);
+        }),
+    );
+}
+
+#[test]
+fn what_is_too_large_says_so() {
+    let program = program(1, &|builder| {
+        for _ in 0..250_000 {
+            builder.begin_statement();
+            builder.set(Register::Rlo, 1);
+        }
+    });
+    let layout = Layout::new(&CpuType::ALL[0], &program);
+    let refused = Jit::compiled(&program, &layout, StatusBits::All).err().expect("too large");
+    assert!(refused.contains("250001 statements"), "{refused}");
+    let refused = Jit::compiled(&loops(1_001), &layout, StatusBits::All).err().expect("too many loops");
+    assert!(refused.contains("1001 places"), "{refused}");
+    assert_eq!(Jit::load(&program, &layout).code_bytes(), 0, "it is interpreted");
+}
