@@ -1,7 +1,7 @@
 //! Sources beside what the compiler says about them: `diagnostics.txt` and `layout.txt`.
 //!
 //! A case is `=== title`, the source, `---`, and what should come of it. A symbol table stands before the source as
-//! lines `# name, address, type`. When a table does not match, the test prints the whole table as it would be right.
+//! lines `# name, address, type`; `# extended` lets it use extension words. When a table does not match, the test prints the whole table as it would be right.
 
 use std::fmt::Write as _;
 
@@ -50,8 +50,10 @@ fn system_blocks() -> Vec<SystemBlock> {
 fn compile_case(source: &str) -> (Sources, Compiled) {
     let mut symbols = SymbolTable::default();
     let mut text = String::new();
+    let mut extended = false;
     for line in source.lines() {
         match line.strip_prefix("# ") {
+            Some("extended") => extended = true,
             Some(row) => {
                 let mut columns = row.split(',').map(|column| column.trim().to_owned());
                 let mut next = || columns.next().unwrap_or_default();
@@ -65,7 +67,7 @@ fn compile_case(source: &str) -> (Sources, Compiled) {
     }
     let mut sources = Sources::default();
     sources.add("case.awl", text);
-    let options = Options { system_blocks: system_blocks(), ..Options::default() };
+    let options = Options { system_blocks: system_blocks(), extended, ..Options::default() };
     let compiled = compile(&sources, &symbols, &options);
     (sources, compiled)
 }

@@ -4,9 +4,13 @@
 //! not understood becomes an `Unexpected` token and a diagnostic, and parsing goes on behind it.
 
 mod blocks;
+mod declarations;
 mod extension;
+mod header;
 mod operands;
+mod paths;
 mod statements;
+mod types;
 
 use std::collections::HashSet;
 

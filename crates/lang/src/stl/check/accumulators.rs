@@ -208,7 +208,8 @@ fn after(index: usize, statement: &Statement, declared: Option<&DataType>, held:
         I::DoubleToReal => [of(Kind::Real), two, three, fourth],
         I::AddIntConstant | I::AddDoubleConstant => [Held { constant: None, ..one }, two, three, fourth],
         instruction if operands(instruction) == Some((Kind::Real, false)) => [of(Kind::Real), two, three, fourth],
-        I::Call | I::CallUnconditional | I::CallConditional => [NOTHING; 4],
+        // `__FEATURE` loads, and may change the number of accumulators.
+        I::Call | I::CallUnconditional | I::CallConditional | I::Extension => [NOTHING; 4],
         instruction if changes_accu1(instruction) => [NOTHING, two, three, fourth],
         _ => held,
     }

@@ -96,7 +96,7 @@ fn known_from_the_start(block: &ResolvedBlock) -> Option<Vec<Use>> {
     if block.id.kind == BlockKind::OrganizationBlock {
         known.push(Use { writes: true, first: 0, behind: START_INFORMATION_BITS });
     }
-    let local = |pointer: u32| pointer >> 24 == u32::from(Area::Local.pointer_code());
+    let takes_addresses = block.statements.iter().any(takes_address);
     for statement in &block.statements {
         let writes = !matches!(statement.instruction.direction(), Some(Direction::Read) | None);
         match &statement.operand {
@@ -104,7 +104,7 @@ fn known_from_the_start(block: &ResolvedBlock) -> Option<Vec<Use>> {
                 Location::MemoryIndirect { area: Area::Local, .. } | Location::RegisterIndirect { area: Some(Area::Local), .. } => {
                     return None;
                 }
-                Location::RegisterIndirect { area: None, .. } if takes_addresses(block) => return None,
+                Location::RegisterIndirect { area: None, .. } if takes_addresses => return None,
                 _ => {}
             },
             // `P##name`: from here on the variable is written in ways that no one sees.
@@ -127,11 +127,14 @@ fn known_from_the_start(block: &ResolvedBlock) -> Option<Vec<Use>> {
     Some(known)
 }
 
-/// Whether the block takes the address of a variable: what it writes through an address register may then lie there.
-fn takes_addresses(block: &ResolvedBlock) -> bool {
-    block.statements.iter().any(|statement| {
-        matches!(&statement.operand, Operand::Constant(Value::Pointer(pointer)) if pointer >> 24 == u32::from(Area::Local.pointer_code()))
-    })
+/// Whether a statement takes the address of a variable: what the block writes through an address register may then lie there.
+fn takes_address(statement: &Statement) -> bool {
+    matches!(statement.operand, Operand::Constant(Value::Pointer(pointer)) if local(pointer))
+}
+
+/// Whether a pointer leads into the local data.
+fn local(pointer: u32) -> bool {
+    pointer >> 24 == u32::from(Area::Local.pointer_code())
 }
 
 /// The variable of VAR_TEMP that a pointer points to; `None` if it points somewhere else.

@@ -1,5 +1,6 @@
 //! Operands of extension words.
 
+use sieben_engine::machine::Register;
 use sieben_model::address::Area;
 use sieben_model::extension::Relation;
 use sieben_model::problems::Problem;
@@ -9,7 +10,6 @@ use super::{Meaning, Resolver};
 use crate::stl::ast;
 use crate::stl::extension::{Compared, Extension, Property, Word, compared_constant, is_status_bit};
 use crate::stl::operands::{Access, Operand};
-use sieben_engine::machine::Register;
 
 impl Resolver<'_> {
     /// Whether the program may use extension words; says once in a block that it may not.

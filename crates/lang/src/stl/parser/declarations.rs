@@ -1,0 +1,255 @@
+//! Declarations: the sections of variables, their initial values, the assignments of data blocks.
+
+use sieben_model::interface::Section;
+use sieben_model::problems::Problem;
+
+use super::Parser;
+use super::blocks::Keyword;
+use crate::stl::ast::{Assignment, Block, Constant, Declaration, Initial, PathElement, TypeKind, TypeName, VarSection};
+use crate::stl::lexer::{Raw, token};
+use crate::stl::syntax::SyntaxKind;
+
+impl Parser<'_> {
+    pub(super) fn section(&mut self, section: Section) -> VarSection {
+        let start = self.position;
+        self.start(SyntaxKind::Section);
+        let keyword = self.bump(SyntaxKind::Keyword);
+        self.blanks();
+        // TIA writes `VAR RETAIN`, `VAR NON_RETAIN`, `VAR CONSTANT`; a declaration would have a colon.
+        if ["RETAIN", "NON_RETAIN"].into_iter().any(|word| self.at_word(word)) && self.raw_behind_blanks() != Raw::Colon {
+            self.bump(SyntaxKind::Keyword);
+        }
+        let declarations = self.declarations(true);
+        if self.keyword() == Some(Keyword::EndVar) {
+            self.bump(SyntaxKind::Keyword);
+        } else {
+            let message = format!("this {} has no `END_VAR`", self.slice(keyword.0, keyword.1).to_uppercase());
+            self.error(Problem::P2023, keyword.0, keyword.1, message);
+        }
+        let span = self.span(start, self.position);
+        let behind = self.behind_blanks(self.position);
+        if token(self.text, behind).0 == Raw::Semicolon {
+            self.blanks();
+            self.bump(SyntaxKind::Semicolon);
+        }
+        self.finish();
+        VarSection { section, declarations, span }
+    }
+
+    /// Declarations up to a keyword that is none. The names of the outermost level are remembered.
+    pub(super) fn declarations(&mut self, outermost: bool) -> Vec<Declaration> {
+        let mut declarations = Vec::new();
+        loop {
+            self.trivia();
+            match self.raw {
+                Raw::End => return declarations,
+                Raw::Semicolon => {
+                    self.bump(SyntaxKind::Semicolon);
+                }
+                Raw::Word | Raw::Local | Raw::Symbol => {
+                    if self.keyword().is_some() {
+                        return declarations;
+                    }
+                    let declaration = self.declaration();
+                    if outermost {
+                        self.declared.extend(declaration.names.iter().map(|name| name.text.to_ascii_uppercase()));
+                    }
+                    declarations.push(declaration);
+                }
+                _ => {
+                    let message = format!("{} is no name of a variable; write `name : INT;`", self.shown());
+                    self.error(Problem::P2020, self.position, self.end, message);
+                    self.skip_declaration();
+                }
+            }
+        }
+    }
+
+    /// To the `;` or the end of the line; takes at least one token.
+    fn skip_declaration(&mut self) {
+        self.bump_unexpected();
+        self.skip_statement();
+        if self.raw == Raw::Semicolon {
+            self.bump(SyntaxKind::Semicolon);
+        }
+    }
+
+    fn declaration(&mut self) -> Declaration {
+        let start = self.position;
+        self.start(SyntaxKind::Declaration);
+        self.comments.clear();
+        let mut declaration = Declaration {
+            names: Vec::new(),
+            attributes: Vec::new(),
+            data_type: TypeName { kind: TypeKind::Missing, span: self.span(start, start) },
+            initial: Vec::new(),
+            comment: String::new(),
+            span: self.span(start, start),
+        };
+        loop {
+            match self.raw {
+                Raw::Word | Raw::Local | Raw::Symbol => declaration.names.push(self.name_word(SyntaxKind::Name)),
+                _ => {
+                    let message = format!("{} is no name of a variable", self.shown());
+                    self.error(Problem::P2020, self.position, self.end, message);
+                    break;
+                }
+            }
+            self.blanks();
+            if self.raw != Raw::Comma {
+                break;
+            }
+            self.bump(SyntaxKind::Punctuation);
+            self.trivia();
+        }
+        if self.raw == Raw::BraceOpen || (self.raw == Raw::Newline && self.raw_behind_trivia() == Raw::BraceOpen) {
+            self.trivia();
+            declaration.attributes = self.attributes();
+        }
+        self.blanks();
+        if self.raw == Raw::Colon || (self.raw == Raw::Newline && self.raw_behind_trivia() == Raw::Colon) {
+            self.trivia();
+            self.bump(SyntaxKind::Punctuation);
+            self.trivia();
+            declaration.data_type = self.type_name();
+            self.blanks();
+            if self.raw == Raw::BraceOpen {
+                declaration.attributes.extend(self.attributes());
+                self.blanks();
+            }
+            if self.raw == Raw::Newline && self.raw_behind_trivia() == Raw::Becomes {
+                self.trivia();
+            }
+            if self.becomes() {
+                declaration.initial = self.initials(true);
+            }
+        } else {
+            let message = format!("{} where a declaration goes on with `:` and a type", self.shown());
+            self.error(Problem::P2020, self.position, self.end, message);
+            self.skip_statement();
+        }
+        self.blanks();
+        declaration.span = self.span(start, self.position);
+        let missing_is_usual = self.at_statement_end() || self.keyword().is_some();
+        if missing_is_usual {
+            let behind = self.behind_trivia(self.position);
+            if token(self.text, behind).0 == Raw::Semicolon {
+                self.trivia();
+                self.bump(SyntaxKind::Semicolon);
+            }
+        } else {
+            let message = format!("{} does not belong here: a declaration ends with `;`", self.shown());
+            self.error(Problem::P2020, self.position, self.end, message);
+            self.skip_declaration();
+        }
+        self.blanks();
+        if self.raw == Raw::LineComment {
+            self.comments.push((self.position, self.end));
+            self.bump(SyntaxKind::LineComment);
+        }
+        declaration.comment = self.take_comments();
+        self.finish();
+        declaration
+    }
+
+    /// Constants with commas; a comma may end a line.
+    fn initials(&mut self, outermost: bool) -> Vec<Initial> {
+        let mut values = Vec::new();
+        loop {
+            self.trivia();
+            match self.initial() {
+                Some(value) => values.push(value),
+                None => return values,
+            }
+            let behind = if outermost { self.behind_blanks(self.position) } else { self.behind_trivia(self.position) };
+            let comma = token(self.text, behind).0 == Raw::Comma
+                || (outermost && token(self.text, self.behind_trivia(self.position)).0 == Raw::Comma);
+            if !comma {
+                return values;
+            }
+            self.trivia();
+            self.bump(SyntaxKind::Punctuation);
+        }
+    }
+
+    fn initial(&mut self) -> Option<Initial> {
+        let start = self.position;
+        if self.raw == Raw::Number && self.raw_behind_trivia() == Raw::ParenOpen {
+            let count = match self.current().parse::<u64>() {
+                Ok(count) => count,
+                Err(_) if self.current().bytes().all(|byte| byte.is_ascii_digit()) => u64::MAX,
+                Err(_) => {
+                    let message = format!("{} is no count; a repetition is written `3 (0)`", self.shown());
+                    self.error(Problem::P2024, self.position, self.end, message);
+                    1
+                }
+            };
+            self.bump(SyntaxKind::Number);
+            self.trivia();
+            if !self.deeper() {
+                return None;
+            }
+            self.bump(SyntaxKind::Punctuation);
+            let values = self.initials(false);
+            self.depth -= 1;
+            self.trivia();
+            if self.raw == Raw::ParenClose {
+                self.bump(SyntaxKind::Punctuation);
+            } else {
+                let message = format!("{} where `)` ends the repeated values", self.shown());
+                self.error(Problem::P2024, self.position, self.end, message);
+            }
+            return Some(Initial::Repeat { count, values, span: self.span(start, self.position) });
+        }
+        if self.at_constant() {
+            return Some(Initial::Value(self.constant()));
+        }
+        let message = format!("{} where a constant stands, such as 5, TRUE, W#16#00FF or 3 (0)", self.shown());
+        self.error(Problem::P2024, self.position, self.end, message);
+        if self.keyword().is_some() || !matches!(self.raw, Raw::Word | Raw::Symbol | Raw::Local) {
+            return None;
+        }
+        let (start, end) = self.bump(SyntaxKind::Unexpected);
+        Some(Initial::Value(Constant { value: None, span: self.span(start, end) }))
+    }
+
+    /// The BEGIN section of a data block.
+    pub(super) fn assignments(&mut self, block: &mut Block) {
+        loop {
+            self.trivia();
+            match self.keyword() {
+                Some(Keyword::BlockStart(_) | Keyword::BlockEnd(_)) => return,
+                _ if self.raw == Raw::End => return,
+                _ => {}
+            }
+            match self.raw {
+                Raw::Semicolon => {
+                    self.bump(SyntaxKind::Semicolon);
+                }
+                Raw::Word | Raw::Local | Raw::Symbol if self.keyword().is_none() => {
+                    let start = self.position;
+                    self.start(SyntaxKind::Assignment);
+                    let mut path = vec![PathElement::Field(self.name_word(SyntaxKind::Name))];
+                    self.path(&mut path);
+                    self.blanks();
+                    let mut values = Vec::new();
+                    if self.becomes() {
+                        values = self.initials(true);
+                    } else {
+                        let message = format!("{} where an assignment goes on with `:=`", self.shown());
+                        self.error(Problem::P2017, self.position, self.end, message);
+                        self.skip_statement();
+                    }
+                    block.assignments.push(Assignment { path, values, span: self.span(start, self.position) });
+                    self.statement_end();
+                    self.finish();
+                }
+                _ => {
+                    let message = format!("{} is no assignment; a data block holds lines such as `name := 5;` here", self.shown());
+                    self.error(Problem::P2017, self.position, self.end, message);
+                    self.skip_declaration();
+                }
+            }
+        }
+    }
+}
