@@ -105,6 +105,46 @@ fn a_lone_file_keeps_data_where_it_is_told_to() {
 }
 
 #[test]
+fn data_is_adopted_by_a_run_that_keeps_nothing() {
+    let project = Project::new("");
+    project.run(&["main.awl", "--retain", "data.bin", "--speed", "max"]).says(0, &[]);
+    let kept = fs::read(project.0.join("data.bin")).expect("the data");
+    for arguments in [["main.awl", "--adopt", "data.bin"].as_slice(), &["--speed", "max", "--adopt", "data.bin"]] {
+        project.run(arguments).says(0, &["is restored: 16 bytes of M, 8 counters, DB 1 (`data.bin`)"]);
+    }
+    assert_eq!(fs::read(project.0.join("data.bin")).expect("the data"), kept, "nothing is written to it");
+    project.run(&["main.awl", "--adopt", "nothing.bin"]).says(2, &["P6032", "there is no retentive data in `nothing.bin`"]);
+    project.run(&["main.awl", "--adopt", "main.awl"]).says(2, &["P6032", "`main.awl` is no file of retentive data"]);
+}
+
+#[test]
+fn a_file_that_was_cut_is_damaged_and_set_aside() {
+    let project = Project::new("");
+    let arguments = ["main.awl", "--retain", "data.bin", "--speed", "max"];
+    project.run(&arguments).says(0, &[]);
+    let whole = fs::read(project.0.join("data.bin")).expect("the data");
+    for length in [28, 100, 4096, 4100] {
+        fs::remove_file(project.0.join("data.bin.synced")).expect("the other file");
+        fs::write(project.0.join("data.bin"), &whole[..length]).expect("the folder is writable");
+        project.run(&arguments).says(0, &["P8031", "the retentive data is damaged", "`data.bin.old`"]);
+        assert_eq!(fs::read(project.0.join("data.bin.old")).expect("what was there"), &whole[..length]);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_a_file_of_data_stays_a_link() {
+    let project = Project::new("");
+    fs::create_dir(project.0.join("elsewhere")).expect("the folder is writable");
+    std::os::unix::fs::symlink("elsewhere/data.bin", project.0.join("link.bin")).expect("links can be made");
+    for said in ["", "is restored"] {
+        project.run(&["main.awl", "--retain", "link.bin", "--speed", "max"]).says(0, &[said]);
+    }
+    assert!(project.0.join("link.bin").is_symlink());
+    project.run(&["main.awl", "--retain", "elsewhere/data.bin", "--speed", "max"]).says(0, &["is restored"]);
+}
+
+#[test]
 fn data_of_a_changed_program_is_set_aside_and_can_be_adopted() {
     let project = Project::new("[project]\nname = \"count\"\n");
     project.run(&[]).says(0, &[]);

@@ -2,12 +2,13 @@
 //! timers, counters, budget and diagnostic buffer.
 //!
 //! The input chooses the statements of a program that compiles: bit logic, arithmetic, indirect addressing that may miss its area,
-//! calls, loops, interrupts by faults. An input that is itself a program is run too.
+//! calls, loops, interrupts by faults and at any safe point, system functions, HOLD, STOP and a restart. An input that is itself a
+//! program is run too.
 
 use std::fmt::Write as _;
 use std::sync::Arc;
 
-use sieben_cpu::{Cpu, OperatingMode, Rack, Restart, Settings};
+use sieben_cpu::{Cpu, Interrupt, OperatingMode, Rack, Restart, Settings};
 use sieben_engine::machine::{Register, Registers};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
 use sieben_jit::{Jit, StatusBits};
@@ -20,7 +21,7 @@ use sieben_model::symbols::SymbolTable;
 /// Safe points that a program may pass in one scan.
 const SAFE_POINTS_MAX: i64 = 3_000;
 /// Scans that are compared.
-const SCANS: u64 = 3;
+const SCANS: u64 = 4;
 /// Statements of one block at most.
 const STATEMENTS_MAX: usize = 160;
 /// Labels of a block, spread over it.
@@ -29,14 +30,55 @@ const LABELS: usize = 6;
 /// Runs the input if it is text, else the program that it chooses.
 pub fn fuzz(data: &[u8]) {
     match std::str::from_utf8(data) {
-        Ok(text) if text.contains(';') => compare(text, data.len()),
-        _ => compare(&chosen(data), data.len()),
+        Ok(text) if text.contains(';') => compare(text, data),
+        _ => compare(&chosen(data), data),
+    }
+}
+
+/// What happens to the CPU from outside in one scan.
+struct Outside {
+    /// An organization block, and the safe point at which its event comes; more than once is a storm.
+    interrupts: Vec<(u64, u16)>,
+    /// Somebody asks for HOLD, and for going on after it.
+    hold: bool,
+}
+
+/// Organization blocks that are interrupted by each other.
+const INTERRUPTS: [u16; 5] = [40, 35, 20, 82, 80];
+
+/// What happens in a scan, chosen by bytes of the input.
+fn outside(data: &[u8], scan: u64) -> Outside {
+    let at = |index: usize| data.get((data.len() / 2 + 8 * scan as usize + index) % data.len().max(1)).copied().unwrap_or(0);
+    let ob = |index: usize| INTERRUPTS[usize::from(at(index)) % INTERRUPTS.len()];
+    let interrupts = match at(0) % 4 {
+        0 => Vec::new(),
+        1 => (1..=60).map(|point| (point, 40)).collect(),
+        _ => (1..4).map(|index| (1 + u64::from(at(2 * index) % 48), ob(2 * index + 1))).collect(),
+    };
+    Outside { interrupts, hold: at(1) % 5 == 0 }
+}
+
+/// One scan with what happens in it. A CPU that went to STOP is started again, hot if it can.
+fn scan(cpu: &mut Cpu, number: u64, outside: &Outside) {
+    if cpu.mode() == OperatingMode::Stop {
+        cpu.restart(Restart::Hot);
+    }
+    for &(point, ob) in &outside.interrupts {
+        cpu.raise_at_safe_point(point, Interrupt::usual(ob).expect("events start it"));
+    }
+    if outside.hold {
+        cpu.stop_request().hold();
+    }
+    cpu.scan(number * 10_000);
+    // A HOLD may come again: the last request is answered by the first safe point after it.
+    for later in 1..=2 {
+        cpu.resume(number * 10_000 + later);
     }
 }
 
 /// Runs a program on both engines, if it compiles.
-fn compare(text: &str, choice: usize) {
-    let cpu_type = &CpuType::ALL[choice % CpuType::ALL.len()];
+fn compare(text: &str, data: &[u8]) {
+    let cpu_type = &CpuType::ALL[data.len() % CpuType::ALL.len()];
     let mut sources = Sources::default();
     sources.add("fuzz.awl", text);
     let options = Options { cpu: Some(cpu_type), system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
@@ -59,15 +101,19 @@ fn compare(text: &str, choice: usize) {
         };
         (status, load(&machine_code))
     });
-    for scan in 0..SCANS {
-        interpreted.scan(scan * 10_000);
+    let mut stops = 0;
+    for number in 0..SCANS {
+        let outside = outside(data, number);
+        scan(&mut interpreted, number, &outside);
         for (status, native) in &mut natives {
-            native.scan(scan * 10_000);
+            scan(native, number, &outside);
             if let Some(what) = difference(&interpreted, native, *status) {
-                panic!("after scan {scan} the engines ({status:?}) differ in {what}:\n{text}");
+                panic!("after scan {number} the engines ({status:?}) differ in {what}:\n{text}");
             }
         }
-        if interpreted.mode() != OperatingMode::Run {
+        stops += u64::from(interpreted.mode() != OperatingMode::Run);
+        // What a hot restart goes on with may depend on status bits that nobody calculated.
+        if stops > 1 {
             return;
         }
     }
@@ -127,7 +173,7 @@ fn chosen(data: &[u8]) -> String {
          DATA_BLOCK DB 2\nSTRUCT\n a : ARRAY [0..7] OF DINT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n\
          DATA_BLOCK DB 3\nREAD_ONLY\nSTRUCT\n a : ARRAY [0..7] OF WORD;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n",
     );
-    let handlers = choices.below(4);
+    let handlers = choices.below(16);
     let mut blocks = vec![
         (
             "FUNCTION FC 1 : VOID\nVAR_INPUT\n n : INT;\n b : BOOL;\nEND_VAR\nVAR_IN_OUT\n w : WORD;\nEND_VAR\nVAR_TEMP\n t : ARRAY [0..9] OF WORD;\nEND_VAR\n",
@@ -159,6 +205,22 @@ fn chosen(data: &[u8]) -> String {
             "ORGANIZATION_BLOCK",
             false,
         ));
+    }
+    if handlers & 4 != 0 {
+        for head in [
+            "ORGANIZATION_BLOCK OB 40\nVAR_TEMP\n i : ARRAY [0..19] OF BYTE;\n t : ARRAY [0..9] OF WORD;\nEND_VAR\n",
+            "ORGANIZATION_BLOCK OB 35\nVAR_TEMP\n i : ARRAY [0..19] OF BYTE;\n t : ARRAY [0..9] OF WORD;\nEND_VAR\n",
+        ] {
+            blocks.push((head, "ORGANIZATION_BLOCK", false));
+        }
+    }
+    if handlers & 8 != 0 {
+        for head in [
+            "ORGANIZATION_BLOCK OB 20\nVAR_TEMP\n i : ARRAY [0..19] OF BYTE;\n t : ARRAY [0..9] OF WORD;\nEND_VAR\n",
+            "ORGANIZATION_BLOCK OB 82\nVAR_TEMP\n i : ARRAY [0..19] OF BYTE;\n t : ARRAY [0..9] OF WORD;\nEND_VAR\n",
+        ] {
+            blocks.push((head, "ORGANIZATION_BLOCK", false));
+        }
     }
     blocks.push((
         "ORGANIZATION_BLOCK OB 1\nVAR_TEMP\n i : ARRAY [0..19] OF BYTE;\n t : ARRAY [0..9] OF WORD;\nEND_VAR\n",
@@ -210,9 +272,31 @@ fn address(choices: &mut Choices<'_>, width: usize, parameters: bool) -> String 
     }
 }
 
+/// Calls of system functions: locks of interrupts and errors, data blocks made and deleted, blocks of bytes moved, STOP.
+const SYSTEM_CALLS: &[&str] = &[
+    "CALL SFC 41 (RET_VAL := MW 20)",
+    "CALL SFC 42 (RET_VAL := MW 20)",
+    "CALL SFC 39 (MODE := B#16#0, OB_NR := 0, RET_VAL := MW 20)",
+    "CALL SFC 40 (MODE := B#16#0, OB_NR := 0, RET_VAL := MW 20)",
+    "CALL SFC 36 (PRGFLT_SET_MASK := MD 4, ACCFLT_SET_MASK := MD 8, RET_VAL := MW 20, PRGFLT_MASKED := MD 24, ACCFLT_MASKED := MD 28)",
+    "CALL SFC 36 (PRGFLT_SET_MASK := DW#16#FFFFFFFF, ACCFLT_SET_MASK := DW#16#FFFFFFFF, RET_VAL := MW 20, PRGFLT_MASKED := MD 24, ACCFLT_MASKED := MD 28)",
+    "CALL SFC 37 (PRGFLT_RESET_MASK := DW#16#FFFFFFFF, ACCFLT_RESET_MASK := MD 8, RET_VAL := MW 20, PRGFLT_MASKED := MD 24, ACCFLT_MASKED := MD 28)",
+    "CALL SFC 44 (VAL := MD 4, RET_VAL := MW 20)",
+    "CALL SFC 22 (LOW_LIMIT := W#16#9, UP_LIMIT := W#16#A, COUNT := W#16#20, RET_VAL := MW 20, DB_NUMBER := MW 2)",
+    "CALL SFC 23 (DB_NUMBER := W#16#9, RET_VAL := MW 20)",
+    "CALL SFC 23 (DB_NUMBER := MW 2, RET_VAL := MW 20)",
+    "CALL SFC 20 (SRCBLK := P#M 0.0 BYTE 12, RET_VAL := MW 20, DSTBLK := P#DB1.DBX 2.0 BYTE 12)",
+    "CALL SFC 20 (SRCBLK := P#DB1.DBX 0.0 BYTE 8, RET_VAL := MW 20, DSTBLK := P#L 20.0 BYTE 8)",
+    "CALL SFC 21 (BVAL := P#M 0.0 BYTE 3, RET_VAL := MW 20, BLK := P#DB9.DBX 0.0 BYTE 20)",
+    "CALL SFC 32 (OB_NR := 20, DTIME := T#3MS, SIGN := MW 2, RET_VAL := MW 20)",
+    "CALL SFC 47 (WT := 200)",
+    "CALL SFC 43 ()",
+    "CALL SFC 46 ()",
+];
+
 /// One statement.
 fn statement(choices: &mut Choices<'_>, parameters: bool) -> String {
-    let word = match choices.below(40) {
+    let word = match choices.below(42) {
         0..=8 => {
             let scan = choices.of(&["A", "AN", "O", "ON", "X", "XN", "A", "AN", "O"]);
             match choices.below(10) {
@@ -344,6 +428,8 @@ fn statement(choices: &mut Choices<'_>, parameters: bool) -> String {
             choices.of(&["L PIW", "L PIB", "T PQW", "T PQD", "L PID"]),
             choices.of(&["0", "4", "300", "2046", "65000", "8190"])
         ),
+        39 => choices.of(SYSTEM_CALLS).to_owned(),
+        40 if choices.below(4) == 0 => choices.of(SYSTEM_CALLS).to_owned(),
         _ => choices.of(&["ENT", "LEAVE", "TAK", "L MW 2", "T MW 2", "T MD 4", "T MD 8", "L 3;\n T MW 2", "L P#3.0;\n T MD 8"]).to_owned(),
     };
     format!(" {word};\n")
@@ -351,7 +437,7 @@ fn statement(choices: &mut Choices<'_>, parameters: bool) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{chosen, fuzz};
+    use super::{Options, chosen, fuzz};
 
     /// Numbers that look random, the same on every run.
     fn noise(seed: u32, length: usize) -> Vec<u8> {
@@ -374,7 +460,8 @@ mod tests {
             let text = chosen(&noise(seed, 200));
             let mut sources = sieben_model::source::Sources::default();
             sources.add("fuzz.awl", text.as_str());
-            let compiled = sieben_lang::compile(&sources, &Default::default(), &Default::default());
+            let options = Options { system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
+            let compiled = sieben_lang::compile(&sources, &Default::default(), &options);
             let errors = compiled.diagnostics.iter().filter(|found| found.severity() == sieben_model::diagnostic::Severity::Error);
             let before = refused.len();
             let wrong = errors.map(|found| refused.insert(format!("{} in `{}`", found.message, sources.slice(found.span)))).count();

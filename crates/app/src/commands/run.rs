@@ -110,6 +110,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let mut cpu = controller::load(&build, arguments.engine, StatusBits::Needed, settings);
     let time = if arguments.speed == Speed::Max { RunTime::Virtual } else { RunTime::Real };
     let choice = arguments.retain.choice(&build.project, time, arguments.json);
+    if choice.is_none() {
+        arguments.retain.adopt_only(&mut cpu, arguments.json)?;
+    }
     let retention = choice.map(|choice| Retention::open(&choice, &mut cpu)).transpose()?;
     let interrupt = Interrupt::watch(&cpu)?;
     if !arguments.json {

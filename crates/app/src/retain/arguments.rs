@@ -3,9 +3,11 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use sieben_cpu::Restart;
+use sieben_cpu::{Cpu, Restart};
 
-use super::retention::{Choice, SYNC};
+use super::disk::behind_links;
+use super::retention::{Choice, SYNC, adopt_only};
+use crate::failure::Failure;
 use crate::project::Project;
 
 /// The options of a verb that runs a CPU.
@@ -53,12 +55,16 @@ impl RetainArguments {
         let of_project = || project.home.as_deref().filter(|_| time == RunTime::Real).map(Choice::project_file);
         let file = self.retain.clone().or_else(of_project).filter(|_| !self.no_retain)?;
         Some(Choice {
-            file,
+            file: behind_links(&file),
             named: self.retain.is_some(),
             sync: project.settings.retain.sync.unwrap_or(SYNC),
             adopt: self.adopt.clone(),
             reset: self.reset,
             json,
         })
+    }
+    /// Takes over the data that the user names into a run that keeps nothing, such as one in virtual time.
+    pub(crate) fn adopt_only(&self, cpu: &mut Cpu, json: bool) -> Result<(), Failure> {
+        self.adopt.as_deref().map_or(Ok(()), |source| adopt_only(source, cpu, json))
     }
 }

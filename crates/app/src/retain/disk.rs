@@ -83,6 +83,20 @@ fn sync_folder(folder: &Path) -> io::Result<()> {
     }
 }
 
+/// The file behind symbolic links: replacing a file by its path would replace the link, and two names of one file would have two locks.
+pub(crate) fn behind_links(path: &Path) -> PathBuf {
+    /// As many links as Linux follows in one path.
+    const LINKS_MAX: usize = 40;
+    let mut path = path.to_path_buf();
+    for _ in 0..LINKS_MAX {
+        match fs::read_link(&path) {
+            Ok(target) => path = folder(&path).map(|folder| folder.join(&target)).unwrap_or(target),
+            Err(_) => break,
+        }
+    }
+    path
+}
+
 /// The folder of a path, if it names one.
 pub(crate) fn folder(path: &Path) -> Option<&Path> {
     path.parent().filter(|folder| !folder.as_os_str().is_empty())

@@ -11,7 +11,7 @@ use sieben_cpu::retain::{Adoption, Refusal, Restored, data_blocks};
 use sieben_cpu::{Cpu, DataLoss};
 use sieben_model::problems::Problem;
 
-use super::disk::{Disk, RealDisk, with_ending};
+use super::disk::{Disk, RealDisk, behind_links, with_ending};
 use super::lock::{self, NoLock};
 use super::record::{self, Record};
 use super::slots::{self, Contents, Slots};
@@ -80,7 +80,7 @@ impl Retention {
         let found = Found::read(&*disk, path, choice.named)?;
         let sequence = found.newest().map_or(0, |record| record.sequence);
         let restored = match &choice.adopt {
-            Some(source) => Some(adopt(source, choice, &*disk, cpu)?),
+            Some(source) => Some(adopt(source, Some(&choice.file), &*disk, cpu, choice.json)?),
             None if choice.reset => {
                 cpu.memory_reset();
                 None
@@ -136,21 +136,26 @@ fn warn(problem: Problem, file: &Path, message: String, help: Option<String>, js
     print_findings(&[finding], &Texts::default(), json);
 }
 
+/// Takes over what fits of a file that the user names, for a run that keeps nothing.
+pub(crate) fn adopt_only(source: &Path, cpu: &mut Cpu, json: bool) -> Result<(), Failure> {
+    adopt(source, None, &RealDisk, cpu, json).map(|_| ())
+}
+
 /// Takes over what fits of a file that the user names. That file stays what it is, unless it is the one that is written from now on.
-fn adopt<D: Disk>(source: &Path, choice: &Choice, disk: &D, cpu: &mut Cpu) -> Result<Restored, Failure> {
+fn adopt<D: Disk>(source: &Path, written: Option<&Path>, disk: &D, cpu: &mut Cpu, json: bool) -> Result<Restored, Failure> {
     let found = Found::read(disk, source, true)?;
     let nothing = |why: &str| Failure::usage(Problem::P6032, format!("there is {why} in `{}`", source.display()));
     let record = found.newest().ok_or_else(|| nothing("no retentive data"))?;
     let restored = cpu.restore(&record.image, Adoption::WhatFits).map_err(|_| nothing("only damaged retentive data"))?;
     if !restored.left_out.is_empty() {
-        let kept = match source == choice.file {
+        let kept = match written == Some(behind_links(source).as_path()) {
             true => set_aside_record(disk, source, record)?,
             false => source.display().to_string(),
         };
         let message = format!("{} could not be taken over from another program; all of it is in `{kept}`", data_blocks(&restored.left_out));
-        warn(Problem::P8032, source, message, Some("nothing, if the program does not need it any more".to_owned()), choice.json);
+        warn(Problem::P8032, source, message, Some("nothing, if the program does not need it any more".to_owned()), json);
     }
-    say_restored(&restored, source, false, choice.json);
+    say_restored(&restored, source, false, json);
     Ok(restored)
 }
 

@@ -86,7 +86,12 @@ pub(crate) fn read(bytes: &[u8]) -> Contents {
     let capacity = capacity as usize;
     let slot = |index: usize| {
         let start = (PAGE + index * capacity).min(bytes.len());
-        record::read(&bytes[start..(start + capacity).min(bytes.len())])
+        let end = (start + capacity).min(bytes.len());
+        match record::read(&bytes[start..end]) {
+            // Nobody knows what was in a slot that the file does not reach: files are made in their full length.
+            Content::Empty if end - start < capacity => Content::Damaged,
+            content => content,
+        }
     };
     Contents::Slots([slot(0), slot(1)])
 }
