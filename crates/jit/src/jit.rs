@@ -12,7 +12,7 @@ use sieben_model::block::BlockId;
 
 use crate::entry::Generation;
 use crate::run::{Run, Scratch};
-use crate::translate::{self, LEVELS_MIN, Options};
+use crate::translate::{self, Options};
 
 /// More parameters at one call are left to the interpreter: every activation has room for as many.
 const PARAMETERS_MAX: usize = 256;
@@ -103,7 +103,7 @@ pub struct Jit {
 impl Jit {
     /// Compiles all blocks of a program for a layout. A program that cannot become machine code is interpreted.
     pub fn load(program: &Program, layout: &Layout) -> Arc<dyn Engine> {
-        Self::load_with(program, layout, Options::default())
+        Self::compiled(program, layout, StatusBits::All).unwrap_or_else(|_| Interpreter::load(program, layout))
     }
 
     /// Compiles all blocks of a program for a layout.
@@ -113,9 +113,15 @@ impl Jit {
     pub fn compiled(program: &Program, layout: &Layout, status: StatusBits) -> Result<Arc<dyn Engine>, String> {
         let statements: usize = program.code.values().map(|block| block.code.statement_count()).sum();
         let loops = program.code.values().map(|block| loop_heads(&block.code)).max().unwrap_or(0);
-        let optimize = status == StatusBits::Needed && statements <= OPTIMIZED_STATEMENTS_MAX && loops <= OPTIMIZED_LOOPS_MAX;
+        let may_optimize = statements <= OPTIMIZED_STATEMENTS_MAX && loops <= OPTIMIZED_LOOPS_MAX;
+        let optimize = status == StatusBits::Needed && may_optimize;
         let options = Options { exact: status == StatusBits::All, optimize, ..Options::default() };
-        Ok(Arc::new(Self::compile(program, layout, options)?))
+        let jit = match Self::compile(program, layout, options) {
+            // Optimized code keeps fewer values on the stack.
+            Err(_) if may_optimize && !optimize => Self::compile(program, layout, Options { optimize: true, ..options })?,
+            other => other?,
+        };
+        Ok(Arc::new(jit))
     }
 
     /// The same with every operation called instead of written out: what the inlined ones are compared with.
@@ -132,9 +138,6 @@ impl Jit {
 
     fn compile(program: &Program, layout: &Layout, options: Options) -> Result<Self, String> {
         let parameters_max = limits(program)?;
-        if usize::from(layout.nesting_depth) + usize::from(layout.nesting_depth_error) + 2 > LEVELS_MIN {
-            return Err("blocks nest too deep on this CPU type".to_owned());
-        }
         let blocks: Vec<Native> = program
             .code
             .iter()

@@ -56,11 +56,9 @@ const RESERVED_BYTES_PER_INSTRUCTION: usize = 512;
 const RESERVED_BYTES_MIN: usize = 1 << 20;
 
 /// Native stack that a run may take; threads have 2 MiB and more.
-const STACK_BYTES: usize = 768 << 10;
+const STACK_BYTES: usize = 1 << 20;
 /// What an activation takes beside the frame of its function, and its share of the Rust code that enters interrupts.
 const STACK_BYTES_OF_A_CALL: usize = 1 << 10;
-/// Activations that fit at least: the greatest nesting depth of a CPU type, twice.
-pub(crate) const LEVELS_MIN: usize = 64;
 /// The instruction that makes room on the stack is among these bytes.
 const PROLOGUE_BYTES: usize = 16;
 
@@ -115,7 +113,9 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
     }
     module.finalize_definitions().map_err(|error| error.to_string())?;
     let levels = (STACK_BYTES / (frame_max + STACK_BYTES_OF_A_CALL)).min(LINKS);
-    if levels < LEVELS_MIN {
+    // Interrupts that come on top go to the interpreter.
+    let needed = usize::from(layout.nesting_depth) + usize::from(layout.nesting_depth_error) + 2;
+    if levels < needed {
         return Err(format!("its blocks need up to {frame_max} bytes of stack"));
     }
     pinned.remove(&0);
