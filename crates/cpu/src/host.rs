@@ -105,13 +105,16 @@ impl Watchdog {
         self.total = self.total.saturating_add(passed as u64);
     }
 
+    /// The monitoring begins again: what comes next has the whole time.
+    fn begin_again(&mut self, now_us: u64) {
+        self.passed = 0;
+        self.started_us = now_us;
+    }
+
     fn expired(&self, time: &Time<'_>) -> bool {
         match time.source {
             TimeSource::Virtual => self.passed > self.limit_points,
-            // The time of OB 90 is not monitored.
-            TimeSource::Real => {
-                !self.startup && self.limit_points != i64::MAX && time.now_us.saturating_sub(self.started_us) > self.limit_us
-            }
+            TimeSource::Real => !self.startup && time.now_us.saturating_sub(self.started_us) > self.limit_us,
         }
     }
 }
@@ -166,12 +169,16 @@ impl CpuHost<'_> {
         u16::from(self.class.block) == ob::CYCLE.number
     }
 
+    /// Whether OB 90 runs, and no interrupt on top of it.
+    fn in_background(&self, machine: &Machine) -> bool {
+        self.slice.is_some() && u16::from(self.class(machine).block) == ob::BACKGROUND.number
+    }
+
     /// Starts the cycle time monitoring again (SFC 43).
     pub(crate) fn restart_watchdog(&mut self, machine: &mut Machine) {
         self.time.read(machine);
         self.watchdog.settle(machine);
-        self.watchdog.passed = 0;
-        self.watchdog.started_us = self.time.now_us;
+        self.watchdog.begin_again(self.time.now_us);
         self.grant(machine);
     }
 
@@ -346,6 +353,11 @@ impl Host for CpuHost<'_> {
         if self.requests.stop.swap(false, Ordering::Relaxed) {
             return Reaction::Stop(StopReason { event: 0x4303, place: None });
         }
+        let in_background = self.in_background(machine);
+        if in_background {
+            // OB 90 may take as long as it likes; what interrupts it may not.
+            self.watchdog.begin_again(self.time.now_us);
+        }
         if self.watchdog.expired(&self.time) {
             let elapsed = self.time.now_us.saturating_sub(self.watchdog.started_us);
             let info = StartInformation::cycle_time_exceeded(elapsed, &self.class(machine));
@@ -366,11 +378,13 @@ impl Host for CpuHost<'_> {
             self.raise(machine, event.start_information());
         }
         self.gather(machine);
-        let slice_over = match self.slice {
-            Some(Slice::Points(points)) => self.watchdog.total >= points,
-            Some(Slice::Until(until_us)) => self.time.now_us >= until_us,
-            None => false,
-        };
+        // An interrupt of OB 90 stands above the next cycle and ends before it.
+        let slice_over = in_background
+            && match self.slice {
+                Some(Slice::Points(points)) => self.watchdog.total >= points,
+                Some(Slice::Until(until_us)) => self.time.now_us >= until_us,
+                None => false,
+            };
         self.grant(machine);
         match self.pre_empt(machine) {
             Reaction::Continue if slice_over => {

@@ -4,7 +4,8 @@ mod script;
 
 use proptest::prelude::*;
 use script::{Step, cpu_of};
-use sieben_cpu::{Cpu, CyclicInterrupt, Interrupt, OperatingMode, Restart, Settings, Station};
+use sieben_cpu::interrupts::{ModuleAddress, StatusKind};
+use sieben_cpu::{Cpu, CyclicInterrupt, Interrupt, OperatingMode, Restart, Settings, Station, TimeSource};
 use sieben_model::address::Operand;
 
 /// Every block that an event can start on a 416-3, lowest class first.
@@ -64,6 +65,74 @@ fn a_storm_ends_in_a_time_error() {
     }
 }
 
+#[test]
+fn the_three_interrupts_of_a_dpv1_slave_have_events_of_their_own() {
+    for (kind, number) in [(StatusKind::Status, 55), (StatusKind::Update, 56), (StatusKind::Manufacturer, 57)] {
+        let event = Interrupt::status(kind, ModuleAddress::Input(4), [1, 2, 3, 4]).start_information().event;
+        assert_eq!(event, interrupt(number).start_information().event, "OB {number}");
+        assert_eq!(event, 0x1155 + (number - 55), "OB {number}");
+    }
+}
+
+/// A CPU with OB 90 that never ends, in real time whose clock moves 20 µs whenever it is asked. OB 35 comes every 10 ms.
+fn with_background(ob_35: &[Step]) -> (Cpu, impl FnMut() -> u64 + use<>) {
+    let settings = Settings {
+        time: TimeSource::Real,
+        watchdog: std::time::Duration::from_millis(5),
+        min_cycle: std::time::Duration::from_millis(100),
+        cyclic: [(35, CyclicInterrupt { interval_ms: 10, phase_ms: 0 })].into(),
+        ..Settings::default()
+    };
+    let blocks: [(u16, &[Step]); 3] = [(1, &[Step::Record(3)]), (35, ob_35), (90, &[Step::Forever])];
+    let mut cpu = cpu_of("416-3", &blocks, settings);
+    let mut now_us = 0;
+    let mut clock = move || {
+        now_us += 20;
+        now_us
+    };
+    cpu.restart_with(Restart::Warm, &mut clock, None);
+    (cpu, clock)
+}
+
+#[test]
+fn an_interrupt_of_the_background_ends_before_the_next_cycle() {
+    let (mut cpu, mut clock) = with_background(&[Step::Record(1), Step::Loop(1), Step::Loop(10_000), Step::Record(2)]);
+    // OB 35 lasts 200 µs: the pause ends in the middle of it.
+    cpu.background_with(10_100, &mut clock);
+    cpu.scan_with(&mut clock, None);
+    let recorded: Vec<u32> = (10..13).map(|byte| value(&cpu, &format!("MB{byte}"))).collect();
+    assert_eq!(recorded, [1, 2, 3]);
+    assert_eq!(cpu.mode(), OperatingMode::Run);
+}
+
+#[test]
+fn the_watchdog_sees_an_interrupt_of_the_background() {
+    let (mut cpu, mut clock) = with_background(&[Step::Forever]);
+    cpu.background_with(18_000, &mut clock);
+    assert_eq!(Cpu::stop_cause(&cpu).map(|cause| (cause.event, cause.first_event)), Some((0x4568, 0x3501)));
+}
+
+#[test]
+fn hold_in_the_background_ends_with_the_next_scan_to_come() {
+    for hot in [false, true] {
+        let (mut cpu, mut clock) = with_background(&[]);
+        cpu.background_with(500, &mut clock);
+        cpu.stop_request().hold();
+        cpu.background_with(900, &mut clock);
+        assert_eq!(cpu.mode(), OperatingMode::Hold);
+        if hot {
+            cpu.restart_with(Restart::Hot, &mut clock, None);
+        } else {
+            cpu.resume_with(&mut clock, None);
+        }
+        assert_eq!(cpu.mode(), OperatingMode::Run);
+        assert!(cpu.scan_with(&mut clock, None).executed);
+        assert_eq!(value(&cpu, "MB10"), 3);
+        cpu.background_with(12_000, &mut clock);
+        assert_eq!(cpu.mode(), OperatingMode::Run);
+    }
+}
+
 #[derive(Clone, Debug)]
 enum Action {
     Scan(u64),
@@ -113,7 +182,11 @@ proptest! {
         interval_ms in 0_u16..50,
     ) {
         let numbers: Vec<u16> = [1, 1, 1, 80, 82, 85, 88, 90, 100, 101, 121, 122].into_iter().chain(blocks()).collect();
-        let programs: Vec<(u16, Vec<Step>)> = programs.into_iter().map(|(index, steps)| (*index.get(&numbers), steps)).collect();
+        let mut programs: Vec<(u16, Vec<Step>)> = programs.into_iter().map(|(index, steps)| (*index.get(&numbers), steps)).collect();
+        // OB 90 may take as long as it likes.
+        for (_, steps) in programs.iter_mut().filter(|one| one.0 == 90) {
+            steps.push(Step::Forever);
+        }
         let refs: Vec<(u16, &[Step])> = programs.iter().map(|(number, steps)| (*number, steps.as_slice())).collect();
         let settings = Settings {
             virtual_safe_points: 2000,

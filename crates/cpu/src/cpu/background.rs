@@ -6,7 +6,6 @@ use super::Cpu;
 use super::interrupting::again;
 use super::run::Outcome;
 use super::stop::Held;
-use crate::host::Watchdog;
 use crate::mode::OperatingMode;
 use crate::organization_blocks::{self as ob, StartInformation};
 use crate::settings::TimeSource;
@@ -33,21 +32,25 @@ impl Cpu {
             self.background_began = true;
         }
         let entry = (!resumed).then(|| self.entry(ob::BACKGROUND, None));
-        self.watchdog = Watchdog::new(false, self.now_us, self.watchdog_us(), i64::MAX);
+        self.watchdog = self.new_watchdog();
         self.slice = Some(match self.settings.time {
             TimeSource::Virtual => Slice::Points(SLICE_POINTS),
             TimeSource::Real => Slice::Until(until_us),
         });
         let outcome = self.run(entry, clock, again(tracer));
+        self.after_background(outcome);
+        if matches!(self.mode, OperatingMode::Run) {
+            self.class = class;
+        }
+    }
+
+    pub(super) fn after_background(&mut self, outcome: Outcome) {
         let ended = self.slice.take().is_none();
         match outcome {
             Outcome::Finished => {}
             Outcome::Suspended if ended => self.paused = self.take_stack(),
-            Outcome::Suspended => self.hold(Held::Interrupt),
+            Outcome::Suspended => self.hold(Held::Background),
             Outcome::Stopped(reason, first) => self.enter_stop(reason, first),
-        }
-        if matches!(self.mode, OperatingMode::Run) {
-            self.class = class;
         }
     }
 

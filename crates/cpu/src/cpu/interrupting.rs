@@ -110,7 +110,8 @@ impl Cpu {
             let entry = self.entry(BlockId::ob(u16::from(info.block)), None);
             let outcome = self.run(Some(entry), clock, again(tracer));
             self.after_interrupt(outcome);
-            if self.mode != OperatingMode::Stop {
+            // In HOLD the interrupt goes on to run, in its own class.
+            if self.mode == OperatingMode::Run {
                 self.class = class;
             }
         }

@@ -6,6 +6,7 @@ use sieben_engine::Tracer;
 use sieben_model::address::Area;
 
 use super::Cpu;
+use super::background::Slice;
 use super::interrupting::again;
 use super::run::Outcome;
 use super::stop::Held;
@@ -97,6 +98,10 @@ impl Cpu {
         self.mode = if held == Held::Startup { OperatingMode::Startup } else { OperatingMode::Run };
         let again_come = if self.cpu_type.has_ob88 { Again::No } else { Again::Yes };
         self.interrupts.clock_set(0x3506, &self.now(), again_come, &self.class);
+        if held == Held::Background {
+            // What interrupted OB 90 ends, and OB 90 waits for the next pause.
+            self.slice = Some(Slice::Until(0));
+        }
         let outcome = self.run(None, clock, again(&mut tracer));
         match held {
             Held::Startup => {
@@ -106,6 +111,10 @@ impl Cpu {
             Held::Cycle => self.after_cycle(outcome, clock, tracer),
             Held::Interrupt => {
                 self.after_interrupt(outcome);
+                self.report(true, 0)
+            }
+            Held::Background => {
+                self.after_background(outcome);
                 self.report(true, 0)
             }
         }

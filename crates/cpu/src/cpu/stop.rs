@@ -9,7 +9,7 @@ use super::Cpu;
 use crate::diagnostic_buffer::DiagnosticEntry;
 use crate::host::Requests;
 use crate::mode::OperatingMode;
-use crate::organization_blocks::StartInformation;
+use crate::organization_blocks::{self as ob, StartInformation};
 
 /// Why the CPU is in STOP.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -46,6 +46,8 @@ pub(super) enum Held {
     Cycle,
     /// An interrupt between two cycles.
     Interrupt,
+    /// OB 90, or an interrupt of it.
+    Background,
 }
 
 impl Cpu {
@@ -87,7 +89,9 @@ impl Cpu {
         self.torn = matches!(event, 0x4303 | 0x4304) && !self.machine.frames.is_empty();
         self.cause = Some(StopCause { event, first_event, place, text });
         let in_run = self.mode == OperatingMode::Run || matches!(self.held, Some(Held::Cycle | Held::Interrupt));
-        self.interrupted = if in_run && self.cpu_type.has_ob88 { self.take_stack() } else { None };
+        // OB 90 begins again after every restart.
+        let in_background = self.machine.frames.first().is_some_and(|frame| frame.block == ob::BACKGROUND);
+        self.interrupted = if in_run && !in_background && self.cpu_type.has_ob88 { self.take_stack() } else { None };
         self.paused = None;
         self.mode = OperatingMode::Stop;
         self.held = None;

@@ -81,7 +81,7 @@ impl Interrupt {
             20..=23 => 0x1121 + (number - 20),
             30..=38 => 0x1131 + (number - 30),
             40..=47 => return Some(Self::hardware((number - 40) as u8, ModuleAddress::Input(0), 0)),
-            55..=57 => 0x1100 + 0x55 + (number - 55),
+            55..=57 => status_event(number),
             60 => 0x1161,
             80 => 0x3501,
             81 => 0x3921,
@@ -109,7 +109,7 @@ impl Interrupt {
             StatusKind::Update => 56,
             StatusKind::Manufacturer => 57,
         };
-        Self::new(number, 0x1100 + number, module.flag(), module.byte(), u32::from_be_bytes(data))
+        Self::new(number, status_event(number), module.flag(), module.byte(), u32::from_be_bytes(data))
     }
 
     /// Diagnostic interrupt, OB 82: the first four bytes of the diagnostic data of the module.
@@ -141,6 +141,11 @@ impl Interrupt {
     pub fn start_information(&self) -> StartInformation {
         self.0
     }
+}
+
+/// The event of OB 55, OB 56 or OB 57: its second byte shows the number of the block in hexadecimal digits.
+fn status_event(number: u16) -> u16 {
+    0x1155 + (number - 55)
 }
 
 /// The three interrupts of a DPV1 slave.

@@ -236,7 +236,9 @@ impl Interrupts {
     /// The request that may interrupt a block of priority class `above`: the highest class, the oldest first.
     pub(crate) fn take(&mut self, above: u8) -> Option<Request> {
         let may = |request: &Request| {
-            request.info.priority > above && (!self.startup || ob::is_asynchronous_error(u16::from(request.info.block)))
+            let number = u16::from(request.info.block);
+            let error = ob::is_asynchronous_error(number) || number == ob::PROCESSING_ABORT.number;
+            request.info.priority > above && (!self.startup || error)
         };
         let highest = self.waiting.iter().filter(|request| may(request)).map(|request| request.info.priority).max()?;
         let index = self.waiting.iter().position(|request| request.info.priority == highest && may(request))?;
