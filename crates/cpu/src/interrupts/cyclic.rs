@@ -62,7 +62,7 @@ impl Cyclic {
         self.0.iter().map(|one| (one.next_us, one.number)).min()
     }
 
-    /// It comes. If it came while it still ran, all starts up to `now_us` are one that is missed.
+    /// It comes. If it came while it still ran or nothing could run, all starts up to `missed_until_us` are one.
     pub(crate) fn fire(&mut self, number: u16, missed_until_us: Option<u64>) -> StartInformation {
         let Some(one) = self.0.iter_mut().find(|one| one.number == number) else { return StartInformation::default() };
         let (interval, _) = one.setting.us();

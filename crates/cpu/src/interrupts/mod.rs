@@ -263,10 +263,12 @@ impl Interrupts {
             let (Source::TimeOfDay(number) | Source::Delay(number) | Source::Cyclic(number)) = source;
             let waits = self.waits(number) > 0;
             let busy = waits || machine.frames.iter().any(|frame| frame.begins_class() && frame.block == BlockId::ob(number));
+            // Without a block to run, all that were missed are one event: the clock may have jumped by hours.
+            let lost = busy || self.is_locked(number) || !self.is_available(number);
             let info = match source {
                 Source::TimeOfDay(number) => self.times_of_day.fire(number, now.date_and_time()),
                 Source::Delay(number) => self.delays.fire(number),
-                Source::Cyclic(number) => self.cyclic.fire(number, busy.then_some(now.clock_us)),
+                Source::Cyclic(number) => self.cyclic.fire(number, lost.then_some(now.clock_us)),
             };
             if busy {
                 self.time_error(0x3502, &info, active, now.now_us);

@@ -3,7 +3,7 @@
 //! Numbers are big endian, as all data of the CPU:
 //!
 //! ```text
-//! version           1 byte, 1
+//! version           1 byte, 2
 //! CPU clock         8 bytes, microseconds in STARTUP and RUN
 //! run-time meters   8 × 8 bytes, microseconds
 //! parts             until the end:
@@ -11,14 +11,16 @@
 //!   'T' number 2, kind 1, flags 1, value 2, base 1, start 8    a timer; when it was started, by the CPU clock
 //!   'C' number 2, count 2, flags 1                        a counter
 //!   'D' number 2, declaration 8, length 4, bytes          a data block of the program
-//!   'N' number 2, length 4, bytes                         a data block that the program made (SFC 22)
+//!   'N' number 2, flags 1, length 4, bytes                a data block that the program made (SFC 22, SFC 85)
 //! ```
 
 use sieben_engine::machine::counters::COUNT_MAX;
 use sieben_engine::machine::{Counter, Timer, TimerKind};
 
+use crate::system::Attributes;
+
 /// The first byte of an image.
-pub(super) const VERSION: u8 = 1;
+pub(super) const VERSION: u8 = 2;
 /// Run-time meters of a CPU.
 pub(super) const METERS: usize = 8;
 /// Bytes before the first part.
@@ -59,7 +61,7 @@ pub(super) enum Part<'a> {
     Timer { number: u16, timer: Timer },
     Counter { number: u16, counter: Counter },
     DataBlock { number: u16, declaration: u64, bytes: &'a [u8] },
-    Created { number: u16, bytes: &'a [u8] },
+    Created { number: u16, attributes: Attributes, bytes: &'a [u8] },
 }
 
 /// An image that was read.
@@ -79,7 +81,8 @@ pub(super) fn parse(bytes: &[u8]) -> Option<Parsed<'_>> {
     let clock_us = reader.u64().filter(|&clock| clock <= CLOCK_US_MAX)?;
     let mut meters_us = [0; METERS];
     for meter in &mut meters_us {
-        *meter = reader.u64().filter(|&shown| shown <= CLOCK_US_MAX)?;
+        // Any number: SFC 101 presets up to 2^31 hours.
+        *meter = reader.u64()?;
     }
     let mut parts = Vec::new();
     while !reader.0.is_empty() {
@@ -104,8 +107,9 @@ fn part<'a>(reader: &mut Reader<'a>, clock_us: u64) -> Option<Part<'a>> {
             Part::DataBlock { number, declaration, bytes: reader.bytes(length)? }
         }
         b'N' => {
+            let [read_only, non_retain, false, false] = flags(reader.u8()?)? else { return None };
             let length = reader.u32()? as usize;
-            Part::Created { number, bytes: reader.bytes(length)? }
+            Part::Created { number, attributes: Attributes { read_only, non_retain }, bytes: reader.bytes(length)? }
         }
         _ => return None,
     })
@@ -148,6 +152,11 @@ pub(super) fn timer_bytes(timer: &Timer) -> [u8; TIMER_BYTES] {
 pub(super) fn counter_bytes(counter: &Counter) -> [u8; COUNTER_BYTES] {
     let [high, low] = counter.count.min(COUNT_MAX).to_be_bytes();
     [high, low, flag_byte([counter.set_edge, counter.up_edge, counter.down_edge, counter.enable_edge])]
+}
+
+/// The attributes of a created data block as an image has them.
+pub(super) fn attribute_byte(attributes: Attributes) -> u8 {
+    flag_byte([attributes.read_only, attributes.non_retain, false, false])
 }
 
 fn flag_byte(flags: [bool; 4]) -> u8 {

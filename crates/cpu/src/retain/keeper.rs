@@ -7,7 +7,7 @@ use sieben_engine::Machine;
 use super::areas::RetentiveAreas;
 use super::declaration::Declarations;
 use super::image::{self, CLOCK, METERS, RetainImage, VERSION};
-use crate::system;
+use crate::system::{self, Created};
 
 /// A clock that is so much older than the last image makes a new one while a retentive timer runs: the unit of the timers.
 const TIMER_UNIT_US: u64 = 10_000;
@@ -25,7 +25,7 @@ pub(crate) struct Keeper {
     /// Counters by number, and where they stand in the image.
     counters: Vec<(u16, usize)>,
     /// Data blocks as they lay when the pieces were listed.
-    created: Vec<(u16, u32, u32)>,
+    created: Vec<Created>,
     listed: bool,
 }
 
@@ -44,7 +44,7 @@ impl Keeper {
         declarations: &Declarations,
         scan: u64,
     ) -> Option<&RetainImage> {
-        let created = system::created(machine);
+        let created = system::created(machine, &state.non_retain);
         let mut changed = false;
         if !self.listed || created != self.created {
             self.list(machine, areas, declarations, created);
@@ -61,7 +61,7 @@ impl Keeper {
     }
 
     /// Lists where everything comes from, and makes room for it.
-    fn list(&mut self, machine: &Machine, areas: &RetentiveAreas, declarations: &Declarations, created: Vec<(u16, u32, u32)>) {
+    fn list(&mut self, machine: &Machine, areas: &RetentiveAreas, declarations: &Declarations, created: Vec<Created>) {
         let mut bytes = vec![0; image::HEAD_BYTES];
         bytes[0] = VERSION;
         (self.pieces, self.timers, self.counters) = Default::default();
@@ -95,8 +95,10 @@ impl Keeper {
             let at = part(b'D', number, &fields, entry.length as usize);
             self.pieces.push((entry.base as usize..(entry.base + entry.length) as usize, at));
         }
-        for &(number, base, length) in &created {
-            let at = part(b'N', number, &length.to_be_bytes(), length as usize);
+        for &Created { number, base, length, attributes } in &created {
+            let mut fields = vec![image::attribute_byte(attributes)];
+            fields.extend(length.to_be_bytes());
+            let at = part(b'N', number, &fields, length as usize);
             self.pieces.push((base as usize..(base + length) as usize, at));
         }
         self.image.bytes = bytes;

@@ -99,7 +99,7 @@ pub(crate) fn judge<'a>(
     let Parsed { clock_us, meters_us, mut parts } = image::parse(&image.bytes).ok_or(Refusal::Damaged)?;
     let mut restored = Restored { scan: image.scan, ..Restored::default() };
     let created = parts.iter().filter_map(|part| match part {
-        Part::Created { number, bytes } => Some((*number, bytes.len())),
+        Part::Created { number, bytes, .. } => Some((*number, bytes.len())),
         _ => None,
     });
     // Created data blocks belong together: the program made them in one memory.
@@ -137,7 +137,7 @@ impl Judged<'_> {
             *meter = system::Meter { shown_us, since_us: None };
         }
         for part in parts {
-            put(part, machine, areas, &mut restored);
+            put(part, machine, state, areas, &mut restored);
         }
         restored.data_blocks.sort_unstable();
         restored.data_blocks.dedup();
@@ -145,7 +145,7 @@ impl Judged<'_> {
     }
 }
 
-fn put(part: Part<'_>, machine: &mut Machine, areas: &RetentiveAreas, restored: &mut Restored) {
+fn put(part: Part<'_>, machine: &mut Machine, state: &mut system::State, areas: &RetentiveAreas, restored: &mut Restored) {
     match part {
         Part::BitMemory { first, bytes } => {
             let memory = machine.memory.area_mut(Area::BitMemory);
@@ -174,8 +174,11 @@ fn put(part: Part<'_>, machine: &mut Machine, areas: &RetentiveAreas, restored: 
             machine.memory.arena[start..start + bytes.len()].copy_from_slice(bytes);
             restored.data_blocks.push(number);
         }
-        Part::Created { number, bytes } => {
-            system::create(machine, number, bytes);
+        Part::Created { number, attributes, bytes } => {
+            system::create(machine, number, bytes, attributes.read_only);
+            if attributes.non_retain {
+                state.non_retain.insert(number);
+            }
             restored.data_blocks.push(number);
         }
     }

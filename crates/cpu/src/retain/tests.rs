@@ -72,8 +72,9 @@ impl Plant {
         for counter in &mut plant.machine.counters {
             counter.set(true, 0x0123);
         }
-        system::create(&mut plant.machine, 20, &[1, 2, 3, 4, 5, 6]);
-        system::create(&mut plant.machine, 21, &[7; 10]);
+        system::create(&mut plant.machine, 20, &[1, 2, 3, 4, 5, 6], true);
+        system::create(&mut plant.machine, 21, &[7; 10], false);
+        plant.state.non_retain.insert(21);
         plant.state.meters[3] = system::Meter { shown_us: 5_000_000, since_us: Some(9_000_000) };
         plant
     }
@@ -95,6 +96,9 @@ fn what_is_retentive_comes_back_and_nothing_else() {
         assert_eq!(plant.data_block(number), [0; 8], "DB {number} is a matter of the load memory");
     }
     assert_eq!((plant.data_block(20).to_vec(), plant.data_block(21).to_vec()), (vec![1, 2, 3, 4, 5, 6], vec![7; 10]));
+    let attributes =
+        |number| (plant.machine.memory.data_block(number).unwrap().read_only, plant.state.non_retain.contains(&(number as u16)));
+    assert_eq!([attributes(20), attributes(21)], [(true, false), (false, true)]);
     // 15 s, of which 3 s have passed.
     let remaining: Vec<u16> = plant.machine.timers[..5].iter().map(|timer| timer.remaining(plant.machine.clock_us)).collect();
     assert_eq!(remaining, [0, 0, 12, 12, 0]);
@@ -159,6 +163,19 @@ fn the_image_of_another_program_is_refused_or_taken_as_far_as_it_fits() {
 }
 
 #[test]
+fn a_run_time_meter_may_show_whatever_the_program_set() {
+    for hours in [0, 32_767, u64::from(i32::MAX as u32)] {
+        let mut plant = Plant::new();
+        plant.state.meters[0] = system::Meter { shown_us: hours * 3_600_000_000, since_us: None };
+        let image = plant.image().unwrap();
+        assert!(image.is_sound(), "{hours} h");
+        let mut again = Plant::new();
+        again.restore(&image, Adoption::SameProgram).unwrap();
+        assert_eq!(again.state.meters, plant.state.meters);
+    }
+}
+
+#[test]
 fn a_changed_retentive_range_takes_what_it_has() {
     let image = Plant::in_use().image().unwrap();
     let mut plant = Plant::new();
@@ -198,6 +215,7 @@ fn created_data_blocks_that_do_not_fit_are_not_made() {
     let created = |number: u16, length: u32| {
         let mut bytes = vec![b'N'];
         bytes.extend(number.to_be_bytes());
+        bytes.push(0);
         bytes.extend(length.to_be_bytes());
         bytes.extend(vec![9; length as usize]);
         bytes
@@ -219,7 +237,7 @@ fn created_data_blocks_that_do_not_fit_are_not_made() {
         assert_eq!(Plant::new().restore(&image, Adoption::SameProgram).is_ok(), fits, "{} parts", parts.len());
         let mut plant = Plant::new();
         plant.restore(&image, Adoption::WhatFits).unwrap();
-        assert_eq!(system::created(&plant.machine).is_empty(), !fits);
+        assert_eq!(system::created(&plant.machine, &plant.state.non_retain).is_empty(), !fits);
     }
 }
 

@@ -57,7 +57,7 @@ impl Call<'_, '_> {
         let base = place(self.machine, room(length))?;
         // A number that cannot be delivered must not leave a block behind.
         self.output(number_at, Width::Word, u32::from(number))?;
-        insert(self.machine, number, base, length);
+        insert(self.machine, number, base, length, false);
         Ok(number)
     }
 }
@@ -109,20 +109,44 @@ fn place(machine: &Machine, bytes: usize) -> Result<usize, u16> {
 }
 
 /// Makes a data block of zeros at a place that [`place`] found.
-fn insert(machine: &mut Machine, number: u16, base: usize, length: u32) {
+fn insert(machine: &mut Machine, number: u16, base: usize, length: u32, read_only: bool) {
     let memory = &mut machine.memory;
     memory.arena[base..base + length as usize].fill(0);
     let index = usize::from(number);
     if memory.data_blocks.len() <= index {
         memory.data_blocks.resize(index + 1, None);
     }
-    memory.data_blocks[index] = Some(DataBlockEntry { base: base as u32, length, read_only: false });
+    memory.data_blocks[index] = Some(DataBlockEntry { base: base as u32, length, read_only });
 }
 
-/// The created data blocks: number, first byte in the arena, length in bytes.
-pub(crate) fn created(machine: &Machine) -> Vec<(u16, u32, u32)> {
-    let entry = |number| machine.memory.data_block(u64::from(number));
-    taken(machine).into_iter().filter_map(|(_, number)| entry(number).map(|entry| (number, entry.base, entry.length))).collect()
+/// What SFC 85 says about a data block beside its length.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Attributes {
+    /// The program may not write it.
+    pub(crate) read_only: bool,
+    /// A warm restart sets it to zeros.
+    pub(crate) non_retain: bool,
+}
+
+/// A created data block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Created {
+    pub(crate) number: u16,
+    /// Its first byte in the arena.
+    pub(crate) base: u32,
+    /// Its length in bytes.
+    pub(crate) length: u32,
+    pub(crate) attributes: Attributes,
+}
+
+/// The created data blocks, in the order of their places. `non_retain`: those with this attribute.
+pub(crate) fn created(machine: &Machine, non_retain: &BTreeSet<u16>) -> Vec<Created> {
+    let block = |number: u16| {
+        let DataBlockEntry { base, length, read_only } = machine.memory.data_block(u64::from(number))?;
+        let attributes = Attributes { read_only, non_retain: non_retain.contains(&number) };
+        Some(Created { number, base, length, attributes })
+    };
+    taken(machine).into_iter().filter_map(|(_, number)| block(number)).collect()
 }
 
 /// Sets created data blocks to zeros.
@@ -156,10 +180,10 @@ pub(crate) fn fit(machine: &Machine, blocks: impl Iterator<Item = (u16, usize)>)
 }
 
 /// Makes a data block with these values; one that [`fit`] found to fit among those before it.
-pub(crate) fn create(machine: &mut Machine, number: u16, values: &[u8]) {
+pub(crate) fn create(machine: &mut Machine, number: u16, values: &[u8], read_only: bool) {
     let length = values.len() as u32;
     let base = place(machine, room(length)).expect("blocks that fit together find their places one behind the other");
-    insert(machine, number, base, length);
+    insert(machine, number, base, length, read_only);
     machine.memory.arena[base..base + values.len()].copy_from_slice(values);
 }
 

@@ -113,7 +113,7 @@ use sieben_model::interface::SystemBlock;
 
 use crate::host::CpuHost;
 
-pub(crate) use created_data_blocks::{clear, create, created, delete_created, fit};
+pub(crate) use created_data_blocks::{Attributes, Created, clear, create, created, delete_created, fit};
 use declaration::{
     Initial, Parameter, RET_VAL, Row, Run, Type, in_out, input, made, output, preset, ret_val, sfb, sfc, stored, stored_preset,
 };
