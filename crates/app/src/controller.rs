@@ -20,6 +20,7 @@ pub(crate) fn settings(build: &Build) -> Settings {
         retain: project.retain.areas(),
         cyclic: project.cyclic.clone(),
         min_cycle: project.min_cycle.unwrap_or_default(),
+        image_errors: project.image_errors.unwrap_or(usual.image_errors),
         ..usual
     }
 }

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use sieben_cpu::retain::Numbers;
-use sieben_cpu::{CyclicInterrupt, RetentiveAreas};
+use sieben_cpu::{CyclicInterrupt, ImageErrors, RetentiveAreas};
 use sieben_lang::library::{self, Selection};
 use sieben_model::address::Operand;
 use sieben_model::cpu_type::CpuType;
@@ -63,6 +63,8 @@ pub(crate) struct Settings {
     pub(crate) watchdog: Option<Duration>,
     /// `cpu.min_cycle`.
     pub(crate) min_cycle: Option<Duration>,
+    /// `cpu.image_errors`: whether OB 85 comes when a module does not answer the process image.
+    pub(crate) image_errors: Option<ImageErrors>,
     /// `cpu.clock_memory_byte`: the byte of bit memory that holds the clock memory.
     pub(crate) clock_memory_byte: Option<u16>,
     /// `[cyclic.35]` and the like: cyclic interrupts by the number of their organization block.
@@ -149,6 +151,7 @@ const KEYS: &[Key] = &[
     used("cpu", "cycle"),
     used("cpu", "watchdog"),
     used("cpu", "min_cycle"),
+    used("cpu", "image_errors"),
     used("cpu", "clock_memory_byte"),
     used("cpu", "retain"),
     used("cpu.retain", "m"),
@@ -229,6 +232,7 @@ impl Reader {
                 }
                 ("cpu", "watchdog") => self.watchdog(value),
                 ("cpu", "min_cycle") => self.settings.min_cycle = self.duration(value, name),
+                ("cpu", "image_errors") => self.image_errors(value),
                 ("cpu", "clock_memory_byte") => self.clock_memory_byte(value),
                 ("cpu", "retain") => match value.get_ref() {
                     DeValue::Table(inner) => self.table("cpu.retain", inner),
@@ -340,6 +344,15 @@ impl Reader {
         }
     }
 
+    fn image_errors(&mut self, value: &Value<'_>) {
+        let Some(placed) = self.text(value, "image_errors") else { return };
+        self.settings.image_errors = ImageErrors::from_name(&placed.text);
+        if self.settings.image_errors.is_none() {
+            let words = one_of(ImageErrors::NAMES.iter().map(|(word, _)| *word));
+            self.wrong(value, &format!("`{}` does not say when OB 85 comes for the process image: write {words}", placed.text));
+        }
+    }
+
     fn cpu(&mut self, value: &Value<'_>) {
         let Some(placed) = self.text(value, "type") else { return };
         match CpuType::by_name(&placed.text) {
@@ -417,7 +430,7 @@ mod tests {
     fn a_whole_file_is_read() {
         let (settings, diagnostics) = parse(
             "[project]\nname = \"p\"\nsources = [\"src/*.awl\"]\nsymbols = \"symbols.csv\"\nmnemonics = \"de\"\n\
-             [cpu]\ntype = \"416-3\"\ncycle = \"free\"\nwatchdog = \"150ms\"\nmin_cycle = \"1ms\"\n\
+             [cpu]\ntype = \"416-3\"\ncycle = \"free\"\nwatchdog = \"150ms\"\nmin_cycle = \"1ms\"\nimage_errors = \"every\"\n\
              [cyclic.35]\ninterval = \"50ms\"\nphase = \"5ms\"\n[cyclic.34]\nphase = \"1ms\"\n",
             FileId(0),
         );
@@ -428,6 +441,7 @@ mod tests {
         let cyclic: Vec<_> = settings.cyclic.iter().map(|(number, one)| (*number, one.interval_ms, one.phase_ms)).collect();
         assert_eq!(cyclic, [(34, 200, 1), (35, 50, 5)]);
         assert_eq!(settings.watchdog, Some(Duration::from_millis(150)));
+        assert_eq!(settings.image_errors, Some(ImageErrors::EveryTime));
         assert_eq!(settings.symbols.map(|list| list.len()), Some(1));
     }
 
@@ -460,6 +474,10 @@ mod tests {
             ("[cpu]\ncycle = \"10\"\n", "P6009: `10` is not a duration; write a number with its unit: `10ms`, `1.5s`, `2m` or `1h`"),
             ("[cpu]\nwatchdog = \"0ms\"\n", "P6009: a CPU monitors a cycle for 1 ms to 6 s: `watchdog = \"150ms\"`"),
             ("[cpu]\nwatchdog = \"6001ms\"\n", "P6009: a CPU monitors a cycle for 1 ms to 6 s: `watchdog = \"150ms\"`"),
+            (
+                "[cpu]\nimage_errors = \"always\"\n",
+                "P6009: `always` does not say when OB 85 comes for the process image: write `off`, `every` or `coming`",
+            ),
             ("[project]\nsources = 1\n", "P6009: `sources` is a list of patterns: `sources = [\"src/**/*.awl\"]`"),
             ("[project]\nname = true\n", "P6009: `name` is a text in quotes: `name = \"…\"`"),
             ("[project]\nmnemonics = \"fr\"\n", "P6009: `fr` is no mnemonic language: write `auto`, `en` or `de`"),

@@ -29,6 +29,16 @@ pub enum ImageErrors {
     Changes,
 }
 
+impl ImageErrors {
+    /// The words for all of them in project files and scenarios.
+    pub const NAMES: [(&'static str, Self); 3] = [("off", Self::Ignored), ("every", Self::EveryTime), ("coming", Self::Changes)];
+
+    /// The setting with this word: `off`, `every` or `coming` (coming and going).
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::NAMES.iter().find(|(word, _)| *word == name).map(|&(_, setting)| setting)
+    }
+}
+
 /// How a CPU is set up.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Settings {

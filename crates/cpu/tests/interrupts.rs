@@ -65,6 +65,61 @@ fn a_storm_ends_in_a_time_error() {
     }
 }
 
+/// A clock that moves on by a step whenever it is read.
+fn ticking(step_us: u64) -> impl FnMut() -> u64 {
+    let mut now_us = 0;
+    move || {
+        now_us += step_us;
+        now_us
+    }
+}
+
+#[test]
+fn in_real_time_the_background_fills_the_pause_and_goes_on_in_the_next() {
+    let settings = || Settings { time: TimeSource::Real, min_cycle: std::time::Duration::from_millis(50), ..Settings::default() };
+    // Too long for one pause: it ends at the time of the next cycle and keeps its place.
+    let mut cpu = cpu_of("416-3", &[(1, &[Step::Count]), (90, &[Step::Set("MB1", 7), Step::Forever])], settings());
+    let mut clock = ticking(1000);
+    cpu.restart_with(Restart::Warm, &mut clock, None);
+    for pause in 1..=3_u64 {
+        cpu.scan_with(&mut clock, None);
+        let until_us = pause * 50_000;
+        cpu.background_with(until_us, &mut clock);
+        assert_eq!(cpu.mode(), OperatingMode::Run, "{:?}", Cpu::stop_cause(&cpu));
+        let end_us = clock();
+        assert!((until_us..until_us + 10_000).contains(&end_us), "pause {pause} ended at {end_us} us");
+        assert_eq!(value(&cpu, "MB1"), if pause == 1 { 7 } else { 0 }, "OB 90 does not begin again");
+        cpu.modify(&Operand::parse("MB1").expect("an operand"), 0).expect("bit memory");
+    }
+    // A short one begins again and again until the time has come.
+    let mut cpu = cpu_of("416-3", &[(1, &[]), (90, &[Step::Copy("MB2", "MB3"), Step::Record(90)])], settings());
+    let mut clock = ticking(5000);
+    cpu.restart_with(Restart::Warm, &mut clock, None);
+    cpu.scan_with(&mut clock, None);
+    cpu.background_with(100_000, &mut clock);
+    let count = value(&cpu, "MB9");
+    assert!((3..40).contains(&count), "{count} turns of OB 90");
+}
+
+#[test]
+fn in_real_time_interrupts_come_inside_the_background() {
+    let settings = Settings {
+        time: TimeSource::Real,
+        min_cycle: std::time::Duration::from_millis(1),
+        cyclic: [(35, CyclicInterrupt { interval_ms: 100, phase_ms: 0 })].into(),
+        ..Settings::default()
+    };
+    let blocks: &[(u16, &[Step])] = &[(1, &[]), (35, &[Step::Record(35), Step::Nest]), (90, &[Step::Forever])];
+    let mut cpu = cpu_of("416-3", blocks, settings);
+    let mut clock = ticking(1000);
+    cpu.restart_with(Restart::Warm, &mut clock, None);
+    cpu.scan_with(&mut clock, None);
+    cpu.background_with(1_050_000, &mut clock);
+    assert_eq!(cpu.mode(), OperatingMode::Run, "{:?}", Cpu::stop_cause(&cpu));
+    assert!((9..=10).contains(&value(&cpu, "MB9")), "OB 35 has run {} times in 1 s", value(&cpu, "MB9"));
+    assert!(cpu.machine().frames.is_empty(), "OB 90 is put away while the cycle runs");
+}
+
 #[test]
 fn the_three_interrupts_of_a_dpv1_slave_have_events_of_their_own() {
     for (kind, number) in [(StatusKind::Status, 55), (StatusKind::Update, 56), (StatusKind::Manufacturer, 57)] {

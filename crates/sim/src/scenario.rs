@@ -10,7 +10,7 @@
 //! scan | scan 3 | scan until 400ms | scan at 410ms
 //! at 310ms I 0.0=0                     when a scan begins at that time or later
 //! cyclic OB 35 50ms phase 10ms         interval and phase offset of a cyclic interrupt, from the start
-//! image-errors every | changes         OB 85 when a module does not answer the process image (default: ignored)
+//! image-errors every | coming          OB 85 when a module does not answer the process image (default: off)
 //! module 4 fails | module 4 answers    the module that has byte 4, from now on
 //! min-cycle 50ms                       the least cycle time, from the start
 //! interrupt OB 40                      before the next scan; with EVENT= ID= INFO1= INFO2= for its start information
@@ -173,12 +173,8 @@ impl Scenario {
                 return Ok(());
             }
             "image-errors" => {
-                self.image_errors = match rest {
-                    "ignored" => ImageErrors::Ignored,
-                    "every" => ImageErrors::EveryTime,
-                    "changes" => ImageErrors::Changes,
-                    _ => return Err(format!("`image-errors {rest}` is not understood; write `ignored`, `every` or `changes`")),
-                };
+                self.image_errors = ImageErrors::from_name(rest)
+                    .ok_or_else(|| format!("`image-errors {rest}` is not understood; write `off`, `every` or `coming`"))?;
                 return Ok(());
             }
             "min-cycle" => {

@@ -1,4 +1,4 @@
-//! From a source text to CPUs: what the executable pages and the vectors share.
+//! From a source text to CPUs: what the executable pages, the vectors and the tests of whole programs share.
 
 use std::sync::Arc;
 

@@ -82,7 +82,7 @@ impl Interrupt {
             30..=38 => 0x1131 + (number - 30),
             40..=47 => return Some(Self::hardware((number - 40) as u8, ModuleAddress::Input(0), 0)),
             55..=57 => status_event(number),
-            60 => 0x1161,
+            60 => return Some(Self::multicomputing(0)),
             80 => 0x3501,
             81 => 0x3921,
             82 => return Some(Self::diagnostic(Coming::Coming, ModuleAddress::Input(0), 0x0100_0000)),
@@ -110,6 +110,11 @@ impl Interrupt {
             StatusKind::Manufacturer => 57,
         };
         Self::new(number, status_event(number), module.flag(), module.byte(), u32::from_be_bytes(data))
+    }
+
+    /// Multicomputing interrupt that this CPU has raised, OB 60, with the job that the program gave (1 to 15).
+    pub fn multicomputing(job: u8) -> Self {
+        Self::new(60, 0x1161, 0, u16::from(job), 0)
     }
 
     /// Diagnostic interrupt, OB 82: the first four bytes of the diagnostic data of the module.

@@ -157,6 +157,16 @@ impl Interrupts {
         }
     }
 
+    /// Whether blocks of STARTUP run, which only asynchronous errors interrupt.
+    pub(crate) fn in_startup(&self) -> bool {
+        self.startup
+    }
+
+    /// Whether OB `number` waits or runs.
+    pub(crate) fn is_busy(&self, number: u16, machine: &Machine) -> bool {
+        self.waits(number) > 0 || machine.frames.iter().any(|frame| frame.begins_class() && frame.block == BlockId::ob(number))
+    }
+
     /// Whether anything waits, has to be told or stops the CPU.
     pub(crate) fn is_idle(&self) -> bool {
         self.waiting.is_empty() && self.entries.is_empty() && self.stop.is_none()
@@ -262,7 +272,7 @@ impl Interrupts {
         while let Some((at, source)) = self.next(now).filter(|&(at, _)| at <= now.now_us) {
             let (Source::TimeOfDay(number) | Source::Delay(number) | Source::Cyclic(number)) = source;
             let waits = self.waits(number) > 0;
-            let busy = waits || machine.frames.iter().any(|frame| frame.begins_class() && frame.block == BlockId::ob(number));
+            let busy = self.is_busy(number, machine);
             // Without a block to run, all that were missed are one event: the clock may have jumped by hours.
             let lost = busy || self.is_locked(number) || !self.is_available(number);
             let info = match source {
