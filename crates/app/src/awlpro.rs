@@ -61,7 +61,7 @@ pub(crate) fn load(into: &mut Project, path: &Path, seen: &mut BTreeSet<PathBuf>
         }
     };
     if decoded.had_errors {
-        into.findings.push(Finding::file(Problem::P1102, shown.clone(), format!("`{shown}` holds bytes that mean nothing in UTF-8")));
+        into.findings.push(Finding::lost_bytes(&shown, decoded.encoding));
     }
     let file = into.texts.documents.add(shown.clone(), decoded.text);
     let (read, diagnostics) = awlsim_project::read(file, &into.texts.documents.file(file).text);
@@ -115,7 +115,12 @@ fn symbol_table(into: &mut Project, path: &Path, table: &Source, seen: &mut BTre
             let Some(target) = inside(into, path, file, table) else { return Ok(()) };
             let shown = project::shown(&target);
             match encoding::read_source_as(&files::read(&target)?, into.encoding) {
-                Ok(decoded) => (shown, decoded.text),
+                Ok(decoded) => {
+                    if decoded.had_errors {
+                        into.findings.push(Finding::lost_bytes(&shown, decoded.encoding));
+                    }
+                    (shown, decoded.text)
+                }
                 Err(_) => return into.symbol_table(&target, seen),
             }
         }

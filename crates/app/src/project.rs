@@ -260,8 +260,7 @@ impl Project {
             }
         };
         if decoded.had_errors {
-            let message = format!("`{}` holds bytes that mean nothing in {}", shown(path), decoded.encoding.name());
-            self.findings.push(Finding::file(Problem::P1102, shown(path), message));
+            self.findings.push(Finding::lost_bytes(&shown(path), decoded.encoding));
         }
         if decoded.text.trim().is_empty() {
             self.findings.push(Finding::file(Problem::P6004, shown(path), format!("`{}` is empty", shown(path))));

@@ -5,6 +5,7 @@ use std::fmt;
 
 use ariadne::{Cache, CharSet, Color, Config, IndexType, Label, LabelAttach, Report, ReportKind, Source};
 use serde_json::{Value, json};
+use sieben_lang::encoding::Encoding;
 use sieben_model::diagnostic::{Certainty, Diagnostic, Severity};
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, SourceFile, Sources, Span};
@@ -38,6 +39,10 @@ impl Finding {
     /// A finding about a whole file.
     pub(crate) fn file(problem: Problem, path: impl Into<String>, message: impl Into<String>) -> Self {
         Self { diagnostic: Diagnostic::new(problem, Span::default(), message), origin: Origin::File(path.into()) }
+    }
+    /// A file with bytes that mean nothing in its encoding.
+    pub(crate) fn lost_bytes(path: &str, encoding: Encoding) -> Self {
+        Self::file(Problem::P1102, path, format!("`{path}` holds bytes that mean nothing in {}", encoding.name()))
     }
     /// A finding in a file that is no program.
     pub(crate) fn document(diagnostic: Diagnostic) -> Self {

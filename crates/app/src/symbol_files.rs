@@ -35,8 +35,7 @@ pub(crate) fn read(path: &Path, chosen: Option<Encoding>, documents: &mut Source
         findings.push(Finding::file(Problem::P6113, name.clone(), message));
     }
     if decoded.had_errors {
-        let message = format!("`{name}` holds bytes that mean nothing in {}", decoded.encoding.name());
-        findings.push(Finding::file(Problem::P1102, name, message));
+        findings.push(Finding::lost_bytes(&name, decoded.encoding));
     }
     Ok(SymbolFile { read, encoding: decoded.encoding, findings })
 }

@@ -95,6 +95,17 @@ fn tests_of_a_project_replace_its_main_program() {
 }
 
 #[test]
+fn a_test_runs_on_the_cpu_of_its_project() {
+    // 300 ms are three calls of OB 35 as it comes, and six with the interval of the project.
+    let main = "ORGANIZATION_BLOCK OB 35\nBEGIN\nL MW 2\nINC 1\nT MW 2\nEND_ORGANIZATION_BLOCK\n\
+                ORGANIZATION_BLOCK OB 1\nBEGIN\nL MW 0\n+ 1\nT MW 0\nL 31\n<I\nBEC\n__ASSERT> MW 2, 4\nCALL SFC 46\nEND_ORGANIZATION_BLOCK\n";
+    for (settings, code) in [("[cyclic.35]\ninterval = \"50ms\"\n", 0), ("", 1)] {
+        let folder = Folder::with(&[("plant/sieben.toml", settings), ("plant/src/main.awl", main)]);
+        folder.run(&["test", "plant"]).code(code);
+    }
+}
+
+#[test]
 fn extension_words_are_explained() {
     let folder = Folder::new();
     folder.run(&["explain", "__ASSERT=="]).code(0).stdout("__ASSERT==, an extension word of awlsim").stdout("two operands");

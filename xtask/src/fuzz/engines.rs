@@ -268,7 +268,7 @@ fn address(choices: &mut Choices<'_>, width: usize, parameters: bool) -> String 
         3 => format!("{} [AR1, P#{}.{}]", if width == 0 { "" } else { letter }, choices.below(20), if width == 0 { bit } else { 0 }),
         4 if parameters && width == 0 => "#b".to_owned(),
         4 if parameters && width == 2 => choices.of(&["#n", "#w", "#w"]).to_owned(),
-        4 => format!("{}DBX", "").replace("DBX", &format!("DB1.DB{letter} {byte}{dot}")),
+        4 => format!("DB1.DB{letter} {byte}{dot}"),
         5 if area == "L" => format!("L{} {}{dot}", if width == 0 { "" } else { letter }, 20 + choices.below(18)),
         _ if area == "L" => format!("L{} {}{dot}", if width == 0 { "" } else { letter }, choices.below(16)),
         _ => format!("{name} {byte}{dot}"),
@@ -413,7 +413,7 @@ fn statement(choices: &mut Choices<'_>, parameters: bool) -> String {
         34 => match choices.below(9) {
             0 | 1 if !parameters => "CALL FC 1 (n := MW 10, b := M 1.0, w := DB1.DBW 4)".to_owned(),
             2 | 3 if !parameters => "CALL FB 1, DB 4 (n := DB1.DBW 2, b := Q 1.1, w := MW 12)".to_owned(),
-            4 => choices.of(&["BEC", "BEU", "BE"]).replace("BE ", "BEC"),
+            4 => choices.of(&["BEC", "BEU", "BE"]).to_owned(),
             5 => format!("{} FC [MW {}]", choices.of(&["UC", "CC"]), 2 * choices.below(4)),
             6 if parameters => "CALL FC 1 (n := #n, b := #b, w := #w)".to_owned(),
             _ => format!("{} FC 2", choices.of(&["UC", "CC", "CALL"])),
@@ -466,10 +466,8 @@ mod tests {
             let options = Options { system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
             let compiled = sieben_lang::compile(&sources, &Default::default(), &options);
             let errors = compiled.diagnostics.iter().filter(|found| found.severity() == sieben_model::diagnostic::Severity::Error);
-            let before = refused.len();
             let wrong = errors.map(|found| refused.insert(format!("{} in `{}`", found.message, sources.slice(found.span)))).count();
             good += usize::from(wrong == 0);
-            assert!(before <= refused.len());
         }
         assert!(good >= 45, "{good} of 50 compile:\n{refused:#?}");
     }

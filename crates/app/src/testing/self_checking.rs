@@ -4,11 +4,10 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use sieben_cpu::diagnostic_buffer::place_text;
-use sieben_cpu::{Cpu, OperatingMode, Restart, Settings, StopCause};
-
-use super::{Conditions, Outcome, Verdict, Wrong};
+use sieben_cpu::{Cpu, OperatingMode, Restart, StopCause};
 use sieben_jit::StatusBits;
 
+use super::{Conditions, Outcome, Verdict, Wrong};
 use crate::project::{Build, Overrides, Project};
 use crate::{controller, duration, report};
 
@@ -30,8 +29,7 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, conditions: &Condit
     if report::has_errors(&build.findings) {
         return nothing_ran(Verdict::DoesNotCompile(report::render(&build.findings, &build.project.texts, false)));
     }
-    let settings = Settings { clock_memory_byte: build.project.settings.clock_memory_byte, ..Settings::default() };
-    let mut cpu = controller::load(&build, conditions.engine, StatusBits::All, settings);
+    let mut cpu = controller::load(&build, conditions.engine, StatusBits::All, controller::settings(&build));
     let cycle = conditions.cycle.or(build.project.settings.cycle).filter(|cycle| !cycle.is_zero()).unwrap_or(Duration::from_millis(10));
     let begun = Instant::now();
     cpu.restart(Restart::Warm);

@@ -8,6 +8,7 @@ use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
 
 use super::ast;
+use super::mnemonics::pick;
 use super::operands::{Location, Operand};
 
 /// What stands before every extension word.
@@ -182,13 +183,8 @@ pub(crate) fn status_bit(name: &str, mnemonics: Mnemonics) -> Option<u32> {
 
 /// The name of a status bit in the other language; `None` if it is the same or unknown.
 pub(crate) fn translate_status_bit(name: &str, from: Mnemonics) -> Option<&'static str> {
-    FIRST_CHECK.iter().chain(&STATUS_BITS).find_map(|&(english, german)| {
-        let (source, target) = match from {
-            Mnemonics::English => (english, german),
-            Mnemonics::German => (german, english),
-        };
-        (source.eq_ignore_ascii_case(name) && source != target).then_some(target)
-    })
+    let translated = pick(&FIRST_CHECK, name, from).or_else(|| pick(&STATUS_BITS, name, from));
+    translated.filter(|target| !target.eq_ignore_ascii_case(name))
 }
 
 /// What stands behind the name of a register operand.

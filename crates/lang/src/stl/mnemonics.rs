@@ -72,7 +72,8 @@ pub fn translate_status(word: &str, from: Mnemonics) -> Option<&'static str> {
     pick(&STATUS_WORDS, word, from)
 }
 
-fn pick(table: &[(&'static str, &'static str)], word: &str, from: Mnemonics) -> Option<&'static str> {
+/// A word of a table of pairs, international and SIMATIC, in the other language.
+pub(super) fn pick(table: &[(&'static str, &'static str)], word: &str, from: Mnemonics) -> Option<&'static str> {
     table.iter().find_map(|&(english, german)| {
         let (source, target) = match from {
             Mnemonics::English => (english, german),
