@@ -162,11 +162,8 @@ fn an_interrupt_of_the_background_ends_before_the_next_cycle() {
 
 #[test]
 fn a_clock_that_jumps_makes_one_event_of_all_that_no_block_serves() {
-    let settings = Settings {
-        time: TimeSource::Real,
-        cyclic: [(35, CyclicInterrupt { interval_ms: 1, phase_ms: 0 })].into(),
-        ..Settings::default()
-    };
+    let settings =
+        Settings { time: TimeSource::Real, cyclic: [(35, CyclicInterrupt { interval_ms: 1, phase_ms: 0 })].into(), ..Settings::default() };
     let mut cpu = cpu_of("416-3", &[(1, &[]), (85, &[Step::Record(85)])], settings);
     cpu.restart_with(Restart::Warm, &mut || 0, None);
     // The computer slept for an hour, and OB 35 is configured but not loaded.

@@ -580,7 +580,6 @@ fn block_number(text: &str) -> Option<(u16, &str)> {
     Some((behind[..end].parse().ok()?, &behind[end..]))
 }
 
-/// `OB 35 50ms`, `OB 35 50ms phase 10ms`.
 /// Reads `m=0..31,40 t=1 c=`; what is not named stays as the CPU has it.
 fn retain(rest: &str) -> Result<RetentiveAreas, String> {
     let mut areas = RetentiveAreas::default();
@@ -597,6 +596,7 @@ fn retain(rest: &str) -> Result<RetentiveAreas, String> {
     Ok(areas)
 }
 
+/// `OB 35 50ms`, `OB 35 50ms phase 10ms`.
 fn cyclic(rest: &str) -> Result<(u16, CyclicInterrupt), String> {
     let not_understood = || format!("`cyclic {rest}` is not understood; write `cyclic OB 35 50ms` or `cyclic OB 35 50ms phase 10ms`");
     let (number, behind) = block_number(rest).ok_or_else(not_understood)?;

@@ -1,6 +1,6 @@
 //! What the bytes of the retentive data blocks mean, as numbers that can be compared: image and program must agree.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use sieben_engine::Program;
 use sieben_model::program::DataBlock;
@@ -13,8 +13,16 @@ pub(crate) struct Declarations {
     pub(crate) blocks: BTreeMap<u16, u64>,
     /// Hash of all of them together.
     pub(crate) hash: u64,
-    /// Data blocks of any kind: numbers that the program cannot create.
-    pub(crate) all: BTreeSet<u16>,
+    /// Data blocks of any kind, whose numbers the program cannot create, with their initial values.
+    pub(crate) all: BTreeMap<u16, Initial>,
+}
+
+/// The initial values of a data block, to be compared.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Initial {
+    pub(crate) hash: u64,
+    /// How many bytes there are.
+    pub(crate) length: usize,
 }
 
 impl Declarations {
@@ -27,7 +35,7 @@ impl Declarations {
             hash.number(u64::from(number));
             hash.number(declaration);
         }
-        Self { blocks, hash: hash.0, all: program.data.keys().copied().collect() }
+        Self { blocks, hash: hash.0, all: program.data.values().map(|block| (block.number, initial(block))).collect() }
     }
 }
 
@@ -37,6 +45,14 @@ fn declaration(block: &DataBlock) -> u64 {
     hash.number(block.image.len() as u64);
     hash.structure(&block.structure);
     hash.0
+}
+
+fn initial(block: &DataBlock) -> Initial {
+    let mut hash = Hash::new();
+    for &byte in &block.image {
+        hash.byte(byte);
+    }
+    Initial { hash: hash.0, length: block.image.len() }
 }
 
 /// FNV-1a with 64 bits: the same in every version and on every machine, as an image outlives both.

@@ -12,6 +12,7 @@
 //!   'C' number 2, count 2, flags 1                        a counter
 //!   'D' number 2, declaration 8, length 4, bytes          a data block of the program
 //!   'N' number 2, flags 1, length 4, bytes                a data block that the program made (SFC 22, SFC 85)
+//!   'L' number 2, initial values 8, length 4, bytes       a data block in the load memory that the program wrote (SFC 84)
 //! ```
 
 use sieben_engine::machine::counters::COUNT_MAX;
@@ -62,6 +63,7 @@ pub(super) enum Part<'a> {
     Counter { number: u16, counter: Counter },
     DataBlock { number: u16, declaration: u64, bytes: &'a [u8] },
     Created { number: u16, attributes: Attributes, bytes: &'a [u8] },
+    Loaded { number: u16, initial: u64, bytes: &'a [u8] },
 }
 
 /// An image that was read.
@@ -110,6 +112,11 @@ fn part<'a>(reader: &mut Reader<'a>, clock_us: u64) -> Option<Part<'a>> {
             let [read_only, non_retain, false, false] = flags(reader.u8()?)? else { return None };
             let length = reader.u32()? as usize;
             Part::Created { number, attributes: Attributes { read_only, non_retain }, bytes: reader.bytes(length)? }
+        }
+        b'L' => {
+            let initial = reader.u64()?;
+            let length = reader.u32()? as usize;
+            Part::Loaded { number, initial, bytes: reader.bytes(length)? }
         }
         _ => return None,
     })
@@ -179,7 +186,7 @@ pub fn fuzz(bytes: &[u8]) {
             Part::Counter { counter, .. } => {
                 assert_eq!(self::counter(&mut Reader(&counter_bytes(counter))).as_ref(), Some(counter));
             }
-            Part::BitMemory { .. } | Part::DataBlock { .. } | Part::Created { .. } => {}
+            Part::BitMemory { .. } | Part::DataBlock { .. } | Part::Created { .. } | Part::Loaded { .. } => {}
         }
     }
 }

@@ -26,6 +26,8 @@ pub(crate) struct Keeper {
     counters: Vec<(u16, usize)>,
     /// Data blocks as they lay when the pieces were listed.
     created: Vec<Created>,
+    /// Data blocks of the load memory that the program wrote, and where they stand in the image.
+    loaded: Vec<(u16, usize)>,
     listed: bool,
 }
 
@@ -46,11 +48,12 @@ impl Keeper {
     ) -> Option<&RetainImage> {
         let created = system::created(machine, &state.non_retain);
         let mut changed = false;
-        if !self.listed || created != self.created {
-            self.list(machine, areas, declarations, created);
+        let loaded = state.load_memory.keys().eq(self.loaded.iter().map(|(number, _)| number));
+        if !self.listed || created != self.created || !loaded {
+            self.list(machine, state, areas, declarations, created);
             changed = true;
         }
-        changed |= self.copy(machine);
+        changed |= self.copy(machine, state);
         if changed || self.clock_is_old(machine) {
             self.image.scan = scan;
             self.image.layout = declarations.hash;
@@ -61,10 +64,17 @@ impl Keeper {
     }
 
     /// Lists where everything comes from, and makes room for it.
-    fn list(&mut self, machine: &Machine, areas: &RetentiveAreas, declarations: &Declarations, created: Vec<Created>) {
+    fn list(
+        &mut self,
+        machine: &Machine,
+        state: &system::State,
+        areas: &RetentiveAreas,
+        declarations: &Declarations,
+        created: Vec<Created>,
+    ) {
         let mut bytes = vec![0; image::HEAD_BYTES];
         bytes[0] = VERSION;
-        (self.pieces, self.timers, self.counters) = Default::default();
+        (self.pieces, self.timers, self.counters, self.loaded) = Default::default();
         let memory = &machine.memory;
         let mut part = |letter: u8, number: u16, fields: &[u8], length: usize| {
             bytes.push(letter);
@@ -101,13 +111,18 @@ impl Keeper {
             let at = part(b'N', number, &fields, length as usize);
             self.pieces.push((base as usize..(base + length) as usize, at));
         }
+        for (&number, values) in &state.load_memory {
+            let mut fields = declarations.all.get(&number).copied().unwrap_or_default().hash.to_be_bytes().to_vec();
+            fields.extend((values.len() as u32).to_be_bytes());
+            self.loaded.push((number, part(b'L', number, &fields, values.len())));
+        }
         self.image.bytes = bytes;
         self.created = created;
         self.listed = true;
     }
 
     /// Copies what has changed; whether anything has. Comparing costs a fraction of what writing would.
-    fn copy(&mut self, machine: &Machine) -> bool {
+    fn copy(&mut self, machine: &Machine, state: &system::State) -> bool {
         let mut changed = false;
         let mut copy = |from: &[u8], at: usize, bytes: &mut Vec<u8>| {
             let to = &mut bytes[at..at + from.len()];
@@ -124,6 +139,9 @@ impl Keeper {
         }
         for &(number, at) in &self.counters {
             copy(&image::counter_bytes(&machine.counters[usize::from(number)]), at, &mut self.image.bytes);
+        }
+        for (values, &(_, at)) in state.load_memory.values().zip(&self.loaded) {
+            copy(values, at, &mut self.image.bytes);
         }
         changed
     }

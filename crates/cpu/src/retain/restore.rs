@@ -6,7 +6,7 @@ use sieben_engine::Machine;
 use sieben_model::address::Area;
 
 use super::areas::RetentiveAreas;
-use super::declaration::Declarations;
+use super::declaration::{Declarations, Initial};
 use super::image::{self, Parsed, Part, RetainImage};
 use crate::system;
 
@@ -103,7 +103,12 @@ pub(crate) fn judge<'a>(
         _ => None,
     });
     // Created data blocks belong together: the program made them in one memory.
-    let created_fit = created.clone().all(|(number, _)| !declarations.all.contains(&number)) && system::fit(machine, created);
+    let created_fit = created.clone().all(|(number, _)| !declarations.all.contains_key(&number)) && system::fit(machine, created);
+    // What the program wrote to the load memory goes when the program brings other values there.
+    parts.retain(|part| match part {
+        Part::Loaded { number, initial, bytes } => declarations.all.get(number) == Some(&Initial { hash: *initial, length: bytes.len() }),
+        _ => true,
+    });
     parts.retain(|part| {
         let (number, fits) = match part {
             Part::DataBlock { number, declaration, bytes } => {
@@ -133,6 +138,7 @@ impl Judged<'_> {
     pub(crate) fn put(self, machine: &mut Machine, state: &mut system::State, areas: &RetentiveAreas) -> Restored {
         let Self { clock_us, meters_us, parts, mut restored } = self;
         machine.clock_us = clock_us;
+        state.load_memory.clear();
         for (meter, shown_us) in state.meters.iter_mut().zip(meters_us) {
             *meter = system::Meter { shown_us, since_us: None };
         }
@@ -180,6 +186,9 @@ fn put(part: Part<'_>, machine: &mut Machine, state: &mut system::State, areas: 
                 state.non_retain.insert(number);
             }
             restored.data_blocks.push(number);
+        }
+        Part::Loaded { number, bytes, .. } => {
+            state.load_memory.insert(number, bytes.to_vec());
         }
     }
 }

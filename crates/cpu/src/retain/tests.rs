@@ -75,6 +75,7 @@ impl Plant {
         system::create(&mut plant.machine, 20, &[1, 2, 3, 4, 5, 6], true);
         system::create(&mut plant.machine, 21, &[7; 10], false);
         plant.state.non_retain.insert(21);
+        plant.state.load_memory.insert(4, vec![0x77; 8]);
         plant.state.meters[3] = system::Meter { shown_us: 5_000_000, since_us: Some(9_000_000) };
         plant
     }
@@ -99,6 +100,7 @@ fn what_is_retentive_comes_back_and_nothing_else() {
     let attributes =
         |number| (plant.machine.memory.data_block(number).unwrap().read_only, plant.state.non_retain.contains(&(number as u16)));
     assert_eq!([attributes(20), attributes(21)], [(true, false), (false, true)]);
+    assert_eq!(plant.state.load_memory, [(4, vec![0x77; 8])].into());
     // 15 s, of which 3 s have passed.
     let remaining: Vec<u16> = plant.machine.timers[..5].iter().map(|timer| timer.remaining(plant.machine.clock_us)).collect();
     assert_eq!(remaining, [0, 0, 12, 12, 0]);
@@ -163,6 +165,32 @@ fn the_image_of_another_program_is_refused_or_taken_as_far_as_it_fits() {
 }
 
 #[test]
+fn what_was_written_to_the_load_memory_goes_with_new_initial_values() {
+    let mut plant = Plant::in_use();
+    let image = plant.image().unwrap();
+    assert!(plant.image().is_none());
+    plant.state.load_memory.get_mut(&4).unwrap()[0] = 0;
+    assert!(plant.image().is_some(), "a changed byte");
+    plant.state.load_memory.insert(1, vec![0; 8]);
+    assert!(plant.image().is_some(), "one block more");
+    let mut changed = program();
+    changed.data.get_mut(&4).unwrap().image[7] = 0;
+    let mut plant = Plant::of(&changed);
+    plant.state.load_memory.insert(1, vec![3; 8]);
+    plant.restore(&image, Adoption::SameProgram).unwrap();
+    assert!(plant.state.load_memory.is_empty());
+    // Its part stands last: a length, and the eight bytes. Half of them are not this block.
+    let mut shorter = image.clone();
+    let end = shorter.bytes.len();
+    shorter.bytes[end - 9] = 4;
+    shorter.bytes.truncate(end - 4);
+    assert!(shorter.is_sound());
+    let mut plant = Plant::new();
+    plant.restore(&shorter, Adoption::SameProgram).unwrap();
+    assert!(plant.state.load_memory.is_empty());
+}
+
+#[test]
 fn a_run_time_meter_may_show_whatever_the_program_set() {
     for hours in [0, 32_767, u64::from(i32::MAX as u32)] {
         let mut plant = Plant::new();
@@ -205,8 +233,8 @@ fn every_cut_image_is_refused_and_no_changed_byte_panics() {
             }
         }
     }
-    // Only between parts behind DB 1 a cut is an image again: before DB 20 and before DB 21.
-    assert_eq!(image.bytes.len() - refused, 2);
+    // Only between parts behind DB 1 a cut is an image again: before DB 20, DB 21 and DB 4 of the load memory.
+    assert_eq!(image.bytes.len() - refused, 3);
 }
 
 #[test]
@@ -243,7 +271,7 @@ fn created_data_blocks_that_do_not_fit_are_not_made() {
 
 proptest! {
     #[test]
-    fn no_bytes_panic(bytes in prop::collection::vec(any::<u8>(), 0..200), letter in prop::sample::select(b"MTCDN".to_vec())) {
+    fn no_bytes_panic(bytes in prop::collection::vec(any::<u8>(), 0..200), letter in prop::sample::select(b"MTCDNL".to_vec())) {
         fuzz(&bytes);
         let mut image = Plant::new().image().unwrap();
         image.bytes.push(letter);
