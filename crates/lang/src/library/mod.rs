@@ -1,4 +1,4 @@
-//! The blocks that Sieben brings along as STL sources: the IEC functions and the converting blocks of the S7 library.
+//! The blocks that Sieben brings along as STL sources: the IEC functions, the converting blocks of the S7 library and its controllers.
 
 pub(crate) mod link;
 
@@ -37,7 +37,7 @@ impl fmt::Debug for LibraryBlock {
 /// The one list of the blocks: kind, number, name, source.
 macro_rules! blocks {
     ($($kind:ident $number:literal $name:literal $path:literal;)*) => {
-        /// All blocks, in the order of their numbers.
+        /// All blocks, functions first, in the order of their numbers.
         pub const ALL: &[LibraryBlock] = &[$(LibraryBlock {
             block: BlockId::new(BlockKind::$kind, $number),
             name: $name,
@@ -95,6 +95,9 @@ blocks! {
     Function 99 "BITSUM" "ti/fc099_bitsum.awl";
     Function 105 "SCALE" "ti/fc105_scale.awl";
     Function 106 "UNSCALE" "ti/fc106_unscale.awl";
+    FunctionBlock 41 "CONT_C" "controllers/fb041_cont_c.awl";
+    FunctionBlock 42 "CONT_S" "controllers/fb042_cont_s.awl";
+    FunctionBlock 43 "PULSEGEN" "controllers/fb043_pulsegen.awl";
 }
 
 /// The block with this name, without regard to case.
