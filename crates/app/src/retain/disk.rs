@@ -104,7 +104,11 @@ pub(crate) fn folder(path: &Path) -> Option<&Path> {
 
 /// Makes the folder for the data of a project; version control leaves its content alone.
 pub(crate) fn make_folder(folder: &Path) -> io::Result<()> {
-    fs::create_dir_all(folder)?;
+    if !folder.is_dir() {
+        fs::create_dir_all(folder)?;
+        // What is synced in a folder that a power failure takes away would be lost with it.
+        sync_folder(self::folder(folder).unwrap_or(Path::new(".")))?;
+    }
     let ignore = folder.join(".gitignore");
     if folder.file_name().is_some_and(|name| name == super::retention::FOLDER) && !ignore.exists() {
         fs::write(ignore, "*\n")?;

@@ -50,7 +50,7 @@ impl Cpu {
             };
             if !resume {
                 if let Some(entry) = &entry {
-                    host.system.begin(entry.block.number);
+                    host.system.begin(host.class);
                     let requested_us = self.requested_us.take().unwrap_or(self.now_us);
                     host.interrupts.run_times.begin(entry.block.number, 0, requested_us, self.now_us);
                 }

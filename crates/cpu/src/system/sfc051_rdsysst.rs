@@ -91,7 +91,7 @@ fn status<'c>(call: &'c mut Call<'_, '_>) -> SystemStatus<'c> {
         diagnostics: host.diagnostics,
         mode: if host.watchdog.startup { OperatingMode::Startup } else { OperatingMode::Run },
         startup: state.startup,
-        cycle: host.class,
+        started: &state.started,
         time: host.date_and_time(),
         clock_status: state.clock.word(),
         meters: state.meters.map(|meter| u32::try_from(meter.now(now) / HOUR_US).unwrap_or(u32::MAX)),

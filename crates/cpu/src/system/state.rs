@@ -45,6 +45,8 @@ pub(crate) struct State {
     pub(crate) startup: StartInformation,
     /// Organization blocks that interrupt others: number of frames below, start information.
     interrupts: Vec<(usize, StartInformation)>,
+    /// The last start of every organization block since the restart, by its number.
+    pub(crate) started: BTreeMap<u16, StartInformation>,
     /// The assertion of an extension word that was false.
     pub(crate) failed_assertion: Option<FailedAssertion>,
     /// The program asked for a reboot (SFC -2).
@@ -94,6 +96,7 @@ impl State {
         self.interrupts.clear();
         self.jobs.clear();
         if !hot {
+            self.started.clear();
             self.restarted_us = now_us;
             for meter in &mut self.meters {
                 meter.stop(now_us);
@@ -102,9 +105,10 @@ impl State {
     }
 
     /// An organization block starts as an own priority class.
-    pub(crate) fn begin(&mut self, number: u16) {
-        self.classes.remove(&number);
+    pub(crate) fn begin(&mut self, info: StartInformation) {
+        self.classes.remove(&u16::from(info.block));
         self.interrupts.clear();
+        self.started.insert(u16::from(info.block), info);
     }
 
     /// Hands out what belongs to the blocks that run, to be put aside with them.
@@ -123,6 +127,7 @@ impl State {
         let depth = machine.frames.len();
         self.interrupts.retain(|&(below, _)| below < depth);
         self.interrupts.push((depth, info));
+        self.started.insert(u16::from(info.block), info);
         if info.block != 121 && info.block != 122 {
             self.classes.remove(&u16::from(info.block));
         }

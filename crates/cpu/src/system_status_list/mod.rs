@@ -7,6 +7,8 @@ mod memory;
 mod modules;
 mod operation;
 
+use std::collections::BTreeMap;
+
 use sieben_engine::Program;
 use sieben_model::cpu_type::CpuType;
 
@@ -31,8 +33,8 @@ pub struct SystemStatus<'a> {
     pub mode: OperatingMode,
     /// Start information of the last startup.
     pub startup: StartInformation,
-    /// Start information of the last OB 1.
-    pub cycle: StartInformation,
+    /// Start information of the last start of every organization block, by its number.
+    pub started: &'a BTreeMap<u16, StartInformation>,
     /// The time of day.
     pub time: DateAndTime,
     /// What is known about the clock: bit 15 = behind the base time, bits 14 to 10 half hours of difference, bit 9 = change
@@ -203,7 +205,7 @@ mod tests {
             diagnostics: &diagnostics,
             mode: OperatingMode::Run,
             startup: StartInformation::default(),
-            cycle: StartInformation { event: 0x1103, priority: 1, block: 1, ..StartInformation::default() },
+            started: &BTreeMap::new(),
             time: DateAndTime::DEFAULT,
             clock_status: 0,
             meters: [0; 8],

@@ -41,12 +41,9 @@ const LOADED: u16 = 1 << 4;
 
 /// One organization block: start information, state, what happens without it, 4 reserved bytes.
 fn class(status: &SystemStatus<'_>, number: u16) -> Vec<u8> {
-    let information = match number {
-        1 => status.cycle,
-        _ if u16::from(status.startup.block) == number => status.startup,
-        // What has not run yet has told nothing but its number.
-        _ => StartInformation { block: u8::try_from(number).unwrap_or(u8::MAX), ..StartInformation::default() },
-    };
+    // What has not run yet has told nothing but its number.
+    let nothing = || StartInformation { block: u8::try_from(number).unwrap_or(u8::MAX), ..StartInformation::default() };
+    let information = status.started.get(&number).copied().unwrap_or_else(nothing);
     record(28, &[&information.bytes(status.time), &LOADED.to_be_bytes(), &[0, 0]])
 }
 
