@@ -80,7 +80,9 @@ fn wrong_arguments_are_answered_with_what_is_valid() {
         (&["exec", "add.awl", "--set", "MW0=1.5"], "P7004"),
         (&["exec", "add.awl", "--set", "MW0=70000"], "`70000` does not fit into `MW0`, which has 16 bits"),
         (&["exec", "add.awl", "--set", "I0.0=2"], "write 0 or 1"),
-        (&["exec", "add.awl", "--set", "I0.8=1"], "P7003"),
+        (&["exec", "add.awl", "--set", "I0.8=1"], "`I0.8` has a bit number above 7"),
+        (&["exec", "add.awl", "--show", "DB1.DBX0.12"], "has a bit number above 7"),
+        (&["exec", "add.awl", "--show", "STW.XYZ"], "the status word has no bit `XYZ`"),
         (&["exec", "add.awl", "--set", "STW=111"], "nine characters"),
         (&["exec", "add.awl", "--set", "T1.q=1"], "`T1.q` can only be read"),
         (&["exec", "add.awl", "--set", "MW9999=1"], "cannot read `MW9999`: the address lies outside"),
@@ -450,10 +452,17 @@ fn explain_knows_instructions_problems_and_cpu_types() {
         ("rlo", "RLO, a bit of the status word"),
         ("BIE", "BR, a bit of the status word"),
         ("ob121", "OB 121, an organization block"),
+        ("OB 35", "  priority    12\n  not loaded  OB 85 is called, when it is to start\n  interval    100 ms"),
+        ("OB 82", "  not loaded  STOP with 16#456A"),
+        ("ob", "OB 40 to 47   hardware interrupt"),
+        ("system", "SFC 20   BLKMOV     Copies an area of memory"),
+        ("SFC 12", "it needs a CPU with a DP master"),
+        ("FB 41", "FB 41 \"CONT_C\", a block of the library"),
         ("instructions", "SPBN"),
     ] {
         folder.run(&["explain", word]).code(0).stdout(expected);
     }
+    folder.run(&["explain", "OB 9"]).code(2).stderr("nothing is known about `OB 9`");
     folder.run(&["explain", "315"]).code(2).stderr("id you mean `315-2PN/DP`?");
 }
 

@@ -30,6 +30,18 @@ fn a_false_assertion_shows_place_statement_and_both_values() {
 }
 
 #[test]
+fn a_project_below_the_folder_is_tested_as_a_project() {
+    let folder = Folder::with(&[
+        ("alone.awl", PASSES),
+        ("pump/sieben.toml", "[project]\nsources = [\"src/*.awl\"]\nsymbols = [\"symbols.csv\"]\ntests = [\"checks/*.awl\"]\n"),
+        ("pump/symbols.csv", "symbol,address,type,comment\nLevel,MW 0,INT,\n"),
+        ("pump/src/main.awl", "FUNCTION FC 1 : VOID\nBEGIN\nL 5\nT \"Level\"\nEND_FUNCTION\n"),
+        ("pump/checks/level.awl", "UC FC 1\n__ASSERT== \"Level\", 5\nCALL SFC 46\n"),
+    ]);
+    folder.run(&["test"]).code(0).stdout("ok    alone.awl").stdout("level.awl").stdout("2 passed, 0 failed");
+}
+
+#[test]
 fn a_test_that_does_not_end_fails_with_the_limit() {
     let folder = Folder::with(&[
         ("never.awl", "L 1\n"),

@@ -302,6 +302,10 @@ impl Reader {
             let kind = match node.attribute("type").unwrap_or_default().trim().to_ascii_uppercase().as_str() {
                 "FC" => BlockKind::Function,
                 "FB" => BlockKind::FunctionBlock,
+                "" => {
+                    self.report(Problem::P6042, span, "a `lib_selection` says with `type` whether its block is an `FC` or an `FB`");
+                    continue;
+                }
                 other => {
                     self.report(Problem::P6042, span, format!("a library has blocks of type `FC` and `FB`, not `{other}`"));
                     continue;

@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::collections::HashMap;
 
 use sieben_model::address::Operand;
-use sieben_model::block::BlockId;
+use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::SystemBlock;
 use sieben_model::symbols::SymbolTable;
 
@@ -99,6 +99,15 @@ impl Scope {
     /// The symbol that looks most like `name`.
     pub(crate) fn nearest_symbol(&self, name: &str) -> Option<String> {
         self.nearest(name, self.globals.values().map(|global| global.name.as_str()))
+    }
+
+    /// The same without the system functions of the CPU: for a name that is not called.
+    pub(crate) fn nearest_variable(&self, name: &str) -> Option<String> {
+        let of_system = |global: &&Global| {
+            let Some(Operand::Block(block)) = global.operand else { return false };
+            matches!(block.kind, BlockKind::SystemFunction | BlockKind::SystemFunctionBlock)
+        };
+        self.nearest(name, self.globals.values().filter(|global| !of_system(global)).map(|global| global.name.as_str()))
     }
 
     /// The candidate that looks most like `name`, if any looks like it.

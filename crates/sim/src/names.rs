@@ -437,6 +437,18 @@ fn shown(bits: u64, width: u32, data_type: Option<&DataType>) -> Shown {
     }
 }
 
+/// What the status bits are called in German, beside what they are called here.
+const GERMAN_STATUS_NAMES: &[(&str, &str)] = &[("BIE", "BR"), ("A1", "CC1"), ("A0", "CC0"), ("VKE", "RLO"), ("/ER", "/FC"), ("ER", "/FC")];
+
+/// Why a text that is almost an address is none: a bit number above 7.
+fn bit_above_seven(text: &str) -> Option<NameError> {
+    let (byte, bit) = text.rsplit_once('.')?;
+    let above = bit.parse::<u32>().is_ok_and(|bit| bit > 7);
+    let address = Operand::parse(&format!("{byte}.0"));
+    (above && matches!(address, Some(Operand::Address(_) | Operand::InDataBlock { .. })))
+        .then(|| NameError::new(format!("`{text}` has a bit number above 7; the bits of a byte are 0 to 7")))
+}
+
 /// A register, timer, counter or address; `None` if it is none of them.
 fn absolute(text: &str) -> Result<Option<Target>, NameError> {
     let plain: String = text.chars().filter(|c| !c.is_whitespace()).collect::<String>().to_ascii_uppercase();
@@ -444,6 +456,8 @@ fn absolute(text: &str) -> Result<Option<Target>, NameError> {
         return Ok(Some(Target::Status));
     }
     if let Some(bit) = plain.strip_prefix("STW.") {
+        let german = GERMAN_STATUS_NAMES.iter().find(|&&(german, _)| german == bit);
+        let bit = german.map_or(bit, |&(_, english)| english);
         return match STATUS_NAMES.iter().find(|&&(name, _)| name == bit) {
             Some(&(_, register)) => Ok(Some(Target::Register(register))),
             None => {
@@ -472,6 +486,9 @@ fn absolute(text: &str) -> Result<Option<Target>, NameError> {
 
 /// A symbol, or a field of a data block.
 fn symbolic(text: &str, symbols: &SymbolTable, program: &Program) -> Result<Target, NameError> {
+    if let Some(error) = bit_above_seven(text) {
+        return Err(error);
+    }
     let (first, path) = split_first(text);
     if path.is_empty()
         && let Some(symbol) = symbols.find(first)

@@ -1,12 +1,16 @@
 //! `sieben explain WORD`: an instruction, a problem code, a CPU type, a status bit, an OB, a system function or an event, from the tables.
 
 use clap::Args;
+use sieben_cpu::CyclicInterrupt;
 use sieben_cpu::diagnostic_buffer::event_text;
+use sieben_cpu::organization_blocks::{self, Missing};
+use sieben_cpu::system::summaries::summary;
 use sieben_lang::Options;
 use sieben_lang::library::{self, LibraryBlock};
 use sieben_lang::stl::extension::Word;
 use sieben_lang::stl::instructions::Instruction;
 use sieben_lang::stl::operands::OperandClass;
+use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
 use sieben_model::interface::{Interface, Section, SystemBlock};
@@ -30,16 +34,30 @@ const STATUS_BITS: &[(&str, &[&str], &str)] = &[
     ("/FC", &["FC", "/ER"], "first check: 0 if the next scan of a bit begins a new chain"),
 ];
 
-/// The organization blocks that the CPU calls, and what happens if they are needed and missing.
-const ORGANIZATION_BLOCKS: &[(u16, &str)] = &[
-    (1, "the cyclic program: called in every scan, between reading the inputs and writing the outputs"),
-    (80, "time error, as when a scan lasts longer than the watchdog allows; missing: STOP"),
-    (88, "a program was aborted, as by too many nested calls (S7-400); missing: STOP"),
-    (100, "warm restart: called once before the first scan"),
-    (101, "hot restart: called once before the first scan"),
-    (102, "cold restart: called once before the first scan"),
-    (121, "programming error, as BCD digits above 9 or a missing block; missing: STOP"),
-    (122, "error at the access to a module; missing: STOP"),
+/// The organization blocks that the CPU calls, from one number to another, and what starts them.
+const ORGANIZATION_BLOCKS: &[(u16, u16, &str)] = &[
+    (1, 1, "the cyclic program: called in every scan, between reading the inputs and writing the outputs"),
+    (10, 17, "time-of-day interrupt: at a date and time, once or again and again; set with SFC 28, activated with SFC 30"),
+    (20, 23, "delay interrupt: a time after the call of SFC 32"),
+    (30, 38, "cyclic interrupt: at a fixed distance, whatever the scan takes; `[cyclic.NUMBER]` in sieben.toml sets it"),
+    (40, 47, "hardware interrupt: a module raises it, as when an input changes"),
+    (55, 57, "interrupt of a DPV1 slave: status (OB 55), update (OB 56), manufacturer (OB 57)"),
+    (60, 60, "multicomputing interrupt: raised by SFC 35"),
+    (80, 80, "time error, as when a scan lasts longer than the watchdog allows"),
+    (81, 81, "power supply error, as an empty battery"),
+    (82, 82, "diagnostic interrupt: a module found a fault, or that it is gone"),
+    (83, 83, "a module was plugged in or pulled out"),
+    (84, 84, "CPU hardware error"),
+    (85, 85, "priority class error, as the start of an organization block that is not loaded"),
+    (86, 86, "failure of a rack or of a DP station"),
+    (87, 87, "communication error"),
+    (88, 88, "a program was aborted, as by too many nested calls (S7-400)"),
+    (90, 90, "background: runs in what is left of the minimum cycle time, `min_cycle` in sieben.toml (S7-400)"),
+    (100, 100, "warm restart: called once before the first scan"),
+    (101, 101, "hot restart: called once before the first scan"),
+    (102, 102, "cold restart: called once before the first scan"),
+    (121, 121, "programming error, as BCD digits above 9 or a missing block"),
+    (122, 122, "error at the access to a module"),
 ];
 
 /// The pages of all problems by code.
@@ -57,7 +75,7 @@ const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/problem_pages
   sieben explain 'SFC 46'      a system function, also by its name: STP\n  \
   sieben explain CONCAT        a block of the library, also by its number: FC 2\n  \
   sieben explain 16#4562       an event of the diagnostic buffer\n  \
-  sieben explain instructions  all of them; also: problems, cpu, library")]
+  sieben explain instructions  all of them; also: problems, cpu, library, system, ob")]
 pub(crate) struct Arguments {
     /// What to explain
     #[arg(required = true, value_name = "WORD", allow_hyphen_values = true)]
@@ -85,6 +103,12 @@ fn explain(word: &str) -> Option<String> {
     if word.eq_ignore_ascii_case("library") {
         return Some(library_blocks());
     }
+    if word.eq_ignore_ascii_case("system") {
+        return Some(system_functions());
+    }
+    if word.eq_ignore_ascii_case("OB") {
+        return Some(organization_blocks());
+    }
     instruction(word)
         .or_else(|| system_function(word))
         .or_else(|| library_block(word))
@@ -109,12 +133,46 @@ fn status_bit(word: &str) -> Option<String> {
     Some(format!("{name}, a bit of the status word\n  {meaning}\n"))
 }
 
-/// `OB 121`.
+/// `OB 121`: what starts it, its priority, and what happens without it.
 fn organization_block(word: &str) -> Option<String> {
     let compact: String = word.split_whitespace().collect::<String>().to_ascii_uppercase();
     let wanted: u16 = compact.strip_prefix("OB")?.parse().ok()?;
-    let (number, meaning) = ORGANIZATION_BLOCKS.iter().find(|(number, _)| *number == wanted)?;
-    Some(format!("OB {number}, an organization block\n  {meaning}\n"))
+    let (_, _, meaning) = ORGANIZATION_BLOCKS.iter().find(|(first, last, _)| (*first..=*last).contains(&wanted))?;
+    let block = BlockId::ob(wanted);
+    let priority = match organization_blocks::priority(block) {
+        0 if block == organization_blocks::BACKGROUND => "below OB 1".to_owned(),
+        0 => "that of the block with the error".to_owned(),
+        priority => priority.to_string(),
+    };
+    let missing = match organization_blocks::missing(block) {
+        Missing::GoesOn => "nothing happens".to_owned(),
+        Missing::PriorityClassError => "OB 85 is called, when it is to start".to_owned(),
+        Missing::Stop(event) => format!("STOP with 16#{event:04X}, when it is to start"),
+    };
+    let mut text = format!("OB {wanted}, an organization block\n  {meaning}\n  priority    {priority}\n  not loaded  {missing}\n");
+    if let Some(cyclic) = CyclicInterrupt::usual(wanted) {
+        text.push_str(&format!("  interval    {} ms, unless the project says otherwise\n", cyclic.interval_ms));
+    }
+    Some(text)
+}
+
+/// A line for each kind of organization block.
+fn organization_blocks() -> String {
+    let line = |(first, last, meaning): &(u16, u16, &str)| {
+        let numbers = if first == last { format!("OB {first}") } else { format!("OB {first} to {last}") };
+        format!("{numbers:<13} {meaning}\n")
+    };
+    ORGANIZATION_BLOCKS.iter().map(line).collect()
+}
+
+/// A line for each system function.
+fn system_functions() -> String {
+    let line = |block: &SystemBlock| {
+        let only = || block.only.map_or(String::new(), |only| format!("not here: needs {only}"));
+        let meaning = summary(block.block).map_or_else(only, str::to_owned);
+        format!("{:<8} {:<10} {meaning}", block.block.to_string(), block.name).trim_end().to_owned() + "\n"
+    };
+    sieben_cpu::system::interfaces().iter().map(line).collect()
 }
 
 /// A system function by number or name, with its parameters.
@@ -125,7 +183,10 @@ fn system_function(word: &str) -> Option<String> {
     };
     let block = sieben_cpu::system::interfaces().into_iter().find(named)?;
     let whose = match block.only {
-        None => "a system function of the CPU".to_owned(),
+        None => {
+            let what = summary(block.block).map_or(String::new(), |sentence| format!(": {sentence}"));
+            format!("a system function of the CPU{what}")
+        }
         Some(only) => format!("a system function that the CPU types here do not have: it needs {only}, and a call answers with an error"),
     };
     Some(format!("{} \"{}\", {whose}\n{}", block.block, block.name, parameters(&block.interface)))
@@ -247,7 +308,7 @@ fn unknown(word: &str) -> Failure {
         .chain(CpuType::ALL.iter().map(|cpu| cpu.name))
         .chain(Instruction::ALL.iter().flat_map(|row| [row.english(), row.german()]))
         .chain(library::ALL.iter().map(|block| block.name))
-        .chain(["cpu", "problems", "instructions", "library"]);
+        .chain(["cpu", "problems", "instructions", "library", "system"]);
     let failure = Failure::usage(Problem::P7007, format!("nothing is known about `{word}`"));
     // `315` is how everybody calls the 315-2PN/DP; as letters it is too far away to look alike.
     let family: Vec<String> = CpuType::ALL

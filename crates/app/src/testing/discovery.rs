@@ -31,8 +31,12 @@ pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf]) -> Result<Vec<Case>, F
         } else if path.join(settings::FILE_NAME).is_file() {
             cases.extend(of_project(&path)?);
         } else {
-            for file in below(&path)? {
+            let (projects, files) = below(&path)?;
+            for file in files {
                 cases.push(case(project::shown(&file), with_tables(file), None));
+            }
+            for project in projects {
+                cases.extend(of_project(&project)?);
             }
         }
     }
@@ -53,10 +57,17 @@ fn of_project(folder: &Path) -> Result<Vec<Case>, Failure> {
     Ok(tests.into_iter().map(|test| case(project::shown(&test), program.clone(), Some(test))).collect())
 }
 
-/// The programs of a folder that is no project: every source by itself. What a project of awlsim names belongs to that.
-fn below(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+/// The projects and the programs of a folder that is no project: every source by itself. What a project names belongs to that.
+fn below(folder: &Path) -> Result<(BTreeSet<PathBuf>, Vec<PathBuf>), Failure> {
     let mut files: Vec<PathBuf> = project::files_below(folder)?.into_iter().filter(|file| project::is_program(file)).collect();
+    let mut projects = BTreeSet::new();
+    files.retain(|file| {
+        let inside = file.ancestors().skip(1).take_while(|parent| *parent != folder);
+        let project = inside.filter(|parent| parent.join(settings::FILE_NAME).is_file()).last();
+        projects.extend(project.map(Path::to_path_buf));
+        project.is_none()
+    });
     let parts: BTreeSet<PathBuf> = files.iter().filter(|file| awlpro::is_project(file)).flat_map(|file| awlpro::parts(file)).collect();
     files.retain(|file| !parts.contains(file));
-    Ok(files)
+    Ok((projects, files))
 }

@@ -103,6 +103,7 @@ mod sfc085_crea_db;
 mod sfc100_set_clks;
 mod sfc101_rtm;
 mod state;
+pub mod summaries;
 #[cfg(test)]
 mod tests;
 mod unavailable;

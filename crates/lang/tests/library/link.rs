@@ -6,6 +6,7 @@ use sieben_lang::library::{self, Selection};
 use sieben_lang::stl::parser::parse;
 use sieben_lang::{Compiled, Options, compile};
 use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::interface::{Interface, SystemBlock};
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Sources};
@@ -117,6 +118,22 @@ fn a_slip_in_a_call_is_told_in_the_words_of_the_library() {
     let (name, _) = compiled(&ob1("\"CONCTA\""), &[], Selection::default());
     let found = name.diagnostics.iter().find(|found| found.problem == Problem::P3020).expect("a slip");
     assert!(found.message.contains("did you mean `CONCAT`?"), "{found:?}");
+}
+
+#[test]
+fn only_what_is_called_is_compared_with_the_names_of_blocks() {
+    let stop =
+        || SystemBlock { block: BlockId::new(BlockKind::SystemFunction, 46), name: "STP", interface: Interface::default(), only: None };
+    let message = |statement: &str| {
+        let mut sources = Sources::default();
+        sources.add("main.awl", format!("ORGANIZATION_BLOCK OB 1\nBEGIN\n{statement};\nEND_ORGANIZATION_BLOCK\n"));
+        let options = Options { mnemonics: Some(Mnemonics::English), system_blocks: vec![stop()], ..Options::default() };
+        let compiled = compile(&sources, &SymbolTable::default(), &options);
+        compiled.diagnostics.into_iter().find(|found| found.problem == Problem::P3020).expect("no such symbol").message
+    };
+    assert_eq!(message("A \"Stop\""), "`\"Stop\"` is not in the symbol table");
+    assert_eq!(message("CALL \"Stop\""), "`\"Stop\"` is not in the symbol table; did you mean `STP`?");
+    assert_eq!(message("CALL \"CONCTA\""), "`\"CONCTA\"` is not in the symbol table; did you mean `CONCAT`?");
 }
 
 #[test]

@@ -139,6 +139,12 @@ impl Resolver<'_> {
                 return Some((block, None));
             }
         }
+        if let ast::Operand::Symbol { name, .. } = &call.callee
+            && self.known.scope.global(&name.text).is_none()
+        {
+            self.unknown_symbol(name, true);
+            return None;
+        }
         match self.meaning(&call.callee, span)? {
             Meaning::Variable { location: Location::Instance { position }, data_type: DataType::Instance { block, .. }, .. } => {
                 Some((block, Some(position)))

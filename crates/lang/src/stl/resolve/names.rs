@@ -122,18 +122,28 @@ impl Resolver<'_> {
         }
     }
 
+    /// Says that a name is not in the symbol table. Only what is called is compared with the names of system and library blocks.
+    pub(super) fn unknown_symbol(&mut self, name: &ast::Word, called: bool) {
+        let library = library::ALL.iter().map(|block| block.name).filter(|_| self.known.selection.enabled);
+        let scope = self.known.scope;
+        let nearest = if called {
+            scope.nearest_symbol(&name.text).or_else(|| scope.nearest(&name.text, library))
+        } else {
+            scope.nearest_variable(&name.text)
+        };
+        let message = format!("`\"{}\"` is not in the symbol table{}", name.text, did_you_mean(nearest.clone()));
+        let of_library = library::by_name(&name.text);
+        let help = of_library.map(|block| self.why_not_linked(block));
+        self.report(Problem::P3020, name.span, message).help = help;
+        if of_library.is_none() {
+            self.offer(name.span, nearest);
+        }
+    }
+
     /// Resolves a symbol of the table with the path behind it.
     pub(super) fn global(&mut self, name: &ast::Word, path: &[ast::PathElement], span: Span) -> Option<Meaning> {
         let Some(global) = self.known.scope.global(&name.text) else {
-            let library = library::ALL.iter().map(|block| block.name).filter(|_| self.known.selection.enabled);
-            let nearest = self.known.scope.nearest_symbol(&name.text).or_else(|| self.known.scope.nearest(&name.text, library));
-            let message = format!("`\"{}\"` is not in the symbol table{}", name.text, did_you_mean(nearest.clone()));
-            let help = library::by_name(&name.text).map(|block| self.why_not_linked(block));
-            self.report(Problem::P3020, name.span, message).help = help;
-            if library::by_name(&name.text).is_some() {
-                return None;
-            }
-            self.offer(name.span, nearest);
+            self.unknown_symbol(name, false);
             return None;
         };
         if global.ambiguous {
