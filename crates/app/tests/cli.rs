@@ -105,6 +105,14 @@ fn wrong_arguments_are_answered_with_what_is_valid() {
 }
 
 #[test]
+fn a_run_that_shows_nothing_says_how_to_show_something() {
+    let folder = Folder::with(&[("add.awl", ADD)]);
+    folder.run(&["exec", "add.awl"]).code(0).stderr("`--show MW0,Q0.0` prints values");
+    assert_eq!(folder.run(&["exec", "add.awl", "--show", "MW4"]).code(0).stderr, "");
+    folder.run(&["exec", "add.awl", "--set", "MW0=1", "--show", "stw.vke, STW.BIE"]).code(0).stdout("stw.vke = ");
+}
+
+#[test]
 fn bad_files_are_refused_with_a_code() {
     let folder =
         Folder::with(&[("add.awl", ADD), ("empty.awl", ""), ("blank.awl", " \r\n\t\n"), ("folder/x.txt", ""), ("plant.csv", "a,b\n")]);

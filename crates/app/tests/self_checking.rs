@@ -39,6 +39,8 @@ fn a_project_below_the_folder_is_tested_as_a_project() {
         ("pump/checks/level.awl", "UC FC 1\n__ASSERT== \"Level\", 5\nCALL SFC 46\n"),
     ]);
     folder.run(&["test"]).code(0).stdout("ok    alone.awl").stdout("level.awl").stdout("2 passed, 0 failed");
+    let whole = Folder::with(&[("sieben.toml", "[project]\nname = \"whole\"\n"), ("main.awl", PASSES)]);
+    whole.run(&["test"]).code(0).stdout("ok    whole  (1 scan");
 }
 
 #[test]

@@ -146,7 +146,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             Ok(Exit::Stopped)
         }
         _ if !findings.is_empty() => Ok(Exit::CheckFailed),
-        _ => Ok(Exit::Success),
+        _ => {
+            if shown.is_empty() && !arguments.json && !arguments.check_temp {
+                output::message("Nothing was asked for: `--show MW0,Q0.0` prints values.\n");
+            }
+            Ok(Exit::Success)
+        }
     }
 }
 

@@ -50,11 +50,12 @@ fn case(name: String, program: Vec<PathBuf>, test: Option<PathBuf>) -> Case {
 /// The tests that `sieben.toml` names; a project without any is one test itself.
 fn of_project(folder: &Path) -> Result<Vec<Case>, Failure> {
     let program = vec![folder.to_path_buf()];
-    let tests = Project::load(&program, None)?.tests;
-    if tests.is_empty() {
-        return Ok(vec![case(project::shown(folder), program, None)]);
+    let project = Project::load(&program, None)?;
+    if project.tests.is_empty() {
+        let name = project.settings.name.unwrap_or_else(|| project::shown(folder));
+        return Ok(vec![case(name, program, None)]);
     }
-    Ok(tests.into_iter().map(|test| case(project::shown(&test), program.clone(), Some(test))).collect())
+    Ok(project.tests.into_iter().map(|test| case(project::shown(&test), program.clone(), Some(test))).collect())
 }
 
 /// The projects and the programs of a folder that is no project: every source by itself. What a project names belongs to that.
