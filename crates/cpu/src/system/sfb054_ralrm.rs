@@ -32,6 +32,10 @@ const TINFO: usize = 20;
 const AINFO: usize = 30;
 const BYTES: u32 = 40;
 
+/// IO_FLAG of a module with outputs only, and the bit of ID that tells its address from one of inputs.
+const OUTPUT_MODULE: u16 = 0x55;
+const OUTPUT_ADDRESS: u32 = 0x8000;
+
 /// STATUS: MODE has no such value; TINFO or AINFO is no area.
 const BAD_MODE: u32 = 0xC080_C300;
 const BAD_AREA: u32 = 0xC080_9200;
@@ -72,7 +76,8 @@ fn run(call: &mut Call<'_, '_>) -> bool {
 /// The address of the module that caused an interrupt, and four bytes about it.
 fn cause(running: &StartInformation) -> Option<(u32, [u8; 4])> {
     // Hardware, diagnostic and insert/remove interrupts name their module.
-    matches!(running.block, 40..=47 | 55..=57 | 82 | 83).then(|| (u32::from(running.info_1), running.info_2.to_be_bytes()))
+    let output = if running.data_id & 0xFF == OUTPUT_MODULE { OUTPUT_ADDRESS } else { 0 };
+    matches!(running.block, 40..=47 | 55..=57 | 82 | 83).then(|| (u32::from(running.info_1) | output, running.info_2.to_be_bytes()))
 }
 
 /// Fills TINFO and AINFO as far as they are given; the length of the interrupt information.

@@ -1,6 +1,6 @@
 //! SFC 26 UPDAT_PI: reads the process image of the inputs now.
 
-use sieben_model::address::{Area, Width};
+use sieben_model::address::Area;
 use sieben_model::types::DataType;
 
 use super::parameters::Answer;
@@ -12,8 +12,6 @@ const PARAMETERS: &[Parameter] = &[input("PART", DataType::Byte), ret_val(), out
 
 fn run(call: &mut Call<'_, '_>) -> Answer {
     call.partition()?;
-    call.host.rack.get_image(call.machine.memory.area_mut(Area::Input));
-    // The address of the first byte that failed: none does.
-    call.output(2, Width::Word, 0)?;
-    Ok(0)
+    let failed = call.host.rack.get_image(call.machine.memory.area_mut(Area::Input));
+    call.exchanged(&failed)
 }
