@@ -234,7 +234,13 @@ impl Found {
                     format!("retentive data is not restored: {why}; the CPU starts with its initial values, and the data is now in `{old}`")
                 };
                 match &refusal {
-                    Refusal::Damaged => warn(Problem::P8031, path, message("it is damaged".to_owned()), None, choice.json),
+                    Refusal::Damaged => warn(
+                        Problem::P8031,
+                        path,
+                        message("it is damaged, or another version of Sieben wrote it".to_owned()),
+                        None,
+                        choice.json,
+                    ),
                     Refusal::OtherProgram { .. } => {
                         let help = format!("run with `--adopt {old}` to take over what still fits");
                         warn(Problem::P8032, path, message(refusal.to_string()), Some(help), choice.json);
