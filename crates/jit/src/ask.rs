@@ -11,7 +11,7 @@ use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
 
 use crate::jit::Native;
-use crate::run::Run;
+use crate::run::{INTERRUPTS, Run};
 
 /// The program goes on behind what it asked for.
 pub(crate) const GO_ON: u64 = 0;
@@ -272,13 +272,17 @@ impl Run<'_, '_> {
         // The block may call as deep as its class allows.
         let layout = &self.context.machine.memory.layout;
         let deepest = depth + 2 + usize::from(layout.nesting_depth) + usize::from(layout.nesting_depth_error);
-        if deepest >= self.compiled.generation.levels() {
-            // Too deep for machine code: the frame of the organization block begins in the interpreter.
+        let too_deep = deepest >= self.compiled.generation.levels() || self.interrupts >= INTERRUPTS;
+        let called_only = id.kind != BlockKind::OrganizationBlock;
+        if called_only || too_deep || !self.compiled.fits(&self.context.machine.memory) {
+            // Too deep for machine code, or data blocks are not as it takes them to be (a system function may change them and be
+            // followed by an interrupt), or the code relies on a caller: the frame of the block begins in the interpreter.
             access::store_file(self.context.machine, &self.registers);
             return self.leave(None);
         }
         let (kept, limits) = (self.kept, (self.link_max, self.local_end));
         self.kept = depth + 2;
+        self.interrupts += 1;
         self.limit_calls();
         let local = self.arena() as usize + local;
         // Behind everything that the interrupted block may be about to pass.
@@ -296,6 +300,7 @@ impl Run<'_, '_> {
         let frame = machine.frames.pop().expect("the frame of the interrupt stays until it ends");
         machine.parameters.truncate(frame.parameters as usize);
         self.kept = kept;
+        self.interrupts -= 1;
         (self.link_max, self.local_end) = limits;
         if let Origin::Interrupt { registers, deliver } = frame.origin {
             self.registers = access::load_file(&registers);

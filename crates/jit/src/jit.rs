@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use sieben_engine::access;
-use sieben_engine::ir::{Code, Inst, Target};
+use sieben_engine::ir::{Callee, Code, Inst, Target};
 use sieben_engine::machine::memory::DataBlockEntry;
 use sieben_engine::machine::{Memory, Registers};
 use sieben_engine::{Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
-use sieben_model::block::BlockId;
+use sieben_model::block::{BlockId, BlockKind};
 
 use crate::entry::Generation;
 use crate::run::{Run, Scratch};
@@ -69,6 +69,8 @@ pub(crate) struct Compiled {
     pub(crate) generation: Generation,
     /// Data blocks that the code takes to be as they were loaded.
     pinned: Vec<(u16, DataBlockEntry)>,
+    /// Whether the code asks before it writes to a data block that it does not know.
+    asks_before_writing: bool,
     pub(crate) parameters_max: usize,
 }
 
@@ -76,6 +78,11 @@ impl Compiled {
     /// Whether the data blocks are as the code takes them to be.
     pub(crate) fn fits(&self, memory: &Memory) -> bool {
         self.pinned.iter().all(|&(number, entry)| memory.data_block(u64::from(number)) == Some(entry))
+    }
+
+    /// Whether no data block is protected, or the code asks before it writes. One may have been restored that SFC 85 made in another program.
+    fn protects(&self, memory: &Memory) -> bool {
+        self.asks_before_writing || !memory.data_blocks.iter().flatten().any(|entry| entry.read_only)
     }
 }
 
@@ -150,6 +157,7 @@ impl Jit {
             })
             .collect();
         let interpreter = Interpreter::new(program, layout);
+        let options = Options { asks_before_writing: !layout.read_only.is_empty() || makes_protected_blocks(&blocks), ..options };
         let (generation, pinned) = translate::program(&blocks, &|id| interpreter.code(id), layout, options)?;
         let entry = |number: u16| {
             let range = &layout.data_blocks[&number];
@@ -157,7 +165,8 @@ impl Jit {
             (number, DataBlockEntry { base: range.start as u32, length: range.len() as u32, read_only })
         };
         let pinned = pinned.into_iter().map(entry).collect();
-        let compiled = Compiled { interpreter, blocks, generation, pinned, parameters_max };
+        let compiled =
+            Compiled { interpreter, blocks, generation, pinned, asks_before_writing: options.asks_before_writing, parameters_max };
         Ok(Self { compiled, layout: layout.clone(), known_layout: OnceLock::new(), scratch: Mutex::default() })
     }
 
@@ -177,6 +186,7 @@ impl Jit {
             && self.compiled.fits(memory)
             && inside(registers.db_base, registers.db_length)
             && inside(registers.di_base, registers.di_length)
+            && self.compiled.protects(memory)
     }
 
     fn run_native(&self, context: &mut Context<'_>, code: u32, entry: &Entry) -> Exit {
@@ -205,7 +215,8 @@ impl Jit {
         }
         match exit {
             Some(exit) => exit,
-            None => self.compiled.interpreter.resume(context),
+            // Where the interpreter takes over is no safe point: nobody is to see that it does.
+            None => self.compiled.interpreter.go_on(context),
         }
     }
 }
@@ -218,7 +229,13 @@ impl Engine for Jit {
         context.machine.frames.clear();
         context.machine.parameters.clear();
         context.machine.registers = entry.registers.clone().unwrap_or_else(Registers::fresh);
-        if context.tracer.is_some() || local_size > self.layout.local_class.min(self.layout.local.len()) || !self.fits(context.machine) {
+        // The code of other blocks relies on a caller.
+        let called_only = entry.block.kind != BlockKind::OrganizationBlock;
+        if called_only
+            || context.tracer.is_some()
+            || local_size > self.layout.local_class.min(self.layout.local.len())
+            || !self.fits(context.machine)
+        {
             return self.compiled.interpreter.run(context, entry);
         }
         self.run_native(context, code, entry)
@@ -236,6 +253,13 @@ impl Engine for Jit {
     fn code_bytes(&self) -> usize {
         self.compiled.generation.bytes()
     }
+}
+
+/// Whether a block calls SFC 85, which may make protected data blocks.
+fn makes_protected_blocks(blocks: &[Native]) -> bool {
+    let crea_db = BlockId::new(BlockKind::SystemFunction, 85);
+    let is_it = |inst: &Inst| matches!(inst, Inst::Call { callee: Callee::Block(id), .. } if *id == crea_db);
+    blocks.iter().any(|block| block.code.insts.iter().any(is_it))
 }
 
 /// Statements to which a later one jumps.

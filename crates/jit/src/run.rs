@@ -14,6 +14,10 @@ use crate::jit::Compiled;
 /// What nests deeper goes on in the interpreter.
 pub(crate) const LINKS: usize = 256;
 
+/// Interrupts that machine code nests: the Rust code between two of them takes several KiB of the native stack, more without
+/// optimization. What nests deeper goes on in the interpreter.
+pub(crate) const INTERRUPTS: usize = 64;
+
 /// One activation of a block; written by whoever enters it, read when a frame must be shown to the Host.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
@@ -80,6 +84,8 @@ pub(crate) struct Run<'a, 'c> {
     pub(crate) exit: Option<Exit>,
     /// Frames of the machine that stay while machine code runs: all up to the newest organization block.
     pub(crate) kept: usize,
+    /// Interrupts that machine code is in.
+    pub(crate) interrupts: usize,
     arena: *mut u8,
     arena_bytes: usize,
 }
@@ -109,6 +115,7 @@ impl<'a, 'c> Run<'a, 'c> {
             fault: None,
             exit: None,
             kept: 0,
+            interrupts: 0,
             arena,
             arena_bytes,
         }

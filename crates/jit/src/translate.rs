@@ -43,11 +43,13 @@ pub(crate) struct Options {
     pub(crate) exact: bool,
     /// Whether Cranelift optimizes: two to three times the time to compile, for code that is up to half as long.
     pub(crate) optimize: bool,
+    /// Whether a data block that is not known beforehand may be protected when it is written.
+    pub(crate) asks_before_writing: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { inline: true, exact: true, optimize: false }
+        Self { inline: true, exact: true, optimize: false, asks_before_writing: false }
     }
 }
 
@@ -57,7 +59,8 @@ const RESERVED_BYTES_MIN: usize = 1 << 20;
 
 /// Native stack that a run may take; threads have 2 MiB and more.
 const STACK_BYTES: usize = 1 << 20;
-/// What an activation takes beside the frame of its function, and its share of the Rust code that enters interrupts.
+/// What an activation takes beside the frame of its function. The Rust code that enters interrupts comes on top, as often as machine
+/// code nests them: see `INTERRUPTS`.
 const STACK_BYTES_OF_A_CALL: usize = 1 << 10;
 /// The instruction that makes room on the stack is among these bytes.
 const PROLOGUE_BYTES: usize = 16;

@@ -89,10 +89,10 @@ pub(super) enum Step {
 /// A jump table with step numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Table {
-    /// Where each index goes.
-    pub(super) targets: Vec<u32>,
+    /// Where each index goes; a way back is a safe point and has a weight.
+    pub(super) targets: Vec<(u32, Option<u16>)>,
     /// Where every other index goes.
-    pub(super) otherwise: u32,
+    pub(super) otherwise: (u32, Option<u16>),
 }
 
 /// A block ready to run.
@@ -178,7 +178,7 @@ pub(super) fn prepare(id: BlockId, block: &CodeBlock, layout: &Layout, find: &dy
         }
     }
     for table in &mut out.tables {
-        for to in table.targets.iter_mut().chain([&mut table.otherwise]) {
+        for (to, _) in table.targets.iter_mut().chain([&mut table.otherwise]) {
             *to = resolve(*to);
         }
     }
@@ -276,8 +276,9 @@ fn step(inst: &Inst, statement: usize, code: &Code, layout: &Layout, find: &dyn 
         }
         Inst::Branch { condition, to: Target(to) } => Step::Branch { condition: condition.0, to },
         Inst::JumpTable { index, first, count, otherwise } => {
-            let targets = code.tables.iter().skip(first as usize).take(count as usize).map(|target| target.0).collect();
-            out.tables.push(Table { targets, otherwise: otherwise.0 });
+            let way = |&Target(to): &Target| (to, (to as usize <= statement).then(|| weight(statement - to as usize)));
+            let targets = code.tables.iter().skip(first as usize).take(count as usize).map(way).collect();
+            out.tables.push(Table { targets, otherwise: way(&otherwise) });
             Step::JumpTable { index: index.0, table: out.tables.len() as u32 - 1 }
         }
         Inst::Call { callee, parameters } => match callee {

@@ -5,7 +5,7 @@ use sieben_model::block::{BlockId, BlockKind};
 
 use super::Interpreter;
 use super::local_data;
-use super::prepare::{Block, Step, weight};
+use super::prepare::{Block, Step};
 use crate::access::{
     File, Target, after_call, caller_registers, in_data_block, load_file, locate, move_bytes, open, registers, restore_caller, store_file,
     write_start_information,
@@ -69,7 +69,9 @@ impl Interpreter {
         self.go_on(context)
     }
 
-    fn go_on(&self, context: &mut Context<'_>) -> Exit {
+    /// Goes on with the frames of the machine at once, for an engine that has an interpreter beside it: unlike after `resume`, the
+    /// place where the newest frame goes on is no safe point.
+    pub fn go_on(&self, context: &mut Context<'_>) -> Exit {
         if context.tracer.is_some() { self.execute::<true>(context) } else { self.execute::<false>(context) }
     }
 
@@ -308,12 +310,11 @@ impl Interpreter {
                     Step::JumpTable { index, table } => {
                         let table = &block.tables[table as usize];
                         let index = usize::try_from(var!(index)).unwrap_or(usize::MAX);
-                        let to = table.targets.get(index).copied().unwrap_or(table.otherwise) as usize;
-                        if to <= at {
-                            let weight = weight((block.statement_of(at) - block.statement_of(to)) as usize);
-                            go!(self.jump_back(context, &mut file, block, weight, to as u32));
+                        let (to, weight) = table.targets.get(index).copied().unwrap_or(table.otherwise);
+                        if let Some(weight) = weight {
+                            go!(self.jump_back(context, &mut file, block, weight, to));
                         }
-                        at = to;
+                        at = to as usize;
                         continue;
                     }
                     Step::Call { code, parameters } => go!(self.call(context, &mut file, block, at, code, parameters)),
@@ -502,7 +503,12 @@ impl Interpreter {
                 Next::At(resume)
             }
             Reaction::Enter { block: id, start_information } => {
-                let Some(&code) = self.index.get(&id) else { return Next::At(resume) };
+                let Some(&code) = self.index.get(&id) else {
+                    if let Some(var) = deliver {
+                        file[usize::from(var)] = 0;
+                    }
+                    return Next::At(resume);
+                };
                 interrupt_at(context.machine, resume);
                 let origin = Origin::Interrupt { registers: Box::new(registers(file)), deliver: deliver.map(|var| (var, 0)) };
                 *file = load_file(&Registers::fresh());

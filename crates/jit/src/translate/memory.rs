@@ -187,7 +187,7 @@ impl Translator<'_> {
         let [number, base, length] = sieben_engine::access::data_registers(register).map(|register| self.register(register));
         let protected = match number {
             Val::Const(number) => self.layout.read_only.iter().any(|&protected| u64::from(protected) == number),
-            _ => !self.layout.read_only.is_empty(),
+            _ => self.options.asks_before_writing,
         };
         (!(write && protected)).then_some((base, length))
     }
@@ -237,7 +237,7 @@ impl Translator<'_> {
 
     /// A pointer whose area is known only when the program runs: I, Q, M, an open data block, or the local data of the caller.
     fn way_to_any_area(&mut self, pointer: Val, offset: u32, width: Width, write: bool) -> Way {
-        if write && !self.layout.read_only.is_empty() {
+        if write && self.options.asks_before_writing {
             return Way::Asked;
         }
         let bits = self.int(pointer);

@@ -1,0 +1,347 @@
+//! A Host that does what a CPU seldom does sees the same of both engines, and machine code keeps its promises.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target};
+use sieben_engine::machine::memory::DataBlockEntry;
+use sieben_engine::machine::{Register, Registers};
+use sieben_engine::{
+    CodeBlock, Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Interpreter, Layout, Machine, Program, Reaction, StopReason,
+};
+use sieben_jit::{Jit, StatusBits};
+use sieben_model::address::{Area, Width};
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::cpu_type::CpuType;
+
+const fn sfc(number: u16) -> BlockId {
+    BlockId::new(BlockKind::SystemFunction, number)
+}
+
+/// What the Host was asked, and the machine that the run left.
+#[derive(Debug, PartialEq)]
+struct Outcome {
+    asked: Vec<String>,
+    exit: Exit,
+    arena: Vec<u8>,
+    registers: Registers,
+    budget: i64,
+}
+
+/// A Host that notes what it is asked and answers as a test says.
+struct Noting<'a> {
+    asked: Vec<String>,
+    answer: &'a dyn Fn(&mut Machine, &str, usize) -> Reaction,
+}
+
+impl Noting<'_> {
+    fn ask(&mut self, machine: &mut Machine, what: String) -> Reaction {
+        let before = self.asked.len();
+        let reaction = (self.answer)(machine, &what, before);
+        self.asked.push(what);
+        reaction
+    }
+}
+
+impl Host for Noting<'_> {
+    fn fault(&mut self, machine: &mut Machine, fault: &Fault, place: FaultPlace) -> Reaction {
+        self.ask(machine, format!("{fault:?} at {} {}", place.block, place.statement))
+    }
+    fn peripheral_read(&mut self, _: &mut Machine, _: u32, _: Width) -> Option<u32> {
+        None
+    }
+    fn peripheral_write(&mut self, _: &mut Machine, _: u32, _: Width, _: u32) -> bool {
+        false
+    }
+    fn safe_point(&mut self, machine: &mut Machine, place: FaultPlace) -> Reaction {
+        machine.budget = 1;
+        self.ask(machine, format!("safe point at {} {}", place.block, place.statement))
+    }
+    fn system_function(&mut self, machine: &mut Machine, block: BlockId, _: usize) -> Reaction {
+        self.ask(machine, block.to_string())
+    }
+}
+
+type Blocks<'a> = &'a [(BlockId, u32, &'a dyn Fn(&mut Builder))];
+type Answer<'a> = &'a dyn Fn(&mut Machine, &str, usize) -> Reaction;
+
+fn program(blocks: Blocks<'_>) -> Program {
+    let mut code = BTreeMap::new();
+    for &(id, local_size, build) in blocks {
+        let mut builder = Builder::default();
+        build(&mut builder);
+        code.insert(id, CodeBlock { code: builder.finish(), local_size, ..CodeBlock::default() });
+    }
+    Program { code, ..Program::default() }
+}
+
+/// A layout in which data block 1 has 16 bytes.
+fn layout(program: &Program) -> Layout {
+    let mut layout = Layout::new(CpuType::by_name("315-2PN/DP").expect("a CPU type"), program);
+    layout.data_blocks.insert(1, layout.size - 64..layout.size - 48);
+    layout
+}
+
+fn run(engine: &dyn Engine, layout: &Layout, entry: &Entry, prepare: &dyn Fn(&mut Machine), answer: Answer<'_>) -> Outcome {
+    let mut machine = Machine::new(Arc::new(layout.clone()));
+    machine.budget = 1;
+    prepare(&mut machine);
+    let mut host = Noting { asked: Vec::new(), answer };
+    let exit = engine.run(&mut Context { machine: &mut machine, host: &mut host, tracer: None }, entry);
+    Outcome { asked: host.asked, exit, arena: machine.memory.arena, registers: machine.registers, budget: machine.budget }
+}
+
+/// Runs a block on both engines; what both did.
+fn both_from(
+    first: BlockId,
+    registers: Option<Registers>,
+    blocks: Blocks<'_>,
+    prepare: &dyn Fn(&mut Machine),
+    answer: Answer<'_>,
+) -> Outcome {
+    let program = program(blocks);
+    let layout = layout(&program);
+    let entry = Entry { block: first, start_information: [7; 20], registers };
+    let expected = run(Interpreter::load(&program, &layout).as_ref(), &layout, &entry, prepare, answer);
+    let native = Jit::compiled(&program, &layout, StatusBits::All).expect("machine code");
+    let got = run(native.as_ref(), &layout, &entry, prepare, answer);
+    assert_eq!(got.asked, expected.asked);
+    assert_eq!(got, expected);
+    got
+}
+
+fn both(blocks: Blocks<'_>, answer: Answer<'_>) -> Outcome {
+    both_from(BlockId::ob(1), None, blocks, &|_| {}, answer)
+}
+
+fn enter(number: u16) -> Reaction {
+    Reaction::Enter { block: BlockId::ob(number), start_information: [3; 20] }
+}
+
+fn count(builder: &mut Builder, byte: u32) {
+    builder.begin_statement();
+    let place = Place::Fixed { area: Area::BitMemory, position: 8 * byte };
+    let value = builder.load(place, Width::Word, OnFault::SkipStatement);
+    let one = builder.constant(1);
+    let sum = builder.compute(Op::AddI16Wide, &[value, one]);
+    builder.store(place, Width::Word, sum);
+}
+
+fn open(builder: &mut Builder, number: u64) {
+    builder.begin_statement();
+    let number = builder.constant(number);
+    builder.push(Inst::Open { register: DataRegister::Shared, number });
+}
+
+fn write_data(builder: &mut Builder, value: u64) {
+    builder.begin_statement();
+    let value = builder.constant(value);
+    builder.store(Place::Fixed { area: Area::SharedData, position: 0 }, Width::Word, value);
+}
+
+fn call(builder: &mut Builder, block: BlockId) {
+    builder.begin_statement();
+    builder.push(Inst::Call { callee: Callee::Block(block), parameters: 0 });
+}
+
+fn loop_back(builder: &mut Builder, to: u32) {
+    builder.begin_statement();
+    builder.push(Inst::Jump { to: Target(to) });
+}
+
+const STOP: fn() -> Reaction = || Reaction::Stop(StopReason { event: 0x4303, place: None });
+
+#[test]
+fn interrupts_nested_without_end_leave_machine_code_in_time() {
+    // Far more than there are priority classes, on a thread with the usual stack; a block without local data meets no other limit.
+    let outcome = both_from(
+        BlockId::ob(1),
+        None,
+        &[(BlockId::ob(1), 0, &|builder| count(builder, 0)), (BlockId::ob(40), 0, &|builder| count(builder, 2))],
+        &|machine| machine.budget = 0,
+        &|machine, _, before| {
+            machine.budget = 0;
+            if before < 2_000 { enter(40) } else { Reaction::Continue }
+        },
+    );
+    assert_eq!(outcome.exit, Exit::Finished);
+    assert!(outcome.asked.len() > 2_000, "{} questions", outcome.asked.len());
+}
+
+#[test]
+fn the_interpreter_takes_over_where_no_safe_point_is() {
+    // A system function takes away a data block on which machine code relies.
+    let outcome = both(
+        &[(BlockId::ob(1), 20, &|builder| {
+            open(builder, 1);
+            write_data(builder, 5);
+            call(builder, sfc(23));
+            open(builder, 1);
+            write_data(builder, 6);
+        })],
+        &|machine, what, _| {
+            if what == "SFC 23" {
+                machine.memory.data_blocks[1] = None;
+            }
+            Reaction::Continue
+        },
+    );
+    let safe_points = outcome.asked.iter().filter(|what| what.starts_with("safe point")).count();
+    assert_eq!(safe_points, 0, "{:?}", outcome.asked);
+    assert!(outcome.asked.last().is_some_and(|what| what.contains("Programming")), "{:?}", outcome.asked);
+}
+
+#[test]
+fn an_interrupt_right_behind_a_deleted_data_block_misses_it() {
+    let outcome = both(
+        &[
+            (BlockId::ob(1), 20, &|builder| call(builder, sfc(23))),
+            (BlockId::ob(40), 20, &|builder| {
+                open(builder, 1);
+                write_data(builder, 6);
+            }),
+        ],
+        &|machine, what, _| {
+            if what != "SFC 23" {
+                return Reaction::Continue;
+            }
+            machine.memory.data_blocks[1] = None;
+            enter(40)
+        },
+    );
+    assert!(outcome.asked.iter().any(|what| what.contains("Programming")), "{:?}", outcome.asked);
+}
+
+#[test]
+fn a_data_block_that_was_made_protected_is_not_written() {
+    let protect = |machine: &mut Machine| {
+        let base = machine.memory.layout.size as u32 - 32;
+        machine.memory.data_blocks.resize(10, None);
+        machine.memory.data_blocks[9] = Some(DataBlockEntry { base, length: 16, read_only: true });
+    };
+    let number = Place::Fixed { area: Area::BitMemory, position: 0 };
+    let write = |builder: &mut Builder| {
+        builder.begin_statement();
+        let number = builder.load(number, Width::Word, OnFault::SkipStatement);
+        builder.push(Inst::Open { register: DataRegister::Shared, number });
+        write_data(builder, 6);
+    };
+    let number_nine = |machine: &mut Machine| {
+        let at = machine.memory.layout.bit_memory.start;
+        machine.memory.arena[at + 1] = 9;
+    };
+    // Made by the program, and there from the beginning.
+    let made = both_from(
+        BlockId::ob(1),
+        None,
+        &[(BlockId::ob(1), 20, &|builder| {
+            call(builder, sfc(85));
+            write(builder);
+        })],
+        &number_nine,
+        &|machine, what, _| {
+            if what == "SFC 85" {
+                protect(machine);
+            }
+            Reaction::Continue
+        },
+    );
+    let restored = both_from(
+        BlockId::ob(1),
+        None,
+        &[(BlockId::ob(1), 20, &write)],
+        &|machine| {
+            number_nine(machine);
+            protect(machine);
+        },
+        &|_, _, _| Reaction::Continue,
+    );
+    for outcome in [made, restored] {
+        assert!(outcome.asked.iter().any(|what| what.contains("48")), "programming error 16#30: {:?}", outcome.asked);
+    }
+}
+
+#[test]
+fn a_run_that_begins_with_a_function_has_no_caller() {
+    // The pointer means the local data of the caller; MCRA and the status bits are preset.
+    let mut registers = Registers::fresh();
+    registers.accu1 = 0x8700_0000;
+    registers.set(Register::Os, 1);
+    registers.set(Register::Ma, 1);
+    let block: &dyn Fn(&mut Builder) = &|builder| {
+        builder.begin_statement();
+        let place = Place::Crossing { pointer: Register::Accu1.into(), offset: 0 };
+        let value = builder.load(place, Width::Word, OnFault::SkipStatement);
+        builder.store(Place::Fixed { area: Area::BitMemory, position: 0 }, Width::Word, value);
+    };
+    let outcome = both_from(BlockId::fc(1), Some(registers), &[(BlockId::fc(1), 20, block)], &|_| {}, &|_, _, _| Reaction::Continue);
+    assert!(outcome.asked.iter().any(|what| what.contains("Programming")), "{:?}", outcome.asked);
+    // The same as the answer of a Host.
+    let entered = both(
+        &[
+            (BlockId::ob(1), 20, &|builder| call(builder, sfc(1))),
+            (BlockId::fc(1), 20, &|builder| {
+                builder.begin_statement();
+                builder.set(Register::Accu1, 0x8700_0000);
+                block(builder);
+            }),
+        ],
+        &|_, what, _| match what {
+            "SFC 1" => Reaction::Enter { block: BlockId::fc(1), start_information: [3; 20] },
+            _ => Reaction::Continue,
+        },
+    );
+    assert!(entered.asked.iter().any(|what| what.contains("Programming")), "{:?}", entered.asked);
+}
+
+#[test]
+fn a_jump_table_back_weighs_what_a_jump_back_does() {
+    // From statement 64 to an empty statement 0: 64 statements, though the first that does something is nearer.
+    let outcome = both(
+        &[(BlockId::ob(1), 20, &|builder| {
+            builder.begin_statement();
+            builder.begin_statement();
+            count(builder, 0);
+            for _ in 3..64 {
+                builder.begin_statement();
+                builder.set(Register::Accu1, 1);
+            }
+            builder.begin_statement();
+            let index = builder.constant(0);
+            let first = builder.table(&[Target(0)]);
+            builder.push(Inst::JumpTable { index, first, count: 1, otherwise: Target(0) });
+        })],
+        &|machine, _, before| {
+            machine.budget = 7;
+            if before > 5 { STOP() } else { Reaction::Continue }
+        },
+    );
+    assert_ne!(outcome.exit, Exit::Finished);
+}
+
+#[test]
+fn a_missing_error_block_delivers_zero() {
+    let outcome = both(
+        &[(BlockId::ob(1), 20, &|builder| {
+            builder.begin_statement();
+            builder.set(Register::Accu1, 5);
+            builder.begin_statement();
+            let place = Place::Fixed { area: Area::SharedData, position: 0 };
+            builder.push(Inst::Load { dst: Register::Accu1.into(), place, width: Width::Word, on_fault: OnFault::DeliverZero });
+        })],
+        &|_, what, _| if what.contains("Programming") { enter(121) } else { Reaction::Continue },
+    );
+    assert_eq!(outcome.registers.accu1, 0);
+}
+
+#[test]
+fn whoever_stops_in_a_loop_goes_on_in_it() {
+    let outcome = both(
+        &[(BlockId::ob(1), 20, &|builder| {
+            count(builder, 0);
+            loop_back(builder, 0);
+        })],
+        &|_, _, before| if before > 20 { STOP() } else { Reaction::Continue },
+    );
+    assert_ne!(outcome.exit, Exit::Finished);
+}
