@@ -108,7 +108,7 @@ pub(crate) fn write(target: &Path, source: &SourceFile, text: &str, encoding: En
     })?;
     // Between reading and writing someone may have saved the file in an editor.
     let current = fs::read(target).ok().filter(|_| target == source.path);
-    if current.is_some_and(|current| encoding::decode(&current).text != source.decoded.text) {
+    if current.is_some_and(|current| encoding::decode_as(&current, source.decoded.encoding).text != source.decoded.text) {
         return Err(Failure::usage(Problem::P6013, format!("`{shown}` was changed by someone else in the meantime; it is left alone")));
     }
     files::write_whole(target, &bytes)

@@ -667,6 +667,15 @@ fn check_fix_mends_what_can_mean_only_one_thing() {
     folder.write("broken.awl", b"\xEF\xBB\xBFA I 0,2; // \xFF\n");
     folder.run(&["check", "--fix", "broken.awl"]).code(2).stderr("P1102");
     assert_eq!(folder.read("broken.awl"), b"\xEF\xBB\xBFA I 0,2; // \xFF\n");
+
+    // An encoding that nobody could guess.
+    let utf16 = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
+    folder.write("wide.awl", &utf16("A I 0,2; // \u{fc}\r\n"));
+    folder.run(&["check", "--fix", "wide.awl", "--encoding", "utf-16le"]).code(0).stdout("wrote `.` for `,`");
+    assert_eq!(
+        folder.read("wide.awl")[..].strip_prefix(b"\xFF\xFE".as_slice()).unwrap_or(&folder.read("wide.awl")),
+        utf16("A I 0.2; // \u{fc}\r\n")
+    );
 }
 
 #[test]

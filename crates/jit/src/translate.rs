@@ -54,8 +54,11 @@ impl Default for Options {
 }
 
 /// Address space reserved for the code of a program, per IR instruction and at least.
-const RESERVED_BYTES_PER_INSTRUCTION: usize = 512;
+/// It costs no memory until it is used; a call with exact status bits takes more than 1 KiB.
+const RESERVED_BYTES_PER_INSTRUCTION: usize = 4096;
 const RESERVED_BYTES_MIN: usize = 1 << 20;
+/// What relative calls reach on every machine is more than the code of a program that becomes machine code takes.
+const RESERVED_BYTES_MAX: usize = 1 << 30;
 
 /// Native stack that a run may take; threads have 2 MiB and more.
 const STACK_BYTES: usize = 1 << 20;
@@ -86,7 +89,7 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
         .map_err(|error| error.to_string())?;
     let mut builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
     let insts: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
-    let reserve = (insts * RESERVED_BYTES_PER_INSTRUCTION).max(RESERVED_BYTES_MIN);
+    let reserve = insts.saturating_mul(RESERVED_BYTES_PER_INSTRUCTION).clamp(RESERVED_BYTES_MIN, RESERVED_BYTES_MAX);
     builder.memory_provider(Box::new(ArenaMemoryProvider::new_with_size(reserve).map_err(|error| error.to_string())?));
     for &op in Op::ALL {
         builder.symbol(op.name(), op.shim());
@@ -108,7 +111,7 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
         let target = module.target_config();
         let program = Program { functions: &functions, blocks, summaries: &summaries, find, layout, options };
         pinned.append(&mut Translator::new(builder, &mut module, program, index).run(target));
-        module.define_function(functions.blocks[index], &mut context).map_err(|error| format!("{}: {error:?}", block.id))?;
+        module.define_function(functions.blocks[index], &mut context).map_err(|error| format!("{}: {error}", block.id))?;
         let code = context.compiled_code().map_or(&[][..], |code| code.code_buffer());
         bytes += code.len();
         frame_max = frame_max.max(frame_bytes(code));

@@ -289,3 +289,19 @@ fn a_knot_of_jumps_is_compiled_in_reasonable_time() {
         assert!(!compiled.has_errors(), "{:?}", compiled.diagnostics.first());
     }
 }
+
+#[test]
+fn types_without_a_byte_are_not_visited_one_by_one() {
+    // FB 1 has no data, and each other block two instances of the one before: 2^30 instances in 0 bytes.
+    let mut text = String::from("FUNCTION_BLOCK FB 1\nBEGIN\nEND_FUNCTION_BLOCK\n");
+    for number in 2..=30 {
+        let inner = number - 1;
+        let _ = writeln!(text, "FUNCTION_BLOCK FB {number}\nVAR\n a : FB {inner}; b : FB {inner};\nEND_VAR\nBEGIN\nEND_FUNCTION_BLOCK");
+    }
+    text.push_str("FUNCTION_BLOCK FB 31\nVAR\n a : FB 30; n : INT := 7;\nEND_VAR\nBEGIN\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB 1\nFB 31\nBEGIN\nEND_DATA_BLOCK\n");
+    let (_, compiled) = compile_case(&text);
+    let errors: Vec<_> =
+        compiled.diagnostics.iter().filter(|found| found.severity() == sieben_model::diagnostic::Severity::Error).collect();
+    assert!(errors.is_empty(), "{errors:?}");
+    assert_eq!(compiled.program.data[&1].image, [0, 7]);
+}

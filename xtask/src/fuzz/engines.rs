@@ -478,4 +478,15 @@ mod tests {
             fuzz(&noise(seed, 60 + seed as usize));
         }
     }
+
+    #[test]
+    fn a_program_of_calls_becomes_machine_code() {
+        let mut text = String::new();
+        for number in 1..60 {
+            let calls = (number + 1..60).map(|callee| format!(" UC FC {callee};\n")).collect::<String>();
+            text.push_str(&format!("FUNCTION FC {number} : VOID\nBEGIN\n A M 0.0; BEC;\n{calls}END_FUNCTION\n"));
+        }
+        text.push_str("ORGANIZATION_BLOCK OB 1\nBEGIN\n SET; = M 0.0; CALL FC 1; CLR; = M 0.0; CALL FC 40;\nEND_ORGANIZATION_BLOCK\n");
+        fuzz(text.as_bytes());
+    }
 }

@@ -150,7 +150,8 @@ pub(crate) fn write(image: &mut [u8], position: u64, data_type: &DataType, value
 /// Writes what a variable of this type holds at the start: its initial values, else those of its type.
 pub(crate) fn write_initial(image: &mut [u8], position: u64, data_type: &DataType, initial: &[Value]) {
     match data_type {
-        DataType::Struct(structure) | DataType::Instance { structure, .. } => {
+        // Types without a byte may stand in one another so often that nobody can visit them all.
+        DataType::Struct(structure) | DataType::Instance { structure, .. } if structure.size > 0 => {
             for field in &structure.fields {
                 write_initial(image, position + u64::from(field.offset), &field.data_type, &field.initial);
             }

@@ -87,6 +87,10 @@ fn a_block_of_the_program_wins() {
     let (by_name, _) = compiled(&format!("{own}{}", ob1("\"CONCAT\"")), &[], Selection::default());
     let found = by_name.diagnostics.iter().find(|found| found.problem == Problem::P3020).expect("the name has no block");
     assert!(found.help.as_ref().is_some_and(|help| help.contains("FC 2") && help.contains("[library]")), "{found:?}");
+    assert!(!found.message.contains("did you mean"), "{found:?}");
+    let (bare, _) = compiled(&format!("{own}{}", ob1("CONCAT")), &[], Selection::default());
+    let found = bare.diagnostics.iter().find(|found| found.problem == Problem::P3001).expect("the name has no block");
+    assert!(found.help.as_ref().is_some_and(|help| help.contains("FC 2") && help.contains("[library]")), "{found:?}");
     let (elsewhere, _) = compiled(&format!("{own}{}", ob1("\"CONCAT\"")), &[], placed("CONCAT", 102));
     assert_eq!((linked(&elsewhere), elsewhere.has_errors()), (vec!["FC 102 = CONCAT".to_owned()], false));
 }

@@ -145,6 +145,13 @@ impl Resolver<'_> {
             self.unknown_symbol(name, true);
             return None;
         }
+        if let ast::Operand::Name { word, .. } = &call.callee
+            && !self.locals.contains_key(&key(&word.text))
+            && self.known.scope.global(&word.text).is_none()
+            && self.unlinked(word)
+        {
+            return None;
+        }
         match self.meaning(&call.callee, span)? {
             Meaning::Variable { location: Location::Instance { position }, data_type: DataType::Instance { block, .. }, .. } => {
                 Some((block, Some(position)))

@@ -122,6 +122,14 @@ impl Resolver<'_> {
         }
     }
 
+    /// Says why a name without quotes calls no block of the library, if there is a block with this name.
+    pub(super) fn unlinked(&mut self, word: &ast::Word) -> bool {
+        let Some(help) = library::by_name(&word.text).map(|block| self.why_not_linked(block)) else { return false };
+        let message = format!("`{}` is not declared in `{}`", word.text, self.id);
+        self.report(Problem::P3001, word.span, message).help = Some(help);
+        true
+    }
+
     /// Says that a name is not in the symbol table. Only what is called is compared with the names of system and library blocks.
     pub(super) fn unknown_symbol(&mut self, name: &ast::Word, called: bool) {
         let library = library::ALL.iter().map(|block| block.name).filter(|_| self.known.selection.enabled);
@@ -131,13 +139,12 @@ impl Resolver<'_> {
         } else {
             scope.nearest_variable(&name.text)
         };
-        let message = format!("`\"{}\"` is not in the symbol table{}", name.text, did_you_mean(nearest.clone()));
         let of_library = library::by_name(&name.text);
+        let nearest = nearest.filter(|_| of_library.is_none());
+        let message = format!("`\"{}\"` is not in the symbol table{}", name.text, did_you_mean(nearest.clone()));
         let help = of_library.map(|block| self.why_not_linked(block));
         self.report(Problem::P3020, name.span, message).help = help;
-        if of_library.is_none() {
-            self.offer(name.span, nearest);
-        }
+        self.offer(name.span, nearest);
     }
 
     /// Resolves a symbol of the table with the path behind it.
@@ -172,7 +179,8 @@ impl Resolver<'_> {
 
     /// Why a name of the library does not stand for its block here, and what to do.
     fn why_not_linked(&self, block: &LibraryBlock) -> String {
-        let LibraryBlock { block: number, name, .. } = block;
+        let LibraryBlock { name, .. } = block;
+        let number = self.known.selection.number(block).unwrap_or(block.block);
         if self.known.selection.enabled {
             format!(
                 "`{name}` of the library is `{number}`, a number that has another block here: give it a free one in the symbol table, or in \
