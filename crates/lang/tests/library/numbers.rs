@@ -189,3 +189,57 @@ fn bits_are_counted_and_complemented_as_in_the_model() {
         prop_assert_eq!(state.double_word(10), bcd(10_000_000 - number));
     });
 }
+
+/// Bytes of bit memory as a number of a type: INT and DINT as they are, REAL without what is no number.
+fn number(data_type: &str, bits: u32) -> Option<f64> {
+    match data_type {
+        "INT" => Some(f64::from((bits >> 16) as u16 as i16)),
+        "DINT" => Some(f64::from(bits as i32)),
+        _ => Some(f64::from(f32::from_bits(bits))).filter(|number| number.is_finite()),
+    }
+}
+
+#[test]
+fn selections_choose_as_the_model_does() {
+    const KEPT: u32 = 0x5A5A_5A5A;
+    let bits = || {
+        prop_oneof![any::<u32>(), real().prop_map(f32::to_bits), (-3_i16..3).prop_map(|small| u32::from(small as u16) << 16 | 1), 0_u32..4]
+    };
+    for data_type in ["INT", "DINT", "REAL"] {
+        let place = |byte: u32| format!("P#M {byte}.0 {data_type} 1");
+        let (a, b, c, out) = (place(0), place(4), place(8), place(12));
+        let limit = Call::new(&format!("\"LIMIT\" (MN := {a}, IN := {b}, MX := {c}, RET_VAL := {out})"));
+        let max = Call::new(&format!("\"MAX\" (IN1 := {a}, IN2 := {b}, IN3 := {c}, RET_VAL := {out})"));
+        let min = Call::new(&format!("\"MIN\" (IN1 := {a}, IN2 := {b}, IN3 := {c}, RET_VAL := {out})"));
+        let select = Call::new(&format!("\"SEL\" (G := M 16.0, IN0 := {a}, IN1 := {b}, RET_VAL := {out})"));
+        proptest!(config(300), |(values in [bits(), bits(), bits()], gate in any::<bool>())| {
+            let run = |call: &Call| {
+                let mut state = call.state();
+                for (at, value) in [0, 4, 8].into_iter().zip(values) {
+                    state.put(at, &value.to_be_bytes());
+                }
+                state.put(12, &KEPT.to_be_bytes());
+                state.put(16, &[u8::from(gate)]);
+                let good = call.run(&mut state);
+                (state.double_word(12), good)
+            };
+            let numbers: Option<Vec<f64>> = values.iter().map(|&value| number(data_type, value)).collect();
+            let largest = numbers.as_ref().map(|all| all.iter().copied().fold(f64::MIN, f64::max));
+            let smallest = numbers.as_ref().map(|all| all.iter().copied().fold(f64::MAX, f64::min));
+            let between = numbers.as_ref().filter(|all| all[0] <= all[2]).map(|all| all[1].clamp(all[0], all[2]));
+            for (name, call, expected) in [("MAX", &max, largest), ("MIN", &min, smallest), ("LIMIT", &limit, between)] {
+                let (bits, good) = run(call);
+                prop_assert_eq!(good, expected.is_some(), "{} {} {:X?}", name, data_type, values);
+                match expected {
+                    Some(_) => prop_assert_eq!(number(data_type, bits), expected, "{} {} {:X?}", name, data_type, values),
+                    None => prop_assert_eq!(bits, KEPT, "{} {} {:X?}", name, data_type, values),
+                }
+            }
+            // SEL compares nothing: every pattern goes through.
+            let (bits, good) = run(&select);
+            let chosen = values[usize::from(gate)];
+            let expected = if data_type == "INT" { chosen & 0xFFFF_0000 | KEPT & 0xFFFF } else { chosen };
+            prop_assert_eq!((bits, good), (expected, true), "SEL {} {:X?}", data_type, values);
+        });
+    }
+}
