@@ -81,6 +81,8 @@ fn build_servers_read_the_results() {
         tap.stdout
     );
     assert!(tap.stdout.ends_with("ok 2 - passes.awl\n"), "{}", tap.stdout);
+    // A file that cannot be written costs the exit code, not the results.
+    folder.run(&["test", "--junit", "."]).code(2).stdout("1 passed, 1 failed").stderr("P6013");
     let xml = String::from_utf8(folder.read("result.xml")).expect("UTF-8");
     assert!(xml.contains("<testsuite name=\"sieben\" tests=\"2\" failures=\"1\" errors=\"0\""), "{xml}");
     assert!(xml.contains("<testcase name=\"passes.awl\" classname=\"sieben\""), "{xml}");

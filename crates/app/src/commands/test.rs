@@ -100,14 +100,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         bar.finish_and_clear();
     }
     let took = begun.elapsed();
-    if let Some(path) = &arguments.junit {
-        files::write_whole(path, report::junit(&finished, took).as_bytes())?;
-    }
+    // A file that cannot be written does not keep the results from the screen.
+    let written = arguments.junit.as_ref().map_or(Ok(()), |path| files::write_whole(path, report::junit(&finished, took).as_bytes()));
     match (arguments.json, arguments.tap) {
         (true, _) => output::print_json(&report::to_json(&finished, took), true)?,
         (_, true) => output::print(&report::tap(&finished))?,
         _ => output::print(&report::text(&finished))?,
     }
+    written?;
     Ok(report::exit(&finished))
 }
 
