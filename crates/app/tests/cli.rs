@@ -668,6 +668,11 @@ fn check_fix_mends_what_can_mean_only_one_thing() {
     folder.run(&["check", "--fix", "broken.awl"]).code(2).stderr("P1102");
     assert_eq!(folder.read("broken.awl"), b"\xEF\xBB\xBFA I 0,2; // \xFF\n");
 
+    // JSON stays JSON when there is nothing to check.
+    let run = folder.run(&["check", "--json", "nowhere.awl"]).code(2);
+    let list: serde_json::Value = serde_json::from_str(&run.stdout).expect("a list");
+    assert_eq!((&list[0]["code"], &list[0]["severity"]), (&"P6001".into(), &"error".into()), "{list}");
+
     // An encoding that nobody could guess.
     let utf16 = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
     folder.write("wide.awl", &utf16("A I 0,2; // \u{fc}\r\n"));

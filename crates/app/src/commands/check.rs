@@ -8,6 +8,7 @@ use sieben_lang::TemporaryReads;
 use crate::arguments::ProgramArguments;
 use crate::failure::{Exit, Failure};
 use crate::project::Overrides;
+use crate::report::{Finding, Texts};
 use crate::{fixing, output, project, report};
 
 /// Report everything that is wrong with a program.
@@ -41,8 +42,20 @@ pub(crate) struct Arguments {
 /// Rounds of fixes: one may uncover another, and some could undo one another for ever.
 const ROUNDS_MAX: usize = 10;
 
-/// Checks the program.
+/// Checks the program. Who reads JSON gets a list whatever happens.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    check(arguments).or_else(|failure| {
+        if !arguments.json {
+            return Err(failure);
+        }
+        let mut finding = Finding::file(failure.problem, String::new(), failure.message);
+        finding.diagnostic.help = failure.help;
+        output::print_json(&report::to_json(&[finding], &Texts::default()), true)?;
+        Ok(failure.exit)
+    })
+}
+
+fn check(arguments: &Arguments) -> Result<Exit, Failure> {
     let temporaries = if arguments.temp { TemporaryReads::Possible } else { TemporaryReads::Certain };
     let overrides = Overrides { temporaries, ..arguments.program.overrides()? };
     let compile = || Ok::<_, Failure>(arguments.program.load(&arguments.paths)?.compile(overrides, arguments.syntax_only));
