@@ -668,6 +668,9 @@ fn check_fix_mends_what_can_mean_only_one_thing() {
     folder.run(&["check", "--fix", "broken.awl"]).code(2).stderr("P1102");
     assert_eq!(folder.read("broken.awl"), b"\xEF\xBB\xBFA I 0,2; // \xFF\n");
 
+    // A negative time is a wrong time, not an unknown flag.
+    folder.run(&["exec", "old.awl", "--for", "-1s"]).code(2).stderr("`-1s` is not a duration");
+    folder.run(&["run", "old.awl", "--speed", "-1x"]).code(2).stderr("`-1x` is no speed");
     // JSON stays JSON when there is nothing to check.
     let run = folder.run(&["check", "--json", "nowhere.awl"]).code(2);
     let list: serde_json::Value = serde_json::from_str(&run.stdout).expect("a list");

@@ -40,7 +40,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     program: ProgramArguments,
     /// Virtual time from one scan to the next [default: the project's, else 10ms]
-    #[arg(long, value_name = "DURATION", value_parser = duration_argument)]
+    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = duration_argument)]
     cycle: Option<Duration>,
     /// How often to measure
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]

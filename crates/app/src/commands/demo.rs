@@ -33,10 +33,10 @@ pub(crate) struct Arguments {
     #[arg(value_enum, default_value = "dosing", value_name = "NAME")]
     name: Plant,
     /// End after this time of the plant
-    #[arg(long = "for", value_name = "DURATION", id = "duration", value_parser = duration_argument)]
+    #[arg(long = "for", value_name = "DURATION", id = "duration", allow_hyphen_values = true, value_parser = duration_argument)]
     time: Option<Duration>,
     /// How fast time goes: 1x, 10x, 0.5x, or max
-    #[arg(long, value_name = "FACTOR", value_parser = speed_argument)]
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = speed_argument)]
     speed: Option<Speed>,
 }
 

@@ -47,13 +47,13 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "N", conflicts_with_all = ["duration", "scan_at"], value_parser = clap::value_parser!(u64).range(1..))]
     scans: Option<u64>,
     /// Run all scans that begin before this time
-    #[arg(long = "for", value_name = "DURATION", id = "duration", conflicts_with = "scan_at", value_parser = duration_argument)]
+    #[arg(long = "for", value_name = "DURATION", id = "duration", conflicts_with = "scan_at", allow_hyphen_values = true, value_parser = duration_argument)]
     duration: Option<Duration>,
     /// Time from one scan to the next [default: the project's, else 10ms]
-    #[arg(long, value_name = "DURATION", conflicts_with = "scan_at", value_parser = duration_argument)]
+    #[arg(long, value_name = "DURATION", conflicts_with = "scan_at", allow_hyphen_values = true, value_parser = duration_argument)]
     cycle: Option<Duration>,
     /// Scan exactly at these times instead of every cycle
-    #[arg(long, value_name = "T1,T2,…", value_delimiter = ',', value_parser = duration_argument)]
+    #[arg(long, value_name = "T1,T2,…", value_delimiter = ',', allow_hyphen_values = true, value_parser = duration_argument)]
     scan_at: Vec<Duration>,
     /// Print these: as --set, and T 1, C 1, T1.q (status bit), STW.RLO
     #[arg(long, value_name = "NAME,…")]

@@ -49,13 +49,13 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     program: ProgramArguments,
     /// Time from one scan to the next; 0 runs free [default: the project's, else 10ms]
-    #[arg(long, value_name = "DURATION", value_parser = duration_argument)]
+    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = duration_argument)]
     cycle: Option<Duration>,
     /// 1x is real time, 10x ten times as fast, max as fast as it goes in virtual time
-    #[arg(long, value_name = "FACTOR", default_value = "1x", value_parser = speed_argument)]
+    #[arg(long, value_name = "FACTOR", default_value = "1x", allow_hyphen_values = true, value_parser = speed_argument)]
     speed: Speed,
     /// Stop after this time of the CPU's clock
-    #[arg(long = "for", value_name = "DURATION", id = "duration", value_parser = duration_argument)]
+    #[arg(long = "for", value_name = "DURATION", id = "duration", allow_hyphen_values = true, value_parser = duration_argument)]
     duration: Option<Duration>,
     #[command(flatten)]
     retain: RetainArguments,

@@ -38,16 +38,16 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "TEXT")]
     filter: Option<String>,
     /// Time from one scan to the next [default: the project's, else 10ms]
-    #[arg(long, value_name = "DURATION", value_parser = duration_argument)]
+    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = duration_argument)]
     cycle: Option<Duration>,
     /// Virtual time in which a test has to end
-    #[arg(long, value_name = "DURATION", default_value = "60s", value_parser = duration_argument)]
+    #[arg(long, value_name = "DURATION", default_value = "60s", allow_hyphen_values = true, value_parser = duration_argument)]
     limit: Duration,
     /// Scans in which a test has to end [default: as many as --limit allows]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     scans: Option<u64>,
     /// Real time after which a test is given up
-    #[arg(long, value_name = "DURATION", default_value = "60s", value_parser = duration_argument)]
+    #[arg(long, value_name = "DURATION", default_value = "60s", allow_hyphen_values = true, value_parser = duration_argument)]
     timeout: Duration,
     /// Run so many tests at once [default: one per processor]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
