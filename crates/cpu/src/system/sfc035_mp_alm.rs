@@ -1,4 +1,5 @@
 //! SFC 35 MP_ALM: a multicomputing interrupt on all CPUs of the rack. This one is alone in its rack: OB 60 starts here.
+//! That it does, and the meaning of the two specific codes, is from memory of the manual (uncertain).
 
 use sieben_model::address::Width;
 use sieben_model::types::DataType;
