@@ -115,7 +115,7 @@ fn what_is_no_name_or_no_value_is_said_in_the_users_words() {
     for (name, value, word) in [
         ("nonsense", "1", "nothing is called `nonsense`"),
         ("", "1", "nothing is called"),
-        ("M 0.8", "1", "nothing is called"),
+        ("M 0.8", "1", "the bits of a byte are 0 to 7"),
         ("STW.XX", "1", "no bit `XX`"),
         ("DB7.nothing", "1", "no `nothing`"),
         ("DB7.list[9]", "1", "no `list[9]`"),
