@@ -189,7 +189,8 @@ fn effect(inst: &Inst) -> Effect {
             (args[..intrinsic.arity()].iter().fold(0, |all, &arg| all | register(arg)), register(dst), true)
         }
         Inst::Require { condition, register: shown, .. } => (register(condition) | register(shown), 0, true),
-        Inst::RequireStack { condition, .. } => (register(condition), 0, false),
+        // A hot restart goes on behind the statement that stopped the CPU.
+        Inst::RequireStack { condition, .. } => (register(condition), 0, true),
         Inst::Open { number, .. } => (register(number), OPEN_BLOCKS.iter().fold(0, |all, &register| all | bit_of(register)), true),
         Inst::Branch { condition, .. } => (register(condition), 0, false),
         Inst::JumpTable { index, .. } => (register(index), 0, false),
