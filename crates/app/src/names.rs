@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::nearest::nearest;
 
 /// Splits a list of names at commas outside brackets and quotes: `MW 10,DB1.field[1,2],"a,b"`.
-pub(crate) fn split_list(list: &str) -> Vec<&str> {
+fn split_list(list: &str) -> Vec<&str> {
     split_outside(list, ',', usize::MAX).into_iter().map(str::trim).filter(|name| !name.is_empty()).collect()
 }
 
@@ -55,6 +55,11 @@ pub(crate) fn resolve(name: &str, symbols: &SymbolTable, cpu: &Cpu) -> Result<Na
     let name = Name::parse(name, symbols, cpu.program()).map_err(failed)?;
     name.read(cpu).map_err(failed)?;
     Ok(name)
+}
+
+/// What the names in the lists of `--show` mean on this CPU, in their order.
+pub(crate) fn resolve_lists(lists: &[String], symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<Name>, Failure> {
+    lists.iter().flat_map(|list| split_list(list)).map(|name| resolve(name, symbols, cpu)).collect()
 }
 
 /// A value that goes to a name.

@@ -124,12 +124,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let cpu = Cpu::load(build.cpu, program, load, Rack::simulated(build.cpu), settings);
     let compile = now().saturating_sub(started);
     let symbols = &build.project.symbols;
-    let shown = arguments
-        .show
-        .iter()
-        .flat_map(|list| names::split_list(list))
-        .map(|name| names::resolve(name, symbols, &cpu))
-        .collect::<Result<Vec<_>, _>>()?;
+    let shown = names::resolve_lists(&arguments.show, symbols, &cpu)?;
     let cycle = arguments.cycle.or(build.project.settings.cycle).filter(|cycle| !cycle.is_zero()).unwrap_or(Duration::from_millis(10));
     let mut bench = Bench { cpu, cycle_us: u64::try_from(cycle.as_micros()).unwrap_or(u64::MAX), now_us: 0 };
 

@@ -106,12 +106,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     };
     let mut cpu = controller::load(&build, arguments.engine, StatusBits::All, controller::settings(&build));
     let symbols = &build.project.symbols;
-    let shown = arguments
-        .show
-        .iter()
-        .flat_map(|list| names::split_list(list))
-        .map(|name| names::resolve(name, symbols, &cpu))
-        .collect::<Result<Vec<_>, _>>()?;
+    let shown = names::resolve_lists(&arguments.show, symbols, &cpu)?;
     let set = arguments.set.iter().map(|text| Assignment::parse(text, symbols, &cpu)).collect::<Result<Vec<_>, _>>()?;
     let mut at = timed(&arguments.at, symbols, &cpu)?.into_iter().peekable();
 
