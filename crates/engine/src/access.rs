@@ -130,7 +130,10 @@ fn moved(pointer: u64, offset: u32) -> u32 {
 }
 
 /// The area of an area-crossing pointer.
-fn pointed_area(pointer: u64, write: bool) -> Result<Area, Fault> {
+///
+/// # Errors
+/// Programming error 16#24 (read) or 16#25 (write) with the code of the area, if there is none of this code.
+pub fn pointed_area(pointer: u64, write: bool) -> Result<Area, Fault> {
     Ok(match (pointer >> 24) as u8 {
         0x80 if write => Area::PeripheralOutput,
         0x80 => Area::PeripheralInput,

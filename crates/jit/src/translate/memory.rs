@@ -6,6 +6,7 @@ use std::mem::offset_of;
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I16, I32, I64};
 use cranelift_codegen::ir::{BlockArg, InstBuilder, MemFlagsData, Value};
+use sieben_engine::access;
 use sieben_engine::ir::{DataRegister, OnFault, Place, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
@@ -152,16 +153,10 @@ impl Translator<'_> {
                 let pointer = self.force(pointer);
                 let Some(constant) = pointer.constant() else { return self.way_to_any_area(pointer, offset, width, write) };
                 let pointer = constant;
-                let area = match pointer >> 24 & 0xFF {
-                    0x81 => Area::Input,
-                    0x82 => Area::Output,
-                    0x83 => Area::BitMemory,
-                    0x84 => Area::SharedData,
-                    0x85 => Area::InstanceData,
-                    0x86 => Area::Local,
-                    _ => return Way::Asked,
-                };
-                self.way_to_constant(area, moved(pointer, offset), width, write)
+                match access::pointed_area(pointer, write) {
+                    Ok(Area::PeripheralInput | Area::PeripheralOutput | Area::CallerLocal) | Err(_) => Way::Asked,
+                    Ok(area) => self.way_to_constant(area, moved(pointer, offset), width, write),
+                }
             }
         }
     }
