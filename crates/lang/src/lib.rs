@@ -7,6 +7,7 @@ pub mod encoding;
 pub mod library;
 pub mod project;
 mod scope;
+pub mod st;
 pub mod stl;
 pub mod symbols;
 

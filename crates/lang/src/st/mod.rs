@@ -1,0 +1,3 @@
+//! Structured Text and SCL: text → syntax → typed tree → IR.
+
+pub mod tree;
