@@ -16,7 +16,7 @@ use cranelift_module::{FuncId, Linkage, Module, ModuleError};
 use sieben_engine::Layout;
 use sieben_engine::access::data_registers;
 use sieben_engine::interpreter::weight;
-use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, Target, Var};
+use sieben_engine::ir::{DataRegister, Inst, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::Area;
 use sieben_model::block::{BlockId, BlockKind};
@@ -24,9 +24,10 @@ use sieben_model::block::{BlockId, BlockKind};
 use crate::ask::{GO_ON, LEAVE, Question};
 use crate::entry::Generation;
 use crate::jit::Native;
-use crate::run::{LINKS, Link, Run};
+use crate::run::{LINKS, Run};
 
 mod analysis;
+mod calls;
 mod inline;
 mod memory;
 mod value;
@@ -665,34 +666,9 @@ impl<'a> Translator<'a> {
                 let failed = self.ask(Question::TryMove, &[self.link, site, pointers[0], pointers[1]]);
                 self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
             }
-            Inst::Parameter { dst, index } => {
-                let first = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters) as i32);
-                let end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
-                let address = self.b.ins().iadd_imm_u(first, 4 * i64::from(index));
-                let pointer = self.b.ins().load(I32, TRUSTED, address, 0);
-                let given = self.b.ins().icmp(IntCC::UnsignedLessThan, address, end);
-                let none = self.b.ins().iconst(I32, 0);
-                let pointer = self.b.ins().select(given, pointer, none);
-                self.set(dst, Val::Int(pointer));
-            }
-            Inst::PassParameter { src } => {
-                let end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
-                let value = self.get(src);
-                let value = self.int(value);
-                self.b.ins().store(TRUSTED, value, end, 4 * self.passed as i32);
-                self.passed += 1;
-            }
-            Inst::Intrinsic { dst, args, .. } => {
-                let [a, b, c] = [args[0], args[1], args[2]].map(|arg| {
-                    let value = self.get(arg);
-                    self.word(value)
-                });
-                let site = self.site(index);
-                let failed = self.ask(Question::TryIntrinsic, &[site, a, b, c]);
-                self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
-                let result = self.result();
-                self.set(dst, Val::Word(result));
-            }
+            Inst::Parameter { dst, index } => self.parameter(dst, index),
+            Inst::PassParameter { src } => self.pass_parameter(src),
+            Inst::Intrinsic { dst, args, .. } => self.intrinsic(index, dst, args),
             Inst::Require { condition, register, .. } => self.require(index, condition, Some(register), After::NextStatement),
             Inst::RequireStack { condition, .. } => self.require(index, condition, None, After::Never),
             Inst::Open { register, number } => {
@@ -864,121 +840,5 @@ impl<'a> Translator<'a> {
         self.b.ins().br_table(index, table);
         self.fill_ways();
         self.ended = true;
-    }
-
-    fn call_block(&mut self, index: u32, callee: Callee, parameters: u16) {
-        match callee {
-            Callee::Block(id) => match (self.find)(id) {
-                Some(code) => self.call_loaded(index, code as usize, parameters),
-                None => self.call_other(index, None),
-            },
-            Callee::Number(_, number) => {
-                let number = self.get(number);
-                let number = self.word(number);
-                self.call_other(index, Some(number));
-            }
-        }
-        self.passed = self.passed.saturating_sub(u32::from(parameters));
-        self.temporaries.clear();
-    }
-
-    fn call_other(&mut self, index: u32, number: Option<Value>) {
-        self.spill(self.dirty);
-        self.dirty = 0;
-        let site = self.site(index);
-        let number = number.unwrap_or_else(|| self.b.ins().iconst(I64, 0));
-        let passed = self.b.ins().iconst(I64, i64::from(self.passed));
-        let answer = self.ask(Question::CallOther, &[self.link, site, number, passed]);
-        let cold = self.cold_block();
-        let go_on = self.b.create_block();
-        self.b.ins().brif(answer, cold, &[], go_on, &[]);
-        self.b.switch_to_block(cold);
-        self.b.seal_block(cold);
-        // A call that failed is answered by the next statement.
-        let left = self.b.ins().icmp_imm_u(IntCC::Equal, answer, LEAVE as i64);
-        for &register in Register::ALL {
-            self.reload(register);
-        }
-        let next = self.edge(self.statement + 1);
-        self.b.ins().brif(left, self.leave, &[], next, &[]);
-        self.b.switch_to_block(go_on);
-        self.b.seal_block(go_on);
-        for &register in Register::ALL {
-            self.reload(register);
-        }
-    }
-
-    fn call_loaded(&mut self, index: u32, code: usize, parameters: u16) {
-        let size = size_of::<Link>() as i64;
-        let local_size = i64::from(self.native().local_size);
-        let callee_size = i64::from(self.blocks[code].local_size);
-        let link = self.b.ins().iadd_imm_u(self.link, size);
-        let local = self.b.ins().iadd_imm_u(self.local, local_size);
-        let end = self.b.ins().iadd_imm_u(local, callee_size);
-        let link_max = self.load_run(offset_of!(Run<'_, '_>, link_max));
-        let local_end = self.load_run(offset_of!(Run<'_, '_>, local_end));
-        let too_deep = self.b.ins().icmp(IntCC::UnsignedGreaterThan, link, link_max);
-        let too_long = self.b.ins().icmp(IntCC::UnsignedGreaterThan, end, local_end);
-        let no_room = self.b.ins().bor(too_deep, too_long);
-        let site = self.site(index);
-        self.unless_failed(no_room, Question::NoRoom, &[self.link, site], After::Never);
-        let callee = self.b.ins().iconst(I64, code as i64);
-
-        let own_end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
-        let first = self.b.ins().iadd_imm_u(own_end, 4 * (i64::from(self.passed) - i64::from(parameters)));
-        let last = self.b.ins().iadd_imm_u(own_end, 4 * i64::from(self.passed));
-        let site = self.b.ins().iconst(I64, i64::from(index));
-        let put = |this: &mut Self, value: Value, offset: usize| {
-            this.b.ins().store(TRUSTED, value, link, offset as i32);
-        };
-        put(self, callee, offset_of!(Link, code));
-        put(self, site, offset_of!(Link, site));
-        put(self, local, offset_of!(Link, local));
-        put(self, first, offset_of!(Link, parameters));
-        put(self, last, offset_of!(Link, parameters_end));
-        let offsets = [
-            offset_of!(Link, shared),
-            offset_of!(Link, shared) + 8,
-            offset_of!(Link, shared) + 16,
-            offset_of!(Link, instance),
-            offset_of!(Link, instance) + 8,
-            offset_of!(Link, instance) + 16,
-            offset_of!(Link, mcr_active),
-            offset_of!(Link, nesting),
-        ];
-        let restored: Vec<Register> = OPEN_BLOCKS.into_iter().chain([Register::Ma, Register::Nesting]).collect();
-        let values: Vec<Val> = restored.iter().map(|&register| self.register(register)).collect();
-        for (&value, offset) in values.iter().zip(offsets) {
-            let value = self.word(value);
-            put(self, value, offset);
-        }
-        // The callee knows what a call sets, and does not read it.
-        let callee = &self.summaries[code];
-        let handed = self.dirty & !set_by_calls() & !(SPARED & !callee.live_in()) | self.dirty & open_blocks();
-        let written = callee.written;
-        self.spill(handed);
-        self.dirty &= !handed;
-        let left = self.call(self.functions.blocks[code], &[self.run, self.arena, local, link]);
-        let go_on = self.b.create_block();
-        self.b.ins().brif(left, self.leave, &[], go_on, &[]);
-        self.b.switch_to_block(go_on);
-        self.b.seal_block(go_on);
-        for &register in Register::ALL {
-            let needed = SPARED & bit_of(register) == 0 || self.options.exact || callee.live_out & bit_of(register) != 0;
-            if written & !set_by_calls() & bit_of(register) != 0 && needed {
-                self.reload(register);
-            }
-        }
-        for (register, value) in restored.into_iter().zip(values) {
-            let memory_may_differ =
-                written & bit_of(register) != 0 || !OPEN_BLOCKS.contains(&register) || self.dirty & bit_of(register) != 0;
-            self.current[register as usize] = Some(value);
-            if memory_may_differ {
-                self.dirty |= bit_of(register);
-            }
-        }
-        for (register, value) in AFTER_CALL {
-            self.set_register(register, Val::Const(value));
-        }
     }
 }

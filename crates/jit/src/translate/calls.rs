@@ -1,0 +1,167 @@
+//! Calls of blocks, what is passed to them, and intrinsics.
+
+use std::mem::offset_of;
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{I32, I64};
+use cranelift_codegen::ir::{InstBuilder, Value};
+use sieben_engine::ir::{Callee, Var};
+use sieben_engine::machine::Register;
+
+use super::analysis::{SPARED, open_blocks, set_by_calls};
+use super::value::Val;
+use super::{AFTER_CALL, After, OPEN_BLOCKS, TRUSTED, Translator, bit_of};
+use crate::ask::{LEAVE, Question};
+use crate::run::{Link, Run};
+
+impl Translator<'_> {
+    /// The pointer that the caller gave.
+    pub(super) fn parameter(&mut self, dst: Var, index: u16) {
+        let first = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters) as i32);
+        let end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
+        let address = self.b.ins().iadd_imm_u(first, 4 * i64::from(index));
+        let pointer = self.b.ins().load(I32, TRUSTED, address, 0);
+        let given = self.b.ins().icmp(IntCC::UnsignedLessThan, address, end);
+        let none = self.b.ins().iconst(I32, 0);
+        let pointer = self.b.ins().select(given, pointer, none);
+        self.set(dst, Val::Int(pointer));
+    }
+
+    /// Puts a pointer where the block that is called next finds it.
+    pub(super) fn pass_parameter(&mut self, src: Var) {
+        let end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
+        let value = self.get(src);
+        let value = self.int(value);
+        self.b.ins().store(TRUSTED, value, end, 4 * self.passed as i32);
+        self.passed += 1;
+    }
+
+    /// Calls a function over the machine.
+    pub(super) fn intrinsic(&mut self, index: u32, dst: Var, args: [Var; 4]) {
+        let [a, b, c] = [args[0], args[1], args[2]].map(|arg| {
+            let value = self.get(arg);
+            self.word(value)
+        });
+        let site = self.site(index);
+        let failed = self.ask(Question::TryIntrinsic, &[site, a, b, c]);
+        self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
+        let result = self.result();
+        self.set(dst, Val::Word(result));
+    }
+
+    pub(super) fn call_block(&mut self, index: u32, callee: Callee, parameters: u16) {
+        match callee {
+            Callee::Block(id) => match (self.find)(id) {
+                Some(code) => self.call_loaded(index, code as usize, parameters),
+                None => self.call_other(index, None),
+            },
+            Callee::Number(_, number) => {
+                let number = self.get(number);
+                let number = self.word(number);
+                self.call_other(index, Some(number));
+            }
+        }
+        self.passed = self.passed.saturating_sub(u32::from(parameters));
+        self.temporaries.clear();
+    }
+
+    fn call_other(&mut self, index: u32, number: Option<Value>) {
+        self.spill(self.dirty);
+        self.dirty = 0;
+        let site = self.site(index);
+        let number = number.unwrap_or_else(|| self.b.ins().iconst(I64, 0));
+        let passed = self.b.ins().iconst(I64, i64::from(self.passed));
+        let answer = self.ask(Question::CallOther, &[self.link, site, number, passed]);
+        let cold = self.cold_block();
+        let go_on = self.b.create_block();
+        self.b.ins().brif(answer, cold, &[], go_on, &[]);
+        self.b.switch_to_block(cold);
+        self.b.seal_block(cold);
+        // A call that failed is answered by the next statement.
+        let left = self.b.ins().icmp_imm_u(IntCC::Equal, answer, LEAVE as i64);
+        for &register in Register::ALL {
+            self.reload(register);
+        }
+        let next = self.edge(self.statement + 1);
+        self.b.ins().brif(left, self.leave, &[], next, &[]);
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+        for &register in Register::ALL {
+            self.reload(register);
+        }
+    }
+
+    fn call_loaded(&mut self, index: u32, code: usize, parameters: u16) {
+        let size = size_of::<Link>() as i64;
+        let local_size = i64::from(self.native().local_size);
+        let callee_size = i64::from(self.blocks[code].local_size);
+        let link = self.b.ins().iadd_imm_u(self.link, size);
+        let local = self.b.ins().iadd_imm_u(self.local, local_size);
+        let end = self.b.ins().iadd_imm_u(local, callee_size);
+        let link_max = self.load_run(offset_of!(Run<'_, '_>, link_max));
+        let local_end = self.load_run(offset_of!(Run<'_, '_>, local_end));
+        let too_deep = self.b.ins().icmp(IntCC::UnsignedGreaterThan, link, link_max);
+        let too_long = self.b.ins().icmp(IntCC::UnsignedGreaterThan, end, local_end);
+        let no_room = self.b.ins().bor(too_deep, too_long);
+        let site = self.site(index);
+        self.unless_failed(no_room, Question::NoRoom, &[self.link, site], After::Never);
+        let callee = self.b.ins().iconst(I64, code as i64);
+
+        let own_end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
+        let first = self.b.ins().iadd_imm_u(own_end, 4 * (i64::from(self.passed) - i64::from(parameters)));
+        let last = self.b.ins().iadd_imm_u(own_end, 4 * i64::from(self.passed));
+        let site = self.b.ins().iconst(I64, i64::from(index));
+        let put = |this: &mut Self, value: Value, offset: usize| {
+            this.b.ins().store(TRUSTED, value, link, offset as i32);
+        };
+        put(self, callee, offset_of!(Link, code));
+        put(self, site, offset_of!(Link, site));
+        put(self, local, offset_of!(Link, local));
+        put(self, first, offset_of!(Link, parameters));
+        put(self, last, offset_of!(Link, parameters_end));
+        let offsets = [
+            offset_of!(Link, shared),
+            offset_of!(Link, shared) + 8,
+            offset_of!(Link, shared) + 16,
+            offset_of!(Link, instance),
+            offset_of!(Link, instance) + 8,
+            offset_of!(Link, instance) + 16,
+            offset_of!(Link, mcr_active),
+            offset_of!(Link, nesting),
+        ];
+        let restored: Vec<Register> = OPEN_BLOCKS.into_iter().chain([Register::Ma, Register::Nesting]).collect();
+        let values: Vec<Val> = restored.iter().map(|&register| self.register(register)).collect();
+        for (&value, offset) in values.iter().zip(offsets) {
+            let value = self.word(value);
+            put(self, value, offset);
+        }
+        // The callee knows what a call sets, and does not read it.
+        let callee = &self.summaries[code];
+        let handed = self.dirty & !set_by_calls() & !(SPARED & !callee.live_in()) | self.dirty & open_blocks();
+        let written = callee.written;
+        self.spill(handed);
+        self.dirty &= !handed;
+        let left = self.call(self.functions.blocks[code], &[self.run, self.arena, local, link]);
+        let go_on = self.b.create_block();
+        self.b.ins().brif(left, self.leave, &[], go_on, &[]);
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+        for &register in Register::ALL {
+            let needed = SPARED & bit_of(register) == 0 || self.options.exact || callee.live_out & bit_of(register) != 0;
+            if written & !set_by_calls() & bit_of(register) != 0 && needed {
+                self.reload(register);
+            }
+        }
+        for (register, value) in restored.into_iter().zip(values) {
+            let memory_may_differ =
+                written & bit_of(register) != 0 || !OPEN_BLOCKS.contains(&register) || self.dirty & bit_of(register) != 0;
+            self.current[register as usize] = Some(value);
+            if memory_may_differ {
+                self.dirty |= bit_of(register);
+            }
+        }
+        for (register, value) in AFTER_CALL {
+            self.set_register(register, Val::Const(value));
+        }
+    }
+}
