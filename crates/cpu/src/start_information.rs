@@ -199,7 +199,7 @@ fn memory_area(width: Width) -> u16 {
         Width::Bit => 0x00,
         Width::Byte => 0x10,
         Width::Word => 0x20,
-        Width::DoubleWord => 0x30,
+        Width::DoubleWord | Width::QuadWord => 0x30,
     }
 }
 

@@ -5,6 +5,7 @@ use std::ops::Range;
 use sieben_model::address::{Area, Width};
 
 use crate::fault::Fault;
+use crate::host::Context;
 use crate::ir::{DataRegister, Place};
 use crate::machine::{CALLS_MASK, CALLS_SHIFT, CallerRegisters, Machine, Register, Registers};
 
@@ -33,7 +34,7 @@ fn access_code(area: Area, width: Width) -> u8 {
         Width::Bit => 0,
         Width::Byte => 1,
         Width::Word => 2,
-        Width::DoubleWord => 3,
+        Width::DoubleWord | Width::QuadWord => 3,
     };
     kind << 4 | area.pointer_code() & 7
 }
@@ -172,6 +173,25 @@ pub fn move_bytes(
         (Target::Peripheral(byte), _) => Err(Fault::IoAccess { write: false, width: Width::Byte, byte }),
         (_, Target::Peripheral(byte)) => Err(Fault::IoAccess { write: true, width: Width::Byte, byte }),
     }
+}
+
+/// Reads the peripheral. A quad word is two double words, the high one first; `None` if no module answers.
+pub fn read_peripheral(context: &mut Context<'_>, byte: u32, width: Width) -> Option<u64> {
+    if width != Width::QuadWord {
+        return context.host.peripheral_read(context.machine, byte, width).map(u64::from);
+    }
+    let high = context.host.peripheral_read(context.machine, byte, Width::DoubleWord)?;
+    let low = context.host.peripheral_read(context.machine, byte.saturating_add(4), Width::DoubleWord)?;
+    Some(u64::from(high) << 32 | u64::from(low))
+}
+
+/// Writes the peripheral. A quad word is two double words, the high one first; `false` if no module answers.
+pub fn write_peripheral(context: &mut Context<'_>, byte: u32, width: Width, value: u64) -> bool {
+    if width != Width::QuadWord {
+        return context.host.peripheral_write(context.machine, byte, width, value as u32);
+    }
+    context.host.peripheral_write(context.machine, byte, Width::DoubleWord, (value >> 32) as u32)
+        && context.host.peripheral_write(context.machine, byte.saturating_add(4), Width::DoubleWord, value as u32)
 }
 
 /// The file at the beginning of a run: these registers, all temporaries 0.

@@ -132,7 +132,7 @@ impl AreaUse {
                     let column = match width {
                         Width::Bit | Width::Byte => &mut byte.byte,
                         Width::Word => &mut byte.word,
-                        Width::DoubleWord => &mut byte.double_word,
+                        Width::DoubleWord | Width::QuadWord => &mut byte.double_word,
                     };
                     *column = (*column).max(if index == 0 { PartOf::First } else { PartOf::Inside });
                     for bit in &mut byte.bits {

@@ -120,12 +120,12 @@ impl Run<'_, '_> {
         let Inst::Load { place, width, on_fault, .. } = self.inst(site) else { unreachable!("a site of `try_load` is a load") };
         self.point(place, pointer);
         match self.locate(link, place, width, on_fault == OnFault::SkipWrite)? {
-            Target::Arena(byte, bit) => Ok(u64::from(self.context.machine.memory.read_at(byte, bit, width))),
+            Target::Arena(byte, bit) => Ok(self.context.machine.memory.read_wide(byte, bit, width)),
             Target::Peripheral(byte) => {
                 self.show(self.depth(link), 0);
-                let value = self.context.host.peripheral_read(self.context.machine, byte, width);
+                let value = access::read_peripheral(self.context, byte, width);
                 self.take_back();
-                value.map(u64::from).ok_or(Fault::IoAccess { write: false, width, byte })
+                value.ok_or(Fault::IoAccess { write: false, width, byte })
             }
         }
     }
@@ -134,10 +134,10 @@ impl Run<'_, '_> {
         let Inst::Store { place, width, .. } = self.inst(site) else { unreachable!("a site of `try_store` is a store") };
         self.point(place, pointer);
         match self.locate(link, place, width, true)? {
-            Target::Arena(byte, bit) => self.context.machine.memory.write_at(byte, bit, width, value as u32),
+            Target::Arena(byte, bit) => self.context.machine.memory.write_wide(byte, bit, width, value),
             Target::Peripheral(byte) => {
                 self.show(self.depth(link), 0);
-                let written = self.context.host.peripheral_write(self.context.machine, byte, width, value as u32);
+                let written = access::write_peripheral(self.context, byte, width, value);
                 self.take_back();
                 if !written {
                     return Err(Fault::IoAccess { write: true, width, byte });

@@ -637,7 +637,8 @@ impl<'a> Translator<'a> {
             }
             After::Deliver(block) => {
                 let value = self.result();
-                let value = self.b.ins().ireduce(I32, value);
+                let param = self.b.block_params(block)[0];
+                let value = if self.b.func.dfg.value_type(param) == I32 { self.b.ins().ireduce(I32, value) } else { value };
                 self.b.ins().brif(answer, self.leave, &[], block, &[BlockArg::Value(value)]);
             }
             After::NextStatement => {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target};
+use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::memory::DataBlockEntry;
 use sieben_engine::machine::{Register, Registers};
 use sieben_engine::{
@@ -344,4 +344,59 @@ fn whoever_stops_in_a_loop_goes_on_in_it() {
         &|_, _, before| if before > 20 { STOP() } else { Reaction::Continue },
     );
     assert_ne!(outcome.exit, Exit::Finished);
+}
+
+#[test]
+fn quad_words_are_read_and_written_like_narrower_values() {
+    use Area::{BitMemory, InstanceData, Local, PeripheralInput, PeripheralOutput, SharedData};
+    let fixed = |area, position| Place::Fixed { area, position };
+    let pointed = |area, pointer, offset| Place::Indirect { area, pointer, offset };
+    let crossing = |pointer: Var, offset| Place::Crossing { pointer, offset };
+    let ar2 = Var::from(Register::Ar2);
+    let outcome = both_from(
+        BlockId::ob(1),
+        Some(Registers { ar2: 0x8300_0000 | 800, ..Registers::fresh() }),
+        &[(BlockId::ob(1), 32, &|builder| {
+            open(builder, 1);
+            builder.begin_statement();
+            let number = builder.constant(1);
+            builder.push(Inst::Open { register: DataRegister::Instance, number });
+            // The value moves on from place to place; the last ones do not exist, or are no beginning of a byte.
+            let way = [
+                fixed(BitMemory, 0),
+                fixed(Local, 160),
+                fixed(SharedData, 0),
+                pointed(BitMemory, ar2, 8),
+                crossing(ar2, 80),
+                fixed(InstanceData, 64),
+                fixed(BitMemory, 200),
+                fixed(BitMemory, 8 * (2048 - 7)),
+                fixed(SharedData, 72),
+                pointed(Local, ar2, 0),
+                crossing(ar2, 8 * 2041),
+                fixed(BitMemory, 300),
+                fixed(PeripheralInput, 0),
+                fixed(PeripheralOutput, 0),
+            ];
+            for (index, &to) in way.iter().enumerate().skip(1) {
+                let last_good = way[index.min(7) - 1];
+                builder.begin_statement();
+                let value = builder.load(last_good, Width::QuadWord, OnFault::SkipStatement);
+                builder.store(to, Width::QuadWord, value);
+                builder.begin_statement();
+                builder.push(Inst::Load { dst: Register::Accu1.into(), place: to, width: Width::QuadWord, on_fault: OnFault::DeliverZero });
+                builder.begin_statement();
+                builder.store(fixed(BitMemory, 1600 + 64 * index as u32), Width::QuadWord, Register::Accu1);
+            }
+        })],
+        &|machine| {
+            let at = machine.memory.layout.bit_memory.start;
+            machine.memory.write_wide(at, 0, Width::QuadWord, 0x0123_4567_89AB_CDEF);
+            machine.memory.write_wide(at + 500, 0, Width::QuadWord, 0xFFFF_FFFF_0000_0001);
+        },
+        &|_, _, _| Reaction::Continue,
+    );
+    let copies = outcome.arena.windows(8).filter(|bytes| *bytes == 0x0123_4567_89AB_CDEF_u64.to_be_bytes()).count();
+    assert!(copies >= 12, "{copies} copies");
+    assert!(outcome.asked.iter().filter(|what| what.contains("Programming")).count() >= 8, "{:?}", outcome.asked);
 }

@@ -72,6 +72,8 @@ pub enum Width {
     Word,
     /// 32 bits.
     DoubleWord,
+    /// 64 bits; no address of STL has it.
+    QuadWord,
 }
 
 impl Width {
@@ -81,6 +83,7 @@ impl Width {
             Self::Bit | Self::Byte => 1,
             Self::Word => 2,
             Self::DoubleWord => 4,
+            Self::QuadWord => 8,
         }
     }
     /// Bits that the access touches.
@@ -90,15 +93,17 @@ impl Width {
             Self::Byte => 8,
             Self::Word => 16,
             Self::DoubleWord => 32,
+            Self::QuadWord => 64,
         }
     }
-    /// The letter behind the area (`B`, `W`, `D`; `X` for a bit of a data block, none elsewhere).
+    /// The letter behind the area (`B`, `W`, `D`, `L`; `X` for a bit of a data block, none elsewhere).
     pub const fn letter(self) -> &'static str {
         match self {
             Self::Bit => "",
             Self::Byte => "B",
             Self::Word => "W",
             Self::DoubleWord => "D",
+            Self::QuadWord => "L",
         }
     }
 }
@@ -108,7 +113,7 @@ impl Width {
 pub struct Address {
     /// Which area.
     pub area: Area,
-    /// Bit, byte, word or double word.
+    /// Bit, byte, word, double word or quad word.
     pub width: Width,
     /// Number of the (first) byte.
     pub byte: u32,

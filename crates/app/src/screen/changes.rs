@@ -33,7 +33,7 @@ impl Watched {
                 Width::Bit => value.to_string(),
                 Width::Byte => format!("16#{value:02X}"),
                 Width::Word => format!("16#{value:04X}"),
-                Width::DoubleWord => format!("16#{value:08X}"),
+                Width::DoubleWord | Width::QuadWord => format!("16#{value:08X}"),
             },
             _ => value.to_string(),
         }

@@ -34,6 +34,8 @@ pub(super) enum Step {
     LoadWord { dst: u8, at: u32 },
     /// A double word at an arena address.
     LoadDouble { dst: u8, at: u32 },
+    /// A quad word at an arena address.
+    LoadQuad { dst: u8, at: u32 },
     /// A bit at an arena address.
     StoreBit { src: u8, bit: u8, at: u32 },
     /// A byte at an arena address.
@@ -42,6 +44,8 @@ pub(super) enum Step {
     StoreWord { src: u8, at: u32 },
     /// A double word at an arena address.
     StoreDouble { src: u8, at: u32 },
+    /// A quad word at an arena address.
+    StoreQuad { src: u8, at: u32 },
     /// The local data of the block, at a byte that it has.
     LoadLocal { dst: u8, bit: u8, width: Width, byte: u32 },
     /// The local data of the block, at a byte that it has.
@@ -347,6 +351,7 @@ fn load(dst: Var, place: Place, width: Width, on_fault: OnFault, layout: &Layout
             Width::Byte => Step::LoadByte { dst, at },
             Width::Word => Step::LoadWord { dst, at },
             Width::DoubleWord => Step::LoadDouble { dst, at },
+            Width::QuadWord => Step::LoadQuad { dst, at },
         },
         Prepared::Local(byte, bit) => Step::LoadLocal { dst, bit, width, byte },
         Prepared::Data(register, position) => Step::LoadData { dst, register, width, on_fault, position },
@@ -362,6 +367,7 @@ fn store(src: Var, place: Place, width: Width, layout: &Layout, out: &mut Block)
             Width::Byte => Step::StoreByte { src, at },
             Width::Word => Step::StoreWord { src, at },
             Width::DoubleWord => Step::StoreDouble { src, at },
+            Width::QuadWord => Step::StoreQuad { src, at },
         },
         Prepared::Local(byte, bit) => Step::StoreLocal { src, bit, width, byte },
         Prepared::Data(register, position) => Step::StoreData { src, register, width, position },

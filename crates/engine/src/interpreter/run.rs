@@ -7,8 +7,8 @@ use super::Interpreter;
 use super::local_data;
 use super::prepare::{Block, Step};
 use crate::access::{
-    File, Target, after_call, caller_registers, in_data_block, load_file, locate, move_bytes, open, registers, restore_caller, store_file,
-    write_start_information,
+    File, Target, after_call, caller_registers, in_data_block, load_file, locate, move_bytes, open, read_peripheral, registers,
+    restore_caller, store_file, write_peripheral, write_start_information,
 };
 use crate::fault::{Abort, Fault, Place};
 use crate::host::{Context, Entry, Exit, Reaction, StopReason};
@@ -174,6 +174,7 @@ impl Interpreter {
                     Step::LoadByte { dst, at } => var!(dst) = u64::from(context.machine.memory.arena[at as usize]),
                     Step::LoadWord { dst, at } => var!(dst) = read(context.machine, at as usize, 0, Width::Word),
                     Step::LoadDouble { dst, at } => var!(dst) = read(context.machine, at as usize, 0, Width::DoubleWord),
+                    Step::LoadQuad { dst, at } => var!(dst) = read(context.machine, at as usize, 0, Width::QuadWord),
                     Step::StoreBit { src, bit, at } => {
                         let value = (var!(src) & 1) as u8;
                         let byte = &mut context.machine.memory.arena[at as usize];
@@ -182,6 +183,7 @@ impl Interpreter {
                     Step::StoreByte { src, at } => context.machine.memory.arena[at as usize] = var!(src) as u8,
                     Step::StoreWord { src, at } => write(context.machine, at as usize, 0, Width::Word, var!(src)),
                     Step::StoreDouble { src, at } => write(context.machine, at as usize, 0, Width::DoubleWord, var!(src)),
+                    Step::StoreQuad { src, at } => write(context.machine, at as usize, 0, Width::QuadWord, var!(src)),
                     Step::LoadLocal { dst, bit, width, byte } => {
                         if WATCHED {
                             local_data::read(context, place_of(block, at), local + byte as usize, bit, width);
@@ -218,8 +220,8 @@ impl Interpreter {
                                 }
                                 Ok(read(context.machine, byte, bit, width))
                             }
-                            Ok(Target::Peripheral(byte)) => match context.host.peripheral_read(context.machine, byte, width) {
-                                Some(value) => Ok(u64::from(value)),
+                            Ok(Target::Peripheral(byte)) => match read_peripheral(context, byte, width) {
+                                Some(value) => Ok(value),
                                 None => Err(Fault::IoAccess { write: false, width, byte }),
                             },
                             Err(fault) => Err(fault),
@@ -241,9 +243,7 @@ impl Interpreter {
                                 write(context.machine, byte, bit, width, value);
                                 Ok(())
                             }
-                            Ok(Target::Peripheral(byte)) if context.host.peripheral_write(context.machine, byte, width, value as u32) => {
-                                Ok(())
-                            }
+                            Ok(Target::Peripheral(byte)) if write_peripheral(context, byte, width, value) => Ok(()),
                             Ok(Target::Peripheral(byte)) => Err(Fault::IoAccess { write: true, width, byte }),
                             Err(fault) => Err(fault),
                         };
@@ -574,10 +574,10 @@ fn deliver(on_fault: OnFault, dst: u8) -> Option<u8> {
 
 #[inline(always)]
 fn read(machine: &Machine, at: usize, bit: u8, width: Width) -> u64 {
-    u64::from(machine.memory.read_at(at, bit, width))
+    machine.memory.read_wide(at, bit, width)
 }
 
 #[inline(always)]
 fn write(machine: &mut Machine, at: usize, bit: u8, width: Width, value: u64) {
-    machine.memory.write_at(at, bit, width, value as u32);
+    machine.memory.write_wide(at, bit, width, value);
 }

@@ -48,25 +48,39 @@ impl Memory {
         self.data_blocks.get(usize::try_from(number).ok()?).copied().flatten()
     }
 
-    /// Reads `width` at arena offset `at` (bit `bit` of that byte for a bit).
+    /// Reads `width` at arena offset `at` (bit `bit` of that byte for a bit); of a quad word the low half.
     pub fn read_at(&self, at: usize, bit: u8, width: Width) -> u32 {
+        self.read_wide(at, bit, width) as u32
+    }
+
+    /// Reads `width` at arena offset `at` (bit `bit` of that byte for a bit), zero-extended.
+    #[inline(always)]
+    pub fn read_wide(&self, at: usize, bit: u8, width: Width) -> u64 {
         let bytes = &self.arena[at..at + width.bytes() as usize];
         match width {
-            Width::Bit => u32::from(bytes[0] >> bit & 1),
-            Width::Byte => u32::from(bytes[0]),
-            Width::Word => u32::from(u16::from_be_bytes([bytes[0], bytes[1]])),
-            Width::DoubleWord => u32::from_be_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]),
+            Width::Bit => u64::from(bytes[0] >> bit & 1),
+            Width::Byte => u64::from(bytes[0]),
+            Width::Word => u64::from(u16::from_be_bytes([bytes[0], bytes[1]])),
+            Width::DoubleWord => u64::from(u32::from_be_bytes([bytes[0], bytes[1], bytes[2], bytes[3]])),
+            Width::QuadWord => u64::from_be_bytes([bytes[0], bytes[1], bytes[2], bytes[3], bytes[4], bytes[5], bytes[6], bytes[7]]),
         }
     }
 
-    /// Writes the low bits of `value` at arena offset `at`.
+    /// Writes the low bits of `value` at arena offset `at`; into a quad word zero-extended.
     pub fn write_at(&mut self, at: usize, bit: u8, width: Width, value: u32) {
+        self.write_wide(at, bit, width, u64::from(value));
+    }
+
+    /// Writes the low bits of `value` at arena offset `at`.
+    #[inline(always)]
+    pub fn write_wide(&mut self, at: usize, bit: u8, width: Width, value: u64) {
         let bytes = &mut self.arena[at..at + width.bytes() as usize];
         match width {
             Width::Bit => bytes[0] = bytes[0] & !(1 << bit) | ((value & 1) as u8) << bit,
             Width::Byte => bytes[0] = value as u8,
             Width::Word => bytes.copy_from_slice(&(value as u16).to_be_bytes()),
-            Width::DoubleWord => bytes.copy_from_slice(&value.to_be_bytes()),
+            Width::DoubleWord => bytes.copy_from_slice(&(value as u32).to_be_bytes()),
+            Width::QuadWord => bytes.copy_from_slice(&value.to_be_bytes()),
         }
     }
 

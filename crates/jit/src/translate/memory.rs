@@ -56,7 +56,9 @@ impl Translator<'_> {
             return;
         }
         let go_on = self.b.create_block();
-        let delivered = self.b.append_block_param(go_on, I32);
+        // A quad word is the only value of more than 32 bits.
+        let wide = width == Width::QuadWord;
+        let delivered = self.b.append_block_param(go_on, if wide { I64 } else { I32 });
         let slow = match way {
             Way::Checked(condition, address) => {
                 let [fast, slow] = [self.b.create_block(), self.cold_block()];
@@ -64,7 +66,11 @@ impl Translator<'_> {
                 self.b.switch_to_block(fast);
                 self.b.seal_block(fast);
                 let value = self.read(address, width);
-                let value = if width == Width::Bit { self.bit(value) } else { self.int(value) };
+                let value = match width {
+                    Width::Bit => self.bit(value),
+                    Width::QuadWord => self.word(value),
+                    _ => self.int(value),
+                };
                 self.b.ins().jump(go_on, &[BlockArg::Value(value)]);
                 slow
             }
@@ -82,7 +88,7 @@ impl Translator<'_> {
         let site = self.site(index);
         let failed = self.ask(Question::TryLoad, &[self.link, site, pointer]);
         let value = self.result();
-        let value = self.b.ins().ireduce(I32, value);
+        let value = if wide { value } else { self.b.ins().ireduce(I32, value) };
         let cold = self.cold_block();
         self.b.ins().brif(failed, cold, &[], go_on, &[BlockArg::Value(value)]);
         let after = if on_fault == OnFault::DeliverZero { After::Deliver(go_on) } else { After::NextStatement };
@@ -90,7 +96,12 @@ impl Translator<'_> {
         self.cold = before;
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
-        self.set(dst, if width == Width::Bit { Val::Bit { value: delivered, clean: false } } else { Val::Int(delivered) });
+        let delivered = match width {
+            Width::Bit => Val::Bit { value: delivered, clean: false },
+            Width::QuadWord => Val::Word(delivered),
+            _ => Val::Int(delivered),
+        };
+        self.set(dst, delivered);
     }
 
     pub(super) fn store(&mut self, index: u32, place: Place, width: Width, src: Var) {
@@ -320,6 +331,10 @@ impl Translator<'_> {
                 let double = self.b.ins().load(I32, data(), base, offset);
                 Val::Int(self.b.ins().bswap(double))
             }
+            Width::QuadWord => {
+                let quad = self.b.ins().load(I64, data(), base, offset);
+                Val::Word(self.b.ins().bswap(quad))
+            }
         }
     }
 
@@ -362,6 +377,11 @@ impl Translator<'_> {
                 let value = self.int(value);
                 let double = self.b.ins().bswap(value);
                 self.b.ins().store(data(), double, base, offset);
+            }
+            Width::QuadWord => {
+                let value = self.word(value);
+                let quad = self.b.ins().bswap(value);
+                self.b.ins().store(data(), quad, base, offset);
             }
         }
     }

@@ -109,7 +109,7 @@ fn check_operand(symbol: &Symbol, operand: &Operand, span: Span, diagnostics: &m
                 (_, Width::Bit) => Some("BOOL"),
                 (_, Width::Byte) => Some("BYTE or CHAR"),
                 (_, Width::Word) => Some("WORD, INT, S5TIME or DATE"),
-                (_, Width::DoubleWord) => Some("DWORD, DINT, REAL, TIME or TIME_OF_DAY"),
+                (_, Width::DoubleWord | Width::QuadWord) => Some("DWORD, DINT, REAL, TIME or TIME_OF_DAY"),
             }
         }
         (Operand::Block(_), _) => None,

@@ -304,6 +304,6 @@ pub(super) fn bare_type(width: Width) -> DataType {
         Width::Bit => DataType::Bool,
         Width::Byte => DataType::Byte,
         Width::Word => DataType::Word,
-        Width::DoubleWord => DataType::DoubleWord,
+        Width::DoubleWord | Width::QuadWord => DataType::DoubleWord,
     }
 }

@@ -130,7 +130,7 @@ impl Resolver<'_> {
                         Width::Bit => "a bit",
                         Width::Byte => "a byte",
                         Width::Word => "a word",
-                        Width::DoubleWord => "a double word",
+                        Width::DoubleWord | Width::QuadWord => "a double word",
                     };
                     self.mismatch(argument, formal, wanted);
                     return None;
