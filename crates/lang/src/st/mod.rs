@@ -1,3 +1,5 @@
-//! Structured Text and SCL: text → syntax → typed tree → IR.
+//! ST (structured text) and SCL in four dialects: text → syntax → typed tree → IR.
 
+pub mod ast;
+pub mod dialect;
 pub mod tree;
