@@ -1,5 +1,6 @@
 //! ST (structured text) and SCL in four dialects: text → syntax → typed tree → IR.
 
 pub mod ast;
+pub mod check;
 pub mod dialect;
 pub mod tree;

@@ -1,0 +1,121 @@
+//! What names mean to the statements of a block: the seam between declarations and checker.
+
+use std::sync::Arc;
+
+use sieben_model::block::BlockId;
+use sieben_model::interface::Interface;
+use sieben_model::source::Span;
+use sieben_model::types::{DataType, Structure};
+
+use crate::st::ast::LiteralKind;
+use crate::st::tree::{Base, Local};
+
+/// What a name stands for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Entity {
+    /// A variable of the block, a global variable, or a symbol with an address in I, Q, M, PI, PQ.
+    Variable(Variable),
+    /// A constant that needs no memory: CONST, VAR CONSTANT of an elementary type or STRING.
+    Constant(Constant),
+    /// A value of an enumeration, written without its type.
+    EnumValue {
+        /// The enumeration.
+        data_type: DataType,
+        /// The number behind the value.
+        value: i128,
+    },
+    /// A value that several enumerations have: how each is written in full.
+    Ambiguous(Vec<String>),
+    /// A block with statements or a data block.
+    Block(BlockId),
+    /// A data type, also a function block as the type of an instance.
+    Type(DataType),
+    /// A timer or a counter by its symbol.
+    Number {
+        /// [`DataType::Timer`] or [`DataType::Counter`].
+        data_type: DataType,
+        /// Its number.
+        number: u16,
+    },
+    /// A namespace, a library or a list of global variables: the name before a point only.
+    Qualifier,
+}
+
+/// A variable.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variable {
+    /// Its name as declared.
+    pub name: String,
+    /// Its section.
+    pub role: Role,
+    /// Its type.
+    pub data_type: DataType,
+    /// From where its position counts.
+    pub base: Base,
+    /// Bits from the base.
+    pub offset: u32,
+    /// The place of its declaration.
+    pub span: Span,
+}
+
+/// Where a variable is declared: what may be done with it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// VAR_INPUT of the block.
+    Input,
+    /// VAR_OUTPUT of the block.
+    Output,
+    /// VAR_IN_OUT of the block.
+    InOut,
+    /// VAR of a function block or program.
+    Static,
+    /// VAR_TEMP, VAR of a function.
+    Temp,
+    /// The result of the function.
+    Result,
+    /// VAR_GLOBAL, a symbol, a variable of another block.
+    Global,
+    /// CONSTANT with memory of its own (array, structure).
+    Constant,
+}
+
+/// The value of a constant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Constant {
+    /// The value, in the form of a literal.
+    pub value: LiteralKind,
+    /// Its type; `None` takes the type that a literal would take in its place.
+    pub data_type: Option<DataType>,
+}
+
+/// A data block as names see it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DataBlockView {
+    /// What it is an instance of, or the UDT that it has.
+    pub based_on: Option<BlockId>,
+    /// Its fields.
+    pub structure: Arc<Structure>,
+}
+
+/// What the checker asks the declarations. Names compare without regard to case.
+pub trait Names {
+    /// What the block itself declares under this name (`#name`): variables, constants, its result under the name of the function.
+    fn local(&self, name: &str) -> Option<Entity>;
+    /// What the project has under this name (`"name"`, `.name`): blocks, types, global variables, constants, values of enumerations,
+    /// symbols; also blocks by number, `DB10`, `FC5`, `SFC20`.
+    fn global(&self, name: &str) -> Option<Entity>;
+    /// The same for a name with qualifiers in front: `GVL.x`, `Standard.TON`, `a.b.f`.
+    fn qualified(&self, path: &[&str]) -> Option<Entity>;
+    /// The interface of a block of the project, its libraries or the system.
+    fn interface(&self, block: BlockId) -> Option<Arc<Interface>>;
+    /// The fields of a data block; `None` if there is none of this number.
+    fn data_block(&self, number: u16) -> Option<DataBlockView>;
+    /// How a block is shown in messages: its name or its number.
+    fn block_name(&self, block: BlockId) -> String;
+    /// The name in sight that looks most like this one.
+    fn nearest(&self, name: &str) -> Option<String>;
+    /// The variables of the block in the local data, with what they hold when it begins.
+    fn locals(&self) -> Vec<Local>;
+    /// The variables that the block declares, in order: for warnings about those that nothing uses.
+    fn declared(&self) -> Vec<Variable>;
+}
