@@ -30,6 +30,7 @@ mod analysis;
 mod calls;
 mod inline;
 mod memory;
+mod sized;
 mod value;
 
 use analysis::{SPARED, Summary, open_blocks, set_by_calls};

@@ -24,7 +24,7 @@ macro_rules! integer_slots {
         fn to_word(self) -> Word { Word::from(self as $unsigned) }
     })*};
 }
-integer_slots!(i16 as u16, u16 as u16, i32 as u32, u32 as u32, i64 as u64, u64 as u64, u8 as u8);
+integer_slots!(i16 as u16, u16 as u16, i32 as u32, u32 as u32, i64 as u64, u64 as u64, i8 as u8, u8 as u8);
 
 impl Slot for bool {
     #[inline(always)]
@@ -47,11 +47,22 @@ impl Slot for f32 {
     }
 }
 
+impl Slot for f64 {
+    #[inline(always)]
+    fn from_word(word: Word) -> Self {
+        Self::from_bits(word)
+    }
+    #[inline(always)]
+    fn to_word(self) -> Word {
+        self.to_bits()
+    }
+}
+
 macro_rules! ops {
     ($( $(#[doc = $doc:literal])* $name:ident = $Variant:ident ( $($arg:ident : $ty:ty),* ) -> $ret:ty = $body:expr; )*) => {
         /// An operation over scalars.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        #[repr(u8)]
+        #[repr(u16)]
         pub enum Op { $( $(#[doc = $doc])* $Variant, )* }
 
         impl Op {
@@ -435,12 +446,372 @@ ops! {
     bit_of = BitOf(a: u64, bit: u8) -> bool = a >> (bit & 63) & 1 != 0;
     /// Position of a LOOP counter: low word − 1, wrapped.
     decrement16 = Decrement16(a: u16) -> u16 = a.wrapping_sub(1);
+
+    // Numbers of every size. A value stands zero-extended in its variable: what is the same for both signs has one row.
+    /// a + b, wrapped to 8 bits.
+    add_u8 = AddU8(a: u8, b: u8) -> u8 = a.wrapping_add(b);
+    /// a + b, wrapped to 16 bits.
+    add_u16 = AddU16(a: u16, b: u16) -> u16 = a.wrapping_add(b);
+    /// a + b, wrapped to 64 bits.
+    add_u64 = AddU64(a: u64, b: u64) -> u64 = a.wrapping_add(b);
+    /// a − b, wrapped to 8 bits.
+    sub_u8 = SubU8(a: u8, b: u8) -> u8 = a.wrapping_sub(b);
+    /// a − b, wrapped to 16 bits.
+    sub_u16 = SubU16(a: u16, b: u16) -> u16 = a.wrapping_sub(b);
+    /// a − b, wrapped to 64 bits.
+    sub_u64 = SubU64(a: u64, b: u64) -> u64 = a.wrapping_sub(b);
+    /// a × b, wrapped to 8 bits.
+    mul_u8 = MulU8(a: u8, b: u8) -> u8 = a.wrapping_mul(b);
+    /// a × b, wrapped to 16 bits.
+    mul_u16 = MulU16(a: u16, b: u16) -> u16 = a.wrapping_mul(b);
+    /// a × b, wrapped to 32 bits.
+    mul_u32 = MulU32(a: u32, b: u32) -> u32 = a.wrapping_mul(b);
+    /// a × b, wrapped to 64 bits.
+    mul_u64 = MulU64(a: u64, b: u64) -> u64 = a.wrapping_mul(b);
+    /// −a, wrapped to 8 bits.
+    neg_i8 = NegI8(a: i8) -> i8 = a.wrapping_neg();
+    /// −a, wrapped to 16 bits.
+    neg_i16 = NegI16(a: i16) -> i16 = a.wrapping_neg();
+    /// −a, wrapped to 32 bits.
+    neg_i32 = NegI32(a: i32) -> i32 = a.wrapping_neg();
+    /// −a, wrapped to 64 bits.
+    neg_i64 = NegI64(a: i64) -> i64 = a.wrapping_neg();
+    /// |a|, wrapped: the least 8-bit integer stays as it is.
+    abs_i8 = AbsI8(a: i8) -> i8 = a.wrapping_abs();
+    /// |a|, wrapped: the least 16-bit integer stays as it is.
+    abs_i16 = AbsI16(a: i16) -> i16 = a.wrapping_abs();
+    /// |a|, wrapped: the least 32-bit integer stays as it is.
+    abs_i32 = AbsI32(a: i32) -> i32 = a.wrapping_abs();
+    /// |a|, wrapped: the least 64-bit integer stays as it is.
+    abs_i64 = AbsI64(a: i64) -> i64 = a.wrapping_abs();
+    /// Quotient of a / b towards 0, wrapped; 0 for b = 0.
+    div_i8 = DivI8(a: i8, b: i8) -> i8 = if b == 0 { 0 } else { a.wrapping_div(b) };
+    /// Quotient of a / b towards 0, wrapped; 0 for b = 0.
+    div_i16 = DivI16(a: i16, b: i16) -> i16 = if b == 0 { 0 } else { a.wrapping_div(b) };
+    /// Quotient of a / b towards 0, wrapped; 0 for b = 0.
+    div_i32 = DivI32(a: i32, b: i32) -> i32 = if b == 0 { 0 } else { a.wrapping_div(b) };
+    /// Quotient of a / b towards 0, wrapped; 0 for b = 0.
+    div_i64 = DivI64(a: i64, b: i64) -> i64 = if b == 0 { 0 } else { a.wrapping_div(b) };
+    /// Quotient of a / b, unsigned; 0 for b = 0.
+    div_u64 = DivU64(a: u64, b: u64) -> u64 = a.checked_div(b).unwrap_or(0);
+    /// Remainder of a / b with the sign of a; 0 for b = 0.
+    rem_i8 = RemI8(a: i8, b: i8) -> i8 = if b == 0 { 0 } else { a.wrapping_rem(b) };
+    /// Remainder of a / b with the sign of a; 0 for b = 0.
+    rem_i16 = RemI16(a: i16, b: i16) -> i16 = if b == 0 { 0 } else { a.wrapping_rem(b) };
+    /// Remainder of a / b with the sign of a; 0 for b = 0.
+    rem_i32 = RemI32(a: i32, b: i32) -> i32 = if b == 0 { 0 } else { a.wrapping_rem(b) };
+    /// Remainder of a / b with the sign of a; 0 for b = 0.
+    rem_i64 = RemI64(a: i64, b: i64) -> i64 = if b == 0 { 0 } else { a.wrapping_rem(b) };
+    /// Remainder of a / b, unsigned; 0 for b = 0.
+    rem_u64 = RemU64(a: u64, b: u64) -> u64 = a.checked_rem(b).unwrap_or(0);
+    /// The smaller of two signed 8-bit integers.
+    min_i8 = MinI8(a: i8, b: i8) -> i8 = a.min(b);
+    /// The greater of two signed 8-bit integers.
+    max_i8 = MaxI8(a: i8, b: i8) -> i8 = a.max(b);
+    /// The smaller of two signed 16-bit integers.
+    min_i16 = MinI16(a: i16, b: i16) -> i16 = a.min(b);
+    /// The greater of two signed 16-bit integers.
+    max_i16 = MaxI16(a: i16, b: i16) -> i16 = a.max(b);
+    /// The smaller of two signed 32-bit integers.
+    min_i32 = MinI32(a: i32, b: i32) -> i32 = a.min(b);
+    /// The greater of two signed 32-bit integers.
+    max_i32 = MaxI32(a: i32, b: i32) -> i32 = a.max(b);
+    /// The smaller of two signed 64-bit integers.
+    min_i64 = MinI64(a: i64, b: i64) -> i64 = a.min(b);
+    /// The greater of two signed 64-bit integers.
+    max_i64 = MaxI64(a: i64, b: i64) -> i64 = a.max(b);
+    /// The smaller of two unsigned values.
+    min_u64 = MinU64(a: u64, b: u64) -> u64 = a.min(b);
+    /// The greater of two unsigned values.
+    max_u64 = MaxU64(a: u64, b: u64) -> u64 = a.max(b);
+    /// Whether a ≠ b.
+    differ = Differ(a: u64, b: u64) -> bool = a != b;
+    /// Whether a ≤ b, unsigned.
+    le_u64 = LeU64(a: u64, b: u64) -> bool = a <= b;
+    /// Whether a > b, unsigned.
+    gt_u64 = GtU64(a: u64, b: u64) -> bool = a > b;
+    /// Whether a ≥ b, unsigned.
+    ge_u64 = GeU64(a: u64, b: u64) -> bool = a >= b;
+    /// a < b as signed 8-bit integers.
+    lt_i8 = LtI8(a: i8, b: i8) -> bool = a < b;
+    /// a ≤ b as signed 8-bit integers.
+    le_i8 = LeI8(a: i8, b: i8) -> bool = a <= b;
+    /// a > b as signed 8-bit integers.
+    gt_i8 = GtI8(a: i8, b: i8) -> bool = a > b;
+    /// a ≥ b as signed 8-bit integers.
+    ge_i8 = GeI8(a: i8, b: i8) -> bool = a >= b;
+    /// a < b as signed 64-bit integers.
+    lt_i64 = LtI64(a: i64, b: i64) -> bool = a < b;
+    /// a ≤ b as signed 64-bit integers.
+    le_i64 = LeI64(a: i64, b: i64) -> bool = a <= b;
+    /// a > b as signed 64-bit integers.
+    gt_i64 = GtI64(a: i64, b: i64) -> bool = a > b;
+    /// a ≥ b as signed 64-bit integers.
+    ge_i64 = GeI64(a: i64, b: i64) -> bool = a >= b;
+
+    // What those of limited size lost.
+    /// Whether a + b does not fit a signed 8-bit integer.
+    add_overflows_i8 = AddOverflowsI8(a: i8, b: i8) -> bool = a.checked_add(b).is_none();
+    /// Whether a + b does not fit a signed 16-bit integer.
+    add_overflows_i16 = AddOverflowsI16(a: i16, b: i16) -> bool = a.checked_add(b).is_none();
+    /// Whether a + b does not fit a signed 32-bit integer.
+    add_overflows_i32 = AddOverflowsI32(a: i32, b: i32) -> bool = a.checked_add(b).is_none();
+    /// Whether a + b does not fit a signed 64-bit integer.
+    add_overflows_i64 = AddOverflowsI64(a: i64, b: i64) -> bool = a.checked_add(b).is_none();
+    /// Whether a + b does not fit an unsigned 8-bit integer.
+    add_overflows_u8 = AddOverflowsU8(a: u8, b: u8) -> bool = a.checked_add(b).is_none();
+    /// Whether a + b does not fit an unsigned 16-bit integer.
+    add_overflows_u16 = AddOverflowsU16(a: u16, b: u16) -> bool = a.checked_add(b).is_none();
+    /// Whether a + b does not fit an unsigned 32-bit integer.
+    add_overflows_u32 = AddOverflowsU32(a: u32, b: u32) -> bool = a.checked_add(b).is_none();
+    /// Whether a + b does not fit an unsigned 64-bit integer.
+    add_overflows_u64 = AddOverflowsU64(a: u64, b: u64) -> bool = a.checked_add(b).is_none();
+    /// Whether a − b does not fit a signed 8-bit integer.
+    sub_overflows_i8 = SubOverflowsI8(a: i8, b: i8) -> bool = a.checked_sub(b).is_none();
+    /// Whether a − b does not fit a signed 16-bit integer.
+    sub_overflows_i16 = SubOverflowsI16(a: i16, b: i16) -> bool = a.checked_sub(b).is_none();
+    /// Whether a − b does not fit a signed 32-bit integer.
+    sub_overflows_i32 = SubOverflowsI32(a: i32, b: i32) -> bool = a.checked_sub(b).is_none();
+    /// Whether a − b does not fit a signed 64-bit integer.
+    sub_overflows_i64 = SubOverflowsI64(a: i64, b: i64) -> bool = a.checked_sub(b).is_none();
+    /// Whether a − b does not fit an unsigned 8-bit integer.
+    sub_overflows_u8 = SubOverflowsU8(a: u8, b: u8) -> bool = a.checked_sub(b).is_none();
+    /// Whether a − b does not fit an unsigned 16-bit integer.
+    sub_overflows_u16 = SubOverflowsU16(a: u16, b: u16) -> bool = a.checked_sub(b).is_none();
+    /// Whether a − b does not fit an unsigned 32-bit integer.
+    sub_overflows_u32 = SubOverflowsU32(a: u32, b: u32) -> bool = a.checked_sub(b).is_none();
+    /// Whether a − b does not fit an unsigned 64-bit integer.
+    sub_overflows_u64 = SubOverflowsU64(a: u64, b: u64) -> bool = a.checked_sub(b).is_none();
+    /// Whether a × b does not fit a signed 8-bit integer.
+    mul_overflows_i8 = MulOverflowsI8(a: i8, b: i8) -> bool = a.checked_mul(b).is_none();
+    /// Whether a × b does not fit a signed 16-bit integer.
+    mul_overflows_i16 = MulOverflowsI16(a: i16, b: i16) -> bool = a.checked_mul(b).is_none();
+    /// Whether a × b does not fit a signed 32-bit integer.
+    mul_overflows_i32 = MulOverflowsI32(a: i32, b: i32) -> bool = a.checked_mul(b).is_none();
+    /// Whether a × b does not fit a signed 64-bit integer.
+    mul_overflows_i64 = MulOverflowsI64(a: i64, b: i64) -> bool = a.checked_mul(b).is_none();
+    /// Whether a × b does not fit an unsigned 8-bit integer.
+    mul_overflows_u8 = MulOverflowsU8(a: u8, b: u8) -> bool = a.checked_mul(b).is_none();
+    /// Whether a × b does not fit an unsigned 16-bit integer.
+    mul_overflows_u16 = MulOverflowsU16(a: u16, b: u16) -> bool = a.checked_mul(b).is_none();
+    /// Whether a × b does not fit an unsigned 32-bit integer.
+    mul_overflows_u32 = MulOverflowsU32(a: u32, b: u32) -> bool = a.checked_mul(b).is_none();
+    /// Whether a × b does not fit an unsigned 64-bit integer.
+    mul_overflows_u64 = MulOverflowsU64(a: u64, b: u64) -> bool = a.checked_mul(b).is_none();
+    /// Whether a / b has no 8-bit result: b = 0, or the least integer by −1.
+    div_fails_i8 = DivFailsI8(a: i8, b: i8) -> bool = a.checked_div(b).is_none();
+    /// Whether a / b has no 16-bit result: b = 0, or the least integer by −1.
+    div_fails_i16 = DivFailsI16(a: i16, b: i16) -> bool = a.checked_div(b).is_none();
+    /// Whether a / b has no 32-bit result: b = 0, or the least integer by −1.
+    div_fails_i32 = DivFailsI32(a: i32, b: i32) -> bool = a.checked_div(b).is_none();
+    /// Whether a / b has no 64-bit result: b = 0, or the least integer by −1.
+    div_fails_i64 = DivFailsI64(a: i64, b: i64) -> bool = a.checked_div(b).is_none();
+    /// Whether −a does not fit 8 bits: a is the least integer.
+    neg_overflows_i8 = NegOverflowsI8(a: i8) -> bool = a == i8::MIN;
+    /// Whether −a does not fit 16 bits: a is the least integer.
+    neg_overflows_i16 = NegOverflowsI16(a: i16) -> bool = a == i16::MIN;
+    /// Whether −a does not fit 32 bits: a is the least integer.
+    neg_overflows_i32 = NegOverflowsI32(a: i32) -> bool = a == i32::MIN;
+    /// Whether −a does not fit 64 bits: a is the least integer.
+    neg_overflows_i64 = NegOverflowsI64(a: i64) -> bool = a == i64::MIN;
+    /// Whether a signed value is outside least…most.
+    outside_i64 = OutsideI64(value: i64, least: i64, most: i64) -> bool = !(least..=most).contains(&value);
+    /// Whether an LREAL is outside least…most or no number.
+    outside_f64 = OutsideF64(value: f64, least: f64, most: f64) -> bool = !(least..=most).contains(&value);
+
+    // Bit strings of every size.
+    /// AND of all 64 bits.
+    and_u64 = AndU64(a: u64, b: u64) -> u64 = a & b;
+    /// OR of all 64 bits.
+    or_u64 = OrU64(a: u64, b: u64) -> u64 = a | b;
+    /// XOR of all 64 bits.
+    xor_u64 = XorU64(a: u64, b: u64) -> u64 = a ^ b;
+    /// All 8 bits inverted.
+    not_u8 = NotU8(a: u8) -> u8 = !a;
+    /// All 16 bits inverted.
+    not_u16 = NotU16(a: u16) -> u16 = !a;
+    /// All 32 bits inverted.
+    not_u32 = NotU32(a: u32) -> u32 = !a;
+    /// All 64 bits inverted.
+    not_u64 = NotU64(a: u64) -> u64 = !a;
+    /// Byte shifted left.
+    shl8 = Shl8(a: u8, n: u8) -> u8 = a.checked_shl(u32::from(n)).unwrap_or(0);
+    /// Byte shifted right.
+    shr8 = Shr8(a: u8, n: u8) -> u8 = a.checked_shr(u32::from(n)).unwrap_or(0);
+    /// Byte shifted right with its sign.
+    sar8 = Sar8(a: i8, n: u8) -> i8 = a >> n.min(7);
+    /// 64 bits shifted left.
+    shl64 = Shl64(a: u64, n: u8) -> u64 = a.checked_shl(u32::from(n)).unwrap_or(0);
+    /// 64 bits shifted right.
+    shr64 = Shr64(a: u64, n: u8) -> u64 = a.checked_shr(u32::from(n)).unwrap_or(0);
+    /// 64 bits shifted right with their sign.
+    sar64 = Sar64(a: i64, n: u8) -> i64 = a >> n.min(63);
+    /// Byte rotated left.
+    rol8 = Rol8(a: u8, n: u8) -> u8 = a.rotate_left(u32::from(n) % 8);
+    /// Byte rotated right.
+    ror8 = Ror8(a: u8, n: u8) -> u8 = a.rotate_right(u32::from(n) % 8);
+    /// Word rotated left.
+    rol16 = Rol16(a: u16, n: u8) -> u16 = a.rotate_left(u32::from(n) % 16);
+    /// Word rotated right.
+    ror16 = Ror16(a: u16, n: u8) -> u16 = a.rotate_right(u32::from(n) % 16);
+    /// 64 bits rotated left.
+    rol64 = Rol64(a: u64, n: u8) -> u64 = a.rotate_left(u32::from(n) % 64);
+    /// 64 bits rotated right.
+    ror64 = Ror64(a: u64, n: u8) -> u64 = a.rotate_right(u32::from(n) % 64);
+    /// A count of shifted places: at most 255.
+    shift_count = ShiftCount(n: u64) -> u8 = n.min(255) as u8;
+    /// A value with one bit (0 to 63, else none) set to `value`.
+    with_bit = WithBit(a: u64, bit: u64, value: bool) -> u64 = match 1_u64.checked_shl(u32::try_from(bit).unwrap_or(64)) { Some(mask) if value => a | mask, Some(mask) => a & !mask, None => a };
+    /// How many bits are 1.
+    count_ones = CountOnes(a: u64) -> u8 = a.count_ones() as u8;
+    /// Number of the lowest bit that is 1; 64 for 0.
+    lowest_one = LowestOne(a: u64) -> u8 = a.trailing_zeros() as u8;
+    /// Eight bytes in reverse order.
+    swap64 = Swap64(a: u64) -> u64 = a.swap_bytes();
+
+    // LREAL, and what REAL has beyond the S7.
+    /// Whether two REALs differ: true if either is no number, as IEEE 754 has it.
+    differ_f32 = DifferF32(a: f32, b: f32) -> bool = a != b;
+    /// The smaller REAL; the other one if one is no number.
+    min_f32 = MinF32(a: f32, b: f32) -> f32 = quiet(libm::fminf(a, b));
+    /// The greater REAL; the other one if one is no number.
+    max_f32 = MaxF32(a: f32, b: f32) -> f32 = quiet(libm::fmaxf(a, b));
+    /// Natural logarithm; −∞ for 0.
+    log_f32 = LogF32(a: f32) -> f32 = through_f64(a, libm::log);
+    /// Logarithm to base 10; −∞ for 0.
+    log10_f32 = Log10F32(a: f32) -> f32 = through_f64(a, libm::log10);
+    /// 10 to the power a.
+    exp10_f32 = Exp10F32(a: f32) -> f32 = through_f64(a, libm::exp10);
+    /// a to the power b.
+    pow_f32 = PowF32(a: f32, b: f32) -> f32 = quiet(libm::pow(f64::from(a), f64::from(b)) as f32);
+    /// Angle of the point (x, y) in radians.
+    atan2_f32 = Atan2F32(y: f32, x: f32) -> f32 = quiet(libm::atan2(f64::from(y), f64::from(x)) as f32);
+    /// a + b.
+    add_f64 = AddF64(a: f64, b: f64) -> f64 = quiet64(a + b);
+    /// a − b.
+    sub_f64 = SubF64(a: f64, b: f64) -> f64 = quiet64(a - b);
+    /// a × b.
+    mul_f64 = MulF64(a: f64, b: f64) -> f64 = quiet64(a * b);
+    /// a / b.
+    div_f64 = DivF64(a: f64, b: f64) -> f64 = quiet64(a / b);
+    /// −a: bit 63 inverted.
+    neg_f64 = NegF64(a: u64) -> u64 = a ^ 1 << 63;
+    /// |a|: bit 63 cleared.
+    abs_f64 = AbsF64(a: u64) -> u64 = a & !(1 << 63);
+    /// a = b as LREAL.
+    eq_f64 = EqF64(a: f64, b: f64) -> bool = a == b;
+    /// a < b as LREAL.
+    lt_f64 = LtF64(a: f64, b: f64) -> bool = a < b;
+    /// a ≤ b as LREAL.
+    le_f64 = LeF64(a: f64, b: f64) -> bool = a <= b;
+    /// a > b as LREAL.
+    gt_f64 = GtF64(a: f64, b: f64) -> bool = a > b;
+    /// a ≥ b as LREAL.
+    ge_f64 = GeF64(a: f64, b: f64) -> bool = a >= b;
+    /// Whether two LREALs differ: true if either is no number.
+    differ_f64 = DifferF64(a: f64, b: f64) -> bool = a != b;
+    /// The smaller LREAL; the other one if one is no number.
+    min_f64 = MinF64(a: f64, b: f64) -> f64 = quiet64(libm::fmin(a, b));
+    /// The greater LREAL; the other one if one is no number.
+    max_f64 = MaxF64(a: f64, b: f64) -> f64 = quiet64(libm::fmax(a, b));
+    /// Whether an LREAL is infinite or no number.
+    overflows_f64 = OverflowsF64(a: f64) -> bool = !a.is_finite();
+    /// √a.
+    sqrt_f64 = SqrtF64(a: f64) -> f64 = quiet64(libm::sqrt(a));
+    /// e to the power a.
+    exp_f64 = ExpF64(a: f64) -> f64 = quiet64(libm::exp(a));
+    /// 10 to the power a.
+    exp10_f64 = Exp10F64(a: f64) -> f64 = quiet64(libm::exp10(a));
+    /// Natural logarithm; −∞ for 0.
+    log_f64 = LogF64(a: f64) -> f64 = quiet64(libm::log(a));
+    /// Logarithm to base 10; −∞ for 0.
+    log10_f64 = Log10F64(a: f64) -> f64 = quiet64(libm::log10(a));
+    /// Sine of an angle in radians.
+    sin_f64 = SinF64(a: f64) -> f64 = quiet64(libm::sin(a));
+    /// Cosine of an angle in radians.
+    cos_f64 = CosF64(a: f64) -> f64 = quiet64(libm::cos(a));
+    /// Tangent of an angle in radians.
+    tan_f64 = TanF64(a: f64) -> f64 = quiet64(libm::tan(a));
+    /// Arc sine in radians.
+    asin_f64 = AsinF64(a: f64) -> f64 = quiet64(libm::asin(a));
+    /// Arc cosine in radians.
+    acos_f64 = AcosF64(a: f64) -> f64 = quiet64(libm::acos(a));
+    /// Arc tangent in radians.
+    atan_f64 = AtanF64(a: f64) -> f64 = quiet64(libm::atan(a));
+    /// a to the power b.
+    pow_f64 = PowF64(a: f64, b: f64) -> f64 = quiet64(libm::pow(a, b));
+    /// Angle of the point (x, y) in radians.
+    atan2_f64 = Atan2F64(y: f64, x: f64) -> f64 = quiet64(libm::atan2(y, x));
+    /// LREAL rounded to the nearest even integer.
+    round_f64 = RoundF64(a: f64) -> f64 = quiet64(a.round_ties_even());
+    /// LREAL rounded to the nearest integer, halves away from 0.
+    round_away_f64 = RoundAwayF64(a: f64) -> f64 = quiet64(a.round());
+    /// LREAL rounded up.
+    ceil_f64 = CeilF64(a: f64) -> f64 = quiet64(a.ceil());
+    /// LREAL rounded down.
+    floor_f64 = FloorF64(a: f64) -> f64 = quiet64(a.floor());
+    /// LREAL rounded towards 0.
+    trunc_f64 = TruncF64(a: f64) -> f64 = quiet64(a.trunc());
+
+    // Conversion between sizes and kinds of numbers.
+    /// Sign-extended from 8 to 16 bits.
+    extend_i8_i16 = ExtendI8I16(a: i8) -> i16 = i16::from(a);
+    /// Sign-extended from 8 to 32 bits.
+    extend_i8_i32 = ExtendI8I32(a: i8) -> i32 = i32::from(a);
+    /// Sign-extended from 8 to 64 bits.
+    extend_i8_i64 = ExtendI8I64(a: i8) -> i64 = i64::from(a);
+    /// Sign-extended from 16 to 64 bits.
+    extend_i16_i64 = ExtendI16I64(a: i16) -> i64 = i64::from(a);
+    /// Sign-extended from 32 to 64 bits.
+    extend_i32_i64 = ExtendI32I64(a: i32) -> i64 = i64::from(a);
+    /// Integer to LREAL, exact.
+    i32_to_f64 = I32ToF64(a: i32) -> f64 = f64::from(a);
+    /// Signed 64-bit integer to REAL, nearest even.
+    i64_to_f32 = I64ToF32(a: i64) -> f32 = a as f32;
+    /// Signed 64-bit integer to LREAL, nearest even.
+    i64_to_f64 = I64ToF64(a: i64) -> f64 = a as f64;
+    /// Unsigned 64-bit integer to REAL, nearest even.
+    u64_to_f32 = U64ToF32(a: u64) -> f32 = a as f32;
+    /// Unsigned 64-bit integer to LREAL, nearest even.
+    u64_to_f64 = U64ToF64(a: u64) -> f64 = a as f64;
+    /// REAL to LREAL, exact.
+    f32_to_f64 = F32ToF64(a: f32) -> f64 = quiet64(f64::from(a));
+    /// LREAL to REAL, nearest even.
+    f64_to_f32 = F64ToF32(a: f64) -> f32 = quiet(a as f32);
+    /// LREAL cut to a signed 8-bit integer; the nearest limit outside its range, 0 if no number.
+    f64_to_i8 = F64ToI8(a: f64) -> i8 = a as i8;
+    /// LREAL cut to a signed 16-bit integer; the nearest limit outside its range, 0 if no number.
+    f64_to_i16 = F64ToI16(a: f64) -> i16 = a as i16;
+    /// LREAL cut to a signed 32-bit integer; the nearest limit outside its range, 0 if no number.
+    f64_to_i32 = F64ToI32(a: f64) -> i32 = a as i32;
+    /// LREAL cut to a signed 64-bit integer; the nearest limit outside its range, 0 if no number.
+    f64_to_i64 = F64ToI64(a: f64) -> i64 = a as i64;
+    /// LREAL cut to an unsigned 8-bit integer; the nearest limit outside its range, 0 if no number.
+    f64_to_u8 = F64ToU8(a: f64) -> u8 = a as u8;
+    /// LREAL cut to an unsigned 16-bit integer; the nearest limit outside its range, 0 if no number.
+    f64_to_u16 = F64ToU16(a: f64) -> u16 = a as u16;
+    /// LREAL cut to an unsigned 32-bit integer; the nearest limit outside its range, 0 if no number.
+    f64_to_u32 = F64ToU32(a: f64) -> u32 = a as u32;
+    /// LREAL cut to an unsigned 64-bit integer; the nearest limit outside its range, 0 if no number.
+    f64_to_u64 = F64ToU64(a: f64) -> u64 = a as u64;
+    /// The number that the lowest `digits` decimal digits (at most 16) mean.
+    bcd_decode = BcdDecode(a: u64, digits: u8) -> u64 = (0..digits.min(16)).rev().fold(0, |number, digit| number * 10 + (a >> (4 * digit) & 0xF));
+    /// The sixteen lowest decimal digits of a number.
+    bcd_encode = BcdEncode(a: u64) -> u64 = u64::from(bcd::encode((a % 100_000_000) as u32)) | u64::from(bcd::encode((a / 100_000_000 % 100_000_000) as u32)) << 32;
+    /// Whether the lowest `digits` decimal digits (at most 16) are digits.
+    is_bcd = IsBcd(a: u64, digits: u8) -> bool = (0..digits.min(16)).all(|digit| a >> (4 * digit) & 0xF <= 9);
 }
 
 /// Any NaN becomes the quiet NaN that the project shows, so that both engines and all machines agree.
 #[inline(always)]
 fn quiet(a: f32) -> f32 {
     if a.is_nan() { f32::NAN } else { a }
+}
+
+/// The same for LREAL.
+#[inline(always)]
+fn quiet64(a: f64) -> f64 {
+    if a.is_nan() { f64::NAN } else { a }
 }
 
 /// A function computed in f64 and rounded to f32: the same bits on every machine.

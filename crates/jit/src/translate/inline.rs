@@ -215,11 +215,11 @@ impl Translator<'_> {
                 Val::Int(self.b.ins().bor(low, high))
             }
             Op::Join => { let n = count(c, 31)?; let (low, high) = (self.int(a), self.int(b)); let high = self.b.ins().ishl_imm_u(high, n); Val::Int(self.b.ins().bor(low, high)) }
-            _ => return None,
+            _ => return self.inline_sized(op, a, b, c),
         })
     }
 
-    fn not(&mut self, a: Val) -> Val {
+    pub(super) fn not(&mut self, a: Val) -> Val {
         match self.force(a) {
             Val::Const(a) => Val::Const(!a & 1),
             a => {
@@ -230,7 +230,7 @@ impl Translator<'_> {
         }
     }
 
-    fn and(&mut self, a: Val, b: Val) -> Val {
+    pub(super) fn and(&mut self, a: Val, b: Val) -> Val {
         match (self.force(a), self.force(b)) {
             (Val::Const(bit), other) | (other, Val::Const(bit)) => {
                 if bit & 1 != 0 {
@@ -271,7 +271,7 @@ impl Translator<'_> {
         }
     }
 
-    fn or(&mut self, a: Val, b: Val) -> Val {
+    pub(super) fn or(&mut self, a: Val, b: Val) -> Val {
         match (self.force(a), self.force(b)) {
             (Val::Const(bit), other) | (other, Val::Const(bit)) => {
                 if bit & 1 != 0 {
@@ -351,7 +351,7 @@ impl Translator<'_> {
         Val::Word(self.b.ins().select(condition, a, b))
     }
 
-    fn is_32_bits(&self, value: Val) -> bool {
+    pub(super) fn is_32_bits(&self, value: Val) -> bool {
         match value {
             Val::Const(value) => u32::try_from(value).is_ok(),
             Val::Int(_) | Val::Bit { .. } => true,
@@ -360,7 +360,7 @@ impl Translator<'_> {
     }
 
     /// A comparison of whole values, unsigned unless both are of the same form.
-    fn compare(&mut self, condition: IntCC, a: Val, b: Val) -> Val {
+    pub(super) fn compare(&mut self, condition: IntCC, a: Val, b: Val) -> Val {
         let (a, b) = (self.force(a), self.force(b));
         let result = if self.is_32_bits(a) && self.is_32_bits(b) {
             let a = self.int(a);
@@ -395,13 +395,13 @@ impl Translator<'_> {
         self.float_flag(condition, a, b)
     }
 
-    fn float_flag(&mut self, condition: FloatCC, a: Value, b: Value) -> Val {
+    pub(super) fn float_flag(&mut self, condition: FloatCC, a: Value, b: Value) -> Val {
         let result = self.b.ins().fcmp(condition, a, b);
         Val::Bit { value: self.b.ins().uextend(I32, result), clean: true }
     }
 
     /// The low word with its sign, in 32 bits.
-    fn i16(&mut self, value: Val) -> Value {
+    pub(super) fn i16(&mut self, value: Val) -> Value {
         if let Val::Const(value) = value {
             return self.b.ins().iconst(I32, i64::from(value as i16 as i32 as u32));
         }
@@ -411,7 +411,7 @@ impl Translator<'_> {
     }
 
     /// The low 32 bits with their sign, in 64 bits.
-    fn i64(&mut self, value: Val) -> Value {
+    pub(super) fn i64(&mut self, value: Val) -> Value {
         if let Val::Const(value) = value {
             return self.b.ins().iconst(I64, i64::from(value as i32));
         }
@@ -419,7 +419,7 @@ impl Translator<'_> {
         self.b.ins().sextend(I64, value)
     }
 
-    fn f32(&mut self, value: Val) -> Value {
+    pub(super) fn f32(&mut self, value: Val) -> Value {
         let value = self.int(value);
         self.b.ins().bitcast(F32, MemFlagsData::new(), value)
     }
@@ -429,7 +429,7 @@ impl Translator<'_> {
     }
 
     /// The one NaN that the project shows.
-    fn quiet(&mut self, real: Value) -> Val {
+    pub(super) fn quiet(&mut self, real: Value) -> Val {
         let none = self.b.ins().fcmp(FloatCC::Unordered, real, real);
         let bits = self.b.ins().bitcast(I32, MemFlagsData::new(), real);
         let nan = self.b.ins().iconst(I32, i64::from(f32::NAN.to_bits()));
@@ -455,7 +455,7 @@ impl Translator<'_> {
     }
 
     /// Whether a divisor is 0, and a divisor that never is.
-    fn divisor(&mut self, divisor: Value) -> (Value, Value) {
+    pub(super) fn divisor(&mut self, divisor: Value) -> (Value, Value) {
         let zero = self.b.ins().icmp_imm_s(IntCC::Equal, divisor, 0);
         let ty = self.b.func.dfg.value_type(divisor);
         let one = self.b.ins().iconst(ty, 1);
@@ -480,7 +480,7 @@ impl Translator<'_> {
 }
 
 /// A constant shift count up to this.
-fn count(value: Val, most: u64) -> Option<i64> {
+pub(super) fn count(value: Val, most: u64) -> Option<i64> {
     let count = value.constant()? & 0xFF;
     (count <= most).then_some(count as i64)
 }

@@ -1,0 +1,410 @@
+//! Operations on numbers of every size as machine code: a second part of the list of `inline.rs`, under the same comparison.
+
+use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
+use cranelift_codegen::ir::types::{F32, F64, I8, I32, I64};
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value};
+use sieben_engine::ir::Op;
+
+use super::inline::count;
+use super::{Translator, value::Val};
+
+/// What is computed with two numbers of one size.
+#[derive(Clone, Copy)]
+enum Two {
+    Add,
+    Subtract,
+    Multiply,
+}
+
+/// Bits of a number, and how it counts.
+#[derive(Clone, Copy)]
+enum Size {
+    Signed(u32),
+    Unsigned(u32),
+}
+
+impl Translator<'_> {
+    /// The operation as machine code, if it has such a form.
+    #[rustfmt::skip] // A table.
+    pub(super) fn inline_sized(&mut self, op: Op, a: Val, b: Val, c: Val) -> Option<Val> {
+        use Size::{Signed, Unsigned};
+        Some(match op {
+            Op::AddU8 => self.wrapped(Two::Add, 8, a, b),
+            Op::AddU16 => self.wrapped(Two::Add, 16, a, b),
+            Op::AddU64 => self.wrapped(Two::Add, 64, a, b),
+            Op::SubU8 => self.wrapped(Two::Subtract, 8, a, b),
+            Op::SubU16 => self.wrapped(Two::Subtract, 16, a, b),
+            Op::SubU64 => self.wrapped(Two::Subtract, 64, a, b),
+            Op::MulU8 => self.wrapped(Two::Multiply, 8, a, b),
+            Op::MulU16 => self.wrapped(Two::Multiply, 16, a, b),
+            Op::MulU32 => self.wrapped(Two::Multiply, 32, a, b),
+            Op::MulU64 => self.wrapped(Two::Multiply, 64, a, b),
+            Op::NegI8 => self.wrapped(Two::Subtract, 8, Val::Const(0), a),
+            Op::NegI16 => self.wrapped(Two::Subtract, 16, Val::Const(0), a),
+            Op::NegI32 => self.wrapped(Two::Subtract, 32, Val::Const(0), a),
+            Op::NegI64 => self.wrapped(Two::Subtract, 64, Val::Const(0), a),
+            Op::AbsI8 => self.magnitude(8, a),
+            Op::AbsI16 => self.magnitude(16, a),
+            Op::AbsI32 => self.magnitude(32, a),
+            Op::AbsI64 => self.magnitude(64, a),
+            Op::DivI8 => self.quotient(Signed(8), a, b),
+            Op::DivI16 => self.quotient(Signed(16), a, b),
+            Op::DivI32 => self.quotient(Signed(32), a, b),
+            Op::DivI64 => self.quotient(Signed(64), a, b),
+            Op::DivU64 => self.quotient(Unsigned(64), a, b),
+            Op::RemI8 => self.rest(Signed(8), a, b),
+            Op::RemI16 => self.rest(Signed(16), a, b),
+            Op::RemI32 => self.rest(Signed(32), a, b),
+            Op::RemI64 => self.rest(Signed(64), a, b),
+            Op::RemU64 => self.rest(Unsigned(64), a, b),
+            Op::MinI8 => self.extreme(Signed(8), IntCC::SignedLessThan, a, b),
+            Op::MinI16 => self.extreme(Signed(16), IntCC::SignedLessThan, a, b),
+            Op::MinI32 => self.extreme(Signed(32), IntCC::SignedLessThan, a, b),
+            Op::MinI64 => self.extreme(Signed(64), IntCC::SignedLessThan, a, b),
+            Op::MaxI8 => self.extreme(Signed(8), IntCC::SignedGreaterThan, a, b),
+            Op::MaxI16 => self.extreme(Signed(16), IntCC::SignedGreaterThan, a, b),
+            Op::MaxI32 => self.extreme(Signed(32), IntCC::SignedGreaterThan, a, b),
+            Op::MaxI64 => self.extreme(Signed(64), IntCC::SignedGreaterThan, a, b),
+            Op::MinU64 => self.extreme(Unsigned(64), IntCC::UnsignedLessThan, a, b),
+            Op::MaxU64 => self.extreme(Unsigned(64), IntCC::UnsignedGreaterThan, a, b),
+
+            // Comparison.
+            Op::Differ => self.compare(IntCC::NotEqual, a, b),
+            Op::LeU64 => self.compare(IntCC::UnsignedLessThanOrEqual, a, b),
+            Op::GtU64 => self.compare(IntCC::UnsignedGreaterThan, a, b),
+            Op::GeU64 => self.compare(IntCC::UnsignedGreaterThanOrEqual, a, b),
+            Op::LtI8 => self.compare_signed(IntCC::SignedLessThan, 8, a, b),
+            Op::LeI8 => self.compare_signed(IntCC::SignedLessThanOrEqual, 8, a, b),
+            Op::GtI8 => self.compare_signed(IntCC::SignedGreaterThan, 8, a, b),
+            Op::GeI8 => self.compare_signed(IntCC::SignedGreaterThanOrEqual, 8, a, b),
+            Op::LtI64 => self.compare_signed(IntCC::SignedLessThan, 64, a, b),
+            Op::LeI64 => self.compare_signed(IntCC::SignedLessThanOrEqual, 64, a, b),
+            Op::GtI64 => self.compare_signed(IntCC::SignedGreaterThan, 64, a, b),
+            Op::GeI64 => self.compare_signed(IntCC::SignedGreaterThanOrEqual, 64, a, b),
+
+            // What was lost. With 64 bits it is computed where it is asked for, which is rare.
+            Op::AddOverflowsI8 => self.lost(Two::Add, Signed(8), a, b),
+            Op::AddOverflowsI16 => self.lost(Two::Add, Signed(16), a, b),
+            Op::AddOverflowsI32 => self.lost(Two::Add, Signed(32), a, b),
+            Op::AddOverflowsU8 => self.lost(Two::Add, Unsigned(8), a, b),
+            Op::AddOverflowsU16 => self.lost(Two::Add, Unsigned(16), a, b),
+            Op::AddOverflowsU32 => self.lost(Two::Add, Unsigned(32), a, b),
+            Op::SubOverflowsI8 => self.lost(Two::Subtract, Signed(8), a, b),
+            Op::SubOverflowsI16 => self.lost(Two::Subtract, Signed(16), a, b),
+            Op::SubOverflowsI32 => self.lost(Two::Subtract, Signed(32), a, b),
+            Op::SubOverflowsU8 => self.lost(Two::Subtract, Unsigned(8), a, b),
+            Op::SubOverflowsU16 => self.lost(Two::Subtract, Unsigned(16), a, b),
+            Op::SubOverflowsU32 => self.lost(Two::Subtract, Unsigned(32), a, b),
+            Op::MulOverflowsI8 => self.lost(Two::Multiply, Signed(8), a, b),
+            Op::MulOverflowsI16 => self.lost(Two::Multiply, Signed(16), a, b),
+            Op::MulOverflowsI32 => self.lost(Two::Multiply, Signed(32), a, b),
+            Op::MulOverflowsU8 => self.lost(Two::Multiply, Unsigned(8), a, b),
+            Op::MulOverflowsU16 => self.lost(Two::Multiply, Unsigned(16), a, b),
+            Op::MulOverflowsU32 => self.lost(Two::Multiply, Unsigned(32), a, b),
+            Op::DivFailsI8 => self.no_quotient(8, a, b),
+            Op::DivFailsI16 => self.no_quotient(16, a, b),
+            Op::DivFailsI32 => self.no_quotient(32, a, b),
+            Op::DivFailsI64 => self.no_quotient(64, a, b),
+            Op::NegOverflowsI8 => self.is_least(8, a),
+            Op::NegOverflowsI16 => self.is_least(16, a),
+            Op::NegOverflowsI32 => self.is_least(32, a),
+            Op::NegOverflowsI64 => self.is_least(64, a),
+            Op::OutsideI64 => {
+                let (value, least, most) = (self.word(a), self.word(b), self.word(c));
+                let below = self.b.ins().icmp(IntCC::SignedLessThan, value, least);
+                let above = self.b.ins().icmp(IntCC::SignedGreaterThan, value, most);
+                let either = self.b.ins().bor(below, above);
+                Val::Bit { value: self.b.ins().uextend(I32, either), clean: true }
+            }
+            Op::OutsideF64 => {
+                let (value, least, most) = (self.f64(a), self.f64(b), self.f64(c));
+                let below = self.float_flag(FloatCC::UnorderedOrLessThan, value, least);
+                let above = self.float_flag(FloatCC::UnorderedOrGreaterThan, value, most);
+                self.or(below, above)
+            }
+
+            // Bit strings.
+            Op::AndU64 | Op::OrU64 | Op::XorU64 => self.bits_of_both(op, a, b),
+            Op::NotU8 => self.inverted(a, 0xFF),
+            Op::NotU16 => self.inverted(a, 0xFFFF),
+            Op::NotU32 => self.inverted(a, 0xFFFF_FFFF),
+            Op::NotU64 => { let a = self.word(a); Val::Word(self.b.ins().bnot(a)) }
+            Op::Shl8 => { let n = count(b, 7)?; let a = self.int(a); let moved = self.b.ins().ishl_imm_u(a, n); self.cut(8, moved) }
+            Op::Shr8 => { let n = count(b, 7)?; let a = self.int(a); let low = self.b.ins().band_imm_u(a, 0xFF); Val::Int(self.b.ins().ushr_imm_u(low, n)) }
+            Op::Sar8 => { let n = count(b, 7)?; let a = self.signed(8, a); let moved = self.b.ins().sshr_imm_u(a, n); self.cut(8, moved) }
+            Op::Shl64 => { let n = count(b, 63)?; let a = self.word(a); Val::Word(self.b.ins().ishl_imm_u(a, n)) }
+            Op::Shr64 => { let n = count(b, 63)?; let a = self.word(a); Val::Word(self.b.ins().ushr_imm_u(a, n)) }
+            Op::Sar64 => { let n = count(b, 63)?; let a = self.word(a); Val::Word(self.b.ins().sshr_imm_u(a, n)) }
+            Op::Rol64 => { let n = count(b, 255)?; let a = self.word(a); Val::Word(self.b.ins().rotl_imm_u(a, n % 64)) }
+            Op::Ror64 => { let n = count(b, 255)?; let a = self.word(a); Val::Word(self.b.ins().rotr_imm_u(a, n % 64)) }
+            Op::Swap64 => { let a = self.word(a); Val::Word(self.b.ins().bswap(a)) }
+
+            // REAL and LREAL.
+            Op::DifferF32 => { let (a, b) = (self.f32(a), self.f32(b)); self.float_flag(FloatCC::NotEqual, a, b) }
+            Op::AddF64 => { let (a, b) = (self.f64(a), self.f64(b)); let result = self.b.ins().fadd(a, b); self.quiet_f64(result) }
+            Op::SubF64 => { let (a, b) = (self.f64(a), self.f64(b)); let result = self.b.ins().fsub(a, b); self.quiet_f64(result) }
+            Op::MulF64 => { let (a, b) = (self.f64(a), self.f64(b)); let result = self.b.ins().fmul(a, b); self.quiet_f64(result) }
+            Op::DivF64 => { let (a, b) = (self.f64(a), self.f64(b)); let result = self.b.ins().fdiv(a, b); self.quiet_f64(result) }
+            Op::SqrtF64 => { let a = self.f64(a); let result = self.b.ins().sqrt(a); self.quiet_f64(result) }
+            Op::NegF64 => { let a = self.word(a); let sign = self.b.ins().iconst(I64, i64::MIN); Val::Word(self.b.ins().bxor(a, sign)) }
+            Op::AbsF64 => { let a = self.word(a); let rest = self.b.ins().iconst(I64, i64::MAX); Val::Word(self.b.ins().band(a, rest)) }
+            Op::EqF64 => self.compare_f64(FloatCC::Equal, a, b),
+            Op::DifferF64 => self.compare_f64(FloatCC::NotEqual, a, b),
+            Op::LtF64 => self.compare_f64(FloatCC::LessThan, a, b),
+            Op::LeF64 => self.compare_f64(FloatCC::LessThanOrEqual, a, b),
+            Op::GtF64 => self.compare_f64(FloatCC::GreaterThan, a, b),
+            Op::GeF64 => self.compare_f64(FloatCC::GreaterThanOrEqual, a, b),
+
+            // Conversion.
+            Op::ExtendI8I16 => { let a = self.signed(8, a); self.cut(16, a) }
+            Op::ExtendI8I32 => Val::Int(self.signed(8, a)),
+            Op::ExtendI8I64 => { let a = self.signed(8, a); Val::Word(self.b.ins().sextend(I64, a)) }
+            Op::ExtendI16I64 => { let a = self.i16(a); Val::Word(self.b.ins().sextend(I64, a)) }
+            Op::ExtendI32I64 => Val::Word(self.i64(a)),
+            Op::I32ToF64 => { let a = self.int(a); let real = self.b.ins().fcvt_from_sint(F64, a); self.bits_f64(real) }
+            Op::I64ToF64 => { let a = self.word(a); let real = self.b.ins().fcvt_from_sint(F64, a); self.bits_f64(real) }
+            Op::I64ToF32 => { let a = self.word(a); let real = self.b.ins().fcvt_from_sint(F32, a); Val::Int(self.b.ins().bitcast(I32, MemFlagsData::new(), real)) }
+            Op::F32ToF64 => { let a = self.f32(a); let real = self.b.ins().fpromote(F64, a); self.quiet_f64(real) }
+            Op::F64ToF32 => { let a = self.f64(a); let real = self.b.ins().fdemote(F32, a); self.quiet(real) }
+            Op::F64ToI32 => { let a = self.f64(a); Val::Int(self.b.ins().fcvt_to_sint_sat(I32, a)) }
+            Op::F64ToI64 => { let a = self.f64(a); Val::Word(self.b.ins().fcvt_to_sint_sat(I64, a)) }
+            Op::F64ToU32 => { let a = self.f64(a); Val::Int(self.b.ins().fcvt_to_uint_sat(I32, a)) }
+            Op::F64ToU64 => { let a = self.f64(a); Val::Word(self.b.ins().fcvt_to_uint_sat(I64, a)) }
+            Op::F64ToI16 => { let a = self.f64(a); self.limited(a, -0x8000, 0x7FFF) }
+            Op::F64ToI8 => { let a = self.f64(a); self.limited(a, -0x80, 0x7F) }
+            Op::F64ToU16 => { let a = self.f64(a); self.limited(a, 0, 0xFFFF) }
+            Op::F64ToU8 => { let a = self.f64(a); self.limited(a, 0, 0xFF) }
+            _ => return None,
+        })
+    }
+
+    /// A number with its sign: in 32 bits, those of 64 in 64.
+    fn signed(&mut self, bits: u32, value: Val) -> Value {
+        match bits {
+            8 => {
+                let value = self.int(value);
+                let low = self.b.ins().ireduce(I8, value);
+                self.b.ins().sextend(I32, low)
+            }
+            16 => self.i16(value),
+            32 => self.int(value),
+            _ => self.word(value),
+        }
+    }
+
+    /// A number without sign: in 32 bits, those of 64 in 64.
+    fn unsigned(&mut self, bits: u32, value: Val) -> Value {
+        let value = if bits == 64 { return self.word(value) } else { self.int(value) };
+        match bits {
+            8 => self.b.ins().band_imm_u(value, 0xFF),
+            16 => self.b.ins().band_imm_u(value, 0xFFFF),
+            _ => value,
+        }
+    }
+
+    /// The lowest bits of a result.
+    fn cut(&mut self, bits: u32, value: Value) -> Val {
+        match bits {
+            8 => Val::Int(self.b.ins().band_imm_u(value, 0xFF)),
+            16 => Val::Int(self.b.ins().band_imm_u(value, 0xFFFF)),
+            32 => Val::Int(value),
+            _ => Val::Word(value),
+        }
+    }
+
+    fn two(&mut self, two: Two, a: Value, b: Value) -> Value {
+        match two {
+            Two::Add => self.b.ins().iadd(a, b),
+            Two::Subtract => self.b.ins().isub(a, b),
+            Two::Multiply => self.b.ins().imul(a, b),
+        }
+    }
+
+    fn wrapped(&mut self, two: Two, bits: u32, a: Val, b: Val) -> Val {
+        let (a, b) = if bits == 64 { (self.word(a), self.word(b)) } else { (self.int(a), self.int(b)) };
+        let result = self.two(two, a, b);
+        self.cut(bits, result)
+    }
+
+    /// Whether a result with at most 32 bits, computed exactly in 64, is not the one that is kept.
+    fn lost(&mut self, two: Two, size: Size, a: Val, b: Val) -> Val {
+        let (Size::Signed(bits) | Size::Unsigned(bits)) = size;
+        let wide = |translator: &mut Self, value: Val| match size {
+            Size::Signed(bits) => {
+                let value = translator.signed(bits, value);
+                translator.b.ins().sextend(I64, value)
+            }
+            Size::Unsigned(bits) => {
+                let value = translator.unsigned(bits, value);
+                translator.b.ins().uextend(I64, value)
+            }
+        };
+        let (a, b) = (wide(self, a), wide(self, b));
+        let exact = self.two(two, a, b);
+        let low = self.b.ins().ireduce(I32, exact);
+        debug_assert!(bits < 64);
+        let kept = wide(self, Val::Int(low));
+        let differ = self.b.ins().icmp(IntCC::NotEqual, exact, kept);
+        Val::Bit { value: self.b.ins().uextend(I32, differ), clean: true }
+    }
+
+    fn magnitude(&mut self, bits: u32, a: Val) -> Val {
+        let a = self.signed(bits, a);
+        let negated = self.b.ins().ineg(a);
+        let negative = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, a, 0);
+        let result = self.b.ins().select(negative, negated, a);
+        self.cut(bits, result)
+    }
+
+    /// Operands of a division that the machine cannot refuse: where it would, the divisor is 1. Also whether the divisor was 0.
+    fn division(&mut self, size: Size, a: Val, b: Val) -> (Value, Value, Value) {
+        let (a, b) = match size {
+            Size::Signed(bits) => (self.signed(bits, a), self.signed(bits, b)),
+            Size::Unsigned(bits) => (self.unsigned(bits, a), self.unsigned(bits, b)),
+        };
+        let (zero, divisor) = self.divisor(b);
+        (a, divisor, zero)
+    }
+
+    fn quotient(&mut self, size: Size, a: Val, b: Val) -> Val {
+        let (Size::Signed(bits) | Size::Unsigned(bits)) = size;
+        if let (Size::Unsigned(64), true) = (size, self.is_32_bits(a) && self.is_32_bits(b)) {
+            return self.quotient(Size::Unsigned(32), a, b);
+        }
+        let (a, b, zero) = self.division(size, a, b);
+        let result = match size {
+            Size::Unsigned(_) => self.b.ins().udiv(a, b),
+            Size::Signed(8 | 16) => self.b.ins().sdiv(a, b),
+            // The least number by −1 has no quotient for the machine.
+            Size::Signed(_) => {
+                let negated = self.b.ins().ineg(a);
+                let (minus, divisor) = self.unless_minus_one(b);
+                let quotient = self.b.ins().sdiv(a, divisor);
+                self.b.ins().select(minus, negated, quotient)
+            }
+        };
+        self.zero_if(zero, bits, result)
+    }
+
+    fn rest(&mut self, size: Size, a: Val, b: Val) -> Val {
+        let (Size::Signed(bits) | Size::Unsigned(bits)) = size;
+        if let (Size::Unsigned(64), true) = (size, self.is_32_bits(a) && self.is_32_bits(b)) {
+            return self.rest(Size::Unsigned(32), a, b);
+        }
+        let (a, b, zero) = self.division(size, a, b);
+        let result = match size {
+            Size::Unsigned(_) => self.b.ins().urem(a, b),
+            Size::Signed(8 | 16) => self.b.ins().srem(a, b),
+            // By 1 and by −1 nothing remains.
+            Size::Signed(_) => {
+                let (_, divisor) = self.unless_minus_one(b);
+                self.b.ins().srem(a, divisor)
+            }
+        };
+        self.zero_if(zero, bits, result)
+    }
+
+    /// Whether a divisor is −1, and a divisor that never is.
+    fn unless_minus_one(&mut self, divisor: Value) -> (Value, Value) {
+        let minus = self.b.ins().icmp_imm_s(IntCC::Equal, divisor, -1);
+        let ty = self.b.func.dfg.value_type(divisor);
+        let one = self.b.ins().iconst(ty, 1);
+        (minus, self.b.ins().select(minus, one, divisor))
+    }
+
+    fn zero_if(&mut self, condition: Value, bits: u32, result: Value) -> Val {
+        let ty: Type = self.b.func.dfg.value_type(result);
+        let none = self.b.ins().iconst(ty, 0);
+        let result = self.b.ins().select(condition, none, result);
+        self.cut(bits, result)
+    }
+
+    fn no_quotient(&mut self, bits: u32, a: Val, b: Val) -> Val {
+        let least = self.is_least(bits, a);
+        let b = self.signed(bits, b);
+        let zero = self.b.ins().icmp_imm_s(IntCC::Equal, b, 0);
+        let zero = Val::Bit { value: self.b.ins().uextend(I32, zero), clean: true };
+        let minus = self.b.ins().icmp_imm_s(IntCC::Equal, b, -1);
+        let minus = Val::Bit { value: self.b.ins().uextend(I32, minus), clean: true };
+        let too_great = self.and(least, minus);
+        self.or(zero, too_great)
+    }
+
+    fn is_least(&mut self, bits: u32, a: Val) -> Val {
+        let a = self.unsigned(bits, a);
+        let ty = self.b.func.dfg.value_type(a);
+        let least = self.b.ins().iconst(ty, if bits == 64 { i64::MIN } else { 1 << (bits - 1) });
+        let least = self.b.ins().icmp(IntCC::Equal, a, least);
+        Val::Bit { value: self.b.ins().uextend(I32, least), clean: true }
+    }
+
+    /// The operand for which the comparison with the other one holds.
+    fn extreme(&mut self, size: Size, condition: IntCC, a: Val, b: Val) -> Val {
+        let (bits, a, b) = match size {
+            Size::Signed(bits) => (bits, self.signed(bits, a), self.signed(bits, b)),
+            Size::Unsigned(_) if self.is_32_bits(a) && self.is_32_bits(b) => (32, self.int(a), self.int(b)),
+            Size::Unsigned(bits) => (bits, self.unsigned(bits, a), self.unsigned(bits, b)),
+        };
+        let first = self.b.ins().icmp(condition, a, b);
+        let result = self.b.ins().select(first, a, b);
+        self.cut(bits, result)
+    }
+
+    fn compare_signed(&mut self, condition: IntCC, bits: u32, a: Val, b: Val) -> Val {
+        let (a, b) = (self.signed(bits, a), self.signed(bits, b));
+        let result = self.b.ins().icmp(condition, a, b);
+        Val::Bit { value: self.b.ins().uextend(I32, result), clean: true }
+    }
+
+    fn bits_of_both(&mut self, op: Op, a: Val, b: Val) -> Val {
+        let (a, b) = (self.force(a), self.force(b));
+        let narrow = self.is_32_bits(a) && self.is_32_bits(b);
+        let (a, b) = if narrow { (self.int(a), self.int(b)) } else { (self.word(a), self.word(b)) };
+        let result = match op {
+            Op::AndU64 => self.b.ins().band(a, b),
+            Op::OrU64 => self.b.ins().bor(a, b),
+            _ => self.b.ins().bxor(a, b),
+        };
+        if narrow { Val::Int(result) } else { Val::Word(result) }
+    }
+
+    fn inverted(&mut self, a: Val, mask: i64) -> Val {
+        let a = self.int(a);
+        let low = self.b.ins().band_imm_u(a, mask);
+        Val::Int(self.b.ins().bxor_imm_u(low, mask))
+    }
+
+    fn f64(&mut self, value: Val) -> Value {
+        let value = self.word(value);
+        self.b.ins().bitcast(F64, MemFlagsData::new(), value)
+    }
+
+    fn bits_f64(&mut self, real: Value) -> Val {
+        Val::Word(self.b.ins().bitcast(I64, MemFlagsData::new(), real))
+    }
+
+    /// The one NaN that the project shows.
+    fn quiet_f64(&mut self, real: Value) -> Val {
+        let none = self.b.ins().fcmp(FloatCC::Unordered, real, real);
+        let bits = self.b.ins().bitcast(I64, MemFlagsData::new(), real);
+        let nan = self.b.ins().iconst(I64, f64::NAN.to_bits() as i64);
+        Val::Word(self.b.ins().select(none, nan, bits))
+    }
+
+    fn compare_f64(&mut self, condition: FloatCC, a: Val, b: Val) -> Val {
+        let (a, b) = (self.f64(a), self.f64(b));
+        self.float_flag(condition, a, b)
+    }
+
+    /// An LREAL cut to an integer of at most 16 bits.
+    fn limited(&mut self, real: Value, least: i64, most: i64) -> Val {
+        let value = self.b.ins().fcvt_to_sint_sat(I32, real);
+        let least_value = self.b.ins().iconst(I32, least & 0xFFFF_FFFF);
+        let most_value = self.b.ins().iconst(I32, most);
+        let above = self.b.ins().icmp(IntCC::SignedGreaterThan, value, least_value);
+        let value = self.b.ins().select(above, value, least_value);
+        let below = self.b.ins().icmp(IntCC::SignedLessThan, value, most_value);
+        let value = self.b.ins().select(below, value, most_value);
+        self.cut(if most <= 0xFF { 8 } else { 16 }, value)
+    }
+}
