@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
-use sieben_jit::{Jit, StatusBits};
+use sieben_jit::{Jit, StatusBits, Tier, Tiers};
 use sieben_lang::encoding::Encoding;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::mnemonics::Mnemonics;
@@ -163,27 +163,67 @@ impl ReportArguments {
 /// Which engine runs the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum EngineArgument {
-    // Machine code where it can be had, else the interpreter.
+    // The interpreter at once, machine code as soon as it is there.
     #[default]
     Auto,
     // The interpreter.
     Interpreter,
-    // Machine code.
+    // Machine code from the first scan.
     Jit,
+    // Machine code from the first scan, compiled as fast as possible.
+    Quick,
 }
 
 impl EngineArgument {
-    /// Loads a program; if machine code was asked for and cannot be had, says why and interprets it.
+    /// What is measured: with `auto` the machine code that a program becomes in the end.
+    pub(crate) fn settled(self) -> Self {
+        if self == Self::Auto { Self::Jit } else { self }
+    }
+
+    /// Loads a program. With `auto` a thread makes the machine code, which takes over at a scan boundary; else it is there at once.
+    /// If machine code was asked for and cannot be had, says why and interprets the program.
     pub(crate) fn load(self, program: &Program, layout: &Layout, status: StatusBits) -> Arc<dyn Engine> {
-        if self == Self::Interpreter {
-            return Interpreter::load(program, layout);
-        }
-        Jit::compiled(program, layout, status).unwrap_or_else(|reason| {
-            if self == Self::Jit {
-                output::message(&format!("the program runs in the interpreter: {reason}\n"));
+        match self {
+            Self::Interpreter => Interpreter::load(program, layout),
+            Self::Auto => {
+                let tiers = Tiers::load(program, layout, status);
+                // Who shows all status bits runs for a moment; who does not runs for long, and wants to know.
+                if let (StatusBits::Needed, Some(reason)) = (status, tiers.refusal()) {
+                    output::message(&stays_interpreted(reason));
+                }
+                let engine = tiers.engine();
+                // Without a thread the program stays in the interpreter, which is slower but right.
+                let _ = std::thread::Builder::new().name("compiler".to_owned()).spawn(move || compile(&tiers));
+                engine
             }
-            Interpreter::load(program, layout)
-        })
+            Self::Jit => Jit::compiled(program, layout, status).unwrap_or_else(|reason| {
+                output::message(&stays_interpreted(&reason));
+                Interpreter::load(program, layout)
+            }),
+            Self::Quick => {
+                let tiers = Tiers::load(program, layout, status);
+                if let Err(reason) = tiers.compile(Tier::Quick) {
+                    output::message(&stays_interpreted(&reason));
+                }
+                tiers.engine()
+            }
+        }
+    }
+}
+
+/// The message about a program that does not become machine code.
+pub(crate) fn stays_interpreted(reason: &str) -> String {
+    format!("the program runs in the interpreter: {reason}\n")
+}
+
+/// Compiles one tier after the other, as long as some CPU runs the program.
+fn compile(tiers: &Arc<Tiers>) {
+    for tier in [Tier::Quick, Tier::Optimized] {
+        if Arc::strong_count(tiers) == 1 {
+            return;
+        }
+        // What cannot be compiled in one way may be in the other, and stays as it is if in none.
+        let _ = tiers.compile(tier);
     }
 }
 

@@ -103,4 +103,9 @@ pub trait Engine: Send + Sync {
     fn code_bytes(&self) -> usize {
         0
     }
+    /// A newer generation of the same code, which a CPU takes over between two scans. Every generation gives the same results, and goes
+    /// on with frames that another one left.
+    fn newer(&self) -> Option<std::sync::Arc<dyn Engine>> {
+        None
+    }
 }

@@ -7,7 +7,7 @@ use sieben_engine::access;
 use sieben_engine::ir::{Callee, Code, Inst, Target};
 use sieben_engine::machine::memory::DataBlockEntry;
 use sieben_engine::machine::{Memory, Registers};
-use sieben_engine::{Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
+use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
 use sieben_model::block::{BlockId, BlockKind};
 
 use crate::entry::Generation;
@@ -24,8 +24,8 @@ const BLOCK_INSTRUCTIONS_MAX: usize = 400_000;
 
 /// Blocks with more loops are left to the interpreter: the time to compile them grows with the square of their number.
 const LOOPS_MAX: usize = 1_000;
-/// Longer programs are compiled without Cranelift's optimizations, so that the first scan does not wait for them.
-const OPTIMIZED_STATEMENTS_MAX: usize = 5_000;
+/// Longer programs are compiled without Cranelift's optimizations: they would keep a core busy for seconds.
+const OPTIMIZED_STATEMENTS_MAX: usize = 50_000;
 /// Blocks with more loops too: a hundred of them in one another take Cranelift a second, eight hundred a minute.
 const OPTIMIZED_LOOPS_MAX: usize = 32;
 
@@ -61,11 +61,65 @@ fn passed(insts: &[Inst]) -> usize {
     })
 }
 
+/// What all machine code of a program has in common, in whichever way it is compiled.
+#[derive(Debug)]
+pub(crate) struct Source {
+    interpreter: Arc<Interpreter>,
+    blocks: Arc<[Native]>,
+    layout: Layout,
+    parameters_max: usize,
+    asks_before_writing: bool,
+}
+
+impl Source {
+    /// Prepares a program; one that cannot become machine code is refused, with the reason as the end of a sentence.
+    pub(crate) fn new(program: &Program, layout: &Layout, interpreter: Arc<Interpreter>) -> Result<Self, String> {
+        let parameters_max = limits(program)?;
+        let native = |(&id, block): (&BlockId, &CodeBlock)| {
+            let mut code = block.code.clone();
+            if code.insts.is_empty() {
+                code = sieben_engine::ir::Builder::default().finish();
+            }
+            Native { id, local_size: block.local_size, code }
+        };
+        let blocks: Arc<[Native]> = program.code.iter().map(native).collect();
+        let asks_before_writing = !layout.read_only.is_empty() || makes_protected_blocks(&blocks);
+        Ok(Self { interpreter, blocks, layout: layout.clone(), parameters_max, asks_before_writing })
+    }
+
+    /// Whether Cranelift's optimizations take a bounded time.
+    pub(crate) fn may_optimize(&self) -> bool {
+        let statements: usize = self.blocks.iter().map(|block| block.code.statement_count()).sum();
+        let loops = self.blocks.iter().map(|block| loop_heads(&block.code)).max().unwrap_or(0);
+        statements <= OPTIMIZED_STATEMENTS_MAX && loops <= OPTIMIZED_LOOPS_MAX
+    }
+
+    /// Compiles all blocks.
+    pub(crate) fn compile(&self, options: Options) -> Result<Jit, String> {
+        let options = Options { asks_before_writing: self.asks_before_writing, ..options };
+        let (generation, pinned) = translate::program(&self.blocks, &|id| self.interpreter.code(id), &self.layout, options)?;
+        let entry = |number: u16| {
+            let range = &self.layout.data_blocks[&number];
+            let read_only = self.layout.read_only.contains(&number);
+            (number, DataBlockEntry { base: range.start as u32, length: range.len() as u32, read_only })
+        };
+        let compiled = Compiled {
+            interpreter: Arc::clone(&self.interpreter),
+            blocks: Arc::clone(&self.blocks),
+            generation,
+            pinned: pinned.into_iter().map(entry).collect(),
+            asks_before_writing: self.asks_before_writing,
+            parameters_max: self.parameters_max,
+        };
+        Ok(Jit { compiled, layout: self.layout.clone(), known_layout: OnceLock::new(), scratch: Mutex::default() })
+    }
+}
+
 /// A program in both forms.
 #[derive(Debug)]
 pub(crate) struct Compiled {
-    pub(crate) interpreter: Interpreter,
-    pub(crate) blocks: Vec<Native>,
+    pub(crate) interpreter: Arc<Interpreter>,
+    pub(crate) blocks: Arc<[Native]>,
     pub(crate) generation: Generation,
     /// Data blocks that the code takes to be as they were loaded.
     pinned: Vec<(u16, DataBlockEntry)>,
@@ -118,14 +172,13 @@ impl Jit {
     /// # Errors
     /// Why the program cannot become machine code, as the end of a sentence: it is too large, or the machine is not supported.
     pub fn compiled(program: &Program, layout: &Layout, status: StatusBits) -> Result<Arc<dyn Engine>, String> {
-        let statements: usize = program.code.values().map(|block| block.code.statement_count()).sum();
-        let loops = program.code.values().map(|block| loop_heads(&block.code)).max().unwrap_or(0);
-        let may_optimize = statements <= OPTIMIZED_STATEMENTS_MAX && loops <= OPTIMIZED_LOOPS_MAX;
+        let source = Source::new(program, layout, Arc::new(Interpreter::new(program, layout)))?;
+        let may_optimize = source.may_optimize();
         let optimize = status == StatusBits::Needed && may_optimize;
         let options = Options { exact: status == StatusBits::All, optimize, ..Options::default() };
-        let jit = match Self::compile(program, layout, options) {
+        let jit = match source.compile(options) {
             // Optimized code keeps fewer values on the stack.
-            Err(_) if may_optimize && !optimize => Self::compile(program, layout, Options { optimize: true, ..options })?,
+            Err(_) if may_optimize && !optimize => source.compile(Options { optimize: true, ..options })?,
             other => other?,
         };
         Ok(Arc::new(jit))
@@ -133,41 +186,12 @@ impl Jit {
 
     /// The same with every operation called instead of written out: what the inlined ones are compared with.
     pub fn load_without_inlining(program: &Program, layout: &Layout) -> Arc<dyn Engine> {
-        Self::load_with(program, layout, Options { inline: false, ..Options::default() })
-    }
-
-    fn load_with(program: &Program, layout: &Layout, options: Options) -> Arc<dyn Engine> {
-        match Self::compile(program, layout, options) {
+        let interpreter = Arc::new(Interpreter::new(program, layout));
+        let source = Source::new(program, layout, Arc::clone(&interpreter));
+        match source.and_then(|source| source.compile(Options { inline: false, ..Options::default() })) {
             Ok(jit) => Arc::new(jit),
-            Err(_) => Interpreter::load(program, layout),
+            Err(_) => interpreter,
         }
-    }
-
-    fn compile(program: &Program, layout: &Layout, options: Options) -> Result<Self, String> {
-        let parameters_max = limits(program)?;
-        let blocks: Vec<Native> = program
-            .code
-            .iter()
-            .map(|(&id, block)| {
-                let mut code = block.code.clone();
-                if code.insts.is_empty() {
-                    code = sieben_engine::ir::Builder::default().finish();
-                }
-                Native { id, local_size: block.local_size, code }
-            })
-            .collect();
-        let interpreter = Interpreter::new(program, layout);
-        let options = Options { asks_before_writing: !layout.read_only.is_empty() || makes_protected_blocks(&blocks), ..options };
-        let (generation, pinned) = translate::program(&blocks, &|id| interpreter.code(id), layout, options)?;
-        let entry = |number: u16| {
-            let range = &layout.data_blocks[&number];
-            let read_only = layout.read_only.contains(&number);
-            (number, DataBlockEntry { base: range.start as u32, length: range.len() as u32, read_only })
-        };
-        let pinned = pinned.into_iter().map(entry).collect();
-        let compiled =
-            Compiled { interpreter, blocks, generation, pinned, asks_before_writing: options.asks_before_writing, parameters_max };
-        Ok(Self { compiled, layout: layout.clone(), known_layout: OnceLock::new(), scratch: Mutex::default() })
     }
 
     /// Whether this run can be machine code: nobody watches statements, and the machine is laid out as the code was compiled for.

@@ -6,6 +6,8 @@ mod ask;
 mod entry;
 mod jit;
 mod run;
+mod tiers;
 mod translate;
 
 pub use jit::{Jit, StatusBits};
+pub use tiers::{Tier, Tiers};

@@ -5,13 +5,14 @@
 //! calls, loops, interrupts by faults and at any safe point, system functions, HOLD, STOP and a restart. An input that is itself a
 //! program is run too.
 
+use std::cell::Cell;
 use std::fmt::Write as _;
 use std::sync::Arc;
 
 use sieben_cpu::{Cpu, Interrupt, OperatingMode, Rack, Restart, Settings};
 use sieben_engine::machine::{Register, Registers};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
-use sieben_jit::{Jit, StatusBits};
+use sieben_jit::{Jit, StatusBits, Tier, Tiers};
 use sieben_lang::Options;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
@@ -104,10 +105,26 @@ fn compare(text: &str, data: &[u8]) {
         };
         (status, load(&machine_code))
     });
+    let tiers = Cell::new(None);
+    let mut tiered = load(&|program, layout| {
+        let loaded = Tiers::load(program, layout, StatusBits::All);
+        let engine = loaded.engine();
+        tiers.set(Some(loaded));
+        engine
+    });
+    let tiers = tiers.take().expect("the program was loaded");
     let mut stops = 0;
     for number in 0..SCANS {
         let outside = outside(data, number);
         scan(&mut interpreted, number, &outside);
+        let tier = Tier::ALL[usize::from(data.get(number as usize).copied().unwrap_or(0)) % Tier::ALL.len()];
+        if let Err(reason) = tiers.compile(tier) {
+            assert!(!reason.contains("Compilation"), "the program becomes machine code: {reason}");
+        }
+        scan(&mut tiered, number, &outside);
+        if let Some(what) = difference(&interpreted, &tiered, StatusBits::All) {
+            panic!("after scan {number}, which began in another tier ({:?}), the engines differ in {what}:\n{text}", tiers.tier());
+        }
         for (status, native) in &mut natives {
             scan(native, number, &outside);
             if let Some(what) = difference(&interpreted, native, *status) {

@@ -9,8 +9,8 @@ use clap::Args;
 use rustix::time::{ClockId, clock_gettime};
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, OperatingMode, Rack, Restart};
-use sieben_engine::{Machine, StatementEvent, Tracer};
-use sieben_jit::StatusBits;
+use sieben_engine::{Layout, Machine, Program, StatementEvent, Tracer};
+use sieben_jit::{StatusBits, Tier, Tiers};
 use sieben_sim::names::Name;
 
 use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
@@ -29,6 +29,7 @@ const COLD_SCANS: usize = 15;
 #[command(after_help = "Examples:\n  \
   sieben bench plant.awl\n  \
   sieben bench plant.awl --engine interpreter --json\n  \
+  sieben bench plant.awl --engine quick  the machine code of the first scans\n  \
   sieben bench plant --warmup-scans 1000 --show MW20\n\n\
 Time is virtual; what is measured is the CPU time of the thread, process images and\n\
 cycle included. Figures of one machine do not carry over to another.\n\n\
@@ -95,13 +96,37 @@ impl Bench {
     }
 }
 
+/// The quickly compiled machine code, that of the first scans of a run.
+struct Quick {
+    time: Duration,
+    statements: usize,
+}
+
+/// What it took to make the code.
+struct Compile {
+    /// From the command to a loaded CPU.
+    whole: Duration,
+    /// `None` = the program is interpreted.
+    quick: Option<Quick>,
+    code_bytes: usize,
+}
+
 /// What was measured, in nanoseconds.
 struct Figures {
-    compile: Duration,
+    compile: Compile,
     ns_per_scan: Vec<f64>,
     ns_per_statement: Option<f64>,
     cold_ns_per_scan: f64,
-    code_bytes: usize,
+}
+
+/// How long the program takes to become the machine code that a run begins with, and how many statements it has.
+fn time_of_quick(program: &Program, layout: &Layout) -> Quick {
+    let tiers = Tiers::load(program, layout, StatusBits::Needed);
+    let started = now();
+    // Code that cannot be compiled quickly took its time all the same.
+    let _ = tiers.compile(Tier::Quick);
+    let time = now().saturating_sub(started);
+    Quick { time, statements: program.code.values().map(|block| block.code.statement_count()).sum() }
 }
 
 /// Compiles, warms up, measures.
@@ -115,14 +140,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     };
     let code_bytes = Cell::new(0);
     let load = |program: &_, layout: &_| {
-        let engine = arguments.engine.load(program, layout, StatusBits::Needed);
+        let engine = arguments.engine.settled().load(program, layout, StatusBits::Needed);
         code_bytes.set(engine.code_bytes());
         engine
     };
     let program = Arc::new(build.compiled.program.clone());
     let settings = controller::settings(&build);
-    let cpu = Cpu::load(build.cpu, program, load, Rack::simulated(build.cpu), settings);
+    let cpu = Cpu::load(build.cpu, Arc::clone(&program), load, Rack::simulated(build.cpu), settings);
     let compile = now().saturating_sub(started);
+    let quick = (code_bytes.get() > 0).then(|| time_of_quick(&program, &cpu.machine().memory.layout));
     let symbols = &build.project.symbols;
     let shown = names::resolve_lists(&arguments.show, symbols, &cpu)?;
     let cycle = arguments.cycle.or(build.project.settings.cycle).filter(|cycle| !cycle.is_zero()).unwrap_or(Duration::from_millis(10));
@@ -143,7 +169,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
     let values: Vec<(String, String, Value)> =
         shown.iter().map(|name: &Name| (name.text().to_owned(), names::text(name, &bench.cpu), names::to_json(name, &bench.cpu))).collect();
-    let figures = bench.runs().then(|| measure(arguments, &mut bench, compile, count.0, code_bytes.get()));
+    let compile = Compile { whole: compile, quick, code_bytes: code_bytes.get() };
+    let figures = bench.runs().then(|| measure(arguments, &mut bench, compile, count.0));
     match figures {
         Some(figures) if bench.runs() => {
             print(arguments, &figures, &values)?;
@@ -158,7 +185,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
 }
 
-fn measure(arguments: &Arguments, bench: &mut Bench, compile: Duration, statements: u64, code_bytes: usize) -> Figures {
+fn measure(arguments: &Arguments, bench: &mut Bench, compile: Compile, statements: u64) -> Figures {
     let least = Duration::from_millis(u64::from(arguments.min_ms));
     let ns_per_scan: Vec<f64> = (0..arguments.reps)
         .map(|_| {
@@ -192,7 +219,6 @@ fn measure(arguments: &Arguments, bench: &mut Bench, compile: Duration, statemen
         ns_per_scan,
         ns_per_statement: (statements > 0).then(|| best / statements as f64),
         cold_ns_per_scan: cold[COLD_SCANS / 2],
-        code_bytes,
     }
 }
 
@@ -200,24 +226,31 @@ fn print(arguments: &Arguments, figures: &Figures, values: &[(String, String, Va
     if arguments.json {
         let values: serde_json::Map<String, Value> = values.iter().map(|(name, _, value)| (name.clone(), value.clone())).collect();
         let object = json!({
-            "compile_s": figures.compile.as_secs_f64(),
+            "compile_s": figures.compile.whole.as_secs_f64(),
+            "compile_quick_s": figures.compile.quick.as_ref().map(|quick| quick.time.as_secs_f64()),
             "ns_per_scan": figures.ns_per_scan,
             "ns_per_statement": figures.ns_per_statement,
             "cold_ns_per_scan": figures.cold_ns_per_scan,
-            "code_bytes": figures.code_bytes,
+            "code_bytes": figures.compile.code_bytes,
             "values": values,
         });
         return output::print_json(&object, false);
     }
     let best = figures.ns_per_scan.iter().copied().fold(f64::INFINITY, f64::min);
     let all = figures.ns_per_scan.iter().map(|ns| format!("{ns:.0}")).collect::<Vec<_>>().join(", ");
-    let mut text = format!("compiled in      {:.1} ms\n", figures.compile.as_secs_f64() * 1e3);
+    let mut text = format!("compiled in      {:.1} ms\n", figures.compile.whole.as_secs_f64() * 1e3);
+    if let Some(Quick { time, statements }) = &figures.compile.quick {
+        let ms = time.as_secs_f64() * 1e3;
+        let each =
+            if *statements < 1000 { String::new() } else { format!(", {:.1} ms for 1,000 statements", ms * 1e3 / *statements as f64) };
+        text.push_str(&format!("first tier in    {ms:.1} ms{each}\n"));
+    }
     text.push_str(&format!("a scan           {best:.0} ns (best of {all})\n"));
     if let Some(ns) = figures.ns_per_statement {
         text.push_str(&format!("a statement      {ns:.2} ns\n"));
     }
     text.push_str(&format!("a cold scan      {:.0} ns, with nothing in the caches\n", figures.cold_ns_per_scan));
-    text.push_str(&match figures.code_bytes {
+    text.push_str(&match figures.compile.code_bytes {
         0 => "machine code     none: the program is interpreted\n".to_owned(),
         bytes => format!("machine code     {bytes} bytes\n"),
     });

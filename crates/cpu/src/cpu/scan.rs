@@ -48,6 +48,9 @@ impl Cpu {
 
     /// One cycle with a clock (microseconds), which is asked again inside the scan in real time.
     pub fn scan_with(&mut self, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) -> ScanReport {
+        if let Some(newer) = self.engine.newer() {
+            self.engine = newer;
+        }
         let begin_us = clock();
         self.serve_until(begin_us, clock, again(&mut tracer));
         self.advance(begin_us);
