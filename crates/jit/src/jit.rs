@@ -207,6 +207,8 @@ impl Jit {
         }
         (known || *memory.layout == self.layout)
             && arena == self.layout.size
+            && machine.timers.len() == usize::from(self.layout.timers)
+            && machine.counters.len() == usize::from(self.layout.counters)
             && self.compiled.fits(memory)
             && inside(registers.db_base, registers.db_length)
             && inside(registers.di_base, registers.di_length)

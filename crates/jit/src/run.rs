@@ -75,6 +75,12 @@ pub(crate) struct Run<'a, 'c> {
     pub(crate) link_max: u64,
     /// First byte in the arena and length of I, Q and M, under the low half of their codes in pointers; no bytes under other codes.
     pub(crate) areas: [[u64; 2]; 16],
+    /// Address of the first timer.
+    pub(crate) timers: u64,
+    /// Address of the first counter.
+    pub(crate) counters: u64,
+    /// `machine.clock_us`.
+    pub(crate) clock_us: u64,
     pub(crate) context: &'a mut Context<'c>,
     pub(crate) compiled: &'a Compiled,
     pub(crate) scratch: &'a mut Scratch,
@@ -102,6 +108,8 @@ impl<'a, 'c> Run<'a, 'c> {
             let range = context.machine.memory.layout.area(area).unwrap_or(0..0);
             areas[usize::from(area.pointer_code() & 0xF)] = [range.start as u64, range.len() as u64];
         }
+        let (timers, counters) = (context.machine.timers.as_mut_ptr() as u64, context.machine.counters.as_mut_ptr() as u64);
+        let clock_us = context.machine.clock_us;
         Self {
             registers,
             value: 0,
@@ -109,6 +117,9 @@ impl<'a, 'c> Run<'a, 'c> {
             local_end: 0,
             link_max: 0,
             areas,
+            timers,
+            counters,
+            clock_us,
             context,
             compiled,
             scratch,
@@ -238,8 +249,16 @@ impl<'a, 'c> Run<'a, 'c> {
     }
 
     /// Takes over what the Host changed, apart from the registers.
+    ///
+    /// # Panics
+    /// If the arena moved, or timers or counters were taken away: the contract with the Host forbids it.
     pub(crate) fn take_back(&mut self) {
-        self.budget = self.context.machine.budget;
+        let machine = &mut *self.context.machine;
+        (self.budget, self.clock_us) = (machine.budget, machine.clock_us);
+        let layout = &machine.memory.layout;
+        let there = machine.timers.len() == usize::from(layout.timers) && machine.counters.len() == usize::from(layout.counters);
+        assert!(there, "a CPU keeps its timers and counters");
+        (self.timers, self.counters) = (machine.timers.as_mut_ptr() as u64, machine.counters.as_mut_ptr() as u64);
         self.arena();
     }
 

@@ -29,6 +29,7 @@ use crate::run::{LINKS, Run};
 mod analysis;
 mod calls;
 mod inline;
+mod intrinsics;
 mod memory;
 mod sized;
 mod value;
@@ -670,7 +671,7 @@ impl<'a> Translator<'a> {
             }
             Inst::Parameter { dst, index } => self.parameter(dst, index),
             Inst::PassParameter { src } => self.pass_parameter(src),
-            Inst::Intrinsic { dst, args, .. } => self.intrinsic(index, dst, args),
+            Inst::Intrinsic { dst, intrinsic, args } => self.intrinsic(index, dst, intrinsic, args),
             Inst::Require { condition, register, .. } => self.require(index, condition, Some(register), After::NextStatement),
             Inst::RequireStack { condition, .. } => self.require(index, condition, None, After::Never),
             Inst::Open { register, number } => {

@@ -5,7 +5,8 @@ use sieben_model::bcd;
 /// Greatest count.
 pub const COUNT_MAX: u16 = 999;
 
-/// One S5 counter.
+/// One S5 counter. Machine code reaches its fields through their offsets.
+#[repr(C)]
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Counter {
     /// The count, 0 to 999.

@@ -6,6 +6,7 @@ use sieben_model::bcd;
 
 /// What starts a timer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[repr(u8)]
 pub enum TimerKind {
     /// SP: pulse.
     #[default]
@@ -20,7 +21,8 @@ pub enum TimerKind {
     OffDelay,
 }
 
-/// One S5 timer.
+/// One S5 timer. Machine code reaches its fields through their offsets.
+#[repr(C)]
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Timer {
     /// How it was started last.
@@ -42,7 +44,7 @@ pub struct Timer {
 }
 
 /// Microseconds of one unit of each time base.
-const BASE_US: [u64; 4] = [10_000, 100_000, 1_000_000, 10_000_000];
+pub const BASE_US: [u64; 4] = [10_000, 100_000, 1_000_000, 10_000_000];
 
 impl Timer {
     /// Brings value and status up to now.

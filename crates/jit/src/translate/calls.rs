@@ -1,4 +1,4 @@
-//! Calls of blocks, what is passed to them, and intrinsics.
+//! Calls of blocks, and what is passed to them.
 
 use std::mem::offset_of;
 
@@ -34,19 +34,6 @@ impl Translator<'_> {
         let value = self.int(value);
         self.b.ins().store(TRUSTED, value, end, 4 * self.passed as i32);
         self.passed += 1;
-    }
-
-    /// Calls a function over the machine.
-    pub(super) fn intrinsic(&mut self, index: u32, dst: Var, args: [Var; 4]) {
-        let [a, b, c] = [args[0], args[1], args[2]].map(|arg| {
-            let value = self.get(arg);
-            self.word(value)
-        });
-        let site = self.site(index);
-        let failed = self.ask(Question::TryIntrinsic, &[site, a, b, c]);
-        self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
-        let result = self.result();
-        self.set(dst, Val::Word(result));
     }
 
     pub(super) fn call_block(&mut self, index: u32, callee: Callee, parameters: u16) {
