@@ -289,7 +289,7 @@ fn makes_protected_blocks(blocks: &[Native]) -> bool {
 }
 
 /// Statements to which a later one jumps.
-fn loop_heads(code: &Code) -> usize {
+pub(crate) fn loop_heads(code: &Code) -> usize {
     let mut heads = BTreeSet::new();
     for statement in 0..code.statement_count() {
         let mut jump = |Target(to): Target| {

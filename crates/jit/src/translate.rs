@@ -6,13 +6,16 @@
 use std::collections::{BTreeSet, HashMap};
 use std::mem::offset_of;
 
+use cranelift_codegen::Context;
+use cranelift_codegen::control::ControlPlane;
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{self as clif, AbiParam, BlockArg, FuncRef, InstBuilder, MemFlagsData, Value};
+use cranelift_codegen::isa::OwnedTargetIsa;
 use cranelift_codegen::settings::{self, Configurable};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext, Variable};
 use cranelift_jit::{ArenaMemoryProvider, JITBuilder, JITModule};
-use cranelift_module::{FuncId, Linkage, Module, ModuleError};
+use cranelift_module::{FuncId, Linkage, Module, ModuleError, ModuleReloc};
 use sieben_engine::Layout;
 use sieben_engine::access::data_registers;
 use sieben_engine::interpreter::weight;
@@ -23,10 +26,11 @@ use sieben_model::block::{BlockId, BlockKind};
 
 use crate::ask::{GO_ON, LEAVE, Question};
 use crate::entry::Generation;
-use crate::jit::Native;
+use crate::jit::{Native, loop_heads};
 use crate::run::{LINKS, Run};
 
 mod analysis;
+mod bytes;
 mod calls;
 mod inline;
 mod intrinsics;
@@ -35,6 +39,7 @@ mod sized;
 mod value;
 
 use analysis::{SPARED, Summary, open_blocks, set_by_calls};
+use bytes::Bytes;
 use value::{Lazy, Val};
 
 /// How a program is compiled.
@@ -74,11 +79,10 @@ const PROLOGUE_BYTES: usize = 16;
 /// Finds the index of a loaded block.
 type Find<'a> = &'a dyn Fn(BlockId) -> Option<u32>;
 
-/// Compiles all blocks. The code takes the data blocks with the returned numbers to be as they were loaded.
-pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<(Generation, BTreeSet<u16>), String> {
+/// This machine, with the given settings of Cranelift.
+fn instruction_set(level: &str, algorithm: &str) -> Result<OwnedTargetIsa, String> {
     let mut flags = settings::builder();
     let set = |flags: &mut settings::Builder, name: &str, value: &str| flags.set(name, value).map_err(|error| error.to_string());
-    let (level, algorithm) = if options.optimize { ("speed", "backtracking") } else { ("none", "single_pass") };
     set(&mut flags, "opt_level", level)?;
     set(&mut flags, "regalloc_algorithm", algorithm)?;
     set(&mut flags, "use_colocated_libcalls", "false")?;
@@ -86,10 +90,18 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
     // Frames have a limit below, so that nobody has to look for the end of the stack.
     set(&mut flags, "enable_probestack", "false")?;
     set(&mut flags, "enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" })?;
-    let isa = cranelift_native::builder()
+    cranelift_native::builder()
         .map_err(|message| format!("this machine is not supported: {message}"))?
         .finish(settings::Flags::new(flags))
-        .map_err(|error| error.to_string())?;
+        .map_err(|error| error.to_string())
+}
+
+/// Compiles all blocks. The code takes the data blocks with the returned numbers to be as they were loaded.
+pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<(Generation, BTreeSet<u16>), String> {
+    let isa = instruction_set("none", if options.optimize { "backtracking" } else { "single_pass" })?;
+    // Cranelift's optimizations move calculations to where their results are used: good in a loop, bad in straight bit logic, where the
+    // bytes that were read wait in registers until then.
+    let for_loops = if options.optimize { Some(instruction_set("speed", "backtracking")?) } else { None };
     let mut builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
     let insts: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
     let reserve = insts.saturating_mul(RESERVED_BYTES_PER_INSTRUCTION).clamp(RESERVED_BYTES_MIN, RESERVED_BYTES_MAX);
@@ -112,9 +124,11 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
         context.func.signature = block_signature(&module);
         let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
         let target = module.target_config();
-        let program = Program { functions: &functions, blocks, summaries: &summaries, find, layout, options };
+        let for_loops = for_loops.as_ref().filter(|_| loop_heads(&block.code) > 0);
+        let joins = for_loops.is_none();
+        let program = Program { functions: &functions, blocks, summaries: &summaries, find, layout, options, joins };
         pinned.append(&mut Translator::new(builder, &mut module, program, index).run(target));
-        module.define_function(functions.blocks[index], &mut context).map_err(|error| format!("{}: {error}", block.id))?;
+        define(&mut module, functions.blocks[index], &mut context, for_loops).map_err(|error| format!("{}: {error}", block.id))?;
         let code = context.compiled_code().map_or(&[][..], |code| code.code_buffer());
         bytes += code.len();
         frame_max = frame_max.max(frame_bytes(code));
@@ -129,6 +143,17 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
     }
     pinned.remove(&0);
     Ok((Generation::new(module, &functions.blocks, bytes, levels), pinned))
+}
+
+/// Compiles a function, for the instruction set of the module or another one.
+fn define(module: &mut JITModule, id: FuncId, context: &mut Context, other: Option<&OwnedTargetIsa>) -> Result<(), Box<ModuleError>> {
+    let Some(isa) = other else { return Ok(module.define_function(id, context)?) };
+    let code = context.compile(&**isa, &mut ControlPlane::default()).map_err(|error| Box::new(ModuleError::from(error)))?;
+    let alignment = u64::from(code.buffer.alignment).max(u64::from(isa.function_alignment().minimum)).max(isa.symbol_alignment());
+    let bytes = code.code_buffer().to_vec();
+    let relocations: Vec<_> =
+        code.buffer.relocs().to_vec().iter().map(|relocation| ModuleReloc::from_mach_reloc(relocation, &context.func, id)).collect();
+    Ok(module.define_function_bytes(id, alignment, &bytes, &relocations)?)
 }
 
 /// Bytes of the native stack that a function takes, without what a call takes anyway: read from its first instructions.
@@ -245,6 +270,8 @@ struct Program<'a> {
     find: Find<'a>,
     layout: &'a Layout,
     options: Options,
+    /// Whether bits of one byte are written with one store.
+    joins: bool,
 }
 
 struct Translator<'a> {
@@ -271,6 +298,8 @@ struct Translator<'a> {
     /// Registers whose memory may be older than their value.
     dirty: u32,
     temporaries: Vec<Option<Val>>,
+    /// What is known of memory in the running piece of code.
+    bytes: Bytes,
     /// All registers that the block may change.
     written: u32,
     arrivals: HashMap<u32, Arrival>,
@@ -296,7 +325,7 @@ fn register_offset(register: Register) -> i32 {
 
 impl<'a> Translator<'a> {
     fn new(mut b: FunctionBuilder<'a>, module: &'a mut JITModule, program: Program<'a>, index: usize) -> Self {
-        let Program { functions, blocks, summaries, find, layout, options } = program;
+        let Program { functions, blocks, summaries, find, layout, options, joins } = program;
         let entry = b.create_block();
         b.append_block_params_for_function_params(entry);
         b.switch_to_block(entry);
@@ -324,6 +353,7 @@ impl<'a> Translator<'a> {
             changed: 0,
             dirty: 0,
             temporaries: Vec::new(),
+            bytes: Bytes::new(joins),
             written: 0,
             arrivals: HashMap::new(),
             statement: 0,
@@ -475,7 +505,9 @@ impl<'a> Translator<'a> {
         (statement as usize..code.statement_count()).find(|&index| !code.statement(index).is_empty()).unwrap_or(0) as u32
     }
 
+    /// A block for what happens seldom. Memory is as the program left it there.
     fn cold_block(&mut self) -> clif::Block {
+        self.settle_bytes();
         let block = self.b.create_block();
         self.b.set_cold_block(block);
         block
@@ -505,6 +537,7 @@ impl<'a> Translator<'a> {
 
     /// Makes the variables current and returns where the statement begins; the caller jumps there.
     fn edge(&mut self, statement: u32) -> clif::Block {
+        self.settle_bytes();
         let dead = self.dead_at(statement);
         self.define_variables(!dead);
         let known = self.current.map(|value| match value {
@@ -600,6 +633,7 @@ impl<'a> Translator<'a> {
     }
 
     fn ask(&mut self, question: Question, arguments: &[Value]) -> Value {
+        self.settle_bytes();
         let arguments: Vec<Value> = [self.run].iter().chain(arguments).copied().collect();
         self.call(self.functions.questions[&question], &arguments)
     }
@@ -716,6 +750,7 @@ impl<'a> Translator<'a> {
             Inst::JumpTable { index, first, count, otherwise } => self.jump_table(index, first, count, otherwise),
             Inst::Call { callee, parameters } => self.call_block(index, callee, parameters),
             Inst::Return => {
+                self.settle_bytes();
                 let handed_back = match self.called_only() {
                     true => self.dirty & !set_by_calls() & !(SPARED & !self.summaries[self.index].live_out),
                     false => self.dirty,

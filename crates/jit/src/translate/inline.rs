@@ -222,6 +222,7 @@ impl Translator<'_> {
     pub(super) fn not(&mut self, a: Val) -> Val {
         match self.force(a) {
             Val::Const(a) => Val::Const(!a & 1),
+            Val::At { value, at } => Val::At { value: self.b.ins().bxor_imm_u(value, 1 << at), at },
             a => {
                 let clean = self.is_clean(a);
                 let a = self.bit(a);
@@ -241,8 +242,9 @@ impl Translator<'_> {
             }
             (a, b) => {
                 let clean = self.is_clean(a) || self.is_clean(b);
-                let (a, b) = (self.bit(a), self.bit(b));
-                Val::Bit { value: self.b.ins().band(a, b), clean }
+                let (a, b, at) = self.aligned(a, b);
+                let value = self.b.ins().band(a, b);
+                Self::bit_value(value, at, clean)
             }
         }
     }
@@ -265,8 +267,9 @@ impl Translator<'_> {
             }
             (a, b) => {
                 let clean = self.is_clean(a);
-                let (a, b) = (self.bit(a), self.bit(b));
-                Val::Bit { value: self.b.ins().band_not(a, b), clean }
+                let (a, b, at) = self.aligned(a, b);
+                let value = self.b.ins().band_not(a, b);
+                Self::bit_value(value, at, clean)
             }
         }
     }
@@ -282,8 +285,9 @@ impl Translator<'_> {
             }
             (a, b) => {
                 let clean = self.is_clean(a) && self.is_clean(b);
-                let (a, b) = (self.bit(a), self.bit(b));
-                Val::Bit { value: self.b.ins().bor(a, b), clean }
+                let (a, b, at) = self.aligned(a, b);
+                let value = self.b.ins().bor(a, b);
+                Self::bit_value(value, at, clean)
             }
         }
     }
@@ -299,8 +303,9 @@ impl Translator<'_> {
             }
             (a, b) => {
                 let clean = self.is_clean(a) && self.is_clean(b);
-                let (a, b) = (self.bit(a), self.bit(b));
-                Val::Bit { value: self.b.ins().bxor(a, b), clean }
+                let (a, b, at) = self.aligned(a, b);
+                let value = self.b.ins().bxor(a, b);
+                Self::bit_value(value, at, clean)
             }
         }
     }
@@ -313,7 +318,7 @@ impl Translator<'_> {
     fn as_bit(&mut self, value: Val) -> Val {
         match value {
             Val::Const(value) => Val::Const(value & 1),
-            Val::Bit { .. } => value,
+            Val::Bit { .. } | Val::At { .. } => value,
             _ => Val::Bit { value: self.bit(value), clean: false },
         }
     }
@@ -354,7 +359,7 @@ impl Translator<'_> {
     pub(super) fn is_32_bits(&self, value: Val) -> bool {
         match value {
             Val::Const(value) => u32::try_from(value).is_ok(),
-            Val::Int(_) | Val::Bit { .. } => true,
+            Val::Int(_) | Val::Bit { .. } | Val::At { .. } => true,
             Val::Word(_) | Val::Lazy(_) => false,
         }
     }

@@ -17,13 +17,13 @@ use crate::ask::Question;
 use crate::run::{Link, Run};
 
 /// Data memory: always there, at any alignment.
-fn data() -> MemFlagsData {
+pub(super) fn data() -> MemFlagsData {
     MemFlagsData::new().with_notrap()
 }
 
 /// A bit of a byte.
 #[derive(Clone, Copy)]
-enum Bit {
+pub(super) enum Bit {
     Number(u8),
     /// Its number, 0 to 7, in 32 bits.
     Computed(Value),
@@ -31,10 +31,10 @@ enum Bit {
 
 /// An address: base, offset and bit.
 #[derive(Clone, Copy)]
-struct Address {
-    base: Value,
-    offset: i32,
-    bit: Bit,
+pub(super) struct Address {
+    pub(super) base: Value,
+    pub(super) offset: i32,
+    pub(super) bit: Bit,
 }
 
 /// How a place is reached.
@@ -51,7 +51,7 @@ impl Translator<'_> {
     pub(super) fn load(&mut self, index: u32, dst: Var, place: Place, width: Width, on_fault: OnFault) {
         let way = self.way(place, width, on_fault == OnFault::SkipWrite);
         if let Way::Direct(address) = way {
-            let value = self.read(address, width);
+            let value = self.read_known(address, width);
             self.set(dst, value);
             return;
         }
@@ -109,7 +109,7 @@ impl Translator<'_> {
         let go_on;
         let slow = match self.way(place, width, true) {
             Way::Direct(address) => {
-                self.write(address, width, value);
+                self.write_known(address, width, value);
                 return;
             }
             Way::Checked(condition, address) => {
@@ -311,7 +311,7 @@ impl Translator<'_> {
         Way::Checked(inside, Address { base, offset: start, bit })
     }
 
-    fn read(&mut self, Address { base, offset, bit }: Address, width: Width) -> Val {
+    pub(super) fn read(&mut self, Address { base, offset, bit }: Address, width: Width) -> Val {
         match width {
             Width::Bit => {
                 let byte = self.b.ins().uload8(I32, data(), base, offset);
@@ -338,7 +338,7 @@ impl Translator<'_> {
         }
     }
 
-    fn write(&mut self, Address { base, offset, bit }: Address, width: Width, value: Val) {
+    pub(super) fn write(&mut self, Address { base, offset, bit }: Address, width: Width, value: Val) {
         match width {
             Width::Bit => {
                 let old = self.b.ins().uload8(I32, data(), base, offset);

@@ -17,6 +17,8 @@ pub(super) enum Val {
     Int(Value),
     /// One bit, lowest in 32; the others are 0 only if it is clean.
     Bit { value: Value, clean: bool },
+    /// Bit `at` of 32, with anything around it: a bit of a byte that nobody has moved yet.
+    At { value: Value, at: u8 },
     /// An operation that is written where its result is needed first, if it ever is; by its number.
     Lazy(u32),
 }
@@ -105,8 +107,50 @@ impl Translator<'_> {
             Val::Const(value) => self.b.ins().iconst(I32, (value & 1) as i64),
             Val::Word(value) => self.b.ins().ireduce(I32, value),
             Val::Int(value) | Val::Bit { value, .. } => value,
+            Val::At { value, at } => self.b.ins().ushr_imm_u(value, i64::from(at)),
             Val::Lazy(_) => unreachable!("it was written"),
         }
+    }
+
+    /// Two bits at the same position, which is returned behind them: bits of bytes are moved at most once.
+    pub(super) fn aligned(&mut self, a: Val, b: Val) -> (Value, Value, u8) {
+        match (a, b) {
+            (Val::At { value: a, at }, Val::At { value: b, at: other }) => {
+                let b = self.moved(b, other, at);
+                (a, b, at)
+            }
+            _ => (self.bit(a), self.bit(b), 0),
+        }
+    }
+
+    /// Moves bits from one position to another.
+    fn moved(&mut self, value: Value, from: u8, to: u8) -> Value {
+        match from.cmp(&to) {
+            std::cmp::Ordering::Equal => value,
+            std::cmp::Ordering::Greater => self.b.ins().ushr_imm_u(value, i64::from(from - to)),
+            std::cmp::Ordering::Less => self.b.ins().ishl_imm_u(value, i64::from(to - from)),
+        }
+    }
+
+    /// The bit at a position of 32, the others 0.
+    pub(super) fn bit_at(&mut self, value: Val, to: u8) -> Value {
+        match self.force(value) {
+            Val::Bit { value, clean: true } => self.moved(value, 0, to),
+            Val::At { value, at } => {
+                let value = self.moved(value, at, to);
+                self.b.ins().band_imm_u(value, 1 << to)
+            }
+            value => {
+                let value = self.bit(value);
+                let value = self.moved(value, 0, to);
+                self.b.ins().band_imm_u(value, 1 << to)
+            }
+        }
+    }
+
+    /// A bit at its position; `clean` counts at position 0.
+    pub(super) fn bit_value(value: Value, at: u8, clean: bool) -> Val {
+        if at == 0 { Val::Bit { value, clean } } else { Val::At { value, at } }
     }
 
     /// Bit 0 alone, in 32 bits.
