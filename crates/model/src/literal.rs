@@ -1,5 +1,7 @@
 //! Constants: their values and how they are written.
 
+pub mod elsewhere;
+
 use std::fmt;
 
 use crate::bcd;
@@ -44,6 +46,8 @@ pub enum Value {
         pointer: u32,
     },
     Any([u8; 10]),
+    /// What a variable of the types of Structured Text, or a whole array or structure, holds: its bytes.
+    Image(Vec<u8>),
 }
 
 impl Value {
@@ -57,7 +61,9 @@ impl Value {
             Self::Word(value) | Self::S5Time(value) | Self::Counter(value) | Self::Date(value) => u32::from(*value),
             Self::DoubleWord(value) | Self::TimeOfDay(value) | Self::Pointer(value) => *value,
             Self::Characters(text) if text.len() <= 4 => text.iter().fold(0, |word, &byte| word << 8 | u32::from(byte)),
-            Self::Bool(_) | Self::Characters(_) | Self::DateAndTime(_) | Self::DataPointer { .. } | Self::Any(_) => return None,
+            Self::Bool(_) | Self::Characters(_) | Self::DateAndTime(_) | Self::DataPointer { .. } | Self::Any(_) | Self::Image(_) => {
+                return None;
+            }
         })
     }
 }
@@ -455,7 +461,7 @@ fn days_of_year(year: u32) -> u32 {
 }
 
 /// Days from 1990-01-01 to a valid date not before it.
-fn days_since_1990(year: u32, month: u32, day: u32) -> u32 {
+pub(crate) fn days_since_1990(year: u32, month: u32, day: u32) -> u32 {
     (1990..year).map(days_of_year).sum::<u32>() + (1..month).map(|month| days_of_month(year, month)).sum::<u32>() + day - 1
 }
 
@@ -467,7 +473,7 @@ pub fn days_to_date(year: u16, month: u8, day: u8) -> Option<u32> {
 }
 
 /// Year, month and day of a DATE, for every 16-bit number of days.
-fn calendar_date(days: u16) -> (u32, u32, u32) {
+pub(crate) fn calendar_date(days: u16) -> (u32, u32, u32) {
     let mut left = u32::from(days);
     let mut year = 1990;
     while left >= days_of_year(year) {
@@ -817,7 +823,7 @@ impl Value {
             Self::Characters(ref bytes) if matches!(bytes.len(), 1..=4) => bytes.iter().fold(0, |word, &byte| word << 8 | u64::from(byte)),
             Self::DateAndTime(bytes) => u64::from_be_bytes(bytes),
             Self::DataPointer { db, pointer } => u64::from(db) << 32 | u64::from(pointer),
-            Self::Characters(_) | Self::Any(_) => return None,
+            Self::Characters(_) | Self::Any(_) | Self::Image(_) => return None,
         })
     }
 
@@ -832,6 +838,7 @@ impl Value {
             Self::DateAndTime(_) => 64,
             Self::DataPointer { .. } => 48,
             Self::Any(_) => 80,
+            Self::Image(bytes) => u32::try_from(bytes.len()).unwrap_or(u32::MAX).saturating_mul(8),
         }
     }
 
@@ -882,6 +889,7 @@ impl Value {
             Self::DataPointer { db: 0, pointer } => format!("P#{}", spell_pointer(pointer)),
             Self::DataPointer { db, pointer } => format!("P#{}{db}.{}", data_register(pointer), spell_pointer(pointer)),
             Self::Any(ref bytes) => spell_any(bytes),
+            Self::Image(ref bytes) => bytes.iter().map(|byte| format!("{byte:02X}")).collect::<Vec<_>>().join(" "),
         }
     }
 
@@ -908,6 +916,9 @@ impl Value {
 
 /// Raw bits as a value of a data type, the way a table of variables shows it; types without a notation in hex by their width.
 pub fn format_as(data_type: &DataType, bits: u64) -> String {
+    if let Some(text) = elsewhere::format_as(data_type, bits) {
+        return text;
+    }
     match Value::from_bits(data_type, bits) {
         Some(Value::DoubleInt(value)) => value.to_string(),
         Some(Value::Real(value)) if value.is_nan() => "NaN".to_owned(),
@@ -920,6 +931,7 @@ pub fn format_as(data_type: &DataType, bits: u64) -> String {
         Some(value) => value.spell(),
         None => match data_type.bits() {
             0..=16 => format!("W#16#{:04X}", bits as u16),
+            64.. => format!("16#{bits:016X}"),
             _ => format!("DW#16#{:08X}", bits as u32),
         },
     }
@@ -935,7 +947,7 @@ fn spell_real(value: f32) -> String {
 }
 
 /// The units that are not zero, or `0MS`.
-fn spell_duration(milliseconds: u64, units: &[(&str, u64)]) -> String {
+pub(crate) fn spell_duration(milliseconds: u64, units: &[(&str, u64)]) -> String {
     let mut left = milliseconds;
     let mut text = String::new();
     for &(unit, factor) in units {

@@ -6,7 +6,7 @@ use crate::address::Width;
 use crate::block::BlockId;
 use crate::literal::Value;
 
-/// A data type of STEP 7.
+/// A data type of STEP 7, or of those that its controllers lack and Structured Text has; all with the layout rules of the S7.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The variants are the manual's own names.
 pub enum DataType {
@@ -46,6 +46,89 @@ pub enum DataType {
     BlockData,
     BlockSystemData,
     Void,
+    /// SINT.
+    SmallInt,
+    /// USINT.
+    UnsignedSmallInt,
+    /// UINT.
+    UnsignedInt,
+    /// UDINT.
+    UnsignedDoubleInt,
+    /// LINT.
+    LongInt,
+    /// ULINT.
+    UnsignedLongInt,
+    /// LWORD.
+    LongWord,
+    /// LREAL.
+    LongReal,
+    /// LTIME in nanoseconds.
+    LongTime,
+    /// LDATE: nanoseconds since 1970-01-01 at midnight, as an unsigned number.
+    LongDate,
+    /// LTOD: nanoseconds since midnight.
+    LongTimeOfDay,
+    /// LDT: nanoseconds since 1970-01-01, as an unsigned number.
+    LongDateAndTime,
+    /// WCHAR, a unit of UTF-16.
+    WideChar,
+    /// WSTRING with its maximum length: that and the actual length as words, then units of UTF-16.
+    WideString(u16),
+    /// A type with named values.
+    Enumeration(Arc<Enumeration>),
+    /// An integer type with limits.
+    Subrange(Arc<Subrange>),
+    /// REF_TO, POINTER TO, REFERENCE TO: eight bytes, of which the first two are 0, then a data block number (0 = none) and an
+    /// area-crossing pointer; all 0 = NULL.
+    Reference(Arc<Reference>),
+}
+
+/// A type with named values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Enumeration {
+    /// The name of the type; `None` for one that is written where a variable is declared.
+    pub name: Option<String>,
+    /// The integer type that holds the values.
+    pub base: DataType,
+    /// The names and their values, in the order of the declaration.
+    pub values: Vec<(String, i64)>,
+    /// What a variable holds at the start.
+    pub initial: i64,
+}
+
+/// An integer type with limits.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Subrange {
+    /// The name of the type; `None` for one that is written where a variable is declared.
+    pub name: Option<String>,
+    /// The integer type that holds the values.
+    pub base: DataType,
+    /// The smallest value.
+    pub low: i128,
+    /// The greatest value.
+    pub high: i128,
+    /// What a variable holds at the start.
+    pub initial: i128,
+}
+
+/// What a reference refers to, and how it is written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reference {
+    /// The type of what it refers to.
+    pub target: DataType,
+    /// How it is written.
+    pub kind: ReferenceKind,
+}
+
+/// How a reference is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReferenceKind {
+    /// `REF_TO`: followed with `^`.
+    RefTo,
+    /// `POINTER TO`: followed with `^`, and a number that can be counted with.
+    Pointer,
+    /// `REFERENCE TO`: used like the variable itself.
+    Reference,
 }
 
 /// The fields of a STRUCT, UDT or instance, laid out.
@@ -110,6 +193,26 @@ const WORDS: &[(&str, DataType)] = &[
     ("VOID", DataType::Void),
 ];
 
+/// The types that an S7-300/400 does not have, by their words; of two words for one type the first is written.
+const WORDS_ELSEWHERE: &[(&str, DataType)] = &[
+    ("SINT", DataType::SmallInt),
+    ("USINT", DataType::UnsignedSmallInt),
+    ("UINT", DataType::UnsignedInt),
+    ("UDINT", DataType::UnsignedDoubleInt),
+    ("LINT", DataType::LongInt),
+    ("ULINT", DataType::UnsignedLongInt),
+    ("LWORD", DataType::LongWord),
+    ("LREAL", DataType::LongReal),
+    ("LTIME", DataType::LongTime),
+    ("LDATE", DataType::LongDate),
+    ("LTOD", DataType::LongTimeOfDay),
+    ("LTIME_OF_DAY", DataType::LongTimeOfDay),
+    ("LDT", DataType::LongDateAndTime),
+    ("LDATE_AND_TIME", DataType::LongDateAndTime),
+    ("WCHAR", DataType::WideChar),
+    ("WSTRING", DataType::WideString(STRING_LENGTH_MAX as u16)),
+];
+
 /// Characters that a STRING may have, and has if its declaration does not say.
 pub const STRING_LENGTH_MAX: u8 = 254;
 
@@ -119,14 +222,35 @@ impl DataType {
         WORDS.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)).map(|(_, data_type)| data_type.clone())
     }
 
-    /// The words that name a type by themselves.
+    /// The type of Structured Text that a word names, without regard to case: those of [`Self::from_word`] and the ones that an
+    /// S7-300/400 does not have.
+    pub fn from_any_word(word: &str) -> Option<Self> {
+        let elsewhere = || WORDS_ELSEWHERE.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)).map(|(_, data_type)| data_type.clone());
+        Self::from_word(word).or_else(elsewhere)
+    }
+
+    /// The words of [`Self::from_any_word`].
+    pub fn all_words() -> impl Iterator<Item = &'static str> {
+        WORDS.iter().chain(WORDS_ELSEWHERE).map(|&(word, _)| word)
+    }
+
+    /// The words of an S7-300/400 that name a type by themselves.
     pub fn words() -> impl Iterator<Item = &'static str> {
         WORDS.iter().map(|&(word, _)| word)
     }
 
     /// The word of a type that one word names.
     pub fn word(&self) -> Option<&'static str> {
-        WORDS.iter().find(|(_, data_type)| data_type == self).map(|&(word, _)| word)
+        WORDS.iter().chain(WORDS_ELSEWHERE).find(|(_, data_type)| data_type == self).map(|&(word, _)| word)
+    }
+
+    /// The type whose values an enumeration or a subrange holds; any other type itself.
+    pub fn base(&self) -> &Self {
+        match self {
+            Self::Enumeration(enumeration) => enumeration.base.base(),
+            Self::Subrange(subrange) => subrange.base.base(),
+            other => other,
+        }
     }
 
     /// The width of an elementary type.
@@ -147,12 +271,16 @@ impl DataType {
         match self {
             Self::Void => 0,
             Self::Bool => 1,
-            Self::Byte | Self::Char => 8,
-            Self::Word | Self::Int | Self::Date | Self::S5Time => 16,
+            Self::Byte | Self::Char | Self::SmallInt | Self::UnsignedSmallInt => 8,
+            Self::Word | Self::Int | Self::Date | Self::S5Time | Self::UnsignedInt | Self::WideChar => 16,
             Self::Timer | Self::Counter => 16,
             Self::BlockFunction | Self::BlockFunctionBlock | Self::BlockData | Self::BlockSystemData => 16,
-            Self::DoubleWord | Self::DoubleInt | Self::Real | Self::TimeOfDay | Self::Time => 32,
-            Self::DateAndTime => 64,
+            Self::DoubleWord | Self::DoubleInt | Self::Real | Self::TimeOfDay | Self::Time | Self::UnsignedDoubleInt => 32,
+            Self::DateAndTime | Self::Reference(_) => 64,
+            Self::LongInt | Self::UnsignedLongInt | Self::LongWord | Self::LongReal => 64,
+            Self::LongTime | Self::LongDate | Self::LongTimeOfDay | Self::LongDateAndTime => 64,
+            Self::Enumeration(_) | Self::Subrange(_) => self.base().bits(),
+            Self::WideString(length) => (u64::from(*length) + 2) * 16,
             Self::Pointer => 48,
             Self::Any => 80,
             Self::String(length) => (u64::from(*length) + 2).next_multiple_of(2) * 8,
@@ -163,13 +291,13 @@ impl DataType {
 
     /// Whether a value starts at an even byte.
     pub fn word_aligned(&self) -> bool {
-        !matches!(self, Self::Bool | Self::Byte | Self::Char)
+        !matches!(self.base(), Self::Bool | Self::Byte | Self::Char | Self::SmallInt | Self::UnsignedSmallInt)
     }
 
     /// Whether the type fits ACCU 1: at most 32 bits and not a structure.
     pub fn is_elementary(&self) -> bool {
         matches!(
-            self,
+            self.base(),
             Self::Bool
                 | Self::Byte
                 | Self::Char
@@ -182,6 +310,27 @@ impl DataType {
                 | Self::TimeOfDay
                 | Self::Time
                 | Self::S5Time
+                | Self::SmallInt
+                | Self::UnsignedSmallInt
+                | Self::UnsignedInt
+                | Self::UnsignedDoubleInt
+                | Self::WideChar
+        )
+    }
+
+    /// Whether a value is one number of 64 bits (DATE_AND_TIME, a row of BCD digits, is none).
+    pub fn is_long(&self) -> bool {
+        matches!(
+            self.base(),
+            Self::LongInt
+                | Self::UnsignedLongInt
+                | Self::LongWord
+                | Self::LongReal
+                | Self::LongTime
+                | Self::LongDate
+                | Self::LongTimeOfDay
+                | Self::LongDateAndTime
+                | Self::Reference(_)
         )
     }
 
@@ -253,7 +402,7 @@ fn array_bits(array: &DataType) -> u64 {
 pub fn place(cursor: u64, data_type: &DataType) -> (u64, u64) {
     let start = match data_type {
         DataType::Bool => cursor,
-        DataType::Byte | DataType::Char => round_up(cursor, 8),
+        _ if !data_type.word_aligned() => round_up(cursor, 8),
         _ => round_up(cursor, 16),
     };
     (start, start.saturating_add(data_type.bits()))

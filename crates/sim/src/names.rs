@@ -160,7 +160,7 @@ impl Name {
     /// The CPU has nothing of that name.
     pub fn read(&self, cpu: &Cpu) -> Result<Shown, NameError> {
         if let Target::Field { db, byte, data_type } = &self.target
-            && *data_type != DataType::DateAndTime
+            && !is_one_number(data_type)
         {
             return self.read_long(cpu, *db, *byte, data_type);
         }
@@ -175,7 +175,7 @@ impl Name {
             Target::Register(_) => Shown::Hex { bits, digits: 8 },
             Target::Operand(Operand::Timer(_) | Operand::Counter(_), _) => Shown::Number(i64::try_from(bits).unwrap_or(i64::MAX)),
             Target::Operand(operand, data_type) => shown(bits, operand_width(operand), data_type.as_ref()),
-            Target::Field { data_type, .. } => Shown::Text(literal::format_as(data_type, bits)),
+            Target::Field { data_type, .. } => shown(bits, 64, Some(data_type)),
         })
     }
 
@@ -198,7 +198,7 @@ impl Name {
                 cpu.modify(operand, bits as u32).map_err(|error| NameError::new(format!("cannot set `{}`: {error}", self.text)))
             }
             Target::TimerStatus(_) => Err(NameError::new(format!("`{}` can only be read; set `T n` to an S5TIME instead", self.text))),
-            Target::Field { db, byte, data_type: DataType::DateAndTime } => {
+            Target::Field { db, byte, data_type } if is_one_number(data_type) => {
                 for (offset, half) in [(0, bits >> 32), (4, bits & 0xFFFF_FFFF)] {
                     let address = Address { area: Area::SharedData, width: Width::DoubleWord, byte: byte + offset, bit: 0 };
                     cpu.modify(&Operand::InDataBlock { db: *db, address }, half as u32)
@@ -228,7 +228,7 @@ impl Name {
     /// The expected value is none or does not fit, or the CPU has nothing of that name.
     pub fn holds(&self, cpu: &Cpu, expected: &str) -> Result<bool, NameError> {
         if let Target::Field { data_type, .. } = &self.target
-            && *data_type != DataType::DateAndTime
+            && !is_one_number(data_type)
         {
             return Ok(self.read(cpu)?.to_string() == expected);
         }
@@ -294,6 +294,11 @@ impl Name {
         // `DB1.speed=5` means the number where the field is a REAL.
         if let (Some(DataType::Real), Ok(number)) = (self.data_type(), text.parse::<f32>()) {
             return Ok(u64::from(number.to_bits()));
+        }
+        if let Some(data_type) = self.data_type()
+            && let Some(bits) = literal::elsewhere::parse_as(data_type, text)
+        {
+            return Ok(bits);
         }
         if let Ok(number) = text.parse::<i64>() {
             return self.integer(text, number);
@@ -374,6 +379,11 @@ impl Name {
                 let count = usize::from(bytes.get(1).copied().unwrap_or(0));
                 Value::Characters(bytes.iter().skip(2).take(count).copied().collect()).spell()
             }
+            DataType::WideString(_) => {
+                let word = |at: usize| bytes.get(at..at + 2).map_or(0, |pair| u16::from_be_bytes([pair[0], pair[1]]));
+                let units: Vec<u16> = (0..usize::from(word(2))).map(|index| word(4 + 2 * index)).collect();
+                format!("'{}'", String::from_utf16_lossy(&units))
+            }
             DataType::Any => <[u8; 10]>::try_from(bytes).map(|bytes| Value::Any(bytes).spell()).unwrap_or_default(),
             _ => bytes.iter().map(|byte| format!("{byte:02X}")).collect::<Vec<_>>().join(" "),
         }))
@@ -423,10 +433,19 @@ fn operand_width(operand: &Operand) -> u32 {
     }
 }
 
+/// Whether a value of more than 32 bits is read and written as one number of 64.
+fn is_one_number(data_type: &DataType) -> bool {
+    *data_type == DataType::DateAndTime || data_type.is_long()
+}
+
 /// Bits by their type if that says more than their width.
 fn shown(bits: u64, width: u32, data_type: Option<&DataType>) -> Shown {
-    match data_type {
+    match data_type.map(DataType::base) {
         _ if width == 1 => Shown::Bit(bits != 0),
+        Some(_) if data_type.is_some_and(literal::elsewhere::is_elsewhere) => {
+            Shown::Text(literal::format_as(data_type.unwrap_or(&DataType::Word), bits))
+        }
+        Some(DataType::DateAndTime) => Shown::Text(literal::format_as(&DataType::DateAndTime, bits)),
         Some(DataType::Int) => Shown::Number(i64::from(bits as u16 as i16)),
         Some(DataType::DoubleInt) => Shown::Number(i64::from(bits as u32 as i32)),
         Some(DataType::Real) => Shown::Real(f32::from_bits(bits as u32)),

@@ -109,7 +109,12 @@ impl Hash {
                 self.text("STRUCT");
                 self.structure(structure);
             }
-            other => self.text(other.word().unwrap_or_default()),
+            DataType::WideString(length) => {
+                self.text("WSTRING");
+                self.number(u64::from(*length));
+            }
+            DataType::Reference(_) => self.text("REF_TO"),
+            other => self.text(other.base().word().unwrap_or_default()),
         }
     }
 }

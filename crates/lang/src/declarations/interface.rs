@@ -202,8 +202,14 @@ pub(crate) fn stored_type(section: Section, data_type: &DataType) -> DataType {
 
 /// Types that do not fit an accumulator and are passed by a POINTER.
 pub(crate) fn is_complex(data_type: &DataType) -> bool {
-    matches!(
-        data_type,
-        DataType::DateAndTime | DataType::String(_) | DataType::Array { .. } | DataType::Struct(_) | DataType::Instance { .. }
-    )
+    data_type.is_long()
+        || matches!(
+            data_type,
+            DataType::DateAndTime
+                | DataType::String(_)
+                | DataType::WideString(_)
+                | DataType::Array { .. }
+                | DataType::Struct(_)
+                | DataType::Instance { .. }
+        )
 }

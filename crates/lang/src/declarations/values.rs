@@ -89,7 +89,7 @@ fn bit_pattern(value: &Value, width: u32) -> Result<u32, Misfit> {
     };
     let whole = |own: u32, bits: u32| if own <= width { Ok(bits) } else { Err(Misfit::Type) };
     match value {
-        Value::Bool(_) | Value::DateAndTime(_) | Value::DataPointer { .. } | Value::Any(_) => Err(Misfit::Type),
+        Value::Bool(_) | Value::DateAndTime(_) | Value::DataPointer { .. } | Value::Any(_) | Value::Image(_) => Err(Misfit::Type),
         Value::Real(_) => Err(Misfit::Type),
         Value::Int(number) => signed(i64::from(*number)),
         Value::DoubleInt(number) => signed(i64::from(*number)),
@@ -135,6 +135,7 @@ pub(crate) fn write(image: &mut [u8], position: u64, data_type: &DataType, value
             put(2, &pointer.to_be_bytes());
         }
         Value::Any(bytes) => put(0, bytes),
+        Value::Image(bytes) => put(0, bytes),
         Value::Characters(text) => {
             let maximum = match data_type {
                 DataType::String(length) => *length,
@@ -150,6 +151,7 @@ pub(crate) fn write(image: &mut [u8], position: u64, data_type: &DataType, value
 /// Writes what a variable of this type holds at the start: its initial values, else those of its type.
 pub(crate) fn write_initial(image: &mut [u8], position: u64, data_type: &DataType, initial: &[Value]) {
     match data_type {
+        _ if matches!(initial, [Value::Image(_)]) => initial.iter().for_each(|value| write(image, position, data_type, value)),
         // Types without a byte may stand in one another so often that nobody can visit them all.
         DataType::Struct(structure) | DataType::Instance { structure, .. } if structure.size > 0 => {
             for field in &structure.fields {
@@ -193,6 +195,9 @@ fn starts_with_zeros(data_type: &DataType) -> bool {
             | DataType::Struct(_)
             | DataType::Instance { .. }
             | DataType::Array { .. }
+            | DataType::WideString(_)
+            | DataType::Enumeration(_)
+            | DataType::Subrange(_)
     )
 }
 
@@ -204,6 +209,19 @@ fn write_default(image: &mut [u8], position: u64, data_type: &DataType) {
         DataType::DateAndTime => write(image, position, data_type, &Value::DateAndTime([0x90, 1, 1, 0, 0, 0, 0, 2])),
         // `P#P 0.0 VOID 0`: only the identification of S7 is set.
         DataType::Any => write(image, position, data_type, &Value::Any([0x10, 0, 0, 0, 0, 0, 0, 0, 0, 0])),
+        DataType::WideString(length) => {
+            let [high, low] = length.to_be_bytes();
+            write(image, position, data_type, &Value::Image(vec![high, low, 0, 0]));
+        }
+        DataType::Enumeration(enumeration) => write_number(image, position, data_type, enumeration.initial as u64),
+        DataType::Subrange(subrange) => write_number(image, position, data_type, subrange.initial as u64),
         _ => {}
     }
+}
+
+/// Writes the low bits of a number, as many as the type has.
+fn write_number(image: &mut [u8], position: u64, data_type: &DataType, bits: u64) {
+    let bytes = bits.to_be_bytes();
+    let length = (data_type.bits() / 8).min(8) as usize;
+    write(image, position, data_type, &Value::Image(bytes[8 - length..].to_vec()));
 }

@@ -148,7 +148,7 @@ fn misfit(wanted: Kind, value: &Held, other: Option<&Held>) -> Option<&'static s
 }
 
 fn kind(data_type: &DataType) -> Kind {
-    match data_type {
+    match data_type.base() {
         DataType::Int => Kind::Int,
         DataType::DoubleInt | DataType::Time => Kind::DoubleInt,
         DataType::Real => Kind::Real,
