@@ -614,6 +614,8 @@ ops! {
     neg_overflows_i32 = NegOverflowsI32(a: i32) -> bool = a == i32::MIN;
     /// Whether −a does not fit 64 bits: a is the least integer.
     neg_overflows_i64 = NegOverflowsI64(a: i64) -> bool = a == i64::MIN;
+    /// Whether b = 0.
+    divisor_is_zero = DivisorIsZero(a: u64, b: u64) -> bool = { let _ = a; b == 0 };
     /// Whether a signed value is outside least…most.
     outside_i64 = OutsideI64(value: i64, least: i64, most: i64) -> bool = !(least..=most).contains(&value);
     /// Whether an LREAL is outside least…most or no number.
@@ -714,6 +716,8 @@ ops! {
     min_f64 = MinF64(a: f64, b: f64) -> f64 = quiet64(libm::fmin(a, b));
     /// The greater LREAL; the other one if one is no number.
     max_f64 = MaxF64(a: f64, b: f64) -> f64 = quiet64(libm::fmax(a, b));
+    /// Whether a REAL is infinite or no number.
+    overflows_f32 = OverflowsF32(a: f32) -> bool = !a.is_finite();
     /// Whether an LREAL is infinite or no number.
     overflows_f64 = OverflowsF64(a: f64) -> bool = !a.is_finite();
     /// √a.

@@ -109,6 +109,7 @@ impl Translator<'_> {
             Op::NegOverflowsI16 => self.is_least(16, a),
             Op::NegOverflowsI32 => self.is_least(32, a),
             Op::NegOverflowsI64 => self.is_least(64, a),
+            Op::DivisorIsZero => self.compare(IntCC::Equal, b, Val::Const(0)),
             Op::OutsideI64 => {
                 let (value, least, most) = (self.word(a), self.word(b), self.word(c));
                 let below = self.b.ins().icmp(IntCC::SignedLessThan, value, least);

@@ -3,4 +3,5 @@
 pub mod ast;
 pub mod check;
 pub mod dialect;
+pub mod standard;
 pub mod tree;

@@ -1,0 +1,130 @@
+//! Standard functions: what a name means with the arguments it is given, in each dialect.
+//!
+//! Most functions are a few operations, which [`Meaning::Build`] composes; what is larger is a block of the library.
+
+pub mod operators;
+
+use sieben_model::block::BlockId;
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+use sieben_model::types::DataType;
+
+use super::dialect::Dialect;
+use super::tree::{Place, Scalar, Value};
+use crate::library::LibraryBlock;
+
+/// An argument of a call as far as it decides what the function is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Given<'a> {
+    /// The name of the parameter, if the call names it.
+    pub name: Option<&'a str>,
+    /// What the argument is.
+    pub kind: GivenKind,
+}
+
+/// What an argument is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GivenKind {
+    /// Something with a type.
+    Typed(DataType),
+    /// A whole number without a type.
+    Integer {
+        /// The number.
+        value: i128,
+        /// 2, 8, 10 or 16.
+        radix: u8,
+    },
+    /// A number with a point and without a type.
+    Real,
+    /// Something of no type: NULL, or what was not understood.
+    Unknown,
+}
+
+/// What a function is for the given arguments.
+pub struct Resolved {
+    /// Its parameters in the order that [`Build`] takes them; only those that the call gives. Empty for [`Meaning::Block`], whose
+    /// interface says it.
+    pub parameters: Vec<Parameter>,
+    /// Type of the result.
+    pub result: DataType,
+    /// How it is computed.
+    pub meaning: Meaning,
+}
+
+/// A parameter of a standard function.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// Its name: `IN`, `IN1`.
+    pub name: String,
+    /// What the argument is converted to.
+    pub data_type: DataType,
+}
+
+/// How a function is computed.
+pub enum Meaning {
+    /// From values of the types of its parameters.
+    Build(Build),
+    /// The length of the one argument, a text.
+    Length,
+    /// By a block.
+    Block(Provided),
+}
+
+/// Composes the value of a function from those of its arguments.
+pub type Build = Box<dyn Fn(Vec<Value>, &mut Building<'_>) -> Value>;
+
+/// What surrounds the value that is composed.
+pub struct Building<'a> {
+    /// The call.
+    pub span: Span,
+    /// Whether the block wants to know of operations that fail (ENO, OK).
+    pub checked: bool,
+    /// Gives a place in the local data of the block for a value that is used more than once.
+    pub temporary: &'a mut dyn FnMut(Scalar) -> Place,
+}
+
+/// A block that comes with Sieben.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Provided {
+    /// A block of the S7 libraries, written in STL.
+    Library(&'static LibraryBlock),
+    /// SFC or SFB.
+    System(BlockId),
+    /// A block with this name that is written in ST.
+    Source {
+        /// Its name in the source.
+        name: &'static str,
+        /// The file.
+        source: &'static Source,
+    },
+}
+
+/// A file of library blocks written in ST; each file can be compiled alone.
+#[derive(Debug, PartialEq)]
+pub struct Source {
+    /// Where it lies in the repository.
+    pub path: &'static str,
+    /// In which dialect it is written.
+    pub dialect: Dialect,
+    /// Its text.
+    pub text: &'static str,
+}
+
+/// Why a standard function cannot be called like this.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refusal {
+    /// Which problem it is.
+    pub problem: Problem,
+    /// The argument that is wrong; `None` = the call as a whole.
+    pub argument: Option<usize>,
+    /// What is wrong, as the message of a diagnostic.
+    pub message: String,
+    /// What to do.
+    pub help: String,
+}
+
+/// What a name means as a function with these arguments: `None` if it is no standard function of the dialect.
+pub fn resolve(name: &str, dialect: Dialect, arguments: &[Given<'_>]) -> Option<Result<Resolved, Refusal>> {
+    let _ = (name, dialect, arguments);
+    None
+}
