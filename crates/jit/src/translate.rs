@@ -34,12 +34,16 @@ mod bytes;
 mod calls;
 mod inline;
 mod intrinsics;
+mod loops;
 mod memory;
+mod promote;
 mod sized;
 mod value;
 
 use analysis::{SPARED, Summary, open_blocks, set_by_calls};
 use bytes::Bytes;
+use loops::Loop;
+use promote::Promoted;
 use value::{Lazy, Val};
 
 /// How a program is compiled.
@@ -242,6 +246,8 @@ const AT_CALL: &[(Register, u64)] =
 /// What is known where control flow arrives at a statement.
 struct Arrival {
     block: clif::Block,
+    /// Where the ways from behind it arrive, if it is the head of a loop: `block` is in front of the loop then.
+    again: Option<clif::Block>,
     /// Some way here comes from behind it.
     backward: bool,
     /// Registers whose memory may be older than their variable.
@@ -300,6 +306,11 @@ struct Translator<'a> {
     temporaries: Vec<Option<Val>>,
     /// What is known of memory in the running piece of code.
     bytes: Bytes,
+    loops: Vec<Loop>,
+    /// Memory for which registers stand, in the loops met so far.
+    promoted: Vec<Promoted>,
+    /// Values whose bits above so many are 0.
+    narrow: HashMap<Value, u32>,
     /// All registers that the block may change.
     written: u32,
     arrivals: HashMap<u32, Arrival>,
@@ -308,6 +319,8 @@ struct Translator<'a> {
     passed: u32,
     /// Safe points on ways back that are still to be written: the block, the statement, where it begins.
     ways: Vec<(clif::Block, u32, clif::Block)>,
+    /// The running statement has not begun yet.
+    arriving: bool,
     /// Nothing that follows is reached.
     ended: bool,
     leave: clif::Block,
@@ -354,11 +367,15 @@ impl<'a> Translator<'a> {
             dirty: 0,
             temporaries: Vec::new(),
             bytes: Bytes::new(joins),
+            loops: loops::find(&blocks[index].code),
+            promoted: Vec::new(),
+            narrow: HashMap::new(),
             written: 0,
             arrivals: HashMap::new(),
             statement: 0,
             passed: 0,
             ways: Vec::new(),
+            arriving: false,
             ended: false,
             leave,
             run,
@@ -383,6 +400,9 @@ impl<'a> Translator<'a> {
         self.enter_block();
         let code = &self.native().code;
         for statement in 0..code.statement_count() {
+            if !self.ended {
+                self.leave_loops(statement as u32);
+            }
             self.statement = statement as u32;
             self.arrive();
             if self.ended {
@@ -413,36 +433,24 @@ impl<'a> Translator<'a> {
         let mut mentioned = 0;
         let mut back = Vec::new();
         for statement in 0..code.statement_count() {
-            let mut to = |Target(to): Target| {
-                if to as usize <= statement {
-                    back.push(to);
-                }
-            };
             for inst in code.statement(statement) {
-                match *inst {
-                    Inst::Jump { to: target } | Inst::Branch { to: target, .. } => to(target),
-                    Inst::JumpTable { first, count, otherwise, .. } => {
-                        code.tables[first as usize..(first + count) as usize].iter().copied().chain([otherwise]).for_each(&mut to);
-                    }
-                    Inst::Call { .. } => {
-                        self.written = u32::MAX;
-                        mentioned = u32::MAX;
-                    }
-                    Inst::Open { .. } => {
-                        self.written |= open_blocks();
-                        mentioned |= open_blocks();
-                    }
-                    Inst::Load { place, .. } | Inst::Store { place, .. } if may_be_in_data_block(place) => mentioned |= open_blocks(),
-                    _ => {}
+                back.extend(loops::targets(code, inst).filter(|&to| to as usize <= statement));
+                if let Inst::Load { place, .. } | Inst::Store { place, .. } = *inst
+                    && may_be_in_data_block(place)
+                {
+                    mentioned |= open_blocks();
                 }
                 let register = |var: Var| var.register().map_or(0, bit_of);
-                let written = sieben_engine::ir::verify::writes(inst).map_or(0, register);
+                let written = loops::written(inst);
                 self.written |= written;
                 mentioned |= written | sieben_engine::ir::verify::reads(inst).into_iter().map(register).fold(0, |all, bit| all | bit);
             }
         }
         for to in back {
-            self.arrival(to).backward = true;
+            let again = self.loops.iter().any(|it| it.first == to).then(|| self.b.create_block());
+            let arrival = self.arrival(to);
+            arrival.backward = true;
+            arrival.again = arrival.again.or(again);
         }
         if self.called_only() {
             // What is known there is not in memory.
@@ -466,7 +474,13 @@ impl<'a> Translator<'a> {
 
     fn arrival(&mut self, statement: u32) -> &mut Arrival {
         let b = &mut self.b;
-        self.arrivals.entry(statement).or_insert_with(|| Arrival { block: b.create_block(), backward: false, dirty: 0, known: None })
+        self.arrivals.entry(statement).or_insert_with(|| Arrival {
+            block: b.create_block(),
+            again: None,
+            backward: false,
+            dirty: 0,
+            known: None,
+        })
     }
 
     /// The safe point at the beginning of a block.
@@ -481,9 +495,18 @@ impl<'a> Translator<'a> {
     /// Takes the weight of a safe point from the budget, asks the Host if it is used up, and goes on at `go_on`.
     fn count_down(&mut self, weight: u16, statement: u32, go_on: clif::Block) {
         let offset = offset_of!(Run<'_, '_>, budget) as i32;
-        let budget = self.b.ins().load(I64, TRUSTED, self.run, offset);
+        let promoted = self.promoted_budget();
+        let budget = match promoted {
+            Some(variable) => self.b.use_var(variable),
+            None => self.b.ins().load(I64, TRUSTED, self.run, offset),
+        };
         let left = self.b.ins().iadd_imm_s(budget, -i64::from(weight));
-        self.b.ins().store(TRUSTED, left, self.run, offset);
+        match promoted {
+            Some(variable) => self.b.def_var(variable, left),
+            None => {
+                self.b.ins().store(TRUSTED, left, self.run, offset);
+            }
+        }
         let used_up = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, left, 0);
         let ask = self.cold_block();
         self.b.ins().brif(used_up, ask, &[], go_on, &[]);
@@ -519,20 +542,43 @@ impl<'a> Translator<'a> {
             return;
         }
         if !self.ended {
+            self.arriving = true;
             let block = self.edge(self.statement);
+            self.arriving = false;
             self.b.ins().jump(block, &[]);
         }
-        let (backward, written) = (self.arrivals[&self.statement].backward, self.written & !self.dead_at(self.statement));
-        let arrival = self.arrival(self.statement);
-        let (block, known) = (arrival.block, arrival.known.unwrap_or_default());
-        self.dirty = if backward { written } else { arrival.dirty };
+        let statement = self.statement;
+        let arrival = self.arrival(statement);
+        let (block, known, dirty, again) = (arrival.block, arrival.known.unwrap_or_default(), arrival.dirty, arrival.again);
         self.b.switch_to_block(block);
-        if !backward {
-            self.b.seal_block(block);
-        }
         self.changed = 0;
-        self.current = if backward { [None; Register::COUNT] } else { known.map(|value| value.map(Val::Const)) };
+        self.current = known.map(|value| value.map(Val::Const));
+        self.dirty = dirty;
         self.ended = false;
+        if !self.arrivals[&statement].backward {
+            self.b.seal_block(block);
+            return;
+        }
+        // A register that nothing in the loop changes is what it was in front of it.
+        let inside = |it: &&Loop| it.contains(statement);
+        let smallest = self.loops.iter().filter(inside).min_by_key(|it| it.last - it.first).cloned();
+        let written = smallest.as_ref().map_or(self.written, |it| it.written);
+        for &register in Register::ALL {
+            if written & bit_of(register) != 0 {
+                self.current[register as usize] = None;
+            }
+        }
+        // What is entered in the middle may be reached by a way on which less was stored.
+        let changed = if again.is_some() { written & self.written } else { self.written };
+        self.dirty |= changed & !self.dead_at(statement);
+        if let Some(head) = again {
+            self.b.seal_block(block);
+            if let Some(it) = smallest {
+                self.promote(&it);
+            }
+            self.b.ins().jump(head, &[]);
+            self.b.switch_to_block(head);
+        }
     }
 
     /// Makes the variables current and returns where the statement begins; the caller jumps there.
@@ -545,7 +591,11 @@ impl<'a> Translator<'a> {
             _ => None,
         });
         let dirty = self.dirty & !dead;
+        let from_behind = statement <= self.statement && !self.arriving;
         let arrival = self.arrival(statement);
+        if let (true, Some(head)) = (from_behind, arrival.again) {
+            return head;
+        }
         arrival.dirty |= dirty;
         arrival.known = Some(match arrival.known {
             None => known,
@@ -634,8 +684,11 @@ impl<'a> Translator<'a> {
 
     fn ask(&mut self, question: Question, arguments: &[Value]) -> Value {
         self.settle_bytes();
+        self.store_promoted();
         let arguments: Vec<Value> = [self.run].iter().chain(arguments).copied().collect();
-        self.call(self.functions.questions[&question], &arguments)
+        let answer = self.call(self.functions.questions[&question], &arguments);
+        self.take_promoted();
+        answer
     }
 
     fn site(&mut self, inst: u32) -> Value {
@@ -679,6 +732,7 @@ impl<'a> Translator<'a> {
             }
             After::NextStatement => {
                 let changed = self.changed;
+                self.leave_loops(self.statement + 1);
                 let next = self.edge(self.statement + 1);
                 self.b.ins().brif(answer, self.leave, &[], next, &[]);
                 self.changed = changed;
@@ -688,6 +742,10 @@ impl<'a> Translator<'a> {
     }
 
     fn inst(&mut self, index: u32, inst: &Inst) {
+        if !matches!(inst, Inst::Constant { .. } | Inst::Compute { .. } | Inst::Load { .. } | Inst::Store { .. }) {
+            // What follows may have ways of its own, on which nothing may wait.
+            self.settle_bytes();
+        }
         match *inst {
             Inst::Constant { dst, value } => self.set(dst, Val::Const(value)),
             Inst::Compute { op, dst, args } => {
@@ -751,6 +809,7 @@ impl<'a> Translator<'a> {
             Inst::Call { callee, parameters } => self.call_block(index, callee, parameters),
             Inst::Return => {
                 self.settle_bytes();
+                self.store_promoted();
                 let handed_back = match self.called_only() {
                     true => self.dirty & !set_by_calls() & !(SPARED & !self.summaries[self.index].live_out),
                     false => self.dirty,
@@ -836,7 +895,7 @@ impl<'a> Translator<'a> {
     /// Where a jump goes: the statement itself, or the safe point in front of it if it lies behind.
     fn way_to(&mut self, Target(to): Target) -> clif::Block {
         let arrival = self.edge(to);
-        if to > self.statement {
+        if to > self.statement && !self.leaves_loop(to) {
             return arrival;
         }
         let way = self.b.create_block();
@@ -849,7 +908,16 @@ impl<'a> Translator<'a> {
         for (way, to, arrival) in std::mem::take(&mut self.ways) {
             self.b.switch_to_block(way);
             self.b.seal_block(way);
-            self.count_down(weight((self.statement - to) as usize), to, arrival);
+            self.leave_loops(to);
+            if to > self.statement {
+                self.b.ins().jump(arrival, &[]);
+                continue;
+            }
+            let weight = weight((self.statement - to) as usize);
+            // Who is asked there finds what the loops around both keep.
+            let from = std::mem::replace(&mut self.statement, to);
+            self.count_down(weight, to, arrival);
+            self.statement = from;
         }
     }
 

@@ -52,6 +52,14 @@ impl Waiting {
 impl Translator<'_> {
     /// Reads an address that is known to be there.
     pub(super) fn read_known(&mut self, address: Address, width: Width) -> Val {
+        if let Some(value) = self.read_promoted(address, width) {
+            return value;
+        }
+        if self.store_touched_at(address, width) {
+            // What a register stands for in part is not remembered.
+            self.settle_bytes();
+            return self.read(address, width);
+        }
         let Address { base, offset, bit } = address;
         let (Width::Bit, Bit::Number(number)) = (width, bit) else {
             self.store_waiting_in(base, offset, width);
@@ -72,6 +80,15 @@ impl Translator<'_> {
 
     /// Writes to an address that is known to be there.
     pub(super) fn write_known(&mut self, address: Address, width: Width, value: Val) {
+        if self.write_promoted(address, width, value) {
+            return;
+        }
+        if self.store_touched_at(address, width) {
+            self.settle_bytes();
+            self.write(address, width, value);
+            self.take_touched_at(address, width);
+            return;
+        }
         let Address { base, offset, bit } = address;
         let (Width::Bit, Bit::Number(number)) = (width, bit) else {
             self.store_waiting_in(base, offset, width);

@@ -449,9 +449,12 @@ impl Translator<'_> {
                 Val::Int(self.b.ins().band_imm_u(low, i64::from(mask)))
             }
         };
-        if let Val::Const(high) = high
-            && high as u32 & !mask == 0
-        {
+        let no_high = match high {
+            Val::Const(high) => high as u32 & !mask == 0,
+            Val::Int(high) => self.narrow.get(&high).is_some_and(|&bits| bits < 32 && u64::from(mask) >= (1 << bits) - 1),
+            _ => false,
+        };
+        if no_high {
             return low;
         }
         let (high, low) = (self.int(high), self.int(low));

@@ -65,6 +65,7 @@ impl Translator<'_> {
                 self.b.ins().brif(condition, fast, &[], slow, &[]);
                 self.b.switch_to_block(fast);
                 self.b.seal_block(fast);
+                self.store_touched(place);
                 let value = self.read(address, width);
                 let value = match width {
                     Width::Bit => self.bit(value),
@@ -120,7 +121,9 @@ impl Translator<'_> {
                 self.b.ins().brif(condition, fast, &[], slow, &[]);
                 self.b.switch_to_block(fast);
                 self.b.seal_block(fast);
+                self.store_touched(place);
                 self.write(address, width, value);
+                self.take_touched(place);
                 self.b.ins().jump(go_on, &[]);
                 slow
             }
@@ -406,6 +409,6 @@ impl Translator<'_> {
 }
 
 /// A pointer moved by an offset, 24 bits.
-fn moved(pointer: u64, offset: u32) -> u32 {
+pub(super) fn moved(pointer: u64, offset: u32) -> u32 {
     ((pointer & 0x00FF_FFFF) + u64::from(offset)) as u32 & 0x00FF_FFFF
 }

@@ -1,0 +1,79 @@
+//! Where a block loops: statements that are entered at their first one only and jump back to it.
+
+use sieben_engine::ir::{Code, Inst, Target, Var};
+
+use super::analysis::{ALL, open_blocks};
+use super::bit_of;
+
+/// Blocks with more loops get no analysis of them: it takes time that grows with the number of loops times that of jumps.
+const LOOPS_MAX: usize = 32;
+
+/// A loop.
+#[derive(Clone, Debug)]
+pub(super) struct Loop {
+    /// Its first statement, where it is entered and where it begins again.
+    pub(super) first: u32,
+    /// Its last statement, the last one that jumps back.
+    pub(super) last: u32,
+    /// Registers that its statements may change.
+    pub(super) written: u32,
+    /// Whether its statements call neither blocks nor Rust code.
+    pub(super) calls_nothing: bool,
+}
+
+impl Loop {
+    /// Whether a statement is part of it.
+    pub(super) fn contains(&self, statement: u32) -> bool {
+        (self.first..=self.last).contains(&statement)
+    }
+}
+
+/// Statements to which an instruction may jump.
+pub(super) fn targets<'a>(code: &'a Code, inst: &Inst) -> impl Iterator<Item = u32> + use<'a> {
+    let (one, table): (Option<Target>, &[Target]) = match *inst {
+        Inst::Jump { to } | Inst::Branch { to, .. } => (Some(to), &[]),
+        Inst::JumpTable { first, count, otherwise, .. } => {
+            (Some(otherwise), code.tables.get(first as usize..(first + count) as usize).unwrap_or(&[]))
+        }
+        _ => (None, &[]),
+    };
+    one.into_iter().chain(table.iter().copied()).map(|Target(to)| to)
+}
+
+/// Registers that an instruction may change.
+pub(super) fn written(inst: &Inst) -> u32 {
+    let register = |var: Var| var.register().map_or(0, bit_of);
+    sieben_engine::ir::verify::writes(inst).map_or(0, register)
+        | match inst {
+            Inst::Call { .. } => ALL,
+            Inst::Open { .. } => open_blocks(),
+            _ => 0,
+        }
+}
+
+/// The loops of a block; of two that share statements one is part of the other. What is entered in the middle is none.
+pub(super) fn find(code: &Code) -> Vec<Loop> {
+    let mut jumps = Vec::new();
+    let mut loops: Vec<Loop> = Vec::new();
+    for statement in 0..code.statement_count() as u32 {
+        for to in code.statement(statement as usize).iter().flat_map(|inst| targets(code, inst)) {
+            jumps.push((statement, to));
+            if to > statement {
+                continue;
+            }
+            match loops.iter().position(|known| known.first == to) {
+                Some(known) => loops[known].last = statement,
+                None if loops.len() == LOOPS_MAX => return Vec::new(),
+                None => loops.push(Loop { first: to, last: statement, written: 0, calls_nothing: true }),
+            }
+        }
+    }
+    loops.retain(|it| !jumps.iter().any(|&(from, to)| !it.contains(from) && it.contains(to) && to != it.first));
+    for it in &mut loops {
+        for inst in (it.first..=it.last).flat_map(|statement| code.statement(statement as usize)) {
+            it.written |= written(inst);
+            it.calls_nothing &= !matches!(inst, Inst::Call { .. } | Inst::Intrinsic { .. } | Inst::Move { .. });
+        }
+    }
+    loops
+}

@@ -1,0 +1,407 @@
+//! Variables of a loop that lie in memory, kept in registers while it runs: loaded when it is entered, stored when it is left and
+//! wherever somebody may look, taken again where somebody may have changed them.
+//!
+//! Which ones are kept is a matter of cost only. Every access asks here first: one to exactly these bytes goes to the register, one
+//! that may touch some of them finds memory as the program left it.
+
+use std::collections::BTreeMap;
+use std::mem::offset_of;
+use std::ops::Range;
+
+use cranelift_codegen::ir::types::{I32, I64};
+use cranelift_codegen::ir::{InstBuilder, Value};
+use cranelift_frontend::Variable;
+use sieben_engine::access::data_registers;
+use sieben_engine::ir::{DataRegister, Inst, Place, Var};
+use sieben_model::address::{Area, Width};
+
+use super::loops::Loop;
+use super::memory::{Address, Bit, moved};
+use super::value::Val;
+use super::{TRUSTED, Translator};
+use crate::run::Run;
+
+/// Variables that are kept at the same time; more would be kept on the stack, which is memory too.
+const PROMOTED_MAX: usize = 8;
+/// How much more an access counts for each loop around it, and for how many loops.
+const WEIGHT_OF_A_LOOP: u64 = 8;
+const WEIGHED_LOOPS_MAX: usize = 4;
+
+/// What an address is counted from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Base {
+    /// The first byte of the arena.
+    Arena,
+    /// The first byte of the block's local data.
+    Local,
+    /// The run: its budget.
+    Run,
+}
+
+/// Bytes that a register stands for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Promoted {
+    base: Base,
+    offset: i32,
+    width: Width,
+    /// Whether they lie in a data block.
+    in_data_block: bool,
+    variable: Variable,
+    /// Whether the loop writes them.
+    written: bool,
+    /// First and last statement of the loop.
+    first: u32,
+    last: u32,
+}
+
+impl Promoted {
+    fn is_in(&self, statement: u32) -> bool {
+        (self.first..=self.last).contains(&statement)
+    }
+
+    fn overlaps(&self, touched: &Touched) -> bool {
+        match touched {
+            _ if self.base == Base::Run => false,
+            Touched::Bytes(base, range) => {
+                let start = i64::from(self.offset);
+                *base == self.base && start < range.end && range.start < start + i64::from(self.width.bytes())
+            }
+            Touched::DataBlocks => self.in_data_block,
+            Touched::Anything => true,
+        }
+    }
+}
+
+/// What an access may touch.
+#[derive(Clone, Debug)]
+enum Touched {
+    Bytes(Base, Range<i64>),
+    /// Any data block.
+    DataBlocks,
+    Anything,
+}
+
+/// Bytes that may be kept in a register.
+struct Candidate {
+    width: Width,
+    in_data_block: bool,
+    written: bool,
+    weight: u64,
+}
+
+impl Translator<'_> {
+    /// What is kept in registers at the running statement.
+    fn kept(&self) -> Vec<Promoted> {
+        self.promoted.iter().copied().filter(|it| it.is_in(self.statement)).collect()
+    }
+
+    /// Chooses what a loop keeps and loads it, in front of the loop. Registers that it changes are not known here.
+    pub(super) fn promote(&mut self, it: &Loop) {
+        if !it.calls_nothing {
+            return;
+        }
+        if !self.kept().iter().any(|kept| kept.base == Base::Run) {
+            let budget = offset_of!(Run<'_, '_>, budget) as i32;
+            self.keep(Base::Run, budget, &Candidate { width: Width::QuadWord, in_data_block: false, written: true, weight: 0 }, it);
+        }
+        let mut candidates: Vec<_> = self.candidates(it).into_iter().collect();
+        candidates.sort_by_key(|(place, candidate)| (std::cmp::Reverse((candidate.written, candidate.weight)), *place));
+        for ((base, offset), candidate) in candidates {
+            // The budget is kept beside them.
+            if self.kept().len() > PROMOTED_MAX {
+                break;
+            }
+            self.keep(base, offset, &candidate, it);
+        }
+    }
+
+    fn keep(&mut self, base: Base, offset: i32, candidate: &Candidate, it: &Loop) {
+        let &Candidate { width, in_data_block, written, .. } = candidate;
+        let variable = self.b.declare_var(if width == Width::QuadWord { I64 } else { I32 });
+        let promoted = Promoted { base, offset, width, in_data_block, variable, written, first: it.first, last: it.last };
+        self.take(promoted);
+        self.promoted.push(promoted);
+    }
+
+    /// Bytes that all accesses of a loop that touch them name in the same way.
+    fn candidates(&mut self, it: &Loop) -> BTreeMap<(Base, i32), Candidate> {
+        let code = &self.native().code;
+        let mut candidates: BTreeMap<(Base, i32), Candidate> = BTreeMap::new();
+        let mut others = Vec::new();
+        self.temporaries.clear();
+        for statement in it.first..=it.last {
+            let depth = self.loops.iter().filter(|inner| it.contains(inner.first) && inner.contains(statement)).count();
+            let weight = WEIGHT_OF_A_LOOP.pow(depth.min(WEIGHED_LOOPS_MAX) as u32);
+            for inst in code.statement(statement as usize) {
+                let (place, width, written) = match *inst {
+                    Inst::Load { place, width, .. } => (place, width, false),
+                    Inst::Store { place, width, .. } => (place, width, true),
+                    _ => continue,
+                };
+                let Some((base, offset)) = self.constant_address(place, width) else {
+                    others.push(self.touched(place));
+                    continue;
+                };
+                let width = if width == Width::Bit { Width::Byte } else { width };
+                let in_data_block = self.in_data_block(place);
+                let known = candidates.entry((base, offset)).or_insert(Candidate { width, in_data_block, written, weight: 0 });
+                known.written |= written;
+                known.weight += weight;
+                if known.width != width {
+                    let longer = known.width.bytes().max(width.bytes());
+                    others.push(Touched::Bytes(base, i64::from(offset)..i64::from(offset) + i64::from(longer)));
+                }
+            }
+        }
+        let spans: Vec<_> = candidates.iter().map(|(&(base, offset), it)| (base, i64::from(offset), i64::from(it.width.bytes()))).collect();
+        for pair in spans.windows(2) {
+            let [(base, start, length), (next_base, next, next_length)] = [pair[0], pair[1]];
+            if base == next_base && start + length > next {
+                others.push(Touched::Bytes(base, start..next + next_length));
+            }
+        }
+        let kept = self.kept();
+        candidates.retain(|&(base, offset), it| {
+            let range = i64::from(offset)..i64::from(offset) + i64::from(it.width.bytes());
+            let own = Promoted {
+                base,
+                offset,
+                width: it.width,
+                in_data_block: it.in_data_block,
+                variable: Variable::from_u32(0),
+                written: false,
+                first: 0,
+                last: 0,
+            };
+            !others.iter().any(|touched| own.overlaps(touched))
+                && !kept.iter().any(|kept| kept.overlaps(&Touched::Bytes(base, range.clone())))
+        });
+        candidates
+    }
+
+    fn in_data_block(&self, place: Place) -> bool {
+        match place {
+            Place::Fixed { area, .. } | Place::Indirect { area, .. } => matches!(area, Area::SharedData | Area::InstanceData),
+            Place::Crossing { .. } => true,
+        }
+    }
+
+    /// Base and length of an open data block, if they are constants.
+    fn constant_block(&self, area: Area) -> Option<(u64, u64)> {
+        let register = match area {
+            Area::SharedData => DataRegister::Shared,
+            Area::InstanceData => DataRegister::Instance,
+            _ => return None,
+        };
+        let [_, base, length] = data_registers(register).map(|register| self.current[register as usize].and_then(Val::constant));
+        Some((base?, length?))
+    }
+
+    /// The address of a place that is known beforehand, without its bit, if all of it lies inside its area.
+    fn constant_address(&self, place: Place, width: Width) -> Option<(Base, i32)> {
+        let (area, position) = match place {
+            Place::Fixed { area, position } => (area, position),
+            Place::Indirect { area, pointer, offset } => (area, moved(self.constant_pointer(pointer)?, offset)),
+            Place::Crossing { .. } => return None,
+        };
+        if width != Width::Bit && position % 8 != 0 {
+            return None;
+        }
+        let (base, start, length) = match area {
+            Area::Local => (Base::Local, 0, u64::from(self.native().local_size)),
+            Area::SharedData | Area::InstanceData => {
+                let (start, length) = self.constant_block(area)?;
+                (Base::Arena, start, length)
+            }
+            _ => {
+                let range = self.layout.area(area)?;
+                (Base::Arena, range.start as u64, range.len() as u64)
+            }
+        };
+        let byte = u64::from(position / 8);
+        if byte + u64::from(width.bytes()) > length {
+            return None;
+        }
+        Some((base, i32::try_from(start + byte).ok()?))
+    }
+
+    fn constant_pointer(&self, pointer: Var) -> Option<u64> {
+        self.current[pointer.register()? as usize].and_then(Val::constant)
+    }
+
+    /// What an access to a place may touch whose address is not known beforehand.
+    fn touched(&self, place: Place) -> Touched {
+        let (Place::Fixed { area, .. } | Place::Indirect { area, .. }) = place else { return Touched::Anything };
+        match area {
+            Area::Local => Touched::Bytes(Base::Local, 0..i64::from(self.native().local_size)),
+            Area::SharedData | Area::InstanceData => match self.constant_block(area) {
+                Some((base, length)) => Touched::Bytes(Base::Arena, base as i64..base as i64 + length as i64),
+                None => Touched::DataBlocks,
+            },
+            _ => match self.layout.area(area) {
+                Some(range) => Touched::Bytes(Base::Arena, range.start as i64..range.end as i64),
+                None => Touched::Anything,
+            },
+        }
+    }
+
+    /// What stands for exactly these bytes, or for the byte of a bit.
+    fn promoted_at(&self, address: Address, width: Width) -> Option<Promoted> {
+        let base = self.base_of(address)?;
+        let width = if width == Width::Bit { Width::Byte } else { width };
+        self.promoted.iter().copied().find(|it| it.is_in(self.statement) && (it.base, it.offset, it.width) == (base, address.offset, width))
+    }
+
+    fn base_of(&self, Address { base, .. }: Address) -> Option<Base> {
+        match base {
+            base if base == self.arena => Some(Base::Arena),
+            base if base == self.local => Some(Base::Local),
+            _ => None,
+        }
+    }
+
+    /// The value of an address that a register stands for.
+    pub(super) fn read_promoted(&mut self, address: Address, width: Width) -> Option<Val> {
+        let promoted = self.promoted_at(address, width)?;
+        let value = self.b.use_var(promoted.variable);
+        Some(match (width, address.bit) {
+            (Width::Bit, Bit::Number(number)) => Self::bit_value(value, number, false),
+            (Width::Bit, Bit::Computed(number)) => Val::Bit { value: self.b.ins().ushr(value, number), clean: false },
+            (Width::QuadWord, _) => Val::Word(value),
+            (width, _) => {
+                self.narrow.insert(value, width.bytes() * 8);
+                Val::Int(value)
+            }
+        })
+    }
+
+    /// Writes to an address that a register stands for; whether one does.
+    pub(super) fn write_promoted(&mut self, address: Address, width: Width, value: Val) -> bool {
+        let Some(promoted) = self.promoted_at(address, width) else { return false };
+        let value = match (width, address.bit) {
+            (Width::Bit, Bit::Number(number)) => {
+                let old = self.b.use_var(promoted.variable);
+                let cleared = self.b.ins().band_imm_u(old, i64::from(!(1u8 << number)));
+                let bit = self.bit_at(value, number);
+                self.b.ins().bor(cleared, bit)
+            }
+            // A bit whose number is computed is never at an address that is known beforehand.
+            (Width::Bit, Bit::Computed(_)) => return false,
+            (Width::QuadWord, _) => self.word(value),
+            (Width::DoubleWord, _) => self.int(value),
+            (width, _) => self.low_bits(value, width),
+        };
+        self.b.def_var(promoted.variable, value);
+        true
+    }
+
+    /// The low bits of a value, in 32 bits.
+    fn low_bits(&mut self, value: Val, width: Width) -> Value {
+        let bits = width.bytes() * 8;
+        let value = self.int(value);
+        if self.narrow.get(&value).is_some_and(|&known| known <= bits) {
+            return value;
+        }
+        let low = self.b.ins().band_imm_u(value, (1 << bits) - 1);
+        self.narrow.insert(low, bits);
+        low
+    }
+
+    /// Stores what an access at an address may touch; whether anything was.
+    pub(super) fn store_touched_at(&mut self, address: Address, width: Width) -> bool {
+        let Some(base) = self.base_of(address) else { return self.store_overlapping(&Touched::Anything) };
+        let start = i64::from(address.offset);
+        self.store_overlapping(&Touched::Bytes(base, start..start + i64::from(width.bytes())))
+    }
+
+    /// Takes again what a write at an address may have changed.
+    pub(super) fn take_touched_at(&mut self, address: Address, width: Width) {
+        let touched = match self.base_of(address) {
+            Some(base) => {
+                let start = i64::from(address.offset);
+                Touched::Bytes(base, start..start + i64::from(width.bytes()))
+            }
+            None => Touched::Anything,
+        };
+        self.take_overlapping(&touched);
+    }
+
+    /// Stores what an access to a place may touch.
+    pub(super) fn store_touched(&mut self, place: Place) {
+        let touched = self.touched(place);
+        self.store_overlapping(&touched);
+    }
+
+    /// Takes again what a write to a place may have changed.
+    pub(super) fn take_touched(&mut self, place: Place) {
+        let touched = self.touched(place);
+        self.take_overlapping(&touched);
+    }
+
+    fn store_overlapping(&mut self, touched: &Touched) -> bool {
+        let overlapping: Vec<_> = self.kept().into_iter().filter(|it| it.overlaps(touched)).collect();
+        overlapping.iter().for_each(|&it| self.give_back(it));
+        !overlapping.is_empty()
+    }
+
+    fn take_overlapping(&mut self, touched: &Touched) {
+        self.kept().into_iter().filter(|it| it.overlaps(touched)).for_each(|it| self.take(it));
+    }
+
+    /// Stores all that is kept: somebody may look.
+    pub(super) fn store_promoted(&mut self) {
+        self.kept().into_iter().for_each(|it| self.give_back(it));
+    }
+
+    /// Takes all that is kept again: somebody may have changed it.
+    pub(super) fn take_promoted(&mut self) {
+        self.kept().into_iter().for_each(|it| self.take(it));
+    }
+
+    /// Whether something is kept here that is not kept at another statement.
+    pub(super) fn leaves_loop(&self, to: u32) -> bool {
+        self.promoted.iter().any(|it| it.is_in(self.statement) && !it.is_in(to))
+    }
+
+    /// Stores what is kept here and not at the statement that follows.
+    pub(super) fn leave_loops(&mut self, to: u32) {
+        self.kept().into_iter().filter(|it| !it.is_in(to)).for_each(|it| self.give_back(it));
+    }
+
+    /// The budget, if a register stands for it.
+    pub(super) fn promoted_budget(&self) -> Option<Variable> {
+        self.promoted.iter().find(|it| it.base == Base::Run && it.is_in(self.statement)).map(|it| it.variable)
+    }
+
+    fn take(&mut self, promoted: Promoted) {
+        let value = match promoted.base {
+            Base::Run => self.b.ins().load(I64, TRUSTED, self.run, promoted.offset),
+            base => {
+                let value = self.read(self.address(base, promoted.offset), promoted.width);
+                if promoted.width == Width::QuadWord { self.word(value) } else { self.int(value) }
+            }
+        };
+        self.b.def_var(promoted.variable, value);
+    }
+
+    fn give_back(&mut self, promoted: Promoted) {
+        if !promoted.written {
+            return;
+        }
+        let value = self.b.use_var(promoted.variable);
+        match promoted.base {
+            Base::Run => {
+                self.b.ins().store(TRUSTED, value, self.run, promoted.offset);
+            }
+            base => {
+                let value = if promoted.width == Width::QuadWord { Val::Word(value) } else { Val::Int(value) };
+                self.write(self.address(base, promoted.offset), promoted.width, value);
+            }
+        }
+    }
+
+    fn address(&self, base: Base, offset: i32) -> Address {
+        let base = if base == Base::Local { self.local } else { self.arena };
+        Address { base, offset, bit: Bit::Number(0) }
+    }
+}
