@@ -125,6 +125,41 @@ pub fn locate(
     Ok(Target::Arena(range.start + byte as usize, (position & 7) as u8))
 }
 
+/// As [`locate`], for a pointer that may hold the number of its data block in bits 32 to 47.
+///
+/// # Errors
+/// Those of [`locate`]; the data block is not loaded.
+pub fn locate_far(
+    machine: &Machine,
+    file: &File,
+    local: &dyn Fn(usize) -> Range<usize>,
+    place: Place,
+    width: Width,
+    write: bool,
+) -> Result<Target, Fault> {
+    if let Place::Crossing { pointer, offset } = place
+        && let pointer = file[usize::from(pointer.0)]
+        && let number = pointer >> 32 & 0xFFFF
+        && number != 0
+        && (pointer >> 24) as u8 == Area::SharedData.pointer_code()
+    {
+        let position = moved(pointer, offset);
+        let entry = machine.memory.data_block(number).ok_or(Fault::programming(0x3A, number as u16))?;
+        let byte = position >> 3;
+        if width != Width::Bit && position & 7 != 0 {
+            return Err(fault(0x28, write, Area::SharedData, width, byte));
+        }
+        if u64::from(byte) + u64::from(width.bytes()) > u64::from(entry.length) {
+            return Err(outside(write, Area::SharedData, width, byte));
+        }
+        if write && entry.read_only {
+            return Err(Fault::programming(0x30, number as u16));
+        }
+        return Ok(Target::Arena(entry.base as usize + byte as usize, (position & 7) as u8));
+    }
+    locate(machine, file, local, place, width, write)
+}
+
 /// A pointer moved by an offset, with carry from the bit into the byte address; 24 bits.
 fn moved(pointer: u64, offset: u32) -> u32 {
     ((pointer & 0x00FF_FFFF) + u64::from(offset)) as u32 & 0x00FF_FFFF
@@ -162,9 +197,10 @@ pub fn move_bytes(
     let Some(last) = bytes.checked_sub(1) else { return Ok(()) };
     let ends = [(from, false), (to, true)];
     for (place, write) in ends {
-        locate(machine, file, local, place.moved(last), Width::Byte, write)?;
+        locate_far(machine, file, local, place.moved(last), Width::Byte, write)?;
     }
-    let [from, to] = [locate(machine, file, local, from, Width::Byte, false)?, locate(machine, file, local, to, Width::Byte, true)?];
+    let [from, to] =
+        [locate_far(machine, file, local, from, Width::Byte, false)?, locate_far(machine, file, local, to, Width::Byte, true)?];
     match (from, to) {
         (Target::Arena(from, _), Target::Arena(to, _)) => {
             machine.memory.arena.copy_within(from..from + bytes as usize, to);

@@ -36,6 +36,8 @@ pub enum Intrinsic {
     CounterValue,
     /// The count, BCD: number.
     CounterBcd,
+    /// Milliseconds that the CPU has spent in STARTUP and RUN, modulo 2^32.
+    Clock,
 }
 
 impl Intrinsic {
@@ -44,6 +46,7 @@ impl Intrinsic {
         match self {
             Self::TimerStart(_) | Self::CounterSet => 3,
             Self::TimerReset | Self::TimerEnable | Self::CounterUp | Self::CounterDown | Self::CounterReset | Self::CounterEnable => 2,
+            Self::Clock => 0,
             Self::TimerStatus | Self::TimerValue | Self::TimerBcd | Self::CounterStatus | Self::CounterValue | Self::CounterBcd => 1,
         }
     }
@@ -109,6 +112,7 @@ impl Intrinsic {
             Self::CounterEnable => machine.counters.get_mut(index).ok_or(no_counter)?.enable(rlo),
             Self::CounterStatus => return Ok(u64::from(machine.counters.get(index).ok_or(no_counter)?.count > 0)),
             Self::CounterValue => return Ok(u64::from(machine.counters.get(index).ok_or(no_counter)?.count)),
+            Self::Clock => return Ok(now / 1_000 & 0xFFFF_FFFF),
             Self::CounterBcd => return Ok(u64::from(machine.counters.get(index).ok_or(no_counter)?.bcd())),
         }
         Ok(0)

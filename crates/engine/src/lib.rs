@@ -9,6 +9,7 @@ pub mod intrinsics;
 pub mod ir;
 pub mod machine;
 pub mod program;
+pub mod texts;
 pub mod tracer;
 
 pub use fault::{Abort, Fault, Place as FaultPlace};

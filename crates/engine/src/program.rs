@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use sieben_model::address::Width;
 use sieben_model::block::BlockId;
 use sieben_model::interface::Interface;
 use sieben_model::program::DataBlock;
@@ -20,6 +21,9 @@ pub struct CodeBlock {
     pub local_size: u32,
     /// Where each statement of the code comes from.
     pub spans: Vec<Span>,
+    /// Values in the local data that are only reached by their constant address, always in this width: position in bits and
+    /// width. No pointer, no index and no called block can see them.
+    pub private: Vec<(u32, Width)>,
 }
 
 /// Everything that is loaded into a CPU.

@@ -6,6 +6,7 @@
 use sieben_engine::access::{self, Target};
 use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Place, Var};
 use sieben_engine::machine::{Origin, Register, Registers};
+use sieben_engine::texts::{Text, text};
 use sieben_engine::{Abort, Exit, Fault, FaultPlace, Reaction, StopReason};
 use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
@@ -59,6 +60,8 @@ asks! {
     TryStore = try_store(link, site, pointer, value);
     /// Moves bytes.
     TryMove = try_move(link, site, from, to);
+    /// Works on texts; the result is in `run.value`.
+    TryText = try_text(link, site, from, to);
     /// Runs an intrinsic; the result is in `run.value`.
     TryIntrinsic = try_intrinsic(site, a, b, c);
     /// Opens a data block; its registers are in `run.registers`.
@@ -155,6 +158,19 @@ impl Run<'_, '_> {
         let locals: Vec<_> = (0..=depth + 1).map(|outwards| self.local_data(depth, outwards)).collect();
         let local = |outwards: usize| locals[outwards.min(depth + 1)].clone();
         access::move_bytes(self.context.machine, &self.registers, &local, (from, to, bytes))
+    }
+
+    fn text(&mut self, link: u64, site: u64, pointers: [u64; 2]) -> Result<u64, Fault> {
+        let Inst::Text { action, to, to_max, from, from_max, .. } = self.inst(site) else {
+            unreachable!("a site of `try_text` works on texts")
+        };
+        self.point(from, pointers[0]);
+        self.point(to, pointers[1]);
+        let depth = self.depth(link);
+        let locals: Vec<_> = (0..=depth + 1).map(|outwards| self.local_data(depth, outwards)).collect();
+        let local = |outwards: usize| locals[outwards.min(depth + 1)].clone();
+        let [to, from] = [(to, to_max), (from, from_max)].map(|(place, characters_max)| Text { place, characters_max });
+        text(self.context.machine, &self.registers, &local, action, to, from)
     }
 
     /// Ends the run; `None` = the interpreter goes on with the frames as they are.
@@ -421,6 +437,16 @@ extern "C" fn try_store(run: &mut Run<'_, '_>, link: u64, site: u64, pointer: u6
 extern "C" fn try_move(run: &mut Run<'_, '_>, link: u64, site: u64, from: u64, to: u64) -> u64 {
     match run.move_bytes(link, site, [from, to]) {
         Ok(()) => 0,
+        Err(fault) => run.note(fault),
+    }
+}
+
+extern "C" fn try_text(run: &mut Run<'_, '_>, link: u64, site: u64, from: u64, to: u64) -> u64 {
+    match run.text(link, site, [from, to]) {
+        Ok(value) => {
+            run.value = value;
+            0
+        }
         Err(fault) => run.note(fault),
     }
 }

@@ -5,9 +5,10 @@ use sieben_model::block::BlockId;
 
 use crate::fault::Abort;
 use crate::intrinsics::Intrinsic;
-use crate::ir::{Callee, Code, DataRegister, Inst, OnFault, Op, Place, Target, Var};
+use crate::ir::{Callee, Code, DataRegister, Inst, OnFault, Op, Place, Target, TextAction, Var};
 use crate::machine::{Layout, Register};
 use crate::program::CodeBlock;
+use crate::texts::Text;
 
 /// One step of the interpreter. Arena addresses of constant places are final.
 #[derive(Clone, Copy, Debug)]
@@ -60,6 +61,8 @@ pub(super) enum Step {
     StorePlace { src: u8, width: Width, place: u32 },
     /// Bytes from one place to another, from the block's table of moves.
     Move { index: u32 },
+    /// Works on two texts, from the block's table of texts.
+    Text { dst: u8, index: u32 },
     /// Pointer of a parameter.
     Parameter { dst: u8, index: u16 },
     /// A parameter for the next call.
@@ -112,6 +115,8 @@ pub(super) struct Block {
     pub(super) places: Vec<Place>,
     /// From, to, number of bytes.
     pub(super) moves: Vec<(Place, Place, u32)>,
+    /// What to do, to, from.
+    pub(super) texts: Vec<(TextAction, Text, Text)>,
     pub(super) callees: Vec<Callee>,
     pub(super) tables: Vec<Table>,
     pub(super) constants: Vec<u64>,
@@ -147,6 +152,7 @@ pub(super) fn prepare(id: BlockId, block: &CodeBlock, layout: &Layout, find: &dy
         statements: Vec::with_capacity(block.code.statements.len()),
         places: Vec::new(),
         moves: Vec::new(),
+        texts: Vec::new(),
         callees: Vec::new(),
         tables: Vec::new(),
         constants: Vec::new(),
@@ -266,6 +272,11 @@ fn step(inst: &Inst, statement: usize, code: &Code, layout: &Layout, find: &dyn 
         Inst::Move { from, to, bytes } => {
             out.moves.push((from, to, bytes));
             Step::Move { index: out.moves.len() as u32 - 1 }
+        }
+        Inst::Text { action, dst, to, to_max, from, from_max } => {
+            let [to, from] = [(to, to_max), (from, from_max)].map(|(place, characters_max)| Text { place, characters_max });
+            out.texts.push((action, to, from));
+            Step::Text { dst: dst.0, index: out.texts.len() as u32 - 1 }
         }
         Inst::Parameter { dst, index } => Step::Parameter { dst: dst.0, index },
         Inst::PassParameter { src } => Step::PassParameter { src: src.0 },

@@ -12,8 +12,9 @@ use crate::access::{
 };
 use crate::fault::{Abort, Fault, Place};
 use crate::host::{Context, Entry, Exit, Reaction, StopReason};
-use crate::ir::{Callee, OnFault};
+use crate::ir::{Callee, OnFault, TextAction};
 use crate::machine::{Frame, Machine, Origin, Register, Registers};
+use crate::texts::text;
 use crate::tracer::StatementEvent;
 
 /// Where the loop goes on after something unusual.
@@ -260,6 +261,20 @@ impl Interpreter {
                         let local = |outwards: usize| locals[outwards.min(frames)].clone();
                         if let Err(fault) = move_bytes(context.machine, &file, &local, block.moves[index as usize]) {
                             go!(self.fault(context, &mut file, block, at, &fault, None));
+                        }
+                    }
+                    Step::Text { dst, index } => {
+                        let (action, to, from) = block.texts[index as usize];
+                        if WATCHED && action == TextAction::Assign {
+                            let bytes = 2 + u32::from(to.characters_max);
+                            local_data::moved(context, &file, place_of(block, at), (from.place, to.place, bytes));
+                        }
+                        let frames = context.machine.frames.len();
+                        let locals: Vec<_> = (0..=frames).map(|outwards| context.machine.local_data(outwards)).collect();
+                        let local = |outwards: usize| locals[outwards.min(frames)].clone();
+                        match text(context.machine, &file, &local, action, to, from) {
+                            Ok(value) => var!(dst) = value,
+                            Err(fault) => go!(self.fault(context, &mut file, block, at, &fault, None)),
                         }
                     }
                     Step::Parameter { dst, index } => {

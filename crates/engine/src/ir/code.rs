@@ -66,7 +66,8 @@ pub enum Place {
     },
     /// An address whose area is in the pointer too: `W[AR1,P#2.0]`, a parameter of an FC.
     Crossing {
-        /// Holds an area-crossing pointer.
+        /// Holds an area-crossing pointer. In a move or a text instruction bits 32 to 47 may hold the number of the data block that
+        /// a pointer into a shared data block means; 0 = the open one.
         pointer: Var,
         /// Added to the pointer.
         offset: u32,
@@ -97,6 +98,19 @@ pub enum OnFault {
     DeliverZero,
 }
 
+/// What a text instruction does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TextAction {
+    /// Writes `from` to `to`, both length bytes too, cut to the room there; the result is 1 if it was cut. With `to_max` = 0 the
+    /// first byte of `to` stays.
+    Assign,
+    /// The order of `to` and `from` by the codes of their characters: −1, 0 or 1 in 32 bits; a shorter text comes before a longer
+    /// one that begins with it.
+    Compare,
+    /// The number of characters of `from`.
+    Length,
+}
+
 /// The block that a call enters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Callee {
@@ -120,6 +134,9 @@ pub enum Inst {
     Store { place: Place, width: Width, src: Var },
     /// `memory := memory`, so many bytes; both places are known to be bytes.
     Move { from: Place, to: Place, bytes: u32 },
+    /// Works on two STRINGs: their first byte is the greatest, the second the actual length. `to_max` and `from_max` limit their
+    /// characters; 0 = as the first byte says.
+    Text { action: TextAction, dst: Var, to: Place, to_max: u8, from: Place, from_max: u8 },
     /// `dst := pointer` that the caller gave for parameter `index` of an FC.
     Parameter { dst: Var, index: u16 },
     /// Gives the pointer of the next parameter to the call that follows.

@@ -47,7 +47,12 @@ pub fn verify(code: &Code) -> Result<(), Violation> {
             // The parameter code of a CALL changes registers between its parts, as on the real CPU.
             let skips = match inst {
                 Inst::Load { on_fault, .. } => *on_fault != OnFault::DeliverZero,
-                Inst::Store { .. } | Inst::Move { .. } | Inst::Intrinsic { .. } | Inst::Require { .. } | Inst::RequireStack { .. } => true,
+                Inst::Store { .. }
+                | Inst::Move { .. }
+                | Inst::Text { .. }
+                | Inst::Intrinsic { .. }
+                | Inst::Require { .. }
+                | Inst::RequireStack { .. } => true,
                 _ => false,
             };
             let passes = code.statement(statement).iter().any(|inst| matches!(inst, Inst::Call { .. }));
@@ -95,7 +100,7 @@ pub fn reads(inst: &Inst) -> Vec<Var> {
         Inst::Intrinsic { intrinsic, args, .. } => args[..intrinsic.arity()].to_vec(),
         Inst::Load { place: from, .. } => place(from).into_iter().collect(),
         Inst::Store { place: to, src, .. } => place(to).into_iter().chain([src]).collect(),
-        Inst::Move { from, to, .. } => place(from).into_iter().chain(place(to)).collect(),
+        Inst::Move { from, to, .. } | Inst::Text { from, to, .. } => place(from).into_iter().chain(place(to)).collect(),
         Inst::PassParameter { src } => vec![src],
         Inst::Require { condition, register, .. } => vec![condition, register],
         Inst::RequireStack { condition, .. } | Inst::Branch { condition, .. } => vec![condition],
@@ -113,6 +118,7 @@ pub fn writes(inst: &Inst) -> Option<Var> {
         | Inst::Compute { dst, .. }
         | Inst::Load { dst, .. }
         | Inst::Parameter { dst, .. }
+        | Inst::Text { dst, .. }
         | Inst::Intrinsic { dst, .. } => Some(dst),
         _ => None,
     }

@@ -80,7 +80,7 @@ impl Translator<'_> {
     /// The code of an intrinsic, and its result; `None` where Rust code is always asked.
     fn written_out(&mut self, intrinsic: Intrinsic, [number, rlo, word]: [Val; 3], slow: &mut Slow) -> Option<Val> {
         use Intrinsic as I;
-        if matches!(intrinsic, I::TimerBcd | I::CounterBcd) {
+        if matches!(intrinsic, I::TimerBcd | I::CounterBcd | I::Clock) {
             return None;
         }
         let is_timer = matches!(intrinsic, I::TimerStart(_) | I::TimerReset | I::TimerEnable | I::TimerStatus | I::TimerValue);
@@ -147,7 +147,7 @@ impl Translator<'_> {
                 Val::Bit { value: self.b.ins().uextend(I32, is_not_zero), clean: true }
             }
             I::CounterValue => Val::Int(self.word_field(item, offset_of!(Counter, count))),
-            I::TimerBcd | I::CounterBcd => return None,
+            I::TimerBcd | I::CounterBcd | I::Clock => return None,
         })
     }
 

@@ -3,5 +3,6 @@
 pub mod ast;
 pub mod check;
 pub mod dialect;
+pub mod lower;
 pub mod standard;
 pub mod tree;

@@ -295,8 +295,8 @@ pub enum Argument {
     Text { parameter: u32, text: Text, capacity: u8 },
     /// An array or structure by value.
     Aggregate { parameter: u32, source: Place, data_type: DataType },
-    /// An output: after the call the place gets the value, converted by `convert` if given (applied to the value of type `scalar`).
-    Output { parameter: u32, scalar: Scalar, target: Place, convert: Vec<Op> },
+    /// An output of type `scalar`: after the call the place, of type `converted`, gets the value, converted by these operations.
+    Output { parameter: u32, scalar: Scalar, target: Place, convert: Vec<Op>, converted: Scalar },
     /// A text as output.
     OutputText { parameter: u32, capacity: u8, target: Place, target_capacity: u8 },
     /// An array or structure as output.

@@ -64,6 +64,8 @@ pub fn lower(block: &ResolvedBlock, cpu: &CpuType) -> CodeBlock {
         code: lowering.b.finish(),
         interface: block.interface.clone(),
         local_size,
+        // A pointer may lead anywhere into the local data.
+        private: Vec::new(),
         spans: block.statements.iter().map(|statement| statement.span).chain([end]).collect(),
     }
 }

@@ -13,9 +13,9 @@ use crate::stl::lower::Lowering;
 use crate::stl::operands::{Access, Actual, BlockOperand, Call, CallInstance, CallParameter, Location, NumberOperand, Operand};
 
 /// Where the parameters of a called block see the local data of its caller: area V.
-pub(super) const CALLER_LOCAL: u32 = 0x8700_0000;
+pub(crate) const CALLER_LOCAL: u32 = 0x8700_0000;
 /// What AR2 holds in a function block called with its own instance: P#DBX 0.0.
-const INSTANCE_START: u64 = 0x8400_0000;
+pub(crate) const INSTANCE_START: u64 = 0x8400_0000;
 /// Type code of an ANY to bytes.
 const ANY_OF_BYTES: u8 = 0x02;
 
@@ -494,7 +494,7 @@ fn through_instance(l: &mut Lowering<'_>, position: u32, offset: u32) -> (Var, V
 }
 
 /// Type code and count of an ANY: complex values count as bytes.
-fn any_type(data_type: &DataType) -> (u8, u32) {
+pub(crate) fn any_type(data_type: &DataType) -> (u8, u32) {
     let single = data_type.is_elementary() || *data_type == DataType::DateAndTime;
     match data_type.word().filter(|_| single).and_then(any_type_code) {
         Some(code) => (code, 1),

@@ -1,0 +1,375 @@
+//! Calls of functions and function blocks, with the conventions of `CALL` in STL, so that both languages call each other.
+
+use sieben_engine::ir::{Callee as Called, DataRegister, Inst, Op, Var};
+use sieben_engine::machine::Register;
+use sieben_model::address::Width;
+use sieben_model::block::BlockId;
+use sieben_model::interface::{Section, Variable};
+use sieben_model::types::DataType;
+
+use super::pointers::at;
+use super::{Lowering, bytes, width, width_of_bits};
+use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, ValueKind};
+use crate::stl::meaning::data_blocks::REGISTER_PAIRS;
+use crate::stl::meaning::logic_control::{CALLER_LOCAL, INSTANCE_START};
+
+/// What a function gets for one parameter.
+#[derive(Clone, Copy)]
+enum Pass {
+    /// A pointer or number that is known.
+    Known(u32),
+    /// A number in the hidden local data, as a word.
+    Number(u32),
+}
+
+/// What is done behind a call.
+enum Behind<'c> {
+    /// The value that the block left at the place goes where the argument says.
+    Take(Place, &'c Argument),
+    /// The value goes back to the place that was passed by copying.
+    Return { hidden: Place, place: Place, width: Width },
+}
+
+impl Lowering<'_> {
+    /// A call with its EN and ENO. The place of the result is left in `self.result`.
+    pub(super) fn call(&mut self, call: &Call) {
+        let skip = self.label();
+        let done = self.label();
+        let result = self.result_place(&call.result);
+        if let Some(enable) = &call.enable {
+            self.branch(enable, skip, false);
+            self.part();
+        }
+        match &call.callee {
+            Callee::Function(block) => self.call_function(*block, call, result.as_ref()),
+            Callee::Instance { block, instance } => self.call_instance(*block, instance, call),
+        }
+        if call.enable.is_some() {
+            self.leave_to(done);
+            self.bind(skip);
+            self.push(Inst::Constant { dst: Register::Br.into(), value: 0 });
+            self.bind(done);
+        }
+        for argument in &call.arguments {
+            if let Argument::Eno { target } = argument {
+                self.store(target, Width::Bit, Register::Br.into());
+            }
+        }
+        self.result = result.map(|place| place.offset);
+    }
+
+    /// Room for a result, cleared: what a function leaves unset is 0 or empty.
+    fn result_place(&mut self, data_type: &DataType) -> Option<Place> {
+        (*data_type != DataType::Void).then(|| self.cleared(data_type))
+    }
+
+    /// Room for a value in hidden local data that a called block sees, cleared.
+    fn cleared(&mut self, data_type: &DataType) -> Place {
+        if let DataType::String(capacity) = data_type {
+            return self.empty_text(*capacity);
+        }
+        let size = bytes(data_type).max(1);
+        let place = self.hidden_bytes(size);
+        match data_type.bits() {
+            bits @ (1 | 8 | 16 | 32 | 64) => {
+                let zero = self.constant(0);
+                self.store_local(place.offset, width_of_bits(bits as u32), zero);
+            }
+            _ => self.store_bytes(place.offset, &vec![0; size as usize]),
+        }
+        place
+    }
+
+    // Functions.
+
+    fn call_function(&mut self, block: BlockId, call: &Call, result: Option<&Place>) {
+        let interface = (self.known)(block);
+        let formals: Vec<&Variable> = interface.iter().flat_map(|interface| interface.parameters()).collect();
+        let mut passed: Vec<Option<Pass>> = vec![None; formals.len()];
+        let mut behind = Vec::new();
+        for argument in &call.arguments {
+            let Some((index, formal)) = parameter_of(argument).and_then(|index| Some((index, *formals.get(index)?))) else { continue };
+            passed[index] = Some(self.pass(argument, formal, &mut behind));
+        }
+        for (index, formal) in formals.iter().enumerate() {
+            if passed[index].is_none() {
+                passed[index] = Some(match (formal.section, result) {
+                    (Section::Return, Some(result)) => self.pass_place(result, formal),
+                    _ => self.pass_default(formal),
+                });
+            }
+        }
+        for pass in passed.iter().flatten() {
+            let src = match *pass {
+                Pass::Known(pointer) => self.constant(u64::from(pointer)),
+                Pass::Number(position) => self.load_local(position, Width::Word),
+            };
+            self.push(Inst::PassParameter { src });
+            self.release(src);
+        }
+        let parameters = u16::try_from(passed.len()).unwrap_or(u16::MAX);
+        self.push(Inst::Call { callee: Called::Block(block), parameters });
+        self.called();
+        for action in behind {
+            match action {
+                Behind::Take(place, argument) => self.take_out(&place, argument),
+                Behind::Return { hidden, place, width } => self.copy_value(&place, &hidden, width),
+            }
+        }
+    }
+
+    /// No temporary outlives a call, and nobody knows which data block is open.
+    fn called(&mut self) {
+        self.free.clear();
+        self.temporaries = 0;
+        self.open = None;
+    }
+
+    fn pass<'c>(&mut self, argument: &'c Argument, formal: &Variable, behind: &mut Vec<Behind<'c>>) -> Pass {
+        match argument {
+            Argument::Value { value, .. } | Argument::Number { value, .. } if formal.data_type.is_number() => match value.kind {
+                ValueKind::Constant(number) => Pass::Known(number as u32 & 0xFFFF),
+                _ => {
+                    let number = self.value(value);
+                    Pass::Number(self.spill(number, Width::Word))
+                }
+            },
+            Argument::Value { value, .. } | Argument::Number { value, .. } => {
+                let var = self.value(value);
+                // The value of a POINTER: its two parts.
+                if formal.data_type == DataType::Pointer {
+                    let hidden = self.hidden_bytes(6);
+                    let (number, pointer) = self.reference_parts(var);
+                    self.store_pointer(&hidden, number, pointer);
+                    return Pass::Known(CALLER_LOCAL + hidden.offset);
+                }
+                let place = self.hidden_bytes(width(value.scalar).bytes());
+                self.store_local(place.offset, width(value.scalar), var);
+                self.pass_place(&place, formal)
+            }
+            Argument::Text { text, .. } => {
+                let (place, _) = self.text(text);
+                self.pass_place(&place, formal)
+            }
+            Argument::Aggregate { source, data_type, .. } | Argument::OutputAggregate { target: source, data_type, .. } => {
+                self.pass_pointer(source, data_type, false)
+            }
+            Argument::Output { scalar, .. } => {
+                let place = self.hidden_bytes(width(*scalar).bytes());
+                let zero = self.constant(0);
+                self.store_local(place.offset, width(*scalar), zero);
+                behind.push(Behind::Take(place.clone(), argument));
+                self.pass_place(&place, formal)
+            }
+            Argument::OutputText { capacity, .. } => {
+                let place = self.empty_text(*capacity);
+                behind.push(Behind::Take(place.clone(), argument));
+                self.pass_place(&place, formal)
+            }
+            Argument::InOut { place, data_type, .. } if is_elementary(&formal.data_type) => match self.direct_pointer(place) {
+                Some(pointer) => Pass::Known(pointer),
+                None => {
+                    let frozen = self.freeze(place);
+                    let width = width_of_bits(data_type.bits() as u32);
+                    let hidden = self.hidden_bytes(width.bytes());
+                    self.copy_value(&hidden, &frozen, width);
+                    let pointer = CALLER_LOCAL + hidden.offset;
+                    behind.push(Behind::Return { hidden, place: frozen, width });
+                    Pass::Known(pointer)
+                }
+            },
+            Argument::InOut { place, data_type, .. } => self.pass_pointer(place, data_type, formal.data_type == DataType::Any),
+            Argument::Pointer { place, data_type, any, .. } => self.pass_pointer(place, data_type, *any),
+            Argument::Eno { .. } => Pass::Known(0),
+        }
+    }
+
+    /// A place in the hidden local data as actual parameter.
+    fn pass_place(&mut self, place: &Place, formal: &Variable) -> Pass {
+        if is_elementary(&formal.data_type) {
+            self.seen.show(place.offset..place.offset.saturating_add(64));
+            match self.hidden_pointer_of(place) {
+                Some(pointer) => Pass::Known(pointer),
+                None => self.pass_pointer(place, &formal.data_type, false),
+            }
+        } else {
+            self.pass_pointer(place, &formal.data_type, formal.data_type == DataType::Any)
+        }
+    }
+
+    fn hidden_pointer_of(&self, place: &Place) -> Option<u32> {
+        let local = place.base == Base::Area(sieben_model::address::Area::Local) && place.indexes.is_empty();
+        local.then_some(CALLER_LOCAL + place.offset)
+    }
+
+    fn pass_pointer(&mut self, place: &Place, data_type: &DataType, any: bool) -> Pass {
+        Pass::Known(self.hidden_pointer(place, data_type, any))
+    }
+
+    /// A parameter that the call leaves out.
+    fn pass_default(&mut self, formal: &Variable) -> Pass {
+        if formal.data_type.is_number() {
+            return Pass::Known(0);
+        }
+        let place = self.cleared(&formal.data_type);
+        if matches!(formal.data_type, DataType::Pointer | DataType::Any) {
+            return Pass::Known(CALLER_LOCAL + place.offset);
+        }
+        self.pass_place(&place, formal)
+    }
+
+    /// Takes a value out of the place where a called block left it.
+    fn take_out(&mut self, from: &Place, argument: &Argument) {
+        match argument {
+            Argument::Output { scalar, target, convert, converted, .. } => self.take_value(from, *scalar, target, convert, *converted),
+            Argument::OutputText { capacity, target, target_capacity, .. } => {
+                let text = crate::st::tree::Text::Place { place: from.clone(), capacity: *capacity };
+                self.assign_text(target, *target_capacity, &text);
+            }
+            Argument::OutputAggregate { target, data_type, .. } => self.copy_typed(target, from, data_type),
+            _ => {}
+        }
+    }
+
+    fn take_value(&mut self, from: &Place, scalar: Scalar, target: &Place, convert: &[Op], converted: Scalar) {
+        let [from, target] = self.settle([from, target]);
+        let mut value = self.load(&from, width(scalar));
+        for &op in convert {
+            value = self.compute(op, &[value]);
+        }
+        self.store(&target, width(converted), value);
+        self.release(value);
+    }
+
+    // Function blocks.
+
+    fn call_instance(&mut self, block: BlockId, instance: &Place, call: &Call) {
+        let instance = self.freeze(instance);
+        let mut behind: Vec<&Argument> = Vec::new();
+        let mut values: Vec<(Place, Place, Width)> = Vec::new();
+        for argument in &call.arguments {
+            match argument {
+                Argument::Value { parameter, value } => {
+                    let var = self.value(value);
+                    self.store(&at(&instance, *parameter), width(value.scalar), var);
+                    self.release(var);
+                }
+                Argument::Number { parameter, value } => {
+                    let var = self.value(value);
+                    self.store(&at(&instance, *parameter), Width::Word, var);
+                    self.release(var);
+                }
+                Argument::Text { parameter, text, capacity } => self.assign_text(&at(&instance, *parameter), *capacity, text),
+                Argument::Aggregate { parameter, source, data_type } => self.copy_typed(&at(&instance, *parameter), source, data_type),
+                Argument::InOut { parameter, place, data_type } if is_elementary(data_type) => {
+                    let frozen = self.freeze(place);
+                    let width = width_of_bits(data_type.bits() as u32);
+                    let inside = at(&instance, *parameter);
+                    self.copy_value(&inside, &frozen, width);
+                    values.push((frozen, inside, width));
+                }
+                Argument::InOut { parameter, place, data_type } => {
+                    self.write_pointer(&at(&instance, *parameter), place, data_type, *data_type == DataType::Any);
+                }
+                Argument::Pointer { parameter, place, data_type, any } => {
+                    self.write_pointer(&at(&instance, *parameter), place, data_type, *any);
+                }
+                Argument::Output { .. } | Argument::OutputText { .. } | Argument::OutputAggregate { .. } => behind.push(argument),
+                Argument::Eno { .. } => {}
+            }
+        }
+        self.enter_instance(block, &instance);
+        for (place, inside, width) in values {
+            self.copy_value(&place, &inside, width);
+        }
+        for argument in behind {
+            let Some(position) = parameter_of(argument) else { continue };
+            self.take_out(&at(&instance, position as u32), argument);
+        }
+    }
+
+    /// Calls a function block with its instance in DI and AR2. A block with an instance of its own has it again behind the call.
+    fn enter_instance(&mut self, block: BlockId, instance: &Place) {
+        let callee = Called::Block(block);
+        let ar2 = Var::from(Register::Ar2);
+        if !self.has_instance {
+            self.open_instance(instance);
+            self.push(Inst::Call { callee, parameters: 0 });
+            self.called();
+            return;
+        }
+        let saved = self.hidden.scalar(Width::DoubleWord);
+        self.push(Inst::Store {
+            place: sieben_engine::ir::Place::Fixed { area: sieben_model::address::Area::Local, position: saved },
+            width: Width::DoubleWord,
+            src: ar2,
+        });
+        if instance.base == Base::Instance {
+            let indexed = self.indexes(instance, false, false);
+            if let Some(index) = indexed.pointer {
+                self.push(Inst::Compute { op: Op::AddU32, dst: ar2, args: super::arguments(&[ar2, index]) });
+                self.release(index);
+            }
+            let offset = self.constant(u64::from(indexed.offset));
+            self.push(Inst::Compute { op: Op::AddU32, dst: ar2, args: super::arguments(&[ar2, offset]) });
+            self.release(offset);
+            self.push(Inst::Call { callee, parameters: 0 });
+            self.called();
+            let old = self.load_local(saved, Width::DoubleWord);
+            self.copy_var(ar2, old);
+            self.release(old);
+            return;
+        }
+        // The DB register keeps the own instance over the call, as behind CDB.
+        let own = REGISTER_PAIRS.map(|(_, instance)| self.compute_from(Op::Copy, &[instance.into()]));
+        self.open_instance(instance);
+        for ((shared, _), own) in REGISTER_PAIRS.into_iter().zip(own) {
+            self.copy_var(shared.into(), own);
+            self.release(own);
+        }
+        self.push(Inst::Call { callee, parameters: 0 });
+        self.called();
+        let old = self.load_local(saved, Width::DoubleWord);
+        self.copy_var(ar2, old);
+        self.release(old);
+        for (shared, instance) in REGISTER_PAIRS {
+            self.copy_var(instance.into(), shared.into());
+        }
+    }
+
+    /// Opens the data block of an instance as DI and points AR2 at its begin.
+    fn open_instance(&mut self, instance: &Place) {
+        let ar2 = Var::from(Register::Ar2);
+        let (number, pointer) = match &instance.base {
+            Base::DataBlock(number) if instance.indexes.is_empty() => {
+                (self.constant(u64::from(*number)), self.constant(INSTANCE_START + u64::from(instance.offset)))
+            }
+            _ => self.pointer_to(instance, false),
+        };
+        self.push(Inst::Open { register: DataRegister::Instance, number });
+        self.release(number);
+        self.copy_var(ar2, pointer);
+        self.release(pointer);
+    }
+}
+
+/// The parameter that an argument is for: its index or its position.
+fn parameter_of(argument: &Argument) -> Option<usize> {
+    match argument {
+        Argument::Value { parameter, .. }
+        | Argument::Text { parameter, .. }
+        | Argument::Aggregate { parameter, .. }
+        | Argument::Output { parameter, .. }
+        | Argument::OutputText { parameter, .. }
+        | Argument::OutputAggregate { parameter, .. }
+        | Argument::InOut { parameter, .. }
+        | Argument::Number { parameter, .. }
+        | Argument::Pointer { parameter, .. } => Some(*parameter as usize),
+        Argument::Eno { .. } => None,
+    }
+}
+
+/// Whether a function gets a pointer to the value itself.
+fn is_elementary(data_type: &DataType) -> bool {
+    data_type.is_elementary()
+}

@@ -1,0 +1,263 @@
+//! Pointers to places, and what is reached by them as a whole: arrays, structures, POINTER and ANY.
+
+use sieben_engine::ir::{Inst, Op, Place as Address, Target, Var};
+use sieben_engine::machine::Register;
+use sieben_model::address::{Area, Width};
+use sieben_model::types::DataType;
+
+use super::places::Located;
+use super::{Lowering, bytes, width_of_bits};
+use crate::st::tree::{Base, Place};
+use crate::stl::meaning::logic_control::{CALLER_LOCAL, any_type};
+
+/// The area of shared data blocks in a pointer.
+const IN_DATA_BLOCK: u32 = 0x8400_0000;
+/// The byte and bit address in AR2, for its place in an instance.
+const ADDRESS_MASK: u64 = 0x0007_FFFF;
+/// Bytes of an ANY.
+const ANY_BYTES: u32 = 10;
+/// The two parts of a POINTER: offset in bits and width.
+const POINTER_PARTS: [(u32, Width); 2] = [(0, Width::Word), (16, Width::DoubleWord)];
+/// Parts of an ANY as it is copied: offset in bits and width.
+const ANY_PARTS: [(u32, Width); 3] = [(0, Width::DoubleWord), (32, Width::Word), (48, Width::DoubleWord)];
+
+impl Lowering<'_> {
+    /// The data block number and the area-crossing pointer of a place. `outward` is for a block that is called, which sees the local
+    /// data of this one as those of its caller.
+    pub(super) fn pointer_to(&mut self, place: &Place, outward: bool) -> (Var, Var) {
+        let [place] = &self.settle([place]);
+        let indexed = self.indexes(place, false, false);
+        if let Some(gate) = indexed.gate {
+            // A pointer outside an array is that to its first element; the gate has cleared ENO/OK.
+            self.release(gate);
+        }
+        let offset = indexed.offset;
+        let (number, start) = match &place.base {
+            Base::Area(area) => {
+                let code = if *area == Area::Local {
+                    self.show_variable(place);
+                    if outward { CALLER_LOCAL } else { u32::from(Area::Local.pointer_code()) << 24 }
+                } else {
+                    u32::from(area.pointer_code()) << 24
+                };
+                (self.constant(0), self.constant(u64::from(code + offset)))
+            }
+            Base::DataBlock(number) => (self.constant(u64::from(*number)), self.constant(u64::from(IN_DATA_BLOCK + offset))),
+            Base::ComputedDataBlock(number) => (self.value(number), self.constant(u64::from(IN_DATA_BLOCK + offset))),
+            Base::Instance => {
+                let number = self.compute_from(Op::Copy, &[Register::DiNumber.into()]);
+                let address = self.compute_with(Op::AndU32, Register::Ar2.into(), ADDRESS_MASK);
+                (number, self.compute_with(Op::AddU32, address, u64::from(IN_DATA_BLOCK + offset)))
+            }
+            Base::Parameter(index) => {
+                let pointer = self.parameter(*index);
+                let pointer = self.moved(pointer, offset);
+                (self.constant(0), self.passed_on(pointer, outward))
+            }
+            base @ (Base::ComplexParameter(_) | Base::InstancePointer(_)) => {
+                self.fallible = true;
+                let (number, pointer) = self.pointer_behind(base);
+                let pointer = self.moved(pointer, offset);
+                (number, self.passed_on(pointer, outward))
+            }
+            Base::Reference(reference) => {
+                let reference = self.value(reference);
+                let (number, pointer) = self.reference_parts(reference);
+                (number, self.moved(pointer, offset))
+            }
+        };
+        match indexed.pointer {
+            Some(index) => (number, self.compute(Op::AddU32, &[start, index])),
+            None => (number, start),
+        }
+    }
+
+    fn moved(&mut self, pointer: Var, offset: u32) -> Var {
+        if offset == 0 { pointer } else { self.compute_with(Op::AddU32, pointer, u64::from(offset)) }
+    }
+
+    fn passed_on(&mut self, pointer: Var, outward: bool) -> Var {
+        if outward { self.compute(Op::PassOnPointer, &[pointer]) } else { pointer }
+    }
+
+    /// A pointer may lead to the variable in the local data to which this place belongs.
+    fn show_variable(&mut self, place: &Place) {
+        let position = place.offset;
+        let variable = self.body.locals.iter().find_map(|local| {
+            let end = local.position.saturating_add(u32::try_from(local.data_type.bits()).unwrap_or(u32::MAX));
+            (local.position..end).contains(&position).then_some(local.position..end)
+        });
+        match variable {
+            Some(bits) => self.seen.show(bits),
+            None => self.seen.show_all(),
+        }
+    }
+
+    /// The pointer to a place in 64 bits: the number of its data block in bits 32 to 47.
+    pub(super) fn address_of(&mut self, place: &Place, outward: bool) -> Var {
+        if let (Base::DataBlock(number), true) = (&place.base, place.indexes.is_empty()) {
+            return self.constant(u64::from(*number) << 32 | u64::from(IN_DATA_BLOCK + place.offset));
+        }
+        let (number, pointer) = self.pointer_to(place, outward);
+        let high = self.compute_with(Op::Shl64, number, 32);
+        self.compute(Op::OrU64, &[high, pointer])
+    }
+
+    /// The address of several bytes, for a move or a text instruction: data blocks are named in the pointer, nothing is opened.
+    /// Behind a wrong index that is to be skipped the rest of the source statement is left out.
+    pub(super) fn locate_bytes(&mut self, place: &Place, bytes: u32, write: bool) -> Located {
+        let [place] = &self.settle([place]);
+        self.fallible = true;
+        let bits = bytes.saturating_mul(8);
+        let mut located = match &place.base {
+            Base::Area(_) | Base::Instance | Base::Parameter(_) => self.locate(place, bits, write),
+            _ => {
+                // The indexes are checked for what is done with the place.
+                let indexed = self.indexes(place, write, false);
+                let bare = Place { offset: indexed.offset, indexes: Vec::new(), ..place.clone() };
+                let mut pointer = self.address_of(&bare, false);
+                if let Some(index) = indexed.pointer {
+                    // The low half alone: an index below the first one must not reach the number of the data block.
+                    let low = self.compute_from(Op::AddU32, &[pointer, index]);
+                    let shift = self.constant(32);
+                    let number = self.compute_from(Op::Shr64, &[pointer, shift]);
+                    self.release(pointer);
+                    let high = self.compute(Op::Shl64, &[number, shift]);
+                    self.release(index);
+                    pointer = self.compute(Op::OrU64, &[high, low]);
+                }
+                Located {
+                    address: Address::Crossing { pointer, offset: 0 },
+                    block: super::places::Block::Any,
+                    gate: indexed.gate,
+                    pointer: Some(pointer),
+                }
+            }
+        };
+        if let Some(gate) = located.gate.take() {
+            let outside = self.compute(Op::Not, &[gate]);
+            self.push(Inst::Branch { condition: outside, to: Target(self.behind.0) });
+            self.release(outside);
+        }
+        located
+    }
+
+    /// The places, computed as far as needed to use them in one IR statement.
+    pub(super) fn settle<const N: usize>(&mut self, places: [&Place; N]) -> [Place; N] {
+        let breaks = places.iter().any(|place| self.place_breaks(place));
+        places.map(|place| if breaks { self.freeze(place) } else { place.clone() })
+    }
+
+    /// `target := source`, so many bytes, as if through a temporary.
+    pub(super) fn copy_bytes(&mut self, target: &Place, source: &Place, bytes: u32) {
+        if bytes == 0 {
+            return;
+        }
+        let [source, target] = self.settle([source, target]);
+        let from = self.locate_bytes(&source, bytes, false);
+        let to = self.locate_bytes(&target, bytes, true);
+        self.push(Inst::Move { from: from.address, to: to.address, bytes });
+        self.release_pointer(&from);
+        self.release_pointer(&to);
+    }
+
+    /// Writes a POINTER (6 bytes) or ANY (10 bytes) to a place, for a block that is called.
+    pub(super) fn write_pointer(&mut self, to: &Place, place: &Place, data_type: &DataType, any: bool) {
+        let passes_on = any && *data_type == DataType::Any || !any && *data_type == DataType::Pointer;
+        if passes_on && self.copy_pointer(to, place, any) {
+            return;
+        }
+        let start = if any {
+            let (code, count) = any_type(data_type);
+            let head = self.constant(0x1000 | u64::from(code));
+            self.store(to, Width::Word, head);
+            self.release(head);
+            let count = self.constant(u64::from(count));
+            self.store(&at(to, 16), Width::Word, count);
+            self.release(count);
+            32
+        } else {
+            0
+        };
+        let (number, pointer) = self.pointer_to(place, true);
+        self.store_pointer(&at(to, start), number, pointer);
+    }
+
+    /// Stores the two parts of a POINTER and uses them up.
+    pub(super) fn store_pointer(&mut self, to: &Place, number: Var, pointer: Var) {
+        for ((offset, width), var) in POINTER_PARTS.into_iter().zip([number, pointer]) {
+            self.store(&at(to, offset), width, var);
+            self.release(var);
+        }
+    }
+
+    /// Copies a POINTER or ANY that this block was given or has put together itself: what is passed on is what it points to.
+    fn copy_pointer(&mut self, to: &Place, place: &Place, any: bool) -> bool {
+        // A parameter of a function points to its six or ten bytes at once.
+        let from = match place.base {
+            Base::Parameter(_) | Base::Instance => place.clone(),
+            Base::ComplexParameter(index) => Place { base: Base::Parameter(index), ..place.clone() },
+            Base::Area(Area::Local) => place.clone(),
+            _ => return false,
+        };
+        let own = place.base == Base::Area(Area::Local);
+        let parts: &[(u32, Width)] = if any { &ANY_PARTS } else { &POINTER_PARTS };
+        for &(offset, width) in parts {
+            let mut value = self.load(&at(&from, offset), width);
+            let is_pointer = width == Width::DoubleWord && offset > 0;
+            if is_pointer && !own {
+                value = self.compute(Op::PassOnPointer, &[value]);
+            }
+            self.store(&at(to, offset), width, value);
+            self.release(value);
+        }
+        true
+    }
+
+    /// Room for a POINTER in hidden local data, and its place there.
+    pub(super) fn hidden_bytes(&mut self, bytes: u32) -> Place {
+        let offset = self.hidden.shown(bytes);
+        self.seen.show(offset..offset.saturating_add(bytes.saturating_mul(8)));
+        Place { base: Base::Area(Area::Local), offset, indexes: Vec::new(), span: self.span }
+    }
+
+    /// A POINTER or ANY to a place in hidden local data; the pointer to it for a block that is called.
+    pub(super) fn hidden_pointer(&mut self, place: &Place, data_type: &DataType, any: bool) -> u32 {
+        let hidden = self.hidden_bytes(if any { ANY_BYTES } else { 6 });
+        self.write_pointer(&hidden, place, data_type, any);
+        CALLER_LOCAL + hidden.offset
+    }
+
+    /// The pointer that a block that is called can use as it is, if the place does not depend on data blocks, AR2 or parameters.
+    pub(super) fn direct_pointer(&mut self, place: &Place) -> Option<u32> {
+        let Base::Area(area) = place.base else { return None };
+        if !place.indexes.is_empty() || matches!(area, Area::CallerLocal | Area::SharedData | Area::InstanceData) {
+            return None;
+        }
+        if area == Area::Local {
+            self.show_variable(place);
+            return Some(CALLER_LOCAL + place.offset);
+        }
+        Some((u32::from(area.pointer_code()) << 24) + place.offset)
+    }
+
+    /// Copies an elementary value.
+    pub(super) fn copy_value(&mut self, target: &Place, source: &Place, width: Width) {
+        let value = self.load(source, width);
+        self.store(target, width, value);
+        self.release(value);
+    }
+
+    /// Copies a value of any type: a number as such, all else as bytes.
+    pub(super) fn copy_typed(&mut self, target: &Place, source: &Place, data_type: &DataType) {
+        match data_type.bits() {
+            bits @ (1 | 8 | 16 | 32 | 64) => self.copy_value(target, source, width_of_bits(bits as u32)),
+            _ => self.copy_bytes(target, source, bytes(data_type)),
+        }
+    }
+}
+
+/// The place so many bits further on.
+pub(super) fn at(place: &Place, bits: u32) -> Place {
+    Place { offset: place.offset.saturating_add(bits), ..place.clone() }
+}

@@ -1,0 +1,266 @@
+//! Statements but loops.
+
+use sieben_engine::ir::{Inst, Op, Target, Var};
+use sieben_model::address::Width;
+
+use super::arithmetic::{bits, number, op};
+use super::{Label, Lowering, width};
+use crate::st::standard::operators::Operation;
+use crate::st::tree::{Branch, Place, Scalar, Statement, StatementKind, Value, ValueKind};
+
+/// Targets that a jump table may have for each label of a CASE, and at all: else it costs more memory than comparing costs time.
+const TABLE_TARGETS_PER_LABEL: i128 = 4;
+const TABLE_TARGETS_MAX: i128 = 4_096;
+/// Labels from which on a jump table or a search pays.
+const TABLE_LABELS_MIN: usize = 4;
+/// Ranges that are compared one after another at the end of a search.
+const CHAIN_MAX: usize = 4;
+
+/// Values of the selector that lead to one branch.
+#[derive(Clone, Copy, Debug)]
+struct Range {
+    low: i128,
+    high: i128,
+    to: Label,
+}
+
+impl Lowering<'_> {
+    /// Statements one after another.
+    pub(super) fn statements(&mut self, statements: &[Statement]) {
+        for statement in statements {
+            self.statement(statement);
+        }
+    }
+
+    /// Statements inside another one.
+    pub(super) fn inner_statements(&mut self, statements: &[Statement]) {
+        let (span, behind) = (self.span, self.behind);
+        self.statements(statements);
+        self.span = span;
+        self.behind = behind;
+        self.fresh();
+    }
+
+    fn statement(&mut self, statement: &Statement) {
+        if let StatementKind::Block(statements) = &statement.kind {
+            return self.statements(statements);
+        }
+        self.span = statement.span;
+        self.fresh();
+        let mark = self.hidden.mark();
+        let outer = std::mem::replace(&mut self.behind, Label(0));
+        self.behind = self.label();
+        match &statement.kind {
+            StatementKind::Assign { target, value } => self.assign(target, value),
+            StatementKind::Copy { target, source, bytes } => self.copy_bytes(target, source, *bytes),
+            StatementKind::AssignString { target, capacity, source } => self.assign_text(target, *capacity, source),
+            StatementKind::Call(call) => self.call(call),
+            StatementKind::If { branches, otherwise } => self.if_statement(branches, otherwise),
+            StatementKind::Case { selector, branches, otherwise } => self.case_statement(selector, branches, otherwise),
+            StatementKind::For(for_loop) => self.for_loop(for_loop),
+            StatementKind::While { condition, body } => self.while_loop(condition, body),
+            StatementKind::Repeat { body, until } => self.repeat_loop(body, until),
+            StatementKind::Exit { depth } => self.leave_loop(*depth, |around| around.end),
+            StatementKind::Continue { depth } => self.leave_loop(*depth, |around| around.next),
+            StatementKind::Return => self.leave_to(self.exit),
+            StatementKind::Label(name) => {
+                let label = self.named(*name);
+                self.bind(label);
+            }
+            StatementKind::Goto(name) => {
+                let label = self.named(*name);
+                self.leave_to(label);
+            }
+            StatementKind::SetOk(value) => {
+                let value = self.value(value);
+                match self.ok {
+                    Some(ok) => self.store_local(ok, Width::Bit, value),
+                    None => self.release(value),
+                }
+            }
+            StatementKind::Block(_) => {}
+        }
+        let behind = self.behind;
+        self.bind_behind(behind);
+        self.behind = outer;
+        self.hidden.give_back(mark);
+    }
+
+    fn named(&mut self, name: u32) -> Label {
+        if let Some(&label) = self.gotos.get(&name) {
+            return label;
+        }
+        let label = self.label();
+        self.gotos.insert(name, label);
+        label
+    }
+
+    fn assign(&mut self, target: &Place, value: &Value) {
+        let var = self.value(value);
+        if self.place_breaks(target) {
+            let position = self.spill(var, width(value.scalar));
+            let target = self.freeze(target);
+            let var = self.load_local(position, width(value.scalar));
+            self.store(&target, width(value.scalar), var);
+            return self.release(var);
+        }
+        self.store(target, width(value.scalar), var);
+        self.release(var);
+    }
+
+    fn if_statement(&mut self, branches: &[(Value, Vec<Statement>)], otherwise: &[Statement]) {
+        let end = self.behind;
+        for (index, (condition, body)) in branches.iter().enumerate() {
+            let is_last = index + 1 == branches.len() && otherwise.is_empty();
+            let next = if is_last { end } else { self.label() };
+            self.span = condition.span;
+            self.branch(condition, next, false);
+            self.part();
+            self.statements(body);
+            if !is_last {
+                self.leave_to(end);
+                self.bind(next);
+            }
+        }
+        self.statements(otherwise);
+        self.fresh();
+    }
+
+    // CASE.
+
+    fn case_statement(&mut self, selector: &Value, branches: &[Branch], otherwise: &[Statement]) {
+        let labels: Vec<Label> = branches.iter().map(|_| self.label()).collect();
+        let end = self.behind;
+        let none = if otherwise.is_empty() { end } else { self.label() };
+        let ranges = ranges(branches, &labels);
+        if let ValueKind::Constant(constant) = selector.kind {
+            let value = number(selector.scalar, constant);
+            let to = ranges.iter().find(|range| (range.low..=range.high).contains(&value)).map_or(none, |range| range.to);
+            self.leave_to(to);
+        } else {
+            let var = self.value(selector);
+            self.part_of_case(var, selector, &ranges, none);
+        }
+        for (label, branch) in labels.iter().zip(branches) {
+            self.bind(*label);
+            self.statements(&branch.body);
+            self.leave_to(end);
+        }
+        if !otherwise.is_empty() {
+            self.bind(none);
+            self.statements(otherwise);
+        }
+        self.fresh();
+    }
+
+    /// Goes to the branch of a selector, by a table, a search or one comparison after another.
+    fn part_of_case(&mut self, selector: Var, value: &Value, ranges: &[Range], none: Label) {
+        let scalar = value.scalar;
+        let (Some(first), Some(last)) = (ranges.first(), ranges.last()) else {
+            self.release(selector);
+            return self.leave_to(none);
+        };
+        let span = last.high - first.low + 1;
+        if ranges.len() >= TABLE_LABELS_MIN && span <= TABLE_TARGETS_MAX && span <= ranges.len() as i128 * TABLE_TARGETS_PER_LABEL {
+            let mut targets = Vec::with_capacity(span as usize);
+            for range in ranges {
+                targets.resize((range.low - first.low) as usize, Target(none.0));
+                targets.resize((range.high - first.low + 1) as usize, Target(range.to.0));
+            }
+            let index = if first.low == 0 {
+                selector
+            } else {
+                self.compute_with(op(Operation::Subtract, scalar), selector, bits(scalar, first.low))
+            };
+            let count = targets.len() as u32;
+            let first = self.b.table(&targets);
+            self.push(Inst::JumpTable { index, first, count, otherwise: Target(none.0) });
+            self.release(index);
+            self.begin();
+            // Only a selector that failed comes here.
+            self.jump(self.behind);
+            return self.begin();
+        }
+        if ranges.len() <= CHAIN_MAX {
+            self.chain(selector, scalar, ranges);
+            self.release(selector);
+            // A selector that failed goes to the end: it must not take a way of its own.
+            if self.fallible {
+                self.jump(none);
+                self.begin();
+                self.jump(self.behind);
+                return self.begin();
+            }
+            return self.leave_to(none);
+        }
+        let position = self.spill(selector, width(scalar));
+        self.part();
+        self.search((position, scalar), ranges, none);
+    }
+
+    fn search(&mut self, (position, scalar): (u32, Scalar), ranges: &[Range], none: Label) {
+        self.fresh();
+        let selector = self.load_local(position, width(scalar));
+        if ranges.len() <= CHAIN_MAX {
+            self.chain(selector, scalar, ranges);
+            self.release(selector);
+            return self.leave_to(none);
+        }
+        let (below, above) = ranges.split_at(ranges.len() / 2);
+        let right = self.label();
+        if let Some(pivot) = above.first() {
+            let pivot = self.constant(bits(scalar, pivot.low));
+            let is_below = self.compute(op(Operation::Less, scalar), &[selector, pivot]);
+            self.branch_on(is_below, right, false);
+        }
+        self.begin();
+        self.search((position, scalar), below, none);
+        self.bind(right);
+        self.search((position, scalar), above, none);
+    }
+
+    /// Compares with one range after another; the selector stays.
+    fn chain(&mut self, selector: Var, scalar: Scalar, ranges: &[Range]) {
+        for range in ranges {
+            let low = self.constant(bits(scalar, range.low));
+            let hit = if range.low == range.high {
+                let hit = self.compute_from(Op::Equal, &[selector, low]);
+                self.release(low);
+                hit
+            } else {
+                // One unsigned comparison of the distance from the lowest value.
+                let distance = self.compute_from(op(Operation::Subtract, scalar), &[selector, low]);
+                self.release(low);
+                self.compute_with(Op::LeU64, distance, bits(scalar, range.high - range.low))
+            };
+            self.push(Inst::Branch { condition: hit, to: Target(range.to.0) });
+            self.release(hit);
+        }
+    }
+}
+
+/// The values of all branches, in ascending order, none twice: the first branch in the source counts.
+fn ranges(branches: &[Branch], labels: &[Label]) -> Vec<Range> {
+    let mut all: Vec<Range> = Vec::new();
+    for (branch, &to) in branches.iter().zip(labels) {
+        for &(low, high) in &branch.ranges {
+            // What earlier labels leave of the range.
+            let (first, mut low) = (low, low);
+            let mut pieces = Vec::new();
+            for taken in all.iter().filter(|taken| taken.high >= first && taken.low <= high) {
+                if taken.low > low {
+                    pieces.push(Range { low, high: taken.low - 1, to });
+                }
+                low = low.max(taken.high + 1);
+            }
+            if low <= high {
+                pieces.push(Range { low, high, to });
+            }
+            for piece in pieces {
+                let index = all.partition_point(|taken| taken.low < piece.low);
+                all.insert(index, piece);
+            }
+        }
+    }
+    all
+}
