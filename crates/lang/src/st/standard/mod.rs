@@ -2,7 +2,19 @@
 //!
 //! Most functions are a few operations, which [`Meaning::Build`] composes; what is larger is a block of the library.
 
+mod bits;
+mod build;
+mod call;
+mod conversions;
+mod generic;
+pub mod library;
+mod numeric;
 pub mod operators;
+mod selection;
+mod time;
+
+#[cfg(test)]
+mod tests;
 
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
@@ -12,6 +24,8 @@ use sieben_model::types::DataType;
 use super::dialect::Dialect;
 use super::tree::{Place, Scalar, Value};
 use crate::library::LibraryBlock;
+use call::Call;
+use operators::Operation;
 
 /// An argument of a call as far as it decides what the function is.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +59,7 @@ pub struct Resolved {
     /// Its parameters in the order that [`Build`] takes them; only those that the call gives. Empty for [`Meaning::Block`], whose
     /// interface says it.
     pub parameters: Vec<Parameter>,
-    /// Type of the result.
+    /// Type of the result; for [`Meaning::Block`] only what is not Void, else the interface says it too.
     pub result: DataType,
     /// How it is computed.
     pub meaning: Meaning,
@@ -66,6 +80,8 @@ pub enum Meaning {
     Build(Build),
     /// The length of the one argument, a text.
     Length,
+    /// The order of the two arguments, texts: whether this comparison of it with 0 holds.
+    CompareTexts(Operation),
     /// By a block.
     Block(Provided),
 }
@@ -99,8 +115,8 @@ pub enum Provided {
     },
 }
 
-/// A file of library blocks written in ST; each file can be compiled alone.
-#[derive(Debug, PartialEq)]
+/// A file of library blocks written in ST.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Source {
     /// Where it lies in the repository.
     pub path: &'static str,
@@ -123,8 +139,20 @@ pub struct Refusal {
     pub help: String,
 }
 
-/// What a name means as a function with these arguments: `None` if it is no standard function of the dialect.
+/// What a name means as a function with these arguments: `None` if it is no standard function of the dialect. EN and ENO are not among
+/// the arguments.
 pub fn resolve(name: &str, dialect: Dialect, arguments: &[Given<'_>]) -> Option<Result<Resolved, Refusal>> {
-    let _ = (name, dialect, arguments);
-    None
+    let name = name.to_ascii_uppercase();
+    let call = Call { name: &name, dialect, arguments };
+    let chapters = [numeric::resolve, bits::resolve, selection::resolve, time::resolve, conversions::resolve, blocks];
+    chapters.iter().find_map(|chapter| chapter(&call))
+}
+
+/// What is a block of the library by its own name.
+fn blocks(call: &Call<'_>) -> Option<Result<Resolved, Refusal>> {
+    if call.name == "LEN" {
+        return Some(call.bind(&["IN"]).map(|_| Resolved { parameters: Vec::new(), result: DataType::Int, meaning: Meaning::Length }));
+    }
+    let block = library::function(call.name, call.dialect)?;
+    Some(Ok(Resolved { parameters: Vec::new(), result: DataType::Void, meaning: Meaning::Block(block) }))
 }

@@ -1,0 +1,55 @@
+//! Blocks that come with Sieben by the names that each dialect has for them.
+
+use sieben_model::block::{BlockId, BlockKind};
+
+use super::{Provided, Source};
+use crate::library;
+use crate::st::dialect::Dialect;
+
+/// The files of the library in ST: for which dialects, in the order of the columns iec, codesys, scl, tia, in which dialect each is written,
+/// and the blocks in it.
+macro_rules! sources {
+    ($( $path:literal $dialect:ident [$($for:literal)*]: $($block:ident)*; )*) => {
+        /// All files.
+        pub const SOURCES: &[&Source] = &[$(&Source {
+            path: concat!("library/st/", $path),
+            dialect: Dialect::$dialect,
+            text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../library/st/", $path)),
+        }),*];
+
+        /// For each file by which column it can be called, and its blocks.
+        const CONTENTS: &[([u8; 4], &[&str])] = &[$(([$($for),*], &[$(stringify!($block)),*])),*];
+    };
+}
+
+#[rustfmt::skip] // A table.
+sources! {
+    //                             iec codesys scl tia
+    "bistables.st" Iec             [1 1 0 1]: SR RS SEMA R_TRIG;
+    "f_trig.st" Iec                [1 0 0 0]: F_TRIG;
+}
+
+/// The instances of system function blocks by name in scl.
+const SYSTEM: &[(&str, u16)] = &[("CTU", 0), ("CTD", 1), ("CTUD", 2), ("TP", 3), ("TON", 4), ("TOF", 5)];
+
+/// The block of a file by its name in a dialect.
+fn source(name: &str, dialect: Dialect) -> Option<Provided> {
+    CONTENTS.iter().zip(SOURCES).filter(|((columns, _), _)| columns[dialect.column()] != 0).find_map(|((_, blocks), source)| {
+        let name = blocks.iter().find(|block| block.eq_ignore_ascii_case(name))?;
+        Some(Provided::Source { name, source })
+    })
+}
+
+/// The function with this name, without regard to case.
+pub fn function(name: &str, dialect: Dialect) -> Option<Provided> {
+    source(name, dialect).or_else(|| library::by_name(name).filter(|block| block.block.kind == BlockKind::Function).map(Provided::Library))
+}
+
+/// The function block with this name as the type of an instance, without regard to case.
+pub fn block_type(name: &str, dialect: Dialect) -> Option<Provided> {
+    if dialect == Dialect::Scl {
+        let system = SYSTEM.iter().find(|(system, _)| system.eq_ignore_ascii_case(name));
+        return system.map(|&(_, number)| Provided::System(BlockId::new(BlockKind::SystemFunctionBlock, number)));
+    }
+    source(name, dialect)
+}

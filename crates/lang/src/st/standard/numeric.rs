@@ -1,0 +1,146 @@
+//! Arithmetic by name, and functions of numbers.
+
+use sieben_engine::ir::Op;
+use sieben_model::types::DataType;
+
+use super::build::{after, compute, constant, converted, fail_if, operation, shared};
+use super::call::{Answer, Call, built, built_list};
+use super::generic::{Group, scalar_of};
+use super::operators::{Beyond, Operation, Rounding, is_real};
+use super::{Building, Refusal, Resolved};
+use crate::st::tree::{Scalar, Value};
+
+/// Functions of one REAL, with the operation and the dialects by column: iec, codesys, scl, tia.
+const REAL_FUNCTIONS: &[(&str, Operation, [bool; 4])] = &[
+    ("SQRT", Operation::SquareRoot, [true; 4]),
+    ("LN", Operation::NaturalLogarithm, [true; 4]),
+    ("LOG", Operation::Logarithm, [true, true, true, false]),
+    ("EXP", Operation::Exponential, [true; 4]),
+    ("EXPD", Operation::TenToThe, [false, false, true, false]),
+    ("SIN", Operation::Sine, [true; 4]),
+    ("COS", Operation::Cosine, [true; 4]),
+    ("TAN", Operation::Tangent, [true; 4]),
+    ("ASIN", Operation::ArcSine, [true; 4]),
+    ("ACOS", Operation::ArcCosine, [true; 4]),
+    ("ATAN", Operation::ArcTangent, [true; 4]),
+];
+
+pub(super) fn resolve(call: &Call<'_>) -> Answer {
+    let column = call.dialect.column();
+    if let Some(&(_, operation, dialects)) = REAL_FUNCTIONS.iter().find(|(name, ..)| *name == call.name) {
+        return dialects[column].then(|| real_function(call, operation));
+    }
+    // By column: iec, codesys, scl, tia.
+    let dialects = match call.name {
+        "ADD" | "MUL" | "SUB" | "DIV" | "MOD" | "MOVE" => [true, true, false, false],
+        "EXPT" => [true, true, false, false],
+        "ABS" => [true; 4],
+        "SQR" => [false, false, true, true],
+        "FRAC" | "NEG" => [false, false, false, true],
+        "ATAN2" => [true, false, false, false],
+        "IS_VALID" => [true, false, false, false],
+        _ => return None,
+    };
+    dialects[column].then(|| match call.name {
+        "ADD" => fold(call, Operation::Add, Group::Magnitudes),
+        "MUL" => fold(call, Operation::Multiply, Group::Numbers),
+        "SUB" => two(call, Operation::Subtract, Group::Magnitudes),
+        "DIV" => two(call, Operation::Divide, Group::Numbers),
+        "MOD" => two(call, Operation::Modulo, Group::Integers),
+        "EXPT" => power(call),
+        "MOVE" => one(call, Group::Elementary, |value, _| value),
+        "ABS" => one(call, Group::Numbers, |value, at| operation(Operation::Absolute, vec![value], at)),
+        "NEG" => one(call, Group::Numbers, |value, at| operation(Operation::Negate, vec![value], at)),
+        "SQR" => real(call, |value, at| {
+            let mut before = Vec::new();
+            let value = shared(value, &mut before, at);
+            after(before, operation(Operation::Multiply, vec![value.clone(), value], at))
+        }),
+        "FRAC" => real(call, |value, at| {
+            let mut before = Vec::new();
+            let value = shared(value, &mut before, at);
+            let scalar = value.scalar;
+            let wide = converted(value.clone(), Scalar::F64, Rounding::Zero, Beyond::Nearest, at);
+            let whole = compute(Op::TruncF64, vec![wide], Scalar::F64, at.span);
+            let whole = converted(whole, scalar, Rounding::Zero, Beyond::Nearest, at);
+            after(before, operation(Operation::Subtract, vec![value, whole], at))
+        }),
+        "ATAN2" => {
+            let given = call.bind(&["Y", "X"])?;
+            let data_type = call.real(&given)?;
+            built(vec![("Y", data_type.clone()), ("X", data_type.clone())], data_type, |args, at| {
+                operation(Operation::ArcTangent2, args, at)
+            })
+        }
+        _ => {
+            let given = call.bind(&["IN"])?;
+            let data_type = call.real(&given)?;
+            built(vec![("IN", data_type)], DataType::Bool, |mut args, at| {
+                let value = args.remove(0);
+                let lost = if value.scalar == Scalar::F32 { Op::OverflowsF32 } else { Op::OverflowsF64 };
+                let lost = compute(lost, vec![value], Scalar::Bool, at.span);
+                compute(Op::Not, vec![lost], Scalar::Bool, at.span)
+            })
+        }
+    })
+}
+
+/// A function of one REAL that has no result for some of them: that is no number, or infinite.
+fn real_function(call: &Call<'_>, function: Operation) -> Result<Resolved, Refusal> {
+    real(call, move |value, at| operation(function, vec![value], at))
+}
+
+fn real(call: &Call<'_>, build: impl Fn(Value, &mut Building<'_>) -> Value + 'static) -> Result<Resolved, Refusal> {
+    let given = call.bind(&["IN"])?;
+    let data_type = call.real(&given)?;
+    built(vec![("IN", data_type.clone())], data_type, move |mut args, at| build(args.remove(0), at))
+}
+
+fn one(call: &Call<'_>, group: Group, build: impl Fn(Value, &mut Building<'_>) -> Value + 'static) -> Result<Resolved, Refusal> {
+    let given = call.bind(&["IN"])?;
+    let data_type = call.common(&given, group)?;
+    built(vec![("IN", data_type.clone())], data_type, move |mut args, at| build(args.remove(0), at))
+}
+
+/// Two inputs of one type.
+fn two(call: &Call<'_>, function: Operation, group: Group) -> Result<Resolved, Refusal> {
+    let given = call.bind(&["IN1", "IN2"])?;
+    let data_type = call.common(&given, group)?;
+    built(vec![("IN1", data_type.clone()), ("IN2", data_type.clone())], data_type, move |args, at| operation(function, args, at))
+}
+
+/// Two or more inputs of one type, from left to right.
+fn fold(call: &Call<'_>, function: Operation, group: Group) -> Result<Resolved, Refusal> {
+    let bound = call.bind_list(&[], "IN", 1, 2)?;
+    let given: Vec<_> = bound.iter().map(|(_, given)| *given).collect();
+    let data_type = call.common(&given, group)?;
+    let names = bound.into_iter().map(|(name, _)| name).collect();
+    built_list(names, &data_type, data_type.clone(), move |args, at| {
+        let mut args = args.into_iter();
+        let first = args.next().unwrap_or_else(|| constant(0, Scalar::I16, at.span));
+        args.fold(first, |sum, next| operation(function, vec![sum, next], at))
+    })
+}
+
+/// The first input to the power of the second one.
+fn power(call: &Call<'_>) -> Result<Resolved, Refusal> {
+    let given = call.bind(&["IN1", "IN2"])?;
+    let base = call.real(&given[..1])?;
+    let exponent = call.common(&given[1..], Group::Numbers)?;
+    let wide = scalar_of(&exponent, call.dialect) == Some(Scalar::F64) || base == DataType::LongReal;
+    let exponent_type = match scalar_of(&exponent, call.dialect) {
+        Some(scalar) if is_real(scalar) => base.clone(),
+        _ => exponent,
+    };
+    let base = if wide && exponent_type == base { DataType::LongReal } else { base };
+    let exponent_type = if base == DataType::LongReal && exponent_type == DataType::Real { DataType::LongReal } else { exponent_type };
+    built(vec![("IN1", base.clone()), ("IN2", exponent_type)], base, |mut args, at| {
+        let exponent = args.remove(1);
+        let base = args.remove(0);
+        let scalar = base.scalar;
+        let exponent = converted(exponent, scalar, Rounding::HalfEven, Beyond::Nearest, at);
+        let op = if scalar == Scalar::F32 { Op::PowF32 } else { Op::PowF64 };
+        let lost = if scalar == Scalar::F32 { Op::OverflowsF32 } else { Op::OverflowsF64 };
+        fail_if(compute(op, vec![base, exponent], scalar, at.span), lost, Vec::new(), at)
+    })
+}
