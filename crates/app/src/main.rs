@@ -14,6 +14,7 @@ mod glob;
 mod local_check;
 mod names;
 mod nearest;
+mod online_change;
 mod output;
 mod panics;
 mod places;
@@ -25,6 +26,7 @@ mod screen;
 mod settings;
 mod symbol_files;
 mod testing;
+mod watch;
 
 use std::path::Path;
 use std::process::ExitCode;

@@ -4,6 +4,7 @@ mod access;
 mod background;
 mod extension;
 mod interrupting;
+mod online_change;
 mod restart;
 mod retentive;
 mod run;
@@ -32,11 +33,17 @@ use crate::settings::Settings;
 use crate::system;
 
 pub(crate) use background::Slice;
+pub use online_change::{ChangeRefused, Replacement};
 pub use retentive::DataLoss;
 pub use scan::ScanReport;
 use stack::Stack;
 use stop::Held;
 pub use stop::{StopCause, StopRequest};
+
+/// Whether organization block `number` is loaded and the CPU type calls it.
+fn available(cpu_type: &CpuType, engine: &dyn Engine, number: u16) -> bool {
+    cpu_type.has_organization_block(number) && engine.has_block(BlockId::ob(number))
+}
 
 /// A controller.
 pub struct Cpu {
@@ -95,7 +102,7 @@ impl Cpu {
         let engine = load(&program, &layout);
         let machine = Machine::new(layout);
         let registers = machine.registers.clone();
-        let interrupts = Interrupts::new(|number| cpu_type.has_organization_block(number) && engine.has_block(BlockId::ob(number)));
+        let interrupts = Interrupts::new(|number| available(cpu_type, &*engine, number));
         let declarations = Declarations::of(&program);
         let mut cpu = Self {
             cpu_type,

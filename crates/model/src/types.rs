@@ -1,5 +1,6 @@
 //! Data types and their layout in data blocks and local data.
 
+use std::fmt;
 use std::sync::Arc;
 
 use crate::address::Width;
@@ -378,6 +379,35 @@ impl DataType {
         // The innermost dimension of BOOL, BYTE and CHAR is padded to a word when there are several dimensions.
         let row = round_up(inner.saturating_mul(step), 16);
         (flat / inner).saturating_mul(row).saturating_add((flat % inner) * step)
+    }
+}
+
+impl fmt::Display for DataType {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::String(length) => write!(f, "STRING[{length}]"),
+            Self::Array { element, bounds } => {
+                let bounds: Vec<String> = bounds.iter().map(|(low, high)| format!("{low}..{high}")).collect();
+                write!(f, "ARRAY[{}] OF {element}", bounds.join(", "))
+            }
+            Self::Struct(structure) => f.write_str(structure.name.as_deref().unwrap_or("STRUCT")),
+            Self::Instance { block, .. } => block.fmt(f),
+            Self::WideString(length) => write!(f, "WSTRING[{length}]"),
+            Self::Enumeration(enumeration) => f.write_str(enumeration.name.as_deref().unwrap_or("this enumeration")),
+            Self::Subrange(subrange) => match &subrange.name {
+                Some(name) => f.write_str(name),
+                None => write!(f, "{}({}..{})", subrange.base, subrange.low, subrange.high),
+            },
+            Self::Reference(reference) => {
+                let words = match reference.kind {
+                    ReferenceKind::RefTo => "REF_TO",
+                    ReferenceKind::Pointer => "POINTER TO",
+                    ReferenceKind::Reference => "REFERENCE TO",
+                };
+                write!(f, "{words} {}", reference.target)
+            }
+            simple => f.write_str(simple.word().unwrap_or_default()),
+        }
     }
 }
 

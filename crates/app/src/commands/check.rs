@@ -1,15 +1,18 @@
 //! `sieben check [PATH…]`: everything that is wrong with a program.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
+use serde_json::json;
+use sieben_cpu::OnlineChange;
 use sieben_lang::TemporaryReads;
+use sieben_model::problems::Problem;
 
 use crate::arguments::ProgramArguments;
 use crate::failure::{Exit, Failure};
-use crate::project::Overrides;
+use crate::project::{Build, Overrides};
 use crate::report::{Finding, Texts};
-use crate::{fixing, output, project, report};
+use crate::{fixing, online_change, output, project, report};
 
 /// Report everything that is wrong with a program.
 #[derive(Args)]
@@ -17,7 +20,8 @@ use crate::{fixing, output, project, report};
   sieben check                        the project in this folder\n  \
   sieben check line4.awl symbols.sdf  a source with its symbol table\n  \
   sieben check pump --json            for an editor or a script\n  \
-  sieben check --fix line4.awl        mend what can mean only one thing\n\n\
+  sieben check --fix line4.awl        mend what can mean only one thing\n  \
+  sieben check pump --against backup  what an online change from `backup` would do\n\n\
 Exit codes: 0 no errors, 3 errors.")]
 pub(crate) struct Arguments {
     /// Source files, symbol tables, or a project folder [default: this folder]
@@ -31,7 +35,10 @@ pub(crate) struct Arguments {
     /// Also report temporary variables that are read, but not written on every path to that statement
     #[arg(long)]
     temp: bool,
-    /// Print the diagnostics as a JSON list on standard output
+    /// Also list what an online change from the program in this file or folder would change, and what it could not keep
+    #[arg(long, value_name = "OLD", conflicts_with_all = ["syntax_only", "fix"])]
+    against: Option<PathBuf>,
+    /// Print the diagnostics as a JSON list on standard output; with --against, an object
     #[arg(long)]
     json: bool,
     /// Apply the fixes of which there is no doubt to the files, then check again
@@ -69,6 +76,9 @@ fn check(arguments: &Arguments) -> Result<Exit, Failure> {
         build = compile()?;
     }
     let findings = &build.findings;
+    if let Some(old) = arguments.against.as_ref().filter(|_| !report::has_errors(findings)) {
+        return against(arguments, overrides, old, &build);
+    }
     if arguments.json {
         output::print_json(&report::to_json(findings, &build.project.texts), true)?;
     } else if findings.is_empty() {
@@ -87,4 +97,39 @@ fn check(arguments: &Arguments) -> Result<Exit, Failure> {
         project::print_findings(findings, &build.project.texts, false);
     }
     Ok(if report::has_errors(findings) { Exit::DoesNotCompile } else { Exit::Success })
+}
+
+/// Lists what an online change from one program to another does.
+fn against(arguments: &Arguments, overrides: Overrides, old: &Path, build: &Build) -> Result<Exit, Failure> {
+    let paths = [old.to_path_buf()];
+    let before = match arguments.program.load(&paths)?.compile(overrides, false) {
+        before if report::has_errors(&before.findings) => before.or_report(arguments.json),
+        before => Ok(before),
+    };
+    let before = match before {
+        Ok(before) => before,
+        Err(exit) => return Ok(exit),
+    };
+    if *before.cpu != *build.cpu {
+        let message = format!("an online change from a CPU {} to a CPU {} cannot be: it needs a restart", before.cpu.name, build.cpu.name);
+        return Err(Failure::usage(Problem::P7002, message).help("give both programs the same CPU type, with `--cpu`"));
+    }
+    let change = OnlineChange::between(&before.compiled.program, &build.compiled.program, &[]);
+    if arguments.json {
+        let diagnostics = report::to_json(&build.findings, &build.project.texts);
+        output::print_json(&json!({ "diagnostics": diagnostics, "online_change": online_change::to_json(&change) }), true)?;
+        return Ok(Exit::Success);
+    }
+    if !build.findings.is_empty() {
+        project::print_findings(&build.findings, &build.project.texts, false);
+    }
+    let kept = if change.losses.is_empty() { "All values are kept.\n" } else { "All other values are kept.\n" };
+    output::print(&format!("{}.\n{}{kept}", capital(&online_change::blocks(&change)), online_change::details(&change)))?;
+    Ok(Exit::Success)
+}
+
+/// The text with its first letter as at the beginning of a sentence.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -18,7 +18,8 @@ use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
 use crate::project::Build;
 use crate::retain::{RetainArguments, Retention, RunTime};
-use crate::{controller, duration, output};
+use crate::watch::Watch;
+use crate::{controller, duration, output, watch};
 
 /// How often the status line is drawn.
 const STATUS_PERIOD: Duration = Duration::from_millis(100);
@@ -39,7 +40,8 @@ const STOP_BY_SWITCH: u16 = 0x4303;
   sieben run                            the project in this folder, until Ctrl-C\n  \
   sieben run pump --for 10s             ten seconds, then exit 0\n  \
   sieben run pump --speed max --for 1h  an hour of virtual time, at full speed\n  \
-  sieben run pump --restart cold        with all values as the program declares them\n\n\
+  sieben run pump --restart cold        with all values as the program declares them\n  \
+  sieben run pump --watch               changed sources take over while it runs\n\n\
 Ctrl-C stops cleanly; a second Ctrl-C stops at once. Retentive data of a project survives both, and a kill.\n\
 Exit codes: 0 ok, 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
 pub(crate) struct Arguments {
@@ -62,6 +64,12 @@ pub(crate) struct Arguments {
     /// Which engine runs the program
     #[arg(long, value_name = "ENGINE", default_value = "auto")]
     engine: EngineArgument,
+    /// Look for changed sources, and let them take over between two scans with the data kept
+    #[arg(long)]
+    watch: bool,
+    /// With --watch: do not ask when values of data blocks cannot be kept
+    #[arg(long, requires = "watch")]
+    accept_losses: bool,
     /// Print the result as one JSON object
     #[arg(long)]
     json: bool,
@@ -91,7 +99,8 @@ pub(crate) fn speed_argument(text: &str) -> Result<Speed, String> {
 /// Runs the project.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let overrides = arguments.program.overrides()?;
-    let build = match arguments.program.load(&arguments.paths)?.compile(overrides, false).or_report(arguments.json) {
+    let stamps = if arguments.watch { watch::stamps(&arguments.paths) } else { watch::Stamps::new() };
+    let mut build = match arguments.program.load(&arguments.paths)?.compile(overrides, false).or_report(arguments.json) {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
@@ -123,16 +132,22 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
     let status = Status::new();
     let end_us = arguments.duration.map_or(u64::MAX, micros);
-    let mut pace = Pace { speed: arguments.speed, restart: arguments.retain.restart, cycle_us: micros(cycle), end_us, retention };
+    let watch = match arguments.watch {
+        true => Some(Watch::start(stamps, &arguments.paths, &arguments.program, arguments.engine, &build, arguments.accept_losses)?),
+        false => None,
+    };
+    let (restart, quiet) = (arguments.retain.restart, arguments.json);
+    let mut pace = Pace { speed: arguments.speed, restart, cycle_us: micros(cycle), end_us, retention, watch, build: &mut build, quiet };
     let outcome = match arguments.speed {
         Speed::Max => pace.run_virtual(&mut cpu, &interrupt, &status),
         Speed::Factor(factor) => pace.run_timed(factor, &mut cpu, &interrupt, &status),
     };
     status.clear();
-    if let Some(retention) = &mut pace.retention {
+    let Pace { mut retention, watch, .. } = pace;
+    if let Some(retention) = &mut retention {
         retention.close(&mut cpu);
     }
-    report(arguments, &build, &cpu, &outcome, pace.retention.as_ref())
+    report(arguments, &build, &cpu, &outcome, retention.as_ref(), watch.as_ref())
 }
 
 /// The time of day of this computer, UTC.
@@ -188,15 +203,32 @@ struct Outcome {
 }
 
 /// When scans begin.
-struct Pace {
+struct Pace<'a> {
     speed: Speed,
     restart: Restart,
     cycle_us: u64,
     end_us: u64,
     retention: Option<Retention>,
+    watch: Option<Watch>,
+    /// The program that runs.
+    build: &'a mut Build,
+    /// Nothing is said about online changes: the result is for a program.
+    quiet: bool,
 }
 
-impl Pace {
+impl Pace<'_> {
+    /// Lets changed sources take over before the next scan.
+    fn change(&mut self, cpu: &mut Cpu, status: &Status) {
+        if let Some(watch) = &mut self.watch {
+            let quiet = self.quiet;
+            watch.poll(cpu, self.build, &|text| {
+                if !quiet {
+                    status.say(text)
+                }
+            });
+        }
+    }
+
     /// Keeps retentive data before the next scan releases the outputs of this one.
     fn keep(&mut self, cpu: &mut Cpu) {
         if let Some(retention) = &mut self.retention {
@@ -215,6 +247,7 @@ impl Pace {
             scans += 1;
             if scans % SCANS_PER_LOOK == 0 {
                 status.update(cpu, scans);
+                self.change(cpu, status);
             }
             now_us = now_us.saturating_add(self.cycle_us);
         }
@@ -234,6 +267,7 @@ impl Pace {
             if cpu.mode() == OperatingMode::Stop || now_us >= self.end_us || interrupt.pressed() {
                 return Outcome { scans, time_us: now_us.min(self.end_us), interrupted: interrupt.pressed() };
             }
+            self.change(cpu, status);
             let until = due_us.min(self.end_us);
             if now_us < until {
                 if real && cpu.has_background() {
@@ -292,6 +326,13 @@ impl Status {
         self.drawn.set(Instant::now());
         bar.set_message(format!("{}  scan {scans}{}  (Ctrl-C stops)", cpu.mode(), cycle_text(cpu)));
     }
+    /// Prints a message above the line.
+    fn say(&self, text: &str) {
+        match &self.bar {
+            Some(bar) => bar.suspend(|| output::message(text)),
+            None => output::message(text),
+        }
+    }
     fn clear(&self) {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();
@@ -310,7 +351,14 @@ fn cycle_text(cpu: &Cpu) -> String {
 }
 
 /// Says how it went.
-fn report(arguments: &Arguments, build: &Build, cpu: &Cpu, outcome: &Outcome, retention: Option<&Retention>) -> Result<Exit, Failure> {
+fn report(
+    arguments: &Arguments,
+    build: &Build,
+    cpu: &Cpu,
+    outcome: &Outcome,
+    retention: Option<&Retention>,
+    watch: Option<&Watch>,
+) -> Result<Exit, Failure> {
     // The STOP that Ctrl-C asked for is no failure of the program.
     let stopped = cpu
         .stop_cause()
@@ -326,6 +374,9 @@ fn report(arguments: &Arguments, build: &Build, cpu: &Cpu, outcome: &Outcome, re
         });
         if let Some(retention) = retention {
             object["retain"] = retention.json();
+        }
+        if let Some(watch) = watch {
+            object["online_changes"] = watch.changes.into();
         }
         if let Some(cause) = stopped {
             object["stop"] = controller::stop_json(cause);

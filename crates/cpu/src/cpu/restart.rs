@@ -110,12 +110,17 @@ impl Cpu {
                 self.log(StartInformation { event: 0x4302, ..self.class }, None);
                 self.mode = OperatingMode::Run;
                 self.rack.enable_outputs(true);
-                let cyclic: Vec<_> = (CyclicInterrupt::FIRST..=CyclicInterrupt::LAST).filter_map(|number| self.cyclic(number)).collect();
+                let cyclic = self.all_cyclic();
                 self.interrupts.run(cyclic.into_iter(), self.machine.clock_us);
             }
             Outcome::Suspended => self.hold(Held::Startup),
             Outcome::Stopped(reason, first) => self.enter_stop(reason, first),
         }
+    }
+
+    /// All cyclic interrupts that the CPU has.
+    pub(super) fn all_cyclic(&self) -> Vec<(u16, CyclicInterrupt)> {
+        (CyclicInterrupt::FIRST..=CyclicInterrupt::LAST).filter_map(|number| self.cyclic(number)).collect()
     }
 
     /// The number and the setting of a cyclic interrupt that the CPU has: the configured one, or the usual one of a block that is loaded.

@@ -57,6 +57,17 @@ impl Cyclic {
             .collect();
     }
 
+    /// The program changed in RUN: those that stay keep their time, new ones start to count.
+    pub(crate) fn change(&mut self, settings: impl Iterator<Item = (u16, CyclicInterrupt)>, clock_us: u64) {
+        let old = std::mem::take(&mut self.0);
+        self.start(settings, clock_us);
+        for one in &mut self.0 {
+            if let Some(before) = old.iter().find(|before| before.number == one.number && before.setting == one.setting) {
+                one.next_us = before.next_us;
+            }
+        }
+    }
+
     /// The next one and when it comes, by the CPU clock in microseconds.
     pub(crate) fn next(&self) -> Option<(u64, u16)> {
         self.0.iter().map(|one| (one.next_us, one.number)).min()

@@ -129,6 +129,13 @@ impl Interrupts {
         self.available.get(usize::from(number)).copied().unwrap_or(false)
     }
 
+    /// Other organization blocks are loaded now; what waited for one that has gone is forgotten.
+    pub(crate) fn set_available(&mut self, available: impl Fn(u16) -> bool) {
+        self.available = std::array::from_fn(|number| available(number as u16));
+        let Self { available, waiting, .. } = self;
+        waiting.retain(|request| available.get(usize::from(request.info.block)).copied().unwrap_or(false));
+    }
+
     /// Nothing waits any more.
     pub(crate) fn clear(&mut self) {
         self.waiting.clear();

@@ -9,7 +9,7 @@ use sieben_model::interface::{Interface, Section, SystemBlock};
 use sieben_model::literal::Value;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
-use sieben_model::types::{DataType, Field, ReferenceKind, STRING_LENGTH_MAX, Structure, place};
+use sieben_model::types::{DataType, Field, STRING_LENGTH_MAX, Structure, place};
 
 use super::interface::{Declared, declared_of, lay_out};
 use super::values::{Misfit, coerce};
@@ -448,30 +448,7 @@ fn misplaced(data_type: &DataType, usage: Usage) -> Option<&'static str> {
 
 /// The type in the user's words.
 pub(crate) fn describe(data_type: &DataType) -> String {
-    match data_type {
-        DataType::String(length) => format!("STRING[{length}]"),
-        DataType::Array { element, bounds } => {
-            let bounds: Vec<String> = bounds.iter().map(|(low, high)| format!("{low}..{high}")).collect();
-            format!("ARRAY[{}] OF {}", bounds.join(", "), describe(element))
-        }
-        DataType::Struct(structure) => structure.name.clone().unwrap_or_else(|| "STRUCT".into()),
-        DataType::Instance { block, .. } => block.to_string(),
-        DataType::WideString(length) => format!("WSTRING[{length}]"),
-        DataType::Enumeration(enumeration) => enumeration.name.clone().unwrap_or_else(|| "this enumeration".into()),
-        DataType::Subrange(subrange) => {
-            let limits = || format!("{}({}..{})", describe(&subrange.base), subrange.low, subrange.high);
-            subrange.name.clone().unwrap_or_else(limits)
-        }
-        DataType::Reference(reference) => {
-            let words = match reference.kind {
-                ReferenceKind::RefTo => "REF_TO",
-                ReferenceKind::Pointer => "POINTER TO",
-                ReferenceKind::Reference => "REFERENCE TO",
-            };
-            format!("{words} {}", describe(&reference.target))
-        }
-        simple => simple.word().unwrap_or_default().to_owned(),
-    }
+    data_type.to_string()
 }
 
 /// A constant of the type, as an example.

@@ -1,0 +1,137 @@
+//! Another program takes over between two scans, with the data of the first.
+
+use std::fmt;
+use std::sync::Arc;
+
+use sieben_engine::machine::Registers;
+use sieben_engine::{Engine, Layout, Machine, Program};
+use sieben_model::address::Area;
+use sieben_model::cpu_type::CpuType;
+
+use super::{Cpu, available};
+use crate::mode::OperatingMode;
+use crate::online_change::OnlineChange;
+use crate::retain::Declarations;
+use crate::system;
+
+/// A program that is ready to take over: loaded beside the CPU, so that the scans do not wait for it.
+pub struct Replacement {
+    cpu_type: &'static CpuType,
+    program: Arc<Program>,
+    layout: Arc<Layout>,
+    engine: Arc<dyn Engine>,
+    declarations: Declarations,
+}
+
+impl Replacement {
+    /// Loads a program for a CPU type; `load` makes the engine for it and its layout.
+    pub fn load(cpu_type: &'static CpuType, program: Arc<Program>, load: impl FnOnce(&Program, &Layout) -> Arc<dyn Engine>) -> Self {
+        let layout = Arc::new(Layout::new(cpu_type, &program));
+        let engine = load(&program, &layout);
+        let declarations = Declarations::of(&program);
+        Self { cpu_type, program, layout, engine, declarations }
+    }
+}
+
+/// Why a program does not take over. The other one goes on unchanged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ChangeRefused {
+    /// It was loaded for another CPU type: memory and limits are different.
+    OtherCpuType,
+    /// The CPU is in the middle of a scan or startup (HOLD): blocks that run have no place in another program.
+    Running,
+}
+
+impl fmt::Display for ChangeRefused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::OtherCpuType => "another CPU type needs a restart",
+            Self::Running => "the CPU is in the middle of a scan",
+        })
+    }
+}
+
+impl std::error::Error for ChangeRefused {}
+
+impl Cpu {
+    /// What would change, and what of the data cannot be kept, if this program took over now. Nothing changes.
+    pub fn plan_change(&self, replacement: &Replacement) -> OnlineChange {
+        let created: Vec<u16> = system::created(&self.machine, &self.system.non_retain).iter().map(|block| block.number).collect();
+        OnlineChange::between(&self.program, &replacement.program, &created)
+    }
+
+    /// Another program takes over, between two scans. Inputs, outputs, bit memory, timers and counters stay, and with them edges and
+    /// times that run; so do the values of data blocks, by name and type. The operating mode stays too: no startup block runs.
+    ///
+    /// OB 90 begins anew, and a CPU in STOP makes no hot restart after it. Answers what has changed.
+    ///
+    /// # Errors
+    /// Why not; then nothing has changed.
+    pub fn change_online(&mut self, replacement: Replacement) -> Result<OnlineChange, ChangeRefused> {
+        if *self.cpu_type != *replacement.cpu_type {
+            return Err(ChangeRefused::OtherCpuType);
+        }
+        if !matches!(self.mode, OperatingMode::Run | OperatingMode::Stop) || !self.machine.frames.is_empty() {
+            return Err(ChangeRefused::Running);
+        }
+        let change = self.plan_change(&replacement);
+        let Replacement { program, layout, engine, declarations, .. } = replacement;
+        let old_program = std::mem::replace(&mut self.program, program);
+        let old = std::mem::replace(&mut self.machine, Machine::new(layout));
+        self.engine = engine;
+        self.declarations = declarations;
+        self.keeper.forget();
+        self.forget_other_load_memory(&old_program);
+        self.load_data_blocks(|_| true);
+        self.take_memory(&old);
+        self.take_data(&old, &old_program, &change);
+        let (cpu_type, engine) = (self.cpu_type, Arc::clone(&self.engine));
+        self.interrupts.set_available(|number| available(cpu_type, &*engine, number));
+        if self.mode == OperatingMode::Run {
+            let cyclic = self.all_cyclic();
+            self.interrupts.cyclic.change(cyclic.into_iter(), self.machine.clock_us);
+        }
+        (self.paused, self.background_began) = (None, false);
+        self.warm_demanded |= self.interrupted.take().is_some();
+        Ok(change)
+    }
+
+    /// What the program wrote to the load memory goes where the sources bring other values.
+    fn forget_other_load_memory(&mut self, old: &Program) {
+        let new = &self.program;
+        let image = |program: &Program, number: u16| program.data.get(&number).map(|block| block.image.clone());
+        self.system.load_memory.retain(|&number, _| image(old, number) == image(new, number));
+    }
+
+    /// All that has the same place in every program of a CPU type.
+    fn take_memory(&mut self, old: &Machine) {
+        let machine = &mut self.machine;
+        for area in [Area::Input, Area::Output, Area::BitMemory] {
+            machine.memory.area_mut(area).copy_from_slice(old.memory.area(area));
+        }
+        machine.timers.clone_from(&old.timers);
+        machine.counters.clone_from(&old.counters);
+        (machine.clock_us, machine.budget) = (old.clock_us, old.budget);
+        machine.registers = Registers::fresh();
+    }
+
+    /// The values of data blocks, and the data blocks that the program has made.
+    fn take_data(&mut self, old: &Machine, old_program: &Program, change: &OnlineChange) {
+        let memory = &mut self.machine.memory;
+        for &number in old_program.data.keys() {
+            let [then, now] = [&old.memory, &*memory].map(|memory| memory.data_block(u64::from(number)));
+            let (Some(then), Some(now)) = (then, now) else { continue };
+            let values = &old.memory.arena[then.base as usize..(then.base + then.length) as usize];
+            let range = now.base as usize..(now.base + now.length) as usize;
+            change.carry_over(number, values, &mut memory.arena[range]);
+        }
+        for block in system::created(old, &self.system.non_retain) {
+            let values = &old.memory.arena[block.base as usize..(block.base + block.length) as usize];
+            if self.program.data.contains_key(&block.number) {
+                self.system.non_retain.remove(&block.number);
+            } else {
+                system::create(&mut self.machine, block.number, values, block.attributes.read_only);
+            }
+        }
+    }
+}
