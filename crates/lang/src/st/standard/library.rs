@@ -24,9 +24,32 @@ macro_rules! sources {
 
 #[rustfmt::skip] // A table.
 sources! {
-    //                             iec codesys scl tia
-    "bistables.st" Iec             [1 1 0 1]: SR RS SEMA R_TRIG;
-    "f_trig.st" Iec                [1 0 0 0]: F_TRIG;
+    //                                  iec codesys scl tia
+    "edges.st" Iec                      [1 1 0 1]: R_TRIG SEMA;
+    "f_trig.st" Iec                     [1 0 0 0]: F_TRIG;
+    "f_trig_quiet.st" Iec               [0 1 0 1]: F_TRIG;
+    "bistables.st" Iec                  [1 0 0 1]: SR RS;
+    "bistables_codesys.st" Codesys      [0 1 0 0]: SR RS;
+    "timers.st" Iec                     [1 0 0 0]: TON TOF TP;
+    "timers_time.st" Iec                [1 0 0 0]: TON_TIME TOF_TIME TP_TIME;
+    "timers_ltime.st" Iec               [1 0 0 0]: TON_LTIME TOF_LTIME TP_LTIME;
+    "timers_codesys.st" Codesys         [0 1 0 0]: TON TOF TP;
+    "timers_codesys_long.st" Codesys    [0 1 0 0]: LTON LTOF LTP;
+    "timers_tia.st" Iec                 [0 0 0 1]: TON TOF TP;
+    "timers_tia_time.st" Iec            [0 0 0 1]: TON_TIME TOF_TIME TP_TIME;
+    "timers_tia_ltime.st" Iec           [0 0 0 1]: TON_LTIME TOF_LTIME TP_LTIME;
+    "tonr.st" Iec                       [0 0 0 1]: TONR;
+    "rtc.st" Iec                        [1 0 0 0]: RTC;
+    "counters.st" Iec                   [1 0 0 1]: CTU CTD CTUD;
+    "counters_sint.st" Iec              [0 0 0 1]: CTU_SINT CTD_SINT CTUD_SINT;
+    "counters_int.st" Iec               [1 0 0 1]: CTU_INT CTD_INT CTUD_INT;
+    "counters_dint.st" Iec              [1 0 0 1]: CTU_DINT CTD_DINT CTUD_DINT;
+    "counters_lint.st" Iec              [1 0 0 0]: CTU_LINT CTD_LINT CTUD_LINT;
+    "counters_usint.st" Iec             [0 0 0 1]: CTU_USINT CTD_USINT CTUD_USINT;
+    "counters_uint.st" Iec              [0 0 0 1]: CTU_UINT CTD_UINT CTUD_UINT;
+    "counters_udint.st" Iec             [1 0 0 1]: CTU_UDINT CTD_UDINT CTUD_UDINT;
+    "counters_ulint.st" Iec             [1 0 0 0]: CTU_ULINT CTD_ULINT CTUD_ULINT;
+    "counters_codesys.st" Codesys       [0 1 0 0]: CTU CTD CTUD;
 }
 
 /// The instances of system function blocks by name in scl.
