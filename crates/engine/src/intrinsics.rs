@@ -112,7 +112,7 @@ impl Intrinsic {
             Self::CounterEnable => machine.counters.get_mut(index).ok_or(no_counter)?.enable(rlo),
             Self::CounterStatus => return Ok(u64::from(machine.counters.get(index).ok_or(no_counter)?.count > 0)),
             Self::CounterValue => return Ok(u64::from(machine.counters.get(index).ok_or(no_counter)?.count)),
-            Self::Clock => return Ok(now / 1_000 & 0xFFFF_FFFF),
+            Self::Clock => return Ok(u64::from((now / 1_000) as u32)),
             Self::CounterBcd => return Ok(u64::from(machine.counters.get(index).ok_or(no_counter)?.bcd())),
         }
         Ok(0)

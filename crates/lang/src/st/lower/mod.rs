@@ -365,6 +365,3 @@ fn width_of_bits(bits: u32) -> Width {
 fn bytes(data_type: &sieben_model::types::DataType) -> u32 {
     u32::try_from(data_type.bits().div_ceil(8)).unwrap_or(u32::MAX / 16)
 }
-
-#[cfg(test)]
-mod tests;
