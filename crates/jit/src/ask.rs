@@ -31,7 +31,7 @@ pub(crate) struct Ask {
 macro_rules! asks {
     ($($(#[doc = $doc:literal])* $Name:ident = $function:ident ( $($argument:ident),* );)*) => {
         /// Functions that machine code calls, by name.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub(crate) enum Question { $($(#[doc = $doc])* $Name,)* }
 
         impl Question {

@@ -145,8 +145,8 @@ impl Compiled {
 pub enum StatusBits {
     /// All, wherever somebody may look at the registers: in STOP they are those of the real CPU.
     All,
-    /// Those that a statement reads, and all of them at the end of an organization block. In STOP and HOLD /FC, STA, OR, OS, OV, CC 0
-    /// and CC 1 may show an older value.
+    /// Those that a statement reads. To who looks at the registers, /FC, STA, OR, OS, OV, CC 0 and CC 1 may show an older value: in STOP
+    /// and HOLD, and when an organization block has ended.
     Needed,
 }
 

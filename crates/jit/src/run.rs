@@ -67,6 +67,8 @@ pub(crate) struct Run<'a, 'c> {
     pub(crate) registers: File,
     /// The result of what was asked for.
     pub(crate) value: u64,
+    /// The answer of what was asked in cold code.
+    pub(crate) answer: u64,
     /// `machine.budget`, current while machine code runs.
     pub(crate) budget: i64,
     /// Address behind the local data of the priority class.
@@ -113,6 +115,7 @@ impl<'a, 'c> Run<'a, 'c> {
         Self {
             registers,
             value: 0,
+            answer: 0,
             budget,
             local_end: 0,
             link_max: 0,

@@ -32,6 +32,7 @@ use crate::run::{LINKS, Run};
 mod analysis;
 mod bytes;
 mod calls;
+mod gates;
 mod inline;
 mod intrinsics;
 mod loops;
@@ -123,7 +124,7 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
     let mut context = module.make_context();
     let mut frontend = FunctionBuilderContext::new();
     let (mut bytes, mut frame_max) = (0, 0);
-    let mut pinned = BTreeSet::new();
+    let (mut pinned, mut asked) = (BTreeSet::new(), BTreeSet::new());
     for (index, block) in blocks.iter().enumerate() {
         context.func.signature = block_signature(&module);
         let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
@@ -131,13 +132,16 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
         let for_loops = for_loops.as_ref().filter(|_| loop_heads(&block.code) > 0);
         let joins = for_loops.is_none();
         let program = Program { functions: &functions, blocks, summaries: &summaries, find, layout, options, joins };
-        pinned.append(&mut Translator::new(builder, &mut module, program, index).run(target));
+        let mut found = Translator::new(builder, &mut module, program, index).run(target);
+        pinned.append(&mut found.pinned);
+        asked.append(&mut found.asked);
         define(&mut module, functions.blocks[index], &mut context, for_loops).map_err(|error| format!("{}: {error}", block.id))?;
         let code = context.compiled_code().map_or(&[][..], |code| code.code_buffer());
         bytes += code.len();
         frame_max = frame_max.max(frame_bytes(code));
         module.clear_context(&mut context);
     }
+    bytes += gates::define(&mut module, &functions, &asked, &mut context, &mut frontend).map_err(|error| error.to_string())?;
     module.finalize_definitions().map_err(|error| error.to_string())?;
     let levels = (STACK_BYTES / (frame_max + STACK_BYTES_OF_A_CALL)).min(LINKS);
     // Interrupts that come on top go to the interpreter.
@@ -183,6 +187,8 @@ struct Functions {
     blocks: Vec<FuncId>,
     ops: HashMap<Op, FuncId>,
     questions: HashMap<Question, FuncId>,
+    /// The same for cold code: see `gates`.
+    gates: HashMap<Question, FuncId>,
 }
 
 fn block_signature(module: &JITModule) -> clif::Signature {
@@ -212,7 +218,8 @@ fn declare(module: &mut JITModule, blocks: &[Native]) -> Result<Functions, Box<M
         let signature = words_signature(module, ask.arguments);
         questions.insert(question, module.declare_function(ask.name, Linkage::Import, &signature)?);
     }
-    Ok(Functions { blocks, ops, questions })
+    let gates = gates::declare(module)?;
+    Ok(Functions { blocks, ops, questions, gates })
 }
 
 /// Whether a register holds one bit.
@@ -280,6 +287,14 @@ struct Program<'a> {
     joins: bool,
 }
 
+/// What a function relies on.
+struct Found {
+    /// Data blocks that it takes to be as they were loaded.
+    pinned: BTreeSet<u16>,
+    /// What it asks in cold code.
+    asked: BTreeSet<Question>,
+}
+
 struct Translator<'a> {
     b: FunctionBuilder<'a>,
     module: &'a mut JITModule,
@@ -292,6 +307,8 @@ struct Translator<'a> {
     options: Options,
     /// Data blocks that the code takes to be as they were loaded.
     pinned: BTreeSet<u16>,
+    /// What is asked in cold code.
+    asked: BTreeSet<Question>,
     lazies: Vec<Lazy>,
     /// The cold block that is being written, if it is one.
     cold: Option<clif::Block>,
@@ -358,6 +375,7 @@ impl<'a> Translator<'a> {
             layout,
             options,
             pinned: BTreeSet::new(),
+            asked: BTreeSet::new(),
             lazies: Vec::new(),
             cold: None,
             references: HashMap::new(),
@@ -394,8 +412,8 @@ impl<'a> Translator<'a> {
         &self.blocks[self.index]
     }
 
-    /// Writes the function; the data blocks that it takes to be as they were loaded.
-    fn run(mut self, target: cranelift_codegen::isa::TargetFrontendConfig) -> BTreeSet<u16> {
+    /// Writes the function.
+    fn run(mut self, target: cranelift_codegen::isa::TargetFrontendConfig) -> Found {
         self.find_registers_and_loops();
         self.enter_block();
         let code = &self.native().code;
@@ -424,7 +442,7 @@ impl<'a> Translator<'a> {
         self.b.ins().return_(&[leave]);
         self.b.seal_all_blocks();
         self.b.finalize(target);
-        self.pinned
+        Found { pinned: self.pinned, asked: self.asked }
     }
 
     /// Which registers the block mentions, and where it jumps back to.
@@ -514,12 +532,12 @@ impl<'a> Translator<'a> {
         self.b.seal_block(ask);
         let before = self.cold.replace(ask);
         self.spill(self.dirty);
-        self.cold = before;
         let code = self.b.ins().iconst(I64, self.index as i64);
         // The interpreter names the first statement that does something.
         let statement = self.first_with_code(statement);
         let statement = self.b.ins().iconst(I64, i64::from(statement));
         let answer = self.ask(Question::SafePoint, &[self.link, code, statement]);
+        self.cold = before;
         self.b.ins().brif(answer, self.leave, &[], go_on, &[]);
     }
 
@@ -676,17 +694,24 @@ impl<'a> Translator<'a> {
 
     /// Calls a function; its result.
     fn call(&mut self, function: FuncId, arguments: &[Value]) -> Value {
-        let (module, b) = (&mut *self.module, &mut self.b);
-        let reference = *self.references.entry(function).or_insert_with(|| module.declare_func_in_func(function, b.func));
+        let reference = self.reference(function);
         let call = self.b.ins().call(reference, arguments);
         self.b.inst_results(call)[0]
+    }
+
+    fn reference(&mut self, function: FuncId) -> FuncRef {
+        let (module, b) = (&mut *self.module, &mut self.b);
+        *self.references.entry(function).or_insert_with(|| module.declare_func_in_func(function, b.func))
     }
 
     fn ask(&mut self, question: Question, arguments: &[Value]) -> Value {
         self.settle_bytes();
         self.store_promoted();
         let arguments: Vec<Value> = [self.run].iter().chain(arguments).copied().collect();
-        let answer = self.call(self.functions.questions[&question], &arguments);
+        let answer = match self.cold {
+            Some(_) => self.ask_at_gate(question, &arguments),
+            None => self.call(self.functions.questions[&question], &arguments),
+        };
         self.take_promoted();
         answer
     }
@@ -819,11 +844,9 @@ impl<'a> Translator<'a> {
             Inst::Return => {
                 self.settle_bytes();
                 self.store_promoted();
-                let handed_back = match self.called_only() {
-                    true => self.dirty & !set_by_calls() & !(SPARED & !self.summaries[self.index].live_out),
-                    false => self.dirty,
-                };
-                self.spill(handed_back);
+                let set_by_calls = if self.called_only() { set_by_calls() } else { 0 };
+                let nobody_needs = SPARED & !self.summaries[self.index].live_out;
+                self.spill(self.dirty & !set_by_calls & !nobody_needs);
                 let go_on = self.b.ins().iconst(I64, GO_ON as i64);
                 self.b.ins().return_(&[go_on]);
                 self.ended = true;

@@ -148,7 +148,7 @@ fn difference(interpreted: &Cpu, native: &Cpu, status: StatusBits) -> Option<Str
     }
     let shown = |registers: &Registers| {
         let mut registers = registers.clone();
-        if status == StatusBits::Needed && interpreted.mode() != OperatingMode::Run {
+        if status == StatusBits::Needed {
             let spared = [Register::Fc, Register::Sta, Register::Or, Register::Os, Register::Ov, Register::Cc0, Register::Cc1];
             spared.into_iter().for_each(|register| registers.set(register, 0));
         }

@@ -73,9 +73,8 @@ pub(super) fn summaries(blocks: &[Native], find: Find<'_>, exact: bool) -> Vec<S
     let mut all: Vec<Summary> = blocks
         .iter()
         .map(|block| {
-            // The Host sees all registers when an organization block ends, and a computed call may come from anywhere.
-            let outermost = block.id.kind == BlockKind::OrganizationBlock;
-            let everything = exact || outermost || calls_by_number;
+            // A computed call may come from anywhere.
+            let everything = exact || calls_by_number && block.id.kind != BlockKind::OrganizationBlock;
             Summary {
                 live: vec![if exact { SPARED } else { 0 }; block.code.statement_count()],
                 live_out: if everything { SPARED } else { 0 },
@@ -152,7 +151,9 @@ fn live(all: &mut [Summary], index: usize, code: &Code, effects: &[Effect], call
                     },
                     _ => {}
                 }
-                needed = needed & !effect.writes | effect.reads & SPARED;
+                // What only calculates a bit that nobody needs reads nothing: otherwise OS would keep itself alive in every loop.
+                let needless = matches!(inst, Inst::Compute { .. }) && effect.writes & SPARED & !needed != 0;
+                needed = needed & !effect.writes | if needless { 0 } else { effect.reads & SPARED };
                 if effect.fails {
                     needed |= skipped;
                 }
