@@ -50,13 +50,41 @@ sources! {
     "counters_udint.st" Iec             [1 0 0 1]: CTU_UDINT CTD_UDINT CTUD_UDINT;
     "counters_ulint.st" Iec             [1 0 0 0]: CTU_ULINT CTD_ULINT CTUD_ULINT;
     "counters_codesys.st" Codesys       [0 1 0 0]: CTU CTD CTUD;
+    "strings_iec.st" Iec                [1 0 0 0]: IEC_DELETE IEC_REPLACE;
+    "replace_tia.st" Iec                [0 0 0 1]: TIA_REPLACE;
+    "strings_codesys.st" Iec            [0 1 0 0]: CODESYS_LEFT CODESYS_RIGHT CODESYS_MID CODESYS_CONCAT CODESYS_INSERT CODESYS_DELETE
+                                                   CODESYS_REPLACE CODESYS_FIND;
+    "selection_strings.st" Iec          [1 1 1 1]: MAX_STRING MIN_STRING LIMIT_STRING SEL_STRING;
+    "to_string.st" Iec                  [1 1 0 0]: ULINT_TO_STRING LINT_TO_STRING LWORD_TO_STRING BOOL_TO_STRING CHAR_TO_STRING;
+    "real_to_string.st" Iec             [1 1 0 0]: LREAL_TO_STRING REAL_TO_STRING DIGITS_OF_REAL;
+    "duration_to_string.st" Iec         [1 0 0 0]: TIME_TO_STRING;
+    "duration_to_string_codesys.st" Codesys [0 1 0 0]: TIME_TO_STRING;
+    "from_string.st" Iec                [1 0 0 1]: NUMBER_IN_TEXT REAL_IN_TEXT STRING_TO_SINT STRING_TO_INT STRING_TO_DINT STRING_TO_USINT STRING_TO_UINT STRING_TO_UDINT STRING_TO_ULINT STRING_TO_LINT STRING_TO_BYTE STRING_TO_WORD STRING_TO_DWORD STRING_TO_LWORD STRING_TO_REAL STRING_TO_LREAL STRING_TO_BOOL STRING_TO_CHAR;
+    "from_string_codesys.st" Iec        [0 1 0 0]: CODESYS_NUMBER_IN_TEXT CODESYS_REAL_IN_TEXT STRING_TO_SINT STRING_TO_INT STRING_TO_DINT STRING_TO_USINT STRING_TO_UINT STRING_TO_UDINT STRING_TO_ULINT STRING_TO_LINT STRING_TO_BYTE STRING_TO_WORD STRING_TO_DWORD STRING_TO_LWORD STRING_TO_REAL STRING_TO_LREAL STRING_TO_BOOL STRING_TO_CHAR;
 }
 
 /// The instances of system function blocks by name in scl.
 const SYSTEM: &[(&str, u16)] = &[("CTU", 0), ("CTD", 1), ("CTUD", 2), ("TP", 3), ("TON", 4), ("TOF", 5)];
 
+/// Functions whose block has another name, because its own calls the one of the S7 library: the name, the dialect, the block.
+const RENAMED: &[(&str, Dialect, &str)] = &[
+    ("DELETE", Dialect::Iec, "IEC_DELETE"),
+    ("REPLACE", Dialect::Iec, "IEC_REPLACE"),
+    ("REPLACE", Dialect::Tia, "TIA_REPLACE"),
+    ("LEFT", Dialect::Codesys, "CODESYS_LEFT"),
+    ("RIGHT", Dialect::Codesys, "CODESYS_RIGHT"),
+    ("MID", Dialect::Codesys, "CODESYS_MID"),
+    ("CONCAT", Dialect::Codesys, "CODESYS_CONCAT"),
+    ("INSERT", Dialect::Codesys, "CODESYS_INSERT"),
+    ("DELETE", Dialect::Codesys, "CODESYS_DELETE"),
+    ("REPLACE", Dialect::Codesys, "CODESYS_REPLACE"),
+    ("FIND", Dialect::Codesys, "CODESYS_FIND"),
+];
+
 /// The block of a file by its name in a dialect.
 fn source(name: &str, dialect: Dialect) -> Option<Provided> {
+    let renamed = RENAMED.iter().find(|(one, of, _)| *of == dialect && one.eq_ignore_ascii_case(name));
+    let name = renamed.map_or(name, |(.., block)| block);
     CONTENTS.iter().zip(SOURCES).filter(|((columns, _), _)| columns[dialect.column()] != 0).find_map(|((_, blocks), source)| {
         let name = blocks.iter().find(|block| block.eq_ignore_ascii_case(name))?;
         Some(Provided::Source { name, source })
