@@ -116,26 +116,31 @@ impl Scope {
             return None;
         }
         self.suggestions.set(self.suggestions.get() + 1);
-        let wanted = key(name);
-        let length = wanted.chars().count();
-        let limit = match length {
-            0 => return None,
-            1..=2 => 1,
-            3..=5 => 2,
-            _ => length / 3,
-        };
-        candidates
-            .filter_map(|candidate| {
-                let other = key(candidate);
-                if other.chars().count().abs_diff(length) > limit || other.is_empty() {
-                    return None;
-                }
-                let distance = strsim::osa_distance(&wanted, &other);
-                (distance <= limit && distance < length).then_some((distance, candidate))
-            })
-            .min()
-            .map(|(_, candidate)| candidate.to_owned())
+        nearest(name, candidates)
     }
+}
+
+/// The candidate that looks most like `name`, if any looks like it.
+pub(crate) fn nearest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<String> {
+    let wanted = key(name);
+    let length = wanted.chars().count();
+    let limit = match length {
+        0 => return None,
+        1..=2 => 1,
+        3..=5 => 2,
+        _ => length / 3,
+    };
+    candidates
+        .filter_map(|candidate| {
+            let other = key(candidate);
+            if other.chars().count().abs_diff(length) > limit || other.is_empty() {
+                return None;
+            }
+            let distance = strsim::osa_distance(&wanted, &other);
+            (distance <= limit && distance < length).then_some((distance, candidate))
+        })
+        .min()
+        .map(|(_, candidate)| candidate.to_owned())
 }
 
 /// The block that a header or operand names; `Err` is the message of why there is none.

@@ -188,6 +188,39 @@ problems! {
     P6112 Warning "a symbol table with another number of rows than its head says" "Export the table again, or look whether rows are missing.";
     P6113 Warning "a symbol table in another format than its name says" "Rename the file; it was read as what it holds.";
 
+    // 62xx statements of ST
+    P6200 Error "a value of another type" "Convert it with a function such as `INT_TO_REAL`, or declare the variable with the type of the value.";
+    P6201 Warning "a conversion that may lose something" "Convert the value with a function if this is meant, such as `DINT_TO_REAL`.";
+    P6202 Error "an operator with operands that it does not take" "Convert the operands, or use the operator for their type.";
+    P6203 Error "a condition that is not BOOL" "Compare the value with something, for example `<> 0`.";
+    P6204 Error "something that cannot be assigned to" "Assign to a variable that the block may write.";
+    P6205 Error "a construct that the dialect does not have" "Write what the message says, or choose another dialect with --dialect.";
+    P6206 Warning "a construct that is foreign to the dialect" "Write what the message says if the program has to go to other tools.";
+    P6207 Error "a value of CASE that an earlier label covers" "Remove one of the two labels.";
+    P6208 Warning "a value of CASE that an earlier label covers already" "Remove one of the two labels; the first one is taken.";
+    P6209 Error "an empty range" "Write the lower value first, as in `5..9`.";
+    P6210 Error "a FOR that does not count with an integer" "Count with an INT or DINT, and compute the REAL from it.";
+    P6211 Error "a step of 0" "Write a step other than 0, or leave BY away for a step of 1.";
+    P6212 Warning "a FOR that never or always runs" "Check the first value, the last value and the step.";
+    P6213 Error "EXIT or CONTINUE outside of a loop" "Use RETURN to leave the block.";
+    P6215 Error "a jump into a statement" "Jump only to labels in the same list of statements, or further out.";
+    P6216 Error "an expression where a statement should stand" "Assign it to a variable with `:=`, or call it with `()`.";
+    P6217 Error "a call of something that cannot be called" "Call a function by its name, and a function block by its instance.";
+    P6218 Error "a call without a result where a value is needed" "Write the call as a statement of its own, and read its outputs.";
+    P6219 Error "parameters that do not fit the call" "Give inputs with `:=` and outputs with `=>`, each once.";
+    P6221 Warning "a comparison that is always true or always false" "Compare with a value that the variable can have.";
+    P6222 Warning "a variable that is never used" "Remove it, or use it.";
+    P6223 Warning "a function whose result is not set on every path" "Assign a value to the name of the function at its beginning.";
+    P6225 Error "a part that the value does not have" "Use a number inside the width of the type; bit 0 is the lowest.";
+    P6226 Error "something that cannot be compiled yet" "Write it another way; see the list of what is built in the reference of the language.";
+    P6227 Warning "a division by the constant 0" "Divide by something else; the result is 0.";
+    P6228 Error "something that is followed like a reference and is none" "Write `^` only behind a REF_TO or POINTER TO variable.";
+    P6229 Error "a value that has to be constant" "Use a number, a declared constant or a value of an enumeration.";
+    P6230 Error "a name that means several things" "Write the name of the enumeration before the value.";
+    P6231 Error "a read of something that can only be written" "Read the process image instead.";
+    P6232 Warning "a result that nobody uses" "Assign it to a variable, or remove the call.";
+    P6233 Error "a CASE of something that has no whole numbers" "Use IF and ELSIF.";
+
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";
     P7002 Error "a CPU type that does not exist" "Use a CPU type that the message names; `sieben explain cpu` shows what each has.";

@@ -46,6 +46,9 @@ pub struct Body {
     pub statements: Vec<Statement>,
     /// Declared local variables that live in the local data (VAR_TEMP, VAR of a function), in the order of their positions there.
     pub locals: Vec<Local>,
+    /// Bytes of local data that the declared variables and values kept by the checker take together, always even; what the lowering
+    /// keeps lies behind them.
+    pub local_size: u32,
     /// Whether anything in the block reads or writes ENO/OK, or computes something that may clear it; else BR is 1 at its end.
     pub uses_ok: bool,
 }

@@ -1,3 +1,195 @@
 //! Statements → typed tree: names, types, conversions, calls, and what is wrong with them.
 
+mod calls;
+mod expressions;
+mod functions;
+mod literals;
+mod locals;
+mod loops;
 pub mod names;
+mod operators;
+mod places;
+mod ranges;
+mod statements;
+mod typed;
+mod types;
+mod usage;
+mod walk;
+
+use std::collections::{BTreeSet, HashMap};
+
+use sieben_model::block::BlockId;
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+use sieben_model::types::DataType;
+
+use super::ast;
+use super::dialect::{Construct, Dialect, Judgement};
+use super::tree;
+use crate::declarations::types::describe;
+use locals::Locals;
+use names::{Names, Variable};
+use ranges::Known;
+use typed::Typed;
+
+/// Problems of one block that are reported; what comes behind was likely caused by the first ones.
+const DIAGNOSTICS_MAX: usize = 200;
+
+/// What the checker has to know about a block besides its names.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Block<'a> {
+    /// The block.
+    pub id: BlockId,
+    /// Its dialect.
+    pub dialect: Dialect,
+    /// Its statements.
+    pub body: &'a [ast::Statement],
+    /// The labels that it declares.
+    pub labels: &'a [ast::Name],
+    /// Its actions: bodies that share its variables.
+    pub actions: &'a [ast::Action],
+    /// Its result.
+    pub result: Option<Variable>,
+    /// The place of its end.
+    pub end: Span,
+}
+
+/// The body of a block, checked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checked {
+    /// The body; `None` if an error is among the diagnostics.
+    pub body: Option<tree::Body>,
+    /// What is to be said about it.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The blocks that it calls.
+    pub called: BTreeSet<BlockId>,
+}
+
+/// Checks the body of a block.
+pub fn check(block: &Block<'_>, names: &dyn Names) -> Checked {
+    let mut checker = Checker {
+        names,
+        block,
+        dialect: block.dialect,
+        diagnostics: Vec::new(),
+        failed: false,
+        loops: Vec::new(),
+        labels: HashMap::new(),
+        known: Vec::new(),
+        called: BTreeSet::new(),
+        reads_ok: statements::mentions_ok(block),
+        quiet: false,
+        held: None,
+        locals: Locals::new(names.local_size()),
+        lists: Vec::new(),
+        next_list: 0,
+        inside_actions: Vec::new(),
+    };
+    checker.collect_labels(block.body);
+    let statements = checker.statements(block.body);
+    let local_size = checker.locals.bytes();
+    let body = tree::Body { statements, locals: names.locals(), local_size, uses_ok: checker.reads_ok };
+    if !checker.failed {
+        checker.usage(&body);
+    }
+    let Checker { failed, diagnostics, called, .. } = checker;
+    Checked { body: (!failed).then_some(body), diagnostics, called }
+}
+
+/// A loop that is being checked.
+struct Loop {
+    /// The control variable of a FOR: what it is called and where it lies.
+    control: Option<(String, tree::Place)>,
+}
+
+/// A label of the block.
+struct Label {
+    /// Its number in the tree.
+    number: u32,
+    /// The statement lists that it stands in, outermost first: jumps go only where one is inside.
+    path: Vec<u32>,
+}
+
+/// The state while a body is checked.
+struct Checker<'a> {
+    names: &'a dyn Names,
+    block: &'a Block<'a>,
+    dialect: Dialect,
+    diagnostics: Vec<Diagnostic>,
+    /// Whether an error was found.
+    failed: bool,
+    loops: Vec<Loop>,
+    labels: HashMap<String, Label>,
+    /// What is known of the values of variables here.
+    known: Vec<Known>,
+    /// The blocks that are called.
+    called: BTreeSet<BlockId>,
+    /// Whether the block reads or writes ENO or OK, so that operations that fail must tell it.
+    reads_ok: bool,
+    /// Whether messages are held back: an expression is looked at to see what it is.
+    quiet: bool,
+    /// The last message that was held back: a place to write to.
+    held: Option<Diagnostic>,
+    /// Local data for values that are kept.
+    locals: Locals,
+    /// The lists of statements around the current one, by the number that [`Label::path`] has.
+    lists: Vec<u32>,
+    next_list: u32,
+    /// The actions whose statements stand here.
+    inside_actions: Vec<usize>,
+}
+
+impl Checker<'_> {
+    /// Reports a problem.
+    fn report(&mut self, problem: Problem, span: Span, message: impl Into<String>) -> &mut Diagnostic {
+        let diagnostic = Diagnostic::new(problem, span, message);
+        self.failed |= !self.quiet && diagnostic.severity() == sieben_model::diagnostic::Severity::Error;
+        if self.quiet || self.diagnostics.len() > DIAGNOSTICS_MAX {
+            return self.held.insert(diagnostic);
+        }
+        if self.diagnostics.len() == DIAGNOSTICS_MAX {
+            let message = format!("this block has more than {DIAGNOSTICS_MAX} problems; the others are not shown");
+            self.diagnostics.push(Diagnostic::new(Problem::P2199, span, message));
+            return self.held.insert(diagnostic);
+        }
+        self.diagnostics.push(diagnostic);
+        self.diagnostics.last_mut().expect("a diagnostic was pushed")
+    }
+
+    /// Says what the dialect thinks of a construct; whether it is part of it.
+    fn judge(&mut self, construct: Construct, span: Span) -> bool {
+        let row = construct.row();
+        let title = self.dialect.title();
+        match self.dialect.judge(construct) {
+            Judgement::Accept => true,
+            Judgement::Note => {
+                let message = format!("{} is not written in {title}", row.title);
+                self.report(Problem::P6206, span, message).help = Some(sentence(row.instead));
+                true
+            }
+            Judgement::Reject => {
+                let message = format!("{title} does not have {}", row.title);
+                self.report(Problem::P6205, span, message).help = Some(sentence(row.instead));
+                false
+            }
+        }
+    }
+
+    /// Says that something valid is not built yet.
+    fn not_built(&mut self, span: Span, what: &str) -> Typed {
+        self.report(Problem::P6226, span, format!("{what} cannot be compiled yet"));
+        Typed::Poison
+    }
+}
+
+/// A row's advice as a sentence.
+fn sentence(advice: &str) -> String {
+    let mut characters = advice.chars();
+    characters.next().map(|first| first.to_uppercase().collect::<String>() + characters.as_str() + ".").unwrap_or_default()
+}
+
+/// A type in a message.
+fn words(data_type: &DataType) -> String {
+    describe(data_type)
+}

@@ -8,6 +8,7 @@ use sieben_model::source::Span;
 use sieben_model::types::{DataType, Structure};
 
 use crate::st::ast::LiteralKind;
+use crate::st::standard::Provided;
 use crate::st::tree::{Base, Local};
 
 /// What a name stands for.
@@ -116,6 +117,10 @@ pub trait Names {
     fn nearest(&self, name: &str) -> Option<String>;
     /// The variables of the block in the local data, with what they hold when it begins.
     fn locals(&self) -> Vec<Local>;
+    /// The number of a block that comes with Sieben and does a standard function; the program has it from now on.
+    fn provided(&self, block: &Provided) -> Option<BlockId>;
+    /// Bytes of the declared variables in the local data.
+    fn local_size(&self) -> u32;
     /// The variables that the block declares, in order: for warnings about those that nothing uses.
     fn declared(&self) -> Vec<Variable>;
 }

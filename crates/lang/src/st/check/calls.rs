@@ -1,0 +1,773 @@
+//! Calls: what is called, and which actual parameter belongs to which formal one.
+
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::interface::{Interface, Section, Variable};
+use sieben_model::literal::Value as Initial;
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+use sieben_model::types::DataType;
+
+use super::expressions::same_type;
+use super::names::{Entity, Role};
+use super::places::Reached;
+use super::typed::{Target, Through, Typed};
+use super::types::{Implicit, Kind, implicit};
+use super::{Checker, literals, words};
+use crate::scope::nearest;
+use crate::st::ast::{self, Direction, Expression, ExpressionKind, Name, Quoting};
+use crate::st::dialect::Construct;
+use crate::st::standard::operators::{Beyond, Rounding, convert as steps};
+use crate::st::tree::{Argument, Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
+
+/// What an expression in front of brackets calls.
+pub(super) enum Called {
+    /// FC or SFC.
+    Function(BlockId),
+    /// FB or SFB with its instance.
+    Instance(BlockId, Target),
+    /// A standard function of this name, if there is one.
+    Standard(Name),
+    /// An action of the block.
+    Action(usize),
+    /// Nothing that can be called, which is reported.
+    Nothing,
+}
+
+impl Checker<'_> {
+    /// What is called.
+    pub(super) fn called(&mut self, callee: &Expression) -> Called {
+        match &callee.kind {
+            ExpressionKind::Parenthesized(inner) => self.called(inner),
+            ExpressionKind::Name(name) => self.called_name(name),
+            ExpressionKind::Global(name) => match self.names.global(&name.text) {
+                Some(Entity::Block(block)) => self.called_block(block, callee.span),
+                _ => Called::Standard(name.clone()),
+            },
+            ExpressionKind::Member(base, name) => self.called_member(callee, base, name),
+            ExpressionKind::Index(..) | ExpressionKind::Dereference(_) => match self.reach(callee) {
+                Reached::Target(target) => self.called_target(target, callee.span),
+                Reached::Other(typed) => self.not_callable(&typed, callee.span),
+            },
+            ExpressionKind::Missing => Called::Nothing,
+            ExpressionKind::This | ExpressionKind::Super => {
+                self.not_built(callee.span, "a call through THIS or SUPER");
+                Called::Nothing
+            }
+            _ => {
+                let typed = self.expression(callee);
+                self.not_callable(&typed, callee.span)
+            }
+        }
+    }
+
+    fn called_name(&mut self, name: &Name) -> Called {
+        if let Some(action) = self.block.actions.iter().position(|action| name.is(&action.name.text)) {
+            return Called::Action(action);
+        }
+        let local = match name.quoting {
+            Quoting::Global => None,
+            // Inside a function its name is the result; with brackets it is a call of the function.
+            _ => self.names.local(&name.text).filter(|found| !matches!(found, Entity::Variable(variable) if variable.role == Role::Result)),
+        };
+        let found = match name.quoting {
+            Quoting::Local => local,
+            _ => local.or_else(|| self.names.global(&name.text)),
+        };
+        match found {
+            Some(Entity::Block(block)) => self.called_block(block, name.span),
+            Some(Entity::Variable(variable)) => {
+                let target = Target {
+                    place: Place { base: variable.base, offset: variable.offset, indexes: Vec::new(), span: name.span },
+                    data_type: variable.data_type,
+                    role: variable.role,
+                    name: variable.name,
+                    through: Through::Itself,
+                };
+                self.called_target(target, name.span)
+            }
+            None | Some(Entity::Type(_) | Entity::EnumValue { .. } | Entity::Qualifier | Entity::Ambiguous(_)) => {
+                Called::Standard(name.clone())
+            }
+            Some(Entity::Constant(_) | Entity::Number { .. }) => {
+                self.report(
+                    Problem::P6217,
+                    name.span,
+                    format!("`{}` cannot be called: it is neither a function nor an instance", name.text),
+                );
+                Called::Nothing
+            }
+        }
+    }
+
+    fn called_block(&mut self, block: BlockId, span: Span) -> Called {
+        match block.kind {
+            BlockKind::Function | BlockKind::SystemFunction => Called::Function(block),
+            BlockKind::DataBlock => match self.data_block(block, span) {
+                Some(target) => self.called_target(target, span),
+                None => Called::Nothing,
+            },
+            BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock => {
+                let name = self.names.block_name(block);
+                let message = format!("`{name}` is a function block and needs an instance");
+                let help = format!("Declare `inst : {name};` and call `inst(…)`, or call it with its data block, `FB10.DB20(…)`.");
+                self.report(Problem::P6217, span, message).help = Some(help);
+                Called::Nothing
+            }
+            BlockKind::OrganizationBlock | BlockKind::UserDefinedType => {
+                self.report(Problem::P6217, span, format!("`{}` cannot be called: only the CPU starts it", self.names.block_name(block)));
+                Called::Nothing
+            }
+        }
+    }
+
+    fn called_target(&mut self, target: Target, span: Span) -> Called {
+        match target.data_type {
+            DataType::Instance { block, .. } => Called::Instance(block, target),
+            DataType::Void => Called::Nothing,
+            _ => {
+                let message = format!("`{}` is {} and cannot be called", target.name, words(&target.data_type));
+                let diagnostic = self.report(Problem::P6217, span, message);
+                if matches!(target.data_type, DataType::Array { .. } | DataType::String(_)) {
+                    diagnostic.help = Some("An element is written with square brackets, `a[1]`.".to_owned());
+                }
+                Called::Nothing
+            }
+        }
+    }
+
+    /// `FB10.DB20`, `inst.TON`, `Library.Function`, `inst.Method`.
+    fn called_member(&mut self, callee: &Expression, base: &Expression, name: &Name) -> Called {
+        match self.reach(base) {
+            Reached::Target(target) => {
+                let DataType::Instance { block, structure } = &target.data_type else {
+                    return match self.reach(callee) {
+                        Reached::Target(target) => self.called_target(target, callee.span),
+                        Reached::Other(typed) => self.not_callable(&typed, callee.span),
+                    };
+                };
+                if structure.field(&name.text).is_some() {
+                    return match self.reach(callee) {
+                        Reached::Target(target) => self.called_target(target, callee.span),
+                        Reached::Other(_) => Called::Nothing,
+                    };
+                }
+                // The instruction that an instance of a system type belongs to: `"T1".TON(…)`.
+                let block = *block;
+                if name.is(&self.names.block_name(block))
+                    || matches!(self.names.global(&name.text), Some(Entity::Type(DataType::Instance { block: of, .. })) if of == block)
+                {
+                    return match self.judge(Construct::InstructionCall, name.span) {
+                        true => Called::Instance(block, target),
+                        false => Called::Nothing,
+                    };
+                }
+                let message = format!("`{}` has neither an instance nor an instruction `{}` to call", target.name, name.text);
+                self.report(Problem::P6217, name.span, message).help =
+                    Some("Methods, and actions of other blocks, cannot be compiled yet.".to_owned());
+                Called::Nothing
+            }
+            Reached::Other(Typed::Poison) => Called::Nothing,
+            Reached::Other(Typed::Block(block)) if matches!(block.kind, BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock) => {
+                self.called_pair(block, name, callee.span)
+            }
+            Reached::Other(Typed::Type(DataType::Instance { block, .. })) => self.called_pair(block, name, callee.span),
+            Reached::Other(Typed::Block(block)) if block.kind == BlockKind::DataBlock => match self.data_block(block, base.span) {
+                // `"T1".TON(…)`: the data block is the instance.
+                Some(target) if matches!(target.data_type, DataType::Instance { .. }) => {
+                    let DataType::Instance { block, structure } = &target.data_type else { return Called::Nothing };
+                    if structure.field(&name.text).is_none() {
+                        let block = *block;
+                        return match self.judge(Construct::InstructionCall, name.span) {
+                            true => Called::Instance(block, target),
+                            false => Called::Nothing,
+                        };
+                    }
+                    match self.reach(callee) {
+                        Reached::Target(target) => self.called_target(target, callee.span),
+                        Reached::Other(_) => Called::Nothing,
+                    }
+                }
+                Some(_) => match self.reach(callee) {
+                    Reached::Target(target) => self.called_target(target, callee.span),
+                    Reached::Other(_) => Called::Nothing,
+                },
+                None => Called::Nothing,
+            },
+            Reached::Other(Typed::Qualifier(path)) => {
+                let mut names: Vec<&str> = path.iter().map(String::as_str).collect();
+                names.push(&name.text);
+                match self.names.qualified(&names) {
+                    Some(Entity::Block(block)) => self.called_block(block, callee.span),
+                    Some(Entity::Variable(_)) => match self.reach(callee) {
+                        Reached::Target(target) => self.called_target(target, callee.span),
+                        Reached::Other(_) => Called::Nothing,
+                    },
+                    _ => Called::Standard(Name { span: callee.span, ..name.clone() }),
+                }
+            }
+            Reached::Other(typed) => self.not_callable(&typed, callee.span),
+        }
+    }
+
+    /// `FB10.DB20`.
+    fn called_pair(&mut self, block: BlockId, name: &Name, span: Span) -> Called {
+        if !self.judge(Construct::InstanceOfBlock, span) {
+            return Called::Nothing;
+        }
+        let Some(Entity::Block(data)) =
+            self.names.global(&name.text).filter(|found| matches!(found, Entity::Block(block) if block.kind == BlockKind::DataBlock))
+        else {
+            self.report(Problem::P3008, name.span, format!("`{}` is not a data block of the project", name.text));
+            return Called::Nothing;
+        };
+        let Some(target) = self.data_block(data, name.span) else { return Called::Nothing };
+        match &target.data_type {
+            DataType::Instance { block: of, .. } if *of == block => Called::Instance(block, target),
+            _ => {
+                let message = format!("`{}` is not an instance of `{}`", name.text, self.names.block_name(block));
+                self.report(Problem::P3017, name.span, message);
+                Called::Nothing
+            }
+        }
+    }
+
+    fn not_callable(&mut self, typed: &Typed, span: Span) -> Called {
+        if *typed != Typed::Poison {
+            let what = self.what(typed);
+            self.report(Problem::P6217, span, format!("{what} cannot be called"));
+        }
+        Called::Nothing
+    }
+
+    /// A call inside an expression.
+    pub(super) fn call_value(&mut self, call: &ast::Call, span: Span) -> Typed {
+        match self.called(&call.callee) {
+            Called::Nothing => {
+                // The arguments may have mistakes of their own.
+                self.look_at(&call.arguments);
+                Typed::Poison
+            }
+            Called::Standard(name) => self.standard(&name, call, span),
+            Called::Action(_) => {
+                self.report(Problem::P6218, span, "an action has no result");
+                Typed::Poison
+            }
+            Called::Instance(..) => {
+                self.report(Problem::P6218, span, "a function block has no result").help =
+                    Some("Call it in a statement of its own, then read its outputs, `inst.Q`.".to_owned());
+                Typed::Poison
+            }
+            Called::Function(block) => {
+                let Some(interface) = self.interface(block, call.callee.span) else {
+                    self.look_at(&call.arguments);
+                    return Typed::Poison;
+                };
+                let Some((call, before)) = self.arguments(Callee::Function(block), &interface, call, span) else { return Typed::Poison };
+                self.result_of(call, before, span)
+            }
+        }
+    }
+
+    /// The result of a call as an expression.
+    pub(super) fn result_of(&mut self, call: Call, before: Vec<Statement>, span: Span) -> Typed {
+        let data_type = call.result.clone();
+        if let Some(kind) = Kind::of(&data_type) {
+            let scalar = kind.scalar(self.dialect);
+            let value = Value { kind: ValueKind::Call(Box::new(call)), scalar, span };
+            return Typed::Scalar { value: after(before, value), data_type };
+        }
+        match data_type {
+            DataType::Void => {
+                self.report(Problem::P6218, span, "this function has no result");
+                Typed::Poison
+            }
+            DataType::String(capacity) if before.is_empty() => Typed::Text(Text::Call { call: Box::new(call), capacity }),
+            _ => self.not_built(span, &format!("a result of type {} inside an expression", words(&data_type))),
+        }
+    }
+
+    /// The interface of a block that is called.
+    pub(super) fn interface(&mut self, block: BlockId, span: Span) -> Option<std::sync::Arc<Interface>> {
+        let found = self.names.interface(block);
+        match &found {
+            Some(_) => {
+                self.called.insert(block);
+            }
+            None => {
+                self.report(Problem::P3008, span, format!("the block `{}` does not exist", self.names.block_name(block)));
+            }
+        }
+        found
+    }
+
+    /// Looks at arguments for their own mistakes only.
+    pub(super) fn look_at(&mut self, arguments: &[ast::Argument]) {
+        for argument in arguments {
+            if let Some(value) = &argument.value {
+                self.expression(value);
+            }
+        }
+    }
+
+    /// A call as a statement.
+    pub(super) fn call_statement(&mut self, call: &ast::Call, span: Span) -> Option<StatementKind> {
+        let (callee, interface) = match self.called(&call.callee) {
+            Called::Nothing => {
+                self.look_at(&call.arguments);
+                return None;
+            }
+            Called::Action(index) => return self.action(index, call, span),
+            Called::Standard(name) => return self.standard_statement(&name, call, span),
+            Called::Function(block) => (Callee::Function(block), self.interface(block, call.callee.span)),
+            Called::Instance(block, target) => {
+                if target.role == Role::Input && target.through == Through::Itself {
+                    self.judge(Construct::WrittenInput, call.callee.span);
+                }
+                (Callee::Instance { block, instance: target.place }, self.interface(block, call.callee.span))
+            }
+        };
+        let Some(interface) = interface else {
+            self.look_at(&call.arguments);
+            return None;
+        };
+        let (call, mut before) = self.arguments(callee, &interface, call, span)?;
+        if before.is_empty() {
+            return Some(StatementKind::Call(call));
+        }
+        before.push(Statement { kind: StatementKind::Call(call), span });
+        Some(StatementKind::Block(before))
+    }
+
+    /// An action stands for its statements.
+    fn action(&mut self, index: usize, call: &ast::Call, span: Span) -> Option<StatementKind> {
+        let action = &self.block.actions[index];
+        if let Some(argument) = call.arguments.first() {
+            self.report(Problem::P6219, argument.span, "an action has no parameters");
+            return None;
+        }
+        if self.inside_actions.contains(&index) {
+            self.report(Problem::P6217, span, format!("the action `{}` calls itself", action.name.text));
+            return None;
+        }
+        if super::statements::has_return(&action.body) {
+            self.not_built(span, "an action with RETURN");
+            return None;
+        }
+        self.inside_actions.push(index);
+        let loops = std::mem::take(&mut self.loops);
+        // Lists of statements are counted for labels, and an action has none.
+        let (lists, next) = (std::mem::take(&mut self.lists), self.next_list);
+        let body = self.statements(&action.body);
+        (self.lists, self.next_list) = (lists, next);
+        self.loops = loops;
+        self.inside_actions.pop();
+        Some(StatementKind::Block(body))
+    }
+
+    /// All actual parameters of a call, and what has to happen before it.
+    pub(super) fn arguments(
+        &mut self,
+        callee: Callee,
+        interface: &Interface,
+        call: &ast::Call,
+        span: Span,
+    ) -> Option<(Call, Vec<Statement>)> {
+        let function = matches!(callee, Callee::Function(_));
+        let mut all = Arguments::new(interface);
+        let mut sound = true;
+        let by_position = call.arguments.iter().filter(|argument| argument.name.is_none()).count();
+        if by_position > 0 {
+            let mixed = by_position < call.arguments.iter().filter(|argument| !is_flow(argument)).count();
+            if mixed {
+                sound &= self.judge(Construct::MixedArguments, span);
+            }
+            if !function {
+                sound &= self.judge(Construct::PositionalFbCall, call.arguments[0].span);
+            }
+        }
+        let mut next = 0;
+        for argument in &call.arguments {
+            if let Some(name) = &argument.name
+                && (name.is("EN") || name.is("ENO"))
+                && interface.variable(&name.text).is_none()
+            {
+                sound &= self.flow_argument(name, argument, &mut all);
+                continue;
+            }
+            let formal = match &argument.name {
+                Some(name) => match all.formals.iter().copied().find(|formal| name.is(&formal.name)) {
+                    Some(formal) => formal,
+                    None => {
+                        self.unknown_parameter(name, &all.formals, &callee);
+                        argument.value.iter().for_each(|value| drop(self.expression(value)));
+                        sound = false;
+                        continue;
+                    }
+                },
+                None => {
+                    let Some(&formal) = all.formals.get(next) else {
+                        let count = all.formals.len();
+                        let message = format!("{} takes {}", self.callee_name(&callee), counted(count, "parameter"));
+                        self.report(Problem::P6219, argument.span, message);
+                        sound = false;
+                        break;
+                    };
+                    next += 1;
+                    formal
+                }
+            };
+            if all.given.iter().any(|(name, _)| name.eq_ignore_ascii_case(&formal.name)) {
+                let first = all.given.iter().find(|(name, _)| name.eq_ignore_ascii_case(&formal.name)).map(|&(_, span)| span);
+                let message = format!("the parameter `{}` is given twice", formal.name);
+                let diagnostic = self.report(Problem::P3011, argument.span, message);
+                diagnostic.related.extend(first.map(|first| (first, "first given here".to_owned())));
+                sound = false;
+                continue;
+            }
+            all.given.push((formal.name.clone(), argument.span));
+            let Some(value) = &argument.value else { continue };
+            sound &= self.argument(formal, argument, value, &mut all);
+        }
+        sound &= self.omitted(&callee, &mut all, span);
+        let result = interface
+            .variables
+            .iter()
+            .find(|variable| variable.section == Section::Return)
+            .map_or(DataType::Void, |result| result.data_type.clone());
+        let Arguments { arguments, enable, before, .. } = all;
+        sound.then_some((Call { callee, arguments, enable, result, span }, before))
+    }
+
+    fn callee_name(&self, callee: &Callee) -> String {
+        match callee {
+            Callee::Function(block) | Callee::Instance { block, .. } => format!("`{}`", self.names.block_name(*block)),
+        }
+    }
+
+    fn unknown_parameter(&mut self, name: &Name, formals: &[&Variable], callee: &Callee) {
+        let block = self.callee_name(callee);
+        let nearest = nearest(&name.text, formals.iter().map(|formal| formal.name.as_str()));
+        let known: Vec<String> = formals.iter().take(12).map(|formal| format!("`{}`", formal.name)).collect();
+        let help = match known.as_slice() {
+            [] => "It has no parameters.".to_owned(),
+            known => format!("It has {}.", known.join(", ")),
+        };
+        let diagnostic = self.report(Problem::P3009, name.span, format!("{block} has no parameter `{}`", name.text));
+        diagnostic.help = Some(help);
+        if let Some(nearest) = nearest {
+            *diagnostic = diagnostic.clone().guess(name.span, nearest.clone(), format!("write `{nearest}`"));
+        }
+    }
+
+    /// EN and ENO.
+    fn flow_argument(&mut self, name: &Name, argument: &ast::Argument, all: &mut Arguments<'_>) -> bool {
+        if !self.judge(Construct::EnEno, argument.span) {
+            return false;
+        }
+        let Some(value) = &argument.value else { return true };
+        if name.is("EN") {
+            match self.condition(value) {
+                Some(value) => all.enable = Some(value),
+                None => return false,
+            }
+            return true;
+        }
+        let Some(target) = self.target(value) else { return false };
+        if target.data_type != DataType::Bool {
+            self.report(Problem::P4011, value.span, format!("ENO is BOOL, and `{}` is {}", target.name, words(&target.data_type)));
+            return false;
+        }
+        all.arguments.push(Argument::Eno { target: target.place });
+        true
+    }
+
+    /// One actual parameter; whether it fits.
+    fn argument(&mut self, formal: &Variable, argument: &ast::Argument, value: &Expression, all: &mut Arguments<'_>) -> bool {
+        // The declaration of the parameter was wrong, which is reported there.
+        if formal.data_type == DataType::Void {
+            self.expression(value);
+            return false;
+        }
+        match (formal.section, argument.direction) {
+            (Section::Output, Direction::Assigned) if argument.name.is_some() && !self.judge(Construct::AssignedOutput, argument.span) => {
+                return false;
+            }
+            (Section::Input | Section::InOut, Direction::Delivered) => {
+                let message = format!("`{}` is no output, and `=>` takes a value out", formal.name);
+                self.report(Problem::P6219, argument.span, message).help = Some(format!("Write `{} := …`.", formal.name));
+                return false;
+            }
+            _ => {}
+        }
+        match formal.section {
+            Section::Output => self.output(formal, value, all),
+            Section::InOut => self.in_out(formal, value, all),
+            _ => {
+                let typed = self.expression_for(value, &formal.data_type);
+                self.input(formal, typed, value.span, &mut all.arguments, &mut all.before)
+            }
+        }
+    }
+
+    /// An actual parameter that is read.
+    pub(super) fn input(
+        &mut self,
+        formal: &Variable,
+        typed: Typed,
+        span: Span,
+        arguments: &mut Vec<Argument>,
+        before: &mut Vec<Statement>,
+    ) -> bool {
+        if typed == Typed::Poison {
+            return false;
+        }
+        let parameter = formal.offset;
+        let argument = match &formal.data_type {
+            DataType::String(capacity) => {
+                let Some(text) = self.text(typed, span) else { return false };
+                Argument::Text { parameter, text, capacity: *capacity }
+            }
+            DataType::Pointer | DataType::Any => {
+                let any = formal.data_type == DataType::Any;
+                let Some((place, data_type)) = self.pointed(typed, span, formal) else { return false };
+                Argument::Pointer { parameter, place, data_type, any }
+            }
+            number if number.is_number() => {
+                let wanted = number.clone();
+                let value = match typed {
+                    Typed::Number { data_type, value } if data_type == wanted => value,
+                    Typed::Block(block) if matches_block(&wanted, block) => {
+                        Value { kind: ValueKind::Constant(u64::from(block.number)), scalar: Scalar::U16, span }
+                    }
+                    other => {
+                        self.wrong_argument(formal, &other, span);
+                        return false;
+                    }
+                };
+                Argument::Number { parameter, value }
+            }
+            wanted if Kind::of(wanted).is_some() => {
+                let Some(value) = self.coerce(typed, span, wanted) else { return false };
+                Argument::Value { parameter, value }
+            }
+            wanted => match typed {
+                Typed::Aggregate(target) if same_type(&target.data_type, wanted) => {
+                    Argument::Aggregate { parameter, source: target.place, data_type: target.data_type }
+                }
+                Typed::Moment(bytes) if *wanted == DataType::DateAndTime => {
+                    let source = self.temporary_place(8, span);
+                    before.extend(super::statements::moment(&source, bytes, span));
+                    Argument::Aggregate { parameter, source, data_type: DataType::DateAndTime }
+                }
+                other => {
+                    self.wrong_argument(formal, &other, span);
+                    return false;
+                }
+            },
+        };
+        arguments.push(argument);
+        true
+    }
+
+    fn wrong_argument(&mut self, formal: &Variable, typed: &Typed, span: Span) {
+        if *typed != Typed::Poison {
+            let what = self.what(typed);
+            let message = format!("the parameter `{}` is {}, and this is {what}", formal.name, words(&formal.data_type));
+            self.report(Problem::P4011, span, message);
+        }
+    }
+
+    /// What a POINTER or ANY points to.
+    fn pointed(&mut self, typed: Typed, span: Span, formal: &Variable) -> Option<(Place, DataType)> {
+        match typed {
+            Typed::Aggregate(target) => Some((target.place, target.data_type)),
+            Typed::Scalar { value: Value { kind: ValueKind::Load(place), .. }, data_type } => Some((place, data_type)),
+            Typed::Text(Text::Place { place, capacity }) => Some((place, DataType::String(if capacity == 0 { 254 } else { capacity }))),
+            Typed::Pointer(pointer) => match literals::pointed(&pointer, span) {
+                Some(found) => Some(found),
+                None => {
+                    self.not_built(span, "this pointer");
+                    None
+                }
+            },
+            Typed::Block(block) if block.kind == BlockKind::DataBlock => {
+                let target = self.data_block(block, span)?;
+                Some((target.place, target.data_type))
+            }
+            other => {
+                self.wrong_argument(formal, &other, span);
+                None
+            }
+        }
+    }
+
+    /// An actual parameter that is written after the call.
+    fn output(&mut self, formal: &Variable, value: &Expression, all: &mut Arguments<'_>) -> bool {
+        let Some(target) = self.target(value) else { return false };
+        let parameter = formal.offset;
+        let argument = match (&formal.data_type, &target.data_type) {
+            (DataType::String(capacity), DataType::String(length)) => Argument::OutputText {
+                parameter,
+                capacity: *capacity,
+                target_capacity: if super::places::unknown_length(&target.place) { 0 } else { *length },
+                target: target.place,
+            },
+            (from, to) => match (Kind::of(from), Kind::of(to)) {
+                (Some(source), Some(kind)) => {
+                    let exact = from == to || same_type(from, to);
+                    match if exact { Implicit::Yes } else { implicit(source, kind, self.dialect) } {
+                        Implicit::Yes => {}
+                        Implicit::Warned(loss) => {
+                            let message = format!("{} becomes {} here: {}", words(from), words(to), loss.words());
+                            self.report(Problem::P6201, value.span, message);
+                        }
+                        Implicit::No => {
+                            let message =
+                                format!("the output `{}` is {}, and `{}` is {}", formal.name, words(from), target.name, words(to));
+                            self.report(Problem::P4011, value.span, message);
+                            return false;
+                        }
+                    }
+                    let (scalar, wanted) = (source.scalar(self.dialect), kind.scalar(self.dialect));
+                    let convert = steps(scalar, wanted, Rounding::HalfEven, Beyond::Nearest);
+                    Argument::Output { parameter, scalar, target: target.place, convert, converted: wanted }
+                }
+                _ if same_type(from, to) => Argument::OutputAggregate { parameter, target: target.place, data_type: to.clone() },
+                _ => {
+                    let message = format!("the output `{}` is {}, and `{}` is {}", formal.name, words(from), target.name, words(to));
+                    self.report(Problem::P4011, value.span, message);
+                    return false;
+                }
+            },
+        };
+        all.arguments.push(argument);
+        true
+    }
+
+    /// A variable that the block works on itself.
+    fn in_out(&mut self, formal: &Variable, value: &Expression, all: &mut Arguments<'_>) -> bool {
+        if matches!(formal.data_type, DataType::Pointer | DataType::Any) || formal.data_type.is_number() {
+            let typed = self.expression(value);
+            return self.input(formal, typed, value.span, &mut all.arguments, &mut all.before);
+        }
+        let Some(target) = self.target(value) else { return false };
+        let lengths = matches!((&formal.data_type, &target.data_type), (DataType::String(_), DataType::String(_)));
+        if !lengths && !same_type(&formal.data_type, &target.data_type) {
+            let message = format!(
+                "`{}` is an in-out parameter of type {} and takes a variable of that type, and `{}` is {}",
+                formal.name,
+                words(&formal.data_type),
+                target.name,
+                words(&target.data_type)
+            );
+            self.report(Problem::P4011, value.span, message).help =
+                Some("Copy it to a variable of the right type, and back after the call.".into());
+            return false;
+        }
+        all.arguments.push(Argument::InOut { parameter: formal.offset, place: target.place, data_type: target.data_type });
+        true
+    }
+
+    /// What a call leaves out: an initial value, nothing, or an error.
+    fn omitted(&mut self, callee: &Callee, all: &mut Arguments<'_>, span: Span) -> bool {
+        let function = matches!(callee, Callee::Function(_));
+        let mut missing = Vec::new();
+        let mut inputs = true;
+        for formal in &all.formals {
+            if all.given.iter().any(|(name, _)| name.eq_ignore_ascii_case(&formal.name)) {
+                continue;
+            }
+            match formal.section {
+                Section::InOut if function || Kind::of(&formal.data_type).is_none() => {
+                    missing.push(format!("`{}`", formal.name));
+                    inputs = false;
+                }
+                Section::Input if function => {
+                    if let Some(kind) = Kind::of(&formal.data_type)
+                        && let Some(bits) = initial_bits(&formal.initial, kind)
+                    {
+                        let value = Value { kind: ValueKind::Constant(bits), scalar: kind.scalar(self.dialect), span };
+                        all.arguments.push(Argument::Value { parameter: formal.offset, value });
+                    }
+                    if self.dialect.judge(Construct::OmittedInput) != crate::st::dialect::Judgement::Accept {
+                        missing.push(format!("`{}`", formal.name));
+                    }
+                }
+                Section::Output if function && self.dialect.judge(Construct::OmittedInput) != crate::st::dialect::Judgement::Accept => {
+                    missing.push(format!("`{}`", formal.name));
+                }
+                _ => {}
+            }
+        }
+        if missing.is_empty() {
+            return true;
+        }
+        let block = self.callee_name(callee);
+        let message = format!("the call of {block} leaves out {}", missing.join(", "));
+        let diagnostic = self.report(Problem::P3010, span, message);
+        if !inputs {
+            diagnostic.help = Some("An in-out parameter needs a variable in every call.".to_owned());
+        }
+        false
+    }
+}
+
+/// The parameters of a call while they are collected.
+pub(super) struct Arguments<'a> {
+    /// The formal ones in the order of their declaration.
+    formals: Vec<&'a Variable>,
+    given: Vec<(String, Span)>,
+    arguments: Vec<Argument>,
+    enable: Option<Value>,
+    before: Vec<Statement>,
+}
+
+impl<'a> Arguments<'a> {
+    fn new(interface: &'a Interface) -> Self {
+        let mut formals: Vec<&Variable> = interface.parameters().filter(|variable| variable.section != Section::Return).collect();
+        // The interface has its sections in order; arguments by position follow the source. Blocks without one keep their order.
+        formals.sort_by_key(|variable| variable.span.start);
+        Self { formals, given: Vec::new(), arguments: Vec::new(), enable: None, before: Vec::new() }
+    }
+}
+
+/// Statements before a value.
+pub(super) fn after(before: Vec<Statement>, value: Value) -> Value {
+    if before.is_empty() {
+        return value;
+    }
+    let (scalar, span) = (value.scalar, value.span);
+    Value { kind: ValueKind::After(before, Box::new(value)), scalar, span }
+}
+
+fn is_flow(argument: &ast::Argument) -> bool {
+    argument.name.as_ref().is_some_and(|name| name.is("EN") || name.is("ENO"))
+}
+
+fn matches_block(wanted: &DataType, block: BlockId) -> bool {
+    match wanted {
+        DataType::BlockData | DataType::BlockSystemData => block.kind == BlockKind::DataBlock,
+        DataType::BlockFunction => matches!(block.kind, BlockKind::Function | BlockKind::SystemFunction),
+        DataType::BlockFunctionBlock => matches!(block.kind, BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock),
+        _ => false,
+    }
+}
+
+/// `1 parameter`, `3 parameters`, `no parameters`.
+pub(super) fn counted(count: usize, noun: &str) -> String {
+    match count {
+        0 => format!("no {noun}s"),
+        1 => format!("one {noun}"),
+        count => format!("{count} {noun}s"),
+    }
+}
+
+/// The bits of the initial value of a declaration.
+fn initial_bits(initial: &[Initial], kind: Kind) -> Option<u64> {
+    let bits = match initial {
+        [Initial::Image(bytes)] if bytes.len() <= 8 => bytes.iter().fold(0, |word, &byte| word << 8 | u64::from(byte)),
+        [value] => value.bits()?,
+        _ => return None,
+    };
+    Some(bits & literals::mask(kind.bits))
+}

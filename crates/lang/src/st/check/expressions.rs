@@ -1,0 +1,911 @@
+//! Expressions → values: operators, types of operands and results, constants.
+
+use sieben_engine::ir::Op;
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+use sieben_model::types::DataType;
+
+use super::literals::{self, Misfit};
+use super::places::Reached;
+use super::typed::Typed;
+use super::types::{Class, Implicit, Kind, common, implicit};
+use super::{Checker, operators, words};
+use crate::st::ast::{BinaryOperator, Expression, ExpressionKind, Literal, LiteralKind, UnaryOperator};
+use crate::st::dialect::{Calendar, Construct};
+use crate::st::tree::{Scalar, Text, Value, ValueKind};
+
+const MILLISECONDS_OF_DAY: u64 = 86_400_000;
+const NANOSECONDS_OF_MILLISECOND: u64 = 1_000_000;
+
+impl Checker<'_> {
+    /// What an expression is.
+    pub(super) fn expression(&mut self, expression: &Expression) -> Typed {
+        let span = expression.span;
+        match &expression.kind {
+            ExpressionKind::Literal(Literal { kind, prefix }) => self.literal(kind, *prefix, span),
+            ExpressionKind::Parenthesized(inner) => self.expression(inner),
+            ExpressionKind::Unary(operator, operand) => self.unary(*operator, operand, span),
+            ExpressionKind::Binary(operator, place, left, right) => self.binary(*operator, *place, left, right),
+            ExpressionKind::Call(call) => self.call_value(call, span),
+            ExpressionKind::Assign(..) => match self.judge(Construct::AssignmentExpression, span) {
+                true => self.not_built(span, "an assignment inside an expression"),
+                false => Typed::Poison,
+            },
+            ExpressionKind::This | ExpressionKind::Super => self.not_built(span, "THIS and SUPER"),
+            ExpressionKind::Missing => Typed::Poison,
+            ExpressionKind::Name(_)
+            | ExpressionKind::Global(_)
+            | ExpressionKind::EnumValue { .. }
+            | ExpressionKind::Address(_)
+            | ExpressionKind::Member(..)
+            | ExpressionKind::Index(..)
+            | ExpressionKind::Dereference(_)
+            | ExpressionKind::Slice(..)
+            | ExpressionKind::DataAddress(_) => match self.reach(expression) {
+                Reached::Target(target) => self.load(target),
+                Reached::Other(typed) => typed,
+            },
+        }
+    }
+
+    /// The same where a type is expected: a bare name may be a value of that enumeration.
+    pub(super) fn expression_for(&mut self, expression: &Expression, wanted: &DataType) -> Typed {
+        if let (ExpressionKind::Name(name), DataType::Enumeration(_)) = (&expression.kind, wanted)
+            && self.names.local(&name.text).is_none()
+            && let Some(value) = self.value_of(wanted, name)
+        {
+            return value;
+        }
+        self.expression(expression)
+    }
+
+    /// An expression as a value of a type.
+    pub(super) fn value(&mut self, expression: &Expression, wanted: &DataType) -> Option<Value> {
+        let typed = self.expression_for(expression, wanted);
+        self.coerce(typed, expression.span, wanted)
+    }
+
+    /// A condition.
+    pub(super) fn condition(&mut self, expression: &Expression) -> Option<Value> {
+        let typed = self.expression(expression);
+        match &typed {
+            Typed::Scalar { data_type: DataType::Bool, .. } | Typed::Poison => self.coerce(typed, expression.span, &DataType::Bool),
+            Typed::Integer { value: 0 | 1, .. } => self.coerce(typed, expression.span, &DataType::Bool),
+            other => {
+                let what = self.what(other);
+                let number = matches!(other, Typed::Integer { .. })
+                    || matches!(other, Typed::Scalar { data_type, .. } if Kind::of(data_type).is_some_and(|kind| kind.class != Class::Real));
+                let diagnostic = self.report(Problem::P6203, expression.span, format!("a condition is BOOL, not {what}"));
+                if number {
+                    diagnostic.help = Some("Compare it, for example with `<> 0`.".to_owned());
+                }
+                None
+            }
+        }
+    }
+
+    /// A constant as written.
+    pub(super) fn literal(&mut self, literal: &LiteralKind, prefix: Option<&'static str>, span: Span) -> Typed {
+        let natural = prefix.and_then(DataType::from_any_word).or_else(|| literals::natural(literal, self.dialect));
+        let natural = natural.map(|data_type| self.native(data_type));
+        match (literal, natural) {
+            (LiteralKind::Integer { value, radix }, None) => Typed::Integer { value: *value, radix: *radix },
+            (LiteralKind::Real { value, single }, None) => Typed::Real { value: *value, single: *single },
+            (LiteralKind::Characters(text), None | Some(DataType::String(_))) if text.len() <= 254 => {
+                Typed::Text(Text::Constant(text.clone()))
+            }
+            (LiteralKind::Characters(text), None | Some(DataType::String(_))) => {
+                let message = format!("this text has {} characters, and a STRING holds at most 254", text.len());
+                self.report(Problem::P4001, span, message);
+                Typed::Poison
+            }
+            (LiteralKind::WideCharacters(_), None | Some(DataType::WideString(_))) => self.not_built(span, "a WSTRING"),
+            (LiteralKind::Null, _) => Typed::Null,
+            (LiteralKind::Pointer(value), _) => Typed::Pointer(value.clone()),
+            (LiteralKind::DateAndTime { nanoseconds, .. }, Some(DataType::DateAndTime)) => match literals::date_and_time(*nanoseconds) {
+                Some(bytes) => Typed::Moment(bytes),
+                None => {
+                    self.report(Problem::P4001, span, "a DATE_AND_TIME lies in the years 1990 to 2089");
+                    Typed::Poison
+                }
+            },
+            (_, Some(data_type)) => match Kind::of(&data_type).ok_or(Misfit::Type).and_then(|kind| {
+                // A prefix says how a number is meant: `WORD#5`, `BOOL#1`.
+                literals::bits(literal, kind, self.dialect).map(|(bits, _)| (bits, kind))
+            }) {
+                Ok((bits, kind)) => {
+                    let scalar = kind.scalar(self.dialect);
+                    Typed::Scalar { value: Value { kind: ValueKind::Constant(bits), scalar, span }, data_type }
+                }
+                Err(misfit) => {
+                    self.misfit(&misfit, &data_type, span);
+                    Typed::Poison
+                }
+            },
+            (_, None) => Typed::Poison,
+        }
+    }
+
+    /// What DATE and DATE_AND_TIME mean in the dialect.
+    fn native(&self, data_type: DataType) -> DataType {
+        match (self.dialect.switches().calendar, data_type) {
+            (Calendar::Long, DataType::Date) => DataType::LongDate,
+            (Calendar::Long, DataType::DateAndTime) => DataType::LongDateAndTime,
+            (_, other) => other,
+        }
+    }
+
+    fn misfit(&mut self, misfit: &Misfit, data_type: &DataType, span: Span) {
+        match misfit {
+            Misfit::Range(range) => {
+                let message = format!("this constant is outside the range of {}, {range}", words(data_type));
+                self.report(Problem::P4001, span, message);
+            }
+            Misfit::Type => {
+                self.report(Problem::P4006, span, format!("this constant is no value of type {}", words(data_type)));
+            }
+        }
+    }
+
+    /// An expression as a value with its type: a number without a type gets the one that it has by itself.
+    pub(super) fn scalar(&mut self, typed: Typed, span: Span) -> Option<(Value, DataType)> {
+        let (literal, kind) = match typed {
+            Typed::Poison => return None,
+            Typed::Scalar { value, data_type } => return Some((value, data_type)),
+            Typed::Number { data_type, value } => return Some((value, data_type)),
+            Typed::Integer { value, radix } => (LiteralKind::Integer { value, radix }, literals::integer_kind(value)),
+            Typed::Real { value, single } => (LiteralKind::Real { value, single }, self.real_kind(value, single)),
+            Typed::Text(Text::Constant(text)) if text.len() == 1 => {
+                (LiteralKind::Characters(text), Kind { class: Class::Character, bits: 8 })
+            }
+            other => {
+                let what = self.what(&other);
+                self.report(Problem::P6202, span, format!("a number or another elementary value belongs here, not {what}"));
+                return None;
+            }
+        };
+        match literals::bits(&literal, kind, self.dialect) {
+            Ok((bits, _)) => Some((Value { kind: ValueKind::Constant(bits), scalar: kind.scalar(self.dialect), span }, kind.data_type())),
+            Err(misfit) => {
+                self.misfit(&misfit, &kind.data_type(), span);
+                None
+            }
+        }
+    }
+
+    /// The type of a number with a point that nothing else gives one.
+    fn real_kind(&self, value: f64, single: f32) -> Kind {
+        let loses = f64::from(single) != value && self.dialect.switches().real_literal_widens;
+        // A decimal fraction is never exact: digits count that a REAL cannot show.
+        let needs = loses && ((f64::from(single) - value) / value).abs() > 1e-7 || single.is_infinite() && value.is_finite();
+        if needs { Kind::LREAL } else { Kind::REAL }
+    }
+
+    /// An expression as a value of the wanted type; an implicit conversion is written out.
+    pub(super) fn coerce(&mut self, typed: Typed, span: Span, wanted: &DataType) -> Option<Value> {
+        let Some(kind) = Kind::of(wanted) else {
+            if typed != Typed::Poison && *wanted != DataType::Void {
+                let what = self.what(&typed);
+                self.report(Problem::P6200, span, format!("{} is wanted here, not {what}", words(wanted)));
+            }
+            return None;
+        };
+        let scalar = kind.scalar(self.dialect);
+        let literal = match typed {
+            Typed::Poison => return None,
+            Typed::Integer { value, radix } => LiteralKind::Integer { value, radix },
+            Typed::Real { value, single } => LiteralKind::Real { value, single },
+            Typed::Text(Text::Constant(text)) if kind.class == Class::Character => LiteralKind::Characters(text),
+            Typed::Null if kind.class == Class::Reference => LiteralKind::Null,
+            Typed::Scalar { value, data_type } => return self.convert(value, &data_type, wanted, span),
+            other => {
+                let what = self.what(&other);
+                self.report(Problem::P6200, span, format!("{} is wanted here, not {what}", words(wanted)));
+                return None;
+            }
+        };
+        if let DataType::Enumeration(_) = wanted {
+            let message = format!("a value of {} is wanted here, and a number is none", words(wanted));
+            self.report(Problem::P6200, span, message);
+            return None;
+        }
+        match literals::bits(&literal, kind, self.dialect) {
+            Ok((bits, construct)) => {
+                if construct.is_some_and(|construct| !self.judge(construct, span)) {
+                    return None;
+                }
+                let value = Value { kind: ValueKind::Constant(bits), scalar, span };
+                self.within_subrange(&value, wanted, span).then_some(value)
+            }
+            Err(Misfit::Type) if matches!(literal, LiteralKind::Real { .. }) => {
+                let message = format!("{} is wanted here, and a number with a point is REAL", words(wanted));
+                self.report(Problem::P6200, span, message).help =
+                    Some("Write it without a point, or convert it, for example with ROUND.".into());
+                None
+            }
+            Err(Misfit::Type) => {
+                let shown = if matches!(literal, LiteralKind::Characters(_)) { "a text" } else { "a number" };
+                self.report(Problem::P6200, span, format!("{} is wanted here, not {shown}", words(wanted)));
+                None
+            }
+            Err(misfit) => {
+                self.misfit(&misfit, wanted, span);
+                None
+            }
+        }
+    }
+
+    /// Whether a constant lies in the limits of a subrange.
+    fn within_subrange(&mut self, value: &Value, wanted: &DataType, span: Span) -> bool {
+        let DataType::Subrange(subrange) = wanted else { return true };
+        let (least, most) = self.range_of(value);
+        if most < subrange.low || least > subrange.high {
+            let shown = if least == most { least.to_string() } else { format!("{least}..{most}") };
+            let message = format!("{shown} is outside {}({}..{})", words(subrange.base.base()), subrange.low, subrange.high);
+            self.report(Problem::P4001, span, message);
+            return false;
+        }
+        true
+    }
+
+    /// A value of one type as a value of another one.
+    fn convert(&mut self, value: Value, from: &DataType, wanted: &DataType, span: Span) -> Option<Value> {
+        let (source, target) = (Kind::of(from)?, Kind::of(wanted)?);
+        let scalar = target.scalar(self.dialect);
+        if from == wanted {
+            return Some(operators::convert(value, scalar));
+        }
+        let allowed = match (from, wanted) {
+            (DataType::Enumeration(_), DataType::Enumeration(_)) => Implicit::No,
+            (DataType::Enumeration(_), _) if self.dialect.switches().integer_bits_min > 8 => implicit(source, target, self.dialect),
+            (DataType::Enumeration(_), _) | (_, DataType::Enumeration(_)) => Implicit::No,
+            (DataType::Reference(a), DataType::Reference(b)) if same_type(&a.target, &b.target) => Implicit::Yes,
+            (DataType::Reference(_), _) | (_, DataType::Reference(_)) => Implicit::No,
+            _ => implicit(source, target, self.dialect),
+        };
+        // A constant that fits needs no wider type: `USINT#5` may go into an INT of any sign.
+        match allowed {
+            Implicit::Yes => {}
+            Implicit::Warned(loss) => {
+                if !matches!(value.kind, ValueKind::Constant(_)) {
+                    let message = format!("{} becomes {} here: {}", words(from), words(wanted), loss.words());
+                    self.report(Problem::P6201, span, message);
+                }
+            }
+            Implicit::No => {
+                self.no_conversion(from, wanted, span);
+                return None;
+            }
+        }
+        let value = operators::convert(value, scalar);
+        self.within_subrange(&value, wanted, span).then_some(value)
+    }
+
+    /// Says that a type does not become another one, and what does it.
+    pub(super) fn no_conversion(&mut self, from: &DataType, wanted: &DataType, span: Span) {
+        let message = format!("{} is wanted here, and this is {}", words(wanted), words(from));
+        let help = match (from.base().word(), wanted.base().word()) {
+            (Some(source), Some(target)) if source != target => Some(format!("Convert it with `{source}_TO_{target}`.")),
+            _ => None,
+        };
+        let diagnostic = self.report(Problem::P6200, span, message);
+        if help.is_some() {
+            diagnostic.help = help;
+        }
+    }
+
+    fn unary(&mut self, operator: UnaryOperator, operand: &Expression, span: Span) -> Typed {
+        let typed = self.expression(operand);
+        match (operator, typed) {
+            (_, Typed::Poison) => Typed::Poison,
+            (UnaryOperator::Minus, Typed::Integer { value, radix }) => Typed::Integer { value: -value, radix },
+            (UnaryOperator::Minus, Typed::Real { value, single }) => Typed::Real { value: -value, single: -single },
+            (UnaryOperator::Plus, number @ (Typed::Integer { .. } | Typed::Real { .. })) => number,
+            (UnaryOperator::Not, Typed::Integer { value, radix }) => {
+                // A pattern of bits is as wide as the smallest of WORD, DWORD and LWORD that holds it.
+                let bits = [16, 32, 64].into_iter().find(|&bits| value >= 0 && value >> bits == 0).unwrap_or(64);
+                Typed::Integer { value: i128::from(!(value as u64) & literals::mask(bits)), radix: radix.max(2) }
+            }
+            (operator, typed) => {
+                let Some((value, data_type)) = self.scalar(typed, operand.span) else { return Typed::Poison };
+                self.unary_scalar(operator, value, data_type, span)
+            }
+        }
+    }
+
+    fn unary_scalar(&mut self, operator: UnaryOperator, value: Value, data_type: DataType, span: Span) -> Typed {
+        let Some(kind) = Kind::of(&data_type) else { return self.no_operand(operator_sign(operator), &data_type, span) };
+        let plain = kind.data_type();
+        match operator {
+            UnaryOperator::Plus if kind.is_number() || kind.class == Class::Duration => Typed::Scalar { value, data_type },
+            UnaryOperator::Minus if kind.is_number() || kind.class == Class::Duration => {
+                if kind.class == Class::Unsigned {
+                    let widened = self.dialect.switches().integer_bits_min > 8;
+                    if !widened {
+                        let message = format!("{} has no negative values", words(&data_type));
+                        self.report(Problem::P6202, span, message).help = Some("Convert it to a signed type first.".to_owned());
+                        return Typed::Poison;
+                    }
+                    self.report(Problem::P6201, span, format!("{} has no negative values: the result wraps", words(&data_type)));
+                }
+                let value = operators::convert(value, self.working(kind));
+                let Some(operation) = operators::negation(value.scalar) else { return Typed::Poison };
+                let scalar = value.scalar;
+                let value = self.operation(operation, vec![value], scalar);
+                Typed::Scalar { value: Value { span, ..value }, data_type: plain }
+            }
+            UnaryOperator::Not if kind.class == Class::Bits || self.bits_of_integers(kind) => {
+                let value = operators::convert(value, kind.scalar(self.dialect));
+                let Some(op) = operators::inversion(value.scalar) else { return Typed::Poison };
+                let scalar = value.scalar;
+                Typed::Scalar { value: Value { span, ..operators::compute(op, vec![value], scalar) }, data_type: plain }
+            }
+            _ => self.no_operand(operator_sign(operator), &data_type, span),
+        }
+    }
+
+    fn no_operand(&mut self, sign: &str, data_type: &DataType, span: Span) -> Typed {
+        self.report(Problem::P6202, span, format!("`{sign}` does not take {}", words(data_type)));
+        Typed::Poison
+    }
+
+    /// Whether the dialect lets AND, OR, XOR and NOT work on the bits of integers.
+    fn bits_of_integers(&self, kind: Kind) -> bool {
+        kind.is_integer()
+            && implicit(Kind { class: Class::Unsigned, bits: 16 }, Kind { class: Class::Bits, bits: 16 }, self.dialect) == Implicit::Yes
+    }
+
+    /// The scalar in which numbers of a kind are computed.
+    fn working(&self, kind: Kind) -> Scalar {
+        let scalar = kind.scalar(self.dialect);
+        let wide = self.dialect.switches().integer_bits_min;
+        match scalar {
+            Scalar::I8 | Scalar::I16 if wide >= 32 => Scalar::I32,
+            Scalar::U8 | Scalar::U16 if wide >= 32 => Scalar::U32,
+            other => other,
+        }
+    }
+
+    /// An operation that tells ENO or OK if it fails, in a block that looks at them.
+    fn operation(&mut self, operation: operators::Operation, args: Vec<Value>, scalar: Scalar) -> Value {
+        match self.reads_ok {
+            true => operators::checked(operation, args, scalar),
+            false => operators::compute(operation.0, args, scalar),
+        }
+    }
+
+    fn binary(&mut self, operator: BinaryOperator, sign: Span, left: &Expression, right: &Expression) -> Typed {
+        let span = left.span.to(right.span);
+        match operator {
+            BinaryOperator::Power if !self.judge(Construct::PowerOperator, sign) => return Typed::Poison,
+            BinaryOperator::IntegerDivide if !self.judge(Construct::DivOperator, sign) => return Typed::Poison,
+            BinaryOperator::AndThen | BinaryOperator::OrElse if !self.judge(Construct::ShortCircuit, sign) => return Typed::Poison,
+            _ => {}
+        }
+        let (a, b) = self.both(left, right);
+        if a == Typed::Poison || b == Typed::Poison {
+            return Typed::Poison;
+        }
+        let result = match operator {
+            BinaryOperator::And | BinaryOperator::Or | BinaryOperator::Xor => self.logic(operator, sign, (a, left.span), (b, right.span)),
+            BinaryOperator::AndThen | BinaryOperator::OrElse => self.short_circuit(operator, (a, left.span), (b, right.span)),
+            BinaryOperator::Equal
+            | BinaryOperator::NotEqual
+            | BinaryOperator::Less
+            | BinaryOperator::LessEqual
+            | BinaryOperator::Greater
+            | BinaryOperator::GreaterEqual => {
+                if let ExpressionKind::Binary(inner, ..) = &left.kind
+                    && orders(*inner)
+                    && orders(operator)
+                    && matches!(b, Typed::Integer { .. } | Typed::Real { .. } | Typed::Scalar { .. })
+                    && !matches!(&b, Typed::Scalar { data_type: DataType::Bool, .. })
+                {
+                    let message = format!("the result of `{}` is BOOL, and `{}` compares it with a number", inner.sign(), operator.sign());
+                    self.report(Problem::P6202, sign, message).help = Some("Write `a < b AND b < c`.".to_owned());
+                    return Typed::Poison;
+                }
+                self.comparison(operator, sign, (a, left.span), (b, right.span))
+            }
+            _ => self.arithmetic(operator, sign, (a, left.span), (b, right.span)),
+        };
+        match result {
+            Typed::Scalar { value, data_type } => Typed::Scalar { value: Value { span, ..value }, data_type },
+            other => other,
+        }
+    }
+
+    /// Both operands; a bare name beside a value of an enumeration may be another value of it.
+    fn both(&mut self, left: &Expression, right: &Expression) -> (Typed, Typed) {
+        let named = |expression: &Expression| matches!(expression.kind, ExpressionKind::Name(_));
+        if named(right) {
+            let a = self.expression(left);
+            let b = match &a {
+                Typed::Scalar { data_type, .. } => self.expression_for(right, &data_type.clone()),
+                _ => self.expression(right),
+            };
+            return (a, b);
+        }
+        if named(left) {
+            let b = self.expression(right);
+            let a = match &b {
+                Typed::Scalar { data_type, .. } => self.expression_for(left, &data_type.clone()),
+                _ => self.expression(left),
+            };
+            return (a, b);
+        }
+        (self.expression(left), self.expression(right))
+    }
+
+    fn short_circuit(&mut self, operator: BinaryOperator, (a, left): (Typed, Span), (b, right): (Typed, Span)) -> Typed {
+        let (Some(a), Some(b)) = (self.coerce(a, left, &DataType::Bool), self.coerce(b, right, &DataType::Bool)) else {
+            return Typed::Poison;
+        };
+        let (a, b) = (Box::new(a), Box::new(b));
+        let kind = if operator == BinaryOperator::AndThen { ValueKind::AndThen(a, b) } else { ValueKind::OrElse(a, b) };
+        Typed::Scalar { value: Value { kind, scalar: Scalar::Bool, span: left.to(right) }, data_type: DataType::Bool }
+    }
+
+    fn logic(&mut self, operator: BinaryOperator, sign: Span, (a, left): (Typed, Span), (b, right): (Typed, Span)) -> Typed {
+        if let (&Typed::Integer { value: x, radix }, &Typed::Integer { value: y, radix: other }) = (&a, &b) {
+            let value = match operator {
+                BinaryOperator::And => x & y,
+                BinaryOperator::Or => x | y,
+                _ => x ^ y,
+            };
+            return Typed::Integer { value, radix: if radix == 10 { other } else { radix } };
+        }
+        let Some((kind, a, b)) = self.meet(operator, sign, (a, left), (b, right)) else { return Typed::Poison };
+        if kind.class != Class::Bits && !self.bits_of_integers(kind) {
+            let message = format!("`{}` works on BOOL and bit strings, not on {}", operator.sign(), words(&kind.data_type()));
+            let help = match kind.is_integer() {
+                true => {
+                    let bits = Kind { class: Class::Bits, bits: kind.bits }.data_type();
+                    format!("Convert it first, for example with `{}_TO_{}`.", words(&kind.data_type()), words(&bits))
+                }
+                false => "Compare the value first.".to_owned(),
+            };
+            self.report(Problem::P6202, sign, message).help = Some(help);
+            return Typed::Poison;
+        }
+        let scalar = kind.scalar(self.dialect);
+        let (a, b) = (operators::convert(a, scalar), operators::convert(b, scalar));
+        let Some((op, _)) = operators::binary(operator, scalar) else { return Typed::Poison };
+        Typed::Scalar { value: operators::compute(op, vec![a, b], scalar), data_type: kind.data_type() }
+    }
+
+    /// Both operands with the kind in which they meet; unconverted.
+    fn meet(
+        &mut self,
+        operator: BinaryOperator,
+        sign: Span,
+        (a, left): (Typed, Span),
+        (b, right): (Typed, Span),
+    ) -> Option<(Kind, Value, Value)> {
+        let (a, b) = match (generic(&a), generic(&b)) {
+            (Some(literal), None) => {
+                let (b, other) = self.scalar(b, right)?;
+                (self.beside(literal, a, left, &other)?, (b, other))
+            }
+            (None, Some(literal)) => {
+                let (a, other) = self.scalar(a, left)?;
+                let b = self.beside(literal, b, right, &other)?;
+                ((a, other), b)
+            }
+            _ => (self.scalar(a, left)?, self.scalar(b, right)?),
+        };
+        let kinds = Kind::of(&a.1).zip(Kind::of(&b.1));
+        let enumerated = matches!(a.1, DataType::Enumeration(_)) || matches!(b.1, DataType::Enumeration(_));
+        let met = match kinds {
+            Some((x, y)) if !enumerated || a.1 == b.1 || self.dialect.switches().integer_bits_min > 8 => common(x, y, self.dialect),
+            _ => None,
+        };
+        let Some(kind) = met else {
+            let message = format!("`{}` does not take {} and {}", operator.sign(), words(&a.1), words(&b.1));
+            self.report(Problem::P6202, sign, message).help = Some("Convert one of the two to the type of the other.".to_owned());
+            return None;
+        };
+        Some((kind, a.0, b.0))
+    }
+
+    /// A number without a type beside an operand with one.
+    fn beside(&mut self, literal: LiteralKind, typed: Typed, span: Span, other: &DataType) -> Option<(Value, DataType)> {
+        if let Some(kind) = Kind::of(other).filter(|&kind| kind.class != Class::Reference)
+            && !matches!(other, DataType::Enumeration(_))
+            && let Ok((bits, construct)) = literals::bits(&literal, kind, self.dialect)
+        {
+            // 1 beside BOOL is TRUE only where the dialect says so; other notes are about assignments.
+            if construct == Some(Construct::NumberToBool) && !self.judge(Construct::NumberToBool, span) {
+                return None;
+            }
+            let value = Value { kind: ValueKind::Constant(bits), scalar: kind.scalar(self.dialect), span };
+            return Some((value, kind.data_type()));
+        }
+        self.scalar(typed, span)
+    }
+
+    fn comparison(&mut self, operator: BinaryOperator, sign: Span, (a, left): (Typed, Span), (b, right): (Typed, Span)) -> Typed {
+        let of_bool = |value: Value| Typed::Scalar { value, data_type: DataType::Bool };
+        let folded = match (&a, &b) {
+            (Typed::Integer { value: x, .. }, Typed::Integer { value: y, .. }) => Some(x.cmp(y)),
+            (Typed::Integer { .. } | Typed::Real { .. }, Typed::Integer { .. } | Typed::Real { .. }) => number(&a).partial_cmp(&number(&b)),
+            _ => None,
+        };
+        if let Some(order) = folded {
+            let holds = match operator {
+                BinaryOperator::Equal => order.is_eq(),
+                BinaryOperator::NotEqual => order.is_ne(),
+                BinaryOperator::Less => order.is_lt(),
+                BinaryOperator::LessEqual => order.is_le(),
+                BinaryOperator::Greater => order.is_gt(),
+                _ => order.is_ge(),
+            };
+            return of_bool(Value { kind: ValueKind::Constant(u64::from(holds)), scalar: Scalar::Bool, span: left });
+        }
+        if matches!(a, Typed::Text(_)) || matches!(b, Typed::Text(_)) {
+            let character = |typed: &Typed| matches!(typed, Typed::Scalar { data_type: DataType::Char, .. });
+            // A literal of one character beside a CHAR is a CHAR.
+            let as_characters = (character(&a) && matches!(&b, Typed::Text(Text::Constant(text)) if text.len() == 1))
+                || (character(&b) && matches!(&a, Typed::Text(Text::Constant(text)) if text.len() == 1));
+            if !as_characters {
+                let (Some(a), Some(b)) = (self.text(a, left), self.text(b, right)) else { return Typed::Poison };
+                let kind = ValueKind::CompareTexts(Box::new(a), Box::new(b));
+                let order = Value { kind, scalar: Scalar::I32, span: left.to(right) };
+                let zero = Value { kind: ValueKind::Constant(0), scalar: Scalar::I32, span: right };
+                let Some((op, _)) = operators::binary(operator, Scalar::I32) else { return Typed::Poison };
+                return of_bool(operators::compute(op, vec![order, zero], Scalar::Bool));
+            }
+        }
+        if a == Typed::Null || b == Typed::Null {
+            let (value, data_type) = match if a == Typed::Null { self.scalar(b, right) } else { self.scalar(a, left) } {
+                Some(found) => found,
+                None => return Typed::Poison,
+            };
+            if !matches!(data_type, DataType::Reference(_)) || orders(operator) {
+                return self.no_operand(operator.sign(), &data_type, sign);
+            }
+            let null = Value { kind: ValueKind::Constant(0), scalar: Scalar::U64, span: sign };
+            let op = if operator == BinaryOperator::Equal { Op::Equal } else { Op::Differ };
+            return of_bool(operators::compute(op, vec![value, null], Scalar::Bool));
+        }
+        if let (Typed::Aggregate(target), _) | (_, Typed::Aggregate(target)) = (&a, &b) {
+            let message = format!("`{}` compares elementary values and texts, not {}", operator.sign(), words(&target.data_type));
+            let help = (target.data_type == DataType::DateAndTime).then(|| "Call EQ_DT, LT_DT and their like of the library.".to_owned());
+            let diagnostic = self.report(Problem::P6202, sign, message);
+            if help.is_some() {
+                diagnostic.help = help;
+            }
+            return Typed::Poison;
+        }
+        let always = self.always(operator, (&a, left), (&b, right));
+        let Some((kind, a, b)) = self.meet(operator, sign, (a, left), (b, right)) else { return Typed::Poison };
+        let unordered = kind == Kind::BOOL && !self.dialect.switches().bool_ordered || kind.class == Class::S5Time;
+        if orders(operator) && unordered {
+            let message = format!("{} has no order: `{}` does not take it", words(&kind.data_type()), operator.sign());
+            self.report(Problem::P6202, sign, message).help = Some("Compare with `=` or `<>`.".to_owned());
+            return Typed::Poison;
+        }
+        let scalar =
+            if kind.is_integer() || kind.class == Class::Bits && kind.bits > 1 { self.working(kind) } else { kind.scalar(self.dialect) };
+        let (a, b) = (operators::convert(a, scalar), operators::convert(b, scalar));
+        if let Some(result) = always {
+            let message = format!("this comparison is always {}", if result { "TRUE" } else { "FALSE" });
+            self.report(Problem::P6221, left.to(right), message);
+        }
+        let Some((op, _)) = operators::binary(operator, scalar) else { return Typed::Poison };
+        of_bool(operators::compute(op, vec![a, b], Scalar::Bool))
+    }
+
+    /// What a comparison of a variable with a number beyond its type always is.
+    fn always(&mut self, operator: BinaryOperator, (a, _): (&Typed, Span), (b, _): (&Typed, Span)) -> Option<bool> {
+        let (operator, value, number) = match (a, b) {
+            (Typed::Scalar { value, .. }, Typed::Integer { value: number, .. }) => (operator, value, *number),
+            (Typed::Integer { value: number, .. }, Typed::Scalar { value, .. }) => (mirrored(operator), value, *number),
+            _ => return None,
+        };
+        if matches!(value.scalar, Scalar::F32 | Scalar::F64 | Scalar::Bool) || matches!(value.kind, ValueKind::Constant(_)) {
+            return None;
+        }
+        let (least, most) = self.range_of(value);
+        match operator {
+            BinaryOperator::Less if most < number => Some(true),
+            BinaryOperator::Less if least >= number => Some(false),
+            BinaryOperator::LessEqual if most <= number => Some(true),
+            BinaryOperator::LessEqual if least > number => Some(false),
+            BinaryOperator::Greater if least > number => Some(true),
+            BinaryOperator::Greater if most <= number => Some(false),
+            BinaryOperator::GreaterEqual if least >= number => Some(true),
+            BinaryOperator::GreaterEqual if most < number => Some(false),
+            BinaryOperator::Equal if number < least || number > most => Some(false),
+            BinaryOperator::NotEqual if number < least || number > most => Some(true),
+            _ => None,
+        }
+    }
+
+    fn arithmetic(&mut self, operator: BinaryOperator, sign: Span, (a, left): (Typed, Span), (b, right): (Typed, Span)) -> Typed {
+        if let Some(folded) = self.fold(operator, sign, &a, &b) {
+            return folded;
+        }
+        let kind_of = |typed: &Typed| match typed {
+            Typed::Scalar { data_type, .. } => Kind::of(data_type),
+            _ => None,
+        };
+        let (x, y) = (kind_of(&a), kind_of(&b));
+        let timed = |kind: Option<Kind>| {
+            kind.is_some_and(|kind| matches!(kind.class, Class::Duration | Class::Date | Class::TimeOfDay | Class::DateAndTime))
+        };
+        if timed(x) || timed(y) {
+            return self.time_arithmetic(operator, sign, (a, left), (b, right));
+        }
+        if operator == BinaryOperator::Power {
+            return self.power((a, left), (b, right), sign);
+        }
+        if operator == BinaryOperator::IntegerDivide || operator == BinaryOperator::Modulo {
+            if let Some(kind) = [x, y].into_iter().flatten().find(|kind| kind.class == Class::Real) {
+                return self.no_operand(operator.sign(), &kind.data_type(), sign);
+            }
+        }
+        let Some((kind, a, b)) = self.meet(operator, sign, (a, left), (b, right)) else { return Typed::Poison };
+        let bits = kind.class == Class::Bits
+            && kind.bits > 1
+            && implicit(Kind { class: Class::Bits, bits: 16 }, Kind { class: Class::Unsigned, bits: 16 }, self.dialect) == Implicit::Yes;
+        if !kind.is_number() && !bits {
+            let message = format!("`{}` computes with numbers, not with {}", operator.sign(), words(&kind.data_type()));
+            let diagnostic = self.report(Problem::P6202, sign, message);
+            if kind.class == Class::Bits && kind.bits > 1 {
+                let integer = Kind { class: Class::Signed, bits: kind.bits.max(16) }.data_type();
+                diagnostic.help = Some(format!("Convert it first with `{}_TO_{}`.", words(&kind.data_type()), words(&integer)));
+            }
+            return Typed::Poison;
+        }
+        if kind.class == Class::Real && matches!(operator, BinaryOperator::Modulo | BinaryOperator::IntegerDivide) {
+            return self.no_operand(operator.sign(), &kind.data_type(), sign);
+        }
+        let scalar = self.working(kind);
+        let (a, b) = (operators::convert(a, scalar), operators::convert(b, scalar));
+        self.zero_divisor(operator, &b, right);
+        let Some(operation) = operators::binary(operator, scalar) else { return Typed::Poison };
+        Typed::Scalar { value: self.operation(operation, vec![a, b], scalar), data_type: kind.data_type() }
+    }
+
+    /// Says that a divisor is the constant 0.
+    fn zero_divisor(&mut self, operator: BinaryOperator, divisor: &Value, span: Span) {
+        let integer = !matches!(divisor.scalar, Scalar::F32 | Scalar::F64);
+        if integer && divisor.kind == ValueKind::Constant(0) && matches!(operator, BinaryOperator::Divide | BinaryOperator::IntegerDivide) {
+            self.report(Problem::P6227, span, "the divisor is 0");
+        }
+    }
+
+    /// Numbers without types: computed exactly, and still without a type.
+    fn fold(&mut self, operator: BinaryOperator, sign: Span, a: &Typed, b: &Typed) -> Option<Typed> {
+        if let (&Typed::Integer { value: x, radix }, &Typed::Integer { value: y, .. }) = (a, b) {
+            let value = match operator {
+                BinaryOperator::Add => x.checked_add(y),
+                BinaryOperator::Subtract => x.checked_sub(y),
+                BinaryOperator::Multiply => x.checked_mul(y),
+                BinaryOperator::Divide | BinaryOperator::IntegerDivide if y == 0 => {
+                    self.report(Problem::P6227, sign, "the divisor is 0");
+                    Some(0)
+                }
+                BinaryOperator::Divide | BinaryOperator::IntegerDivide => x.checked_div(y),
+                BinaryOperator::Modulo => Some(x.checked_rem(y).unwrap_or(0)),
+                _ => return None,
+            };
+            // Numbers beyond all types say so where they are used.
+            let value = value.unwrap_or(i128::MAX);
+            return Some(Typed::Integer { value, radix });
+        }
+        let numbers = |typed: &Typed| matches!(typed, Typed::Integer { .. } | Typed::Real { .. });
+        if !numbers(a) || !numbers(b) {
+            return None;
+        }
+        let ((x, single_x), (y, single_y)) = (reals(a)?, reals(b)?);
+        let (value, single) = match operator {
+            BinaryOperator::Add => (x + y, single_x + single_y),
+            BinaryOperator::Subtract => (x - y, single_x - single_y),
+            BinaryOperator::Multiply => (x * y, single_x * single_y),
+            BinaryOperator::Divide => (x / y, single_x / single_y),
+            _ => return None,
+        };
+        Some(Typed::Real { value, single })
+    }
+
+    /// `**`: REAL or LREAL, as the wider operand says.
+    fn power(&mut self, (a, left): (Typed, Span), (b, right): (Typed, Span), sign: Span) -> Typed {
+        let (Some((a, base)), Some((b, exponent))) = (self.scalar(a, left), self.scalar(b, right)) else { return Typed::Poison };
+        let (Some(x), Some(y)) = (Kind::of(&base), Kind::of(&exponent)) else { return Typed::Poison };
+        if let Some(wrong) = [x, y].into_iter().find(|kind| !kind.is_number()) {
+            return self.no_operand("**", &wrong.data_type(), sign);
+        }
+        let kind = if x == Kind::LREAL || y == Kind::LREAL { Kind::LREAL } else { Kind::REAL };
+        let scalar = kind.scalar(self.dialect);
+        let args = vec![operators::convert(a, scalar), operators::convert(b, scalar)];
+        let Some((op, _)) = operators::binary(BinaryOperator::Power, scalar) else { return Typed::Poison };
+        Typed::Scalar { value: operators::compute(op, args, scalar), data_type: kind.data_type() }
+    }
+
+    /// Operators with durations, dates and times of day.
+    fn time_arithmetic(&mut self, operator: BinaryOperator, sign: Span, (a, left): (Typed, Span), (b, right): (Typed, Span)) -> Typed {
+        let (Some((a, first)), Some((b, second))) = (self.scalar(a, left), self.scalar(b, right)) else { return Typed::Poison };
+        let (Some(x), Some(y)) = (Kind::of(&first), Kind::of(&second)) else { return Typed::Poison };
+        use BinaryOperator as B;
+        use Class::{Date, DateAndTime, Duration, TimeOfDay};
+        let constant = |word: u64, scalar: Scalar| Value { kind: ValueKind::Constant(word), scalar, span: sign };
+        let done = |value: Value, kind: Kind| Typed::Scalar { value, data_type: kind.data_type() };
+        match (operator, x.class, y.class) {
+            (B::Add | B::Subtract, Duration, Duration) => {
+                let kind = if x.bits >= y.bits { x } else { y };
+                let (a, b) = (self.duration_as(a, x, kind), self.duration_as(b, y, kind));
+                let scalar = kind.scalar(self.dialect);
+                let Some(operation) = operators::binary(operator, scalar) else { return Typed::Poison };
+                done(self.operation(operation, vec![a, b], scalar), kind)
+            }
+            (B::Multiply, Duration, _) if y.is_number() => self.scaled(operator, (a, x), (b, y)),
+            (B::Multiply, _, Duration) if x.is_number() => {
+                // The standard writes the duration first.
+                self.scaled(operator, (b, y), (a, x))
+            }
+            (B::Divide | B::IntegerDivide, Duration, _) if y.is_number() => {
+                self.zero_divisor(operator, &b, right);
+                self.scaled(B::Divide, (a, x), (b, y))
+            }
+            (B::Add | B::Subtract, DateAndTime | Date, Duration) if x.bits == 64 && x.class == DateAndTime => {
+                let scalar = x.scalar(self.dialect);
+                let b = operators::convert(self.duration_as(b, y, Kind::LTIME), scalar);
+                let Some((op, _)) = operators::binary(operator, scalar) else { return Typed::Poison };
+                done(operators::compute(op, vec![a, b], scalar), x)
+            }
+            (B::Add | B::Subtract, TimeOfDay, Duration) => {
+                let (duration, day) = match x.bits {
+                    64 => (self.duration_as(b, y, Kind::LTIME), MILLISECONDS_OF_DAY * NANOSECONDS_OF_MILLISECOND),
+                    _ => (self.duration_as(b, y, Kind::TIME), MILLISECONDS_OF_DAY),
+                };
+                // Midnight is followed by the next day, and preceded by the one before.
+                let wide = Scalar::I64;
+                let Some((op, _)) = operators::binary(operator, wide) else { return Typed::Poison };
+                let sum = operators::compute(op, vec![operators::convert(a, wide), operators::convert(duration, wide)], wide);
+                let rest = operators::compute(Op::RemI64, vec![sum, constant(day, wide)], wide);
+                let above = operators::compute(Op::AddU64, vec![rest, constant(day, wide)], wide);
+                let rest = operators::compute(Op::RemI64, vec![above, constant(day, wide)], wide);
+                done(operators::convert(rest, x.scalar(self.dialect)), x)
+            }
+            (B::Subtract, Date, Date) | (B::Subtract, DateAndTime, DateAndTime) | (B::Subtract, TimeOfDay, TimeOfDay) => {
+                let wide = Scalar::I64;
+                let difference = operators::compute(Op::SubU64, vec![operators::convert(a, wide), operators::convert(b, wide)], wide);
+                let time = Kind::TIME.scalar(self.dialect);
+                match (x.bits.max(y.bits), self.dialect.switches().calendar) {
+                    // Days.
+                    (16, _) => {
+                        let milliseconds = operators::compute(Op::MulU64, vec![difference, constant(MILLISECONDS_OF_DAY, wide)], wide);
+                        done(operators::convert(milliseconds, time), Kind::TIME)
+                    }
+                    (32, _) => done(operators::convert(difference, time), Kind::TIME),
+                    // LDT beside the DATE_AND_TIME of the S7 is always the long type.
+                    (_, Calendar::S7) => done(difference, Kind::LTIME),
+                    (_, Calendar::Long) if x.class == TimeOfDay => done(difference, Kind::LTIME),
+                    (_, Calendar::Long) => {
+                        let divisor = constant(NANOSECONDS_OF_MILLISECOND, wide);
+                        done(operators::convert(operators::compute(Op::DivI64, vec![difference, divisor], wide), time), Kind::TIME)
+                    }
+                }
+            }
+            _ => {
+                let message = format!("`{}` does not take {} and {}", operator.sign(), words(&first), words(&second));
+                let help = match (x.class, y.class) {
+                    (Duration, Class::Signed | Class::Unsigned) | (Class::Signed | Class::Unsigned, Duration) => {
+                        "Convert the number with `DINT_TO_TIME` first, or write it as a duration, such as `T#5s`."
+                    }
+                    (Duration, Duration) => "Convert both with `TIME_TO_DINT` first.",
+                    _ => "Dates, times of day and durations are added and subtracted; a duration is multiplied and divided by a number.",
+                };
+                self.report(Problem::P6202, sign, message).help = Some(help.to_owned());
+                Typed::Poison
+            }
+        }
+    }
+
+    /// A duration in milliseconds or nanoseconds.
+    fn duration_as(&mut self, value: Value, from: Kind, to: Kind) -> Value {
+        let value = operators::convert(value, to.scalar(self.dialect));
+        if from.bits < to.bits {
+            let factor = Value { kind: ValueKind::Constant(NANOSECONDS_OF_MILLISECOND), scalar: value.scalar, span: value.span };
+            let scalar = value.scalar;
+            return operators::compute(Op::MulU64, vec![value, factor], scalar);
+        }
+        value
+    }
+
+    /// A duration times or divided by a number.
+    fn scaled(&mut self, operator: BinaryOperator, (duration, kind): (Value, Kind), (number, by): (Value, Kind)) -> Typed {
+        let scalar = kind.scalar(self.dialect);
+        if by.class == Class::Real {
+            let (a, b) = (operators::convert(duration, Scalar::F64), operators::convert(number, Scalar::F64));
+            let Some((op, _)) = operators::binary(operator, Scalar::F64) else { return Typed::Poison };
+            let product = operators::compute(op, vec![a, b], Scalar::F64);
+            return Typed::Scalar { value: operators::convert(product, scalar), data_type: kind.data_type() };
+        }
+        let wide = if by.bits > kind.bits || by.class == Class::Unsigned && by.bits == kind.bits { Scalar::I64 } else { scalar };
+        let (a, b) = (operators::convert(duration, wide), operators::convert(number, wide));
+        let Some(operation) = operators::binary(operator, wide) else { return Typed::Poison };
+        let value = self.operation(operation, vec![a, b], wide);
+        Typed::Scalar { value: operators::convert(value, scalar), data_type: kind.data_type() }
+    }
+
+    /// An expression as a text.
+    pub(super) fn text(&mut self, typed: Typed, span: Span) -> Option<Text> {
+        match typed {
+            Typed::Poison => None,
+            Typed::Text(text) => Some(text),
+            Typed::Scalar { value, data_type: DataType::Char } => Some(Text::Character(Box::new(value))),
+            other => {
+                let what = self.what(&other);
+                self.report(Problem::P6200, span, format!("a text is wanted here, not {what}"));
+                None
+            }
+        }
+    }
+}
+
+/// Whether an operator asks for an order.
+fn orders(operator: BinaryOperator) -> bool {
+    matches!(operator, BinaryOperator::Less | BinaryOperator::LessEqual | BinaryOperator::Greater | BinaryOperator::GreaterEqual)
+}
+
+/// The operator with its operands exchanged.
+fn mirrored(operator: BinaryOperator) -> BinaryOperator {
+    match operator {
+        BinaryOperator::Less => BinaryOperator::Greater,
+        BinaryOperator::LessEqual => BinaryOperator::GreaterEqual,
+        BinaryOperator::Greater => BinaryOperator::Less,
+        BinaryOperator::GreaterEqual => BinaryOperator::LessEqual,
+        other => other,
+    }
+}
+
+fn operator_sign(operator: UnaryOperator) -> &'static str {
+    match operator {
+        UnaryOperator::Minus => "-",
+        UnaryOperator::Plus => "+",
+        UnaryOperator::Not => "NOT",
+    }
+}
+
+/// A number without a type, as a literal.
+fn generic(typed: &Typed) -> Option<LiteralKind> {
+    match typed {
+        Typed::Integer { value, radix } => Some(LiteralKind::Integer { value: *value, radix: *radix }),
+        Typed::Real { value, single } => Some(LiteralKind::Real { value: *value, single: *single }),
+        Typed::Text(Text::Constant(text)) if text.len() == 1 => Some(LiteralKind::Characters(text.clone())),
+        _ => None,
+    }
+}
+
+/// A number without a type as LREAL and REAL.
+fn reals(typed: &Typed) -> Option<(f64, f32)> {
+    match *typed {
+        Typed::Integer { value, .. } => Some((value as f64, value as f32)),
+        Typed::Real { value, single } => Some((value, single)),
+        _ => None,
+    }
+}
+
+fn number(typed: &Typed) -> f64 {
+    reals(typed).map_or(f64::NAN, |(value, _)| value)
+}
+
+/// Whether two types are the same for a copy: equal structures count by their fields.
+pub(super) fn same_type(a: &DataType, b: &DataType) -> bool {
+    match (a, b) {
+        (DataType::Struct(x), DataType::Struct(y)) => match (&x.name, &y.name) {
+            (Some(first), Some(second)) => first.eq_ignore_ascii_case(second),
+            _ => {
+                x.size == y.size
+                    && x.fields.len() == y.fields.len()
+                    && x.fields.iter().zip(&y.fields).all(|(f, g)| f.offset == g.offset && same_type(&f.data_type, &g.data_type))
+            }
+        },
+        (DataType::Instance { block: x, .. }, DataType::Instance { block: y, .. }) => x == y,
+        (DataType::Array { bounds: x, element: a }, DataType::Array { bounds: y, element: b }) => x == y && same_type(a, b),
+        _ => a == b,
+    }
+}

@@ -1,0 +1,272 @@
+//! Standard functions: what the arguments are, and what the function makes of them.
+
+use std::sync::Arc;
+
+use sieben_model::interface::{Interface, Section, Variable};
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+use sieben_model::types::{DataType, Reference, ReferenceKind};
+
+use super::places::Reached;
+use super::typed::{Target, Typed};
+use super::{Checker, literals, operators};
+use crate::st::ast::{self, Direction, Name};
+use crate::st::dialect::Construct;
+use crate::st::standard::{self, Building, Given, GivenKind, Meaning, Refusal, Resolved};
+use crate::st::tree::{Base, Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
+
+impl Checker<'_> {
+    /// A call of a standard function.
+    pub(super) fn standard(&mut self, name: &Name, call: &ast::Call, span: Span) -> Typed {
+        if let Some(typed) = self.built_in(name, call, span) {
+            return typed;
+        }
+        let before = self.diagnostics.len();
+        let arguments: Vec<(Typed, Span)> = call
+            .arguments
+            .iter()
+            .map(|argument| match &argument.value {
+                Some(value) => (self.expression(value), value.span),
+                None => (Typed::Poison, argument.span),
+            })
+            .collect();
+        let given: Vec<Given<'_>> = call
+            .arguments
+            .iter()
+            .zip(&arguments)
+            .map(|(argument, (typed, _))| Given { name: argument.name.as_ref().map(|name| name.text.as_str()), kind: kind_of(typed) })
+            .collect();
+        match standard::resolve(&name.text, self.dialect, &given) {
+            None => {
+                let nearest = self.names.nearest(&name.text);
+                let message = format!("there is no function `{}`", name.text);
+                let diagnostic = self.report(Problem::P3008, name.span, message);
+                if let Some(nearest) = nearest {
+                    *diagnostic = diagnostic.clone().guess(name.span, nearest.clone(), format!("write `{nearest}`"));
+                }
+                Typed::Poison
+            }
+            // What is wrong with an argument was said; that the function does not take it says nothing new.
+            Some(_) if self.diagnostics.len() > before && arguments.iter().any(|(typed, _)| *typed == Typed::Poison) => Typed::Poison,
+            Some(Err(refusal)) => self.refused(refusal, &arguments, span),
+            Some(Ok(resolved)) => self.composed(resolved, call, arguments, span),
+        }
+    }
+
+    /// A call of a standard function whose result nobody uses.
+    pub(super) fn standard_statement(&mut self, name: &Name, call: &ast::Call, span: Span) -> Option<StatementKind> {
+        match self.standard(name, call, span) {
+            Typed::Poison => None,
+            Typed::Scalar { value, .. } => Some(match value.kind {
+                ValueKind::Call(call) => StatementKind::Call(*call),
+                _ => {
+                    let message = format!("the result of `{}` is not used", name.text);
+                    self.report(Problem::P6232, span, message);
+                    StatementKind::Block(Vec::new())
+                }
+            }),
+            Typed::Text(Text::Call { call, .. }) => Some(StatementKind::Call(*call)),
+            _ => Some(StatementKind::Block(Vec::new())),
+        }
+    }
+
+    fn refused(&mut self, refusal: Refusal, arguments: &[(Typed, Span)], span: Span) -> Typed {
+        let place = refusal.argument.and_then(|index| arguments.get(index)).map_or(span, |&(_, span)| span);
+        let diagnostic = self.report(refusal.problem, place, refusal.message);
+        if !refusal.help.is_empty() {
+            diagnostic.help = Some(refusal.help);
+        }
+        Typed::Poison
+    }
+
+    fn composed(&mut self, resolved: Resolved, call: &ast::Call, arguments: Vec<(Typed, Span)>, span: Span) -> Typed {
+        match resolved.meaning {
+            Meaning::Length => {
+                let Some((typed, place)) = arguments.into_iter().next() else { return Typed::Poison };
+                let Some(text) = self.text(typed, place) else { return Typed::Poison };
+                let value = Value { kind: ValueKind::Length(Box::new(text)), scalar: Scalar::I16, span };
+                Typed::Scalar { value, data_type: resolved.result }
+            }
+            Meaning::CompareTexts(operation) => {
+                let mut texts = Vec::with_capacity(2);
+                for (typed, place) in arguments {
+                    match self.text(typed, place) {
+                        Some(text) => texts.push(Box::new(text)),
+                        None => return Typed::Poison,
+                    }
+                }
+                let Ok([a, b]) = <[Box<Text>; 2]>::try_from(texts) else { return Typed::Poison };
+                let order = Value { kind: ValueKind::CompareTexts(a, b), scalar: Scalar::I32, span };
+                let zero = Value { kind: ValueKind::Constant(0), scalar: Scalar::I32, span };
+                let Some(op) = standard::operators::op_for(operation, Scalar::I32) else { return Typed::Poison };
+                let value = operators::compute(op, vec![order, zero], Scalar::Bool);
+                Typed::Scalar { value: Value { span, ..value }, data_type: DataType::Bool }
+            }
+            Meaning::Build(build) => {
+                let mut rest: Vec<Option<(Typed, Span)>> = arguments.into_iter().map(Some).collect();
+                let mut values = Vec::with_capacity(resolved.parameters.len());
+                for (index, parameter) in resolved.parameters.iter().enumerate() {
+                    let named = |argument: &ast::Argument| argument.name.as_ref().is_some_and(|name| name.is(&parameter.name));
+                    let index = call.arguments.iter().position(named).unwrap_or(index);
+                    let Some((typed, place)) = rest.get_mut(index).and_then(Option::take) else { continue };
+                    match self.coerce(typed, place, &parameter.data_type) {
+                        Some(value) => values.push(value),
+                        None => return Typed::Poison,
+                    }
+                }
+                if values.len() != resolved.parameters.len() {
+                    return Typed::Poison;
+                }
+                let checked = self.reads_ok;
+                let locals = &mut self.locals;
+                let mut temporary = |scalar: Scalar| locals.place(scalar.bits().div_ceil(8), span);
+                let value = build(values, &mut Building { span, checked, temporary: &mut temporary });
+                Typed::Scalar { value: Value { span, ..value }, data_type: resolved.result }
+            }
+            Meaning::Block(provided) => {
+                let Some(block) = self.names.provided(&provided) else {
+                    return self.not_built(span, "this function");
+                };
+                let Some(interface) = self.interface(block, call.callee.span) else { return Typed::Poison };
+                self.block_function(Callee::Function(block), &interface, call, arguments, span)
+            }
+        }
+    }
+
+    /// A standard function that is a block: all its parameters but the result are inputs.
+    fn block_function(
+        &mut self,
+        callee: Callee,
+        interface: &Arc<Interface>,
+        call: &ast::Call,
+        arguments: Vec<(Typed, Span)>,
+        span: Span,
+    ) -> Typed {
+        let formals: Vec<&Variable> = interface.parameters().filter(|formal| formal.section == Section::Input).collect();
+        let (mut passed, mut before) = (Vec::new(), Vec::new());
+        for (index, (argument, (typed, place))) in call.arguments.iter().zip(arguments).enumerate() {
+            let formal = match &argument.name {
+                Some(name) => formals.iter().copied().find(|formal| name.is(&formal.name)),
+                None => formals.get(index).copied(),
+            };
+            let Some(formal) = formal else {
+                self.report(
+                    Problem::P6219,
+                    argument.span,
+                    format!("this function takes {}", super::calls::counted(formals.len(), "parameter")),
+                );
+                return Typed::Poison;
+            };
+            if !self.input(formal, typed, place, &mut passed, &mut before) {
+                return Typed::Poison;
+            }
+        }
+        let result = interface.variables.iter().find(|variable| variable.section == Section::Return);
+        let result = result.map_or(DataType::Void, |result| result.data_type.clone());
+        self.result_of(Call { callee, arguments: passed, enable: None, result, span }, before, span)
+    }
+
+    /// Functions of variables and types instead of values: REF, ADR, SIZEOF, WORD_TO_BLOCK_DB.
+    fn built_in(&mut self, name: &Name, call: &ast::Call, span: Span) -> Option<Typed> {
+        let upper = name.text.to_ascii_uppercase();
+        let construct = match upper.as_str() {
+            "REF" => Some(Construct::RefTo),
+            "ADR" => Some(Construct::PointerTo),
+            "SIZEOF" | "WORD_TO_BLOCK_DB" | "BLOCK_DB_TO_WORD" => None,
+            _ => return None,
+        };
+        let [ast::Argument { value: Some(argument), direction: Direction::Assigned, .. }] = call.arguments.as_slice() else {
+            self.look_at(&call.arguments);
+            self.report(Problem::P6219, span, format!("`{upper}` takes one parameter"));
+            return Some(Typed::Poison);
+        };
+        if construct.is_some_and(|construct| !self.judge(construct, span)) {
+            return Some(Typed::Poison);
+        }
+        Some(match upper.as_str() {
+            "REF" | "ADR" => match self.reach(argument) {
+                Reached::Target(target) => self.address_of(target, &upper, span),
+                Reached::Other(Typed::Poison) => Typed::Poison,
+                Reached::Other(other) => {
+                    let what = self.what(&other);
+                    self.report(Problem::P6204, argument.span, format!("`{upper}` takes a variable, not {what}"));
+                    Typed::Poison
+                }
+            },
+            "SIZEOF" => {
+                let data_type = match self.reach(argument) {
+                    Reached::Target(target) => target.data_type,
+                    Reached::Other(Typed::Type(data_type)) => data_type,
+                    Reached::Other(other) => match self.scalar(other, argument.span) {
+                        Some((_, data_type)) => data_type,
+                        None => return Some(Typed::Poison),
+                    },
+                };
+                Typed::Integer { value: i128::from(data_type.bits().div_ceil(8)), radix: 10 }
+            }
+            "WORD_TO_BLOCK_DB" => match self.value(argument, &DataType::Word) {
+                Some(value) => Typed::Number { data_type: DataType::BlockData, value },
+                None => Typed::Poison,
+            },
+            _ => match self.expression(argument) {
+                Typed::Number { data_type: DataType::BlockData, value } => Typed::Scalar { value, data_type: DataType::Word },
+                Typed::Block(block) if block.kind == sieben_model::block::BlockKind::DataBlock => Typed::Scalar {
+                    value: Value { kind: ValueKind::Constant(u64::from(block.number)), scalar: Scalar::U16, span },
+                    data_type: DataType::Word,
+                },
+                Typed::Poison => Typed::Poison,
+                other => {
+                    let what = self.what(&other);
+                    self.report(Problem::P4011, argument.span, format!("`{upper}` takes a data block, not {what}"));
+                    Typed::Poison
+                }
+            },
+        })
+    }
+
+    /// REF and ADR.
+    fn address_of(&mut self, target: Target, function: &str, span: Span) -> Typed {
+        let local = matches!(target.place.base, Base::Area(sieben_model::address::Area::Local));
+        if local && function == "REF" {
+            let message = format!("`{}` lives only until the block ends, and a reference to it longer", target.name);
+            self.report(Problem::P6204, span, message).help = Some("Refer to a variable of an instance or a data block.".to_owned());
+            return Typed::Poison;
+        }
+        let kind = if function == "REF" { ReferenceKind::RefTo } else { ReferenceKind::Pointer };
+        let data_type = DataType::Reference(Arc::new(Reference { target: target.data_type, kind }));
+        Typed::Scalar { value: Value { kind: ValueKind::AddressOf(target.place), scalar: Scalar::U64, span }, data_type }
+    }
+
+    /// A place in the local data of the block for a value of so many bytes, until the statement ends.
+    pub(super) fn temporary_place(&mut self, bytes: u32, span: Span) -> Place {
+        self.locals.place(bytes, span)
+    }
+
+    /// A value that is used more than once: the statement that keeps it, and a value that reads it.
+    pub(super) fn kept(&mut self, value: Value) -> (Statement, Value) {
+        let (scalar, span) = (value.scalar, value.span);
+        let place = self.temporary_place(scalar.bits().div_ceil(8), span);
+        let load = Value { kind: ValueKind::Load(place.clone()), scalar, span };
+        (Statement { kind: StatementKind::Assign { target: place, value }, span }, load)
+    }
+}
+
+/// What an argument is for the choice of a standard function.
+fn kind_of(typed: &Typed) -> GivenKind {
+    match typed {
+        Typed::Integer { value, radix } => GivenKind::Integer { value: *value, radix: *radix },
+        Typed::Real { .. } => GivenKind::Real,
+        Typed::Scalar { data_type, .. } | Typed::Number { data_type, .. } => GivenKind::Typed(data_type.clone()),
+        Typed::Text(Text::Constant(text)) => GivenKind::Typed(DataType::String(u8::try_from(text.len()).unwrap_or(u8::MAX))),
+        Typed::Text(Text::Place { capacity: 0, .. }) => GivenKind::Typed(DataType::String(254)),
+        Typed::Text(Text::Place { capacity, .. } | Text::Call { capacity, .. }) => GivenKind::Typed(DataType::String(*capacity)),
+        Typed::Text(Text::Character(_)) => GivenKind::Typed(DataType::Char),
+        Typed::Aggregate(target) => GivenKind::Typed(target.data_type.clone()),
+        Typed::Moment(_) => GivenKind::Typed(DataType::DateAndTime),
+        Typed::Pointer(pointer) => {
+            let literal = ast::LiteralKind::Pointer(pointer.clone());
+            literals::natural(&literal, crate::st::dialect::Dialect::Scl).map_or(GivenKind::Unknown, GivenKind::Typed)
+        }
+        Typed::Poison | Typed::Null | Typed::Block(_) | Typed::Type(_) | Typed::Qualifier(_) => GivenKind::Unknown,
+    }
+}

@@ -1,0 +1,513 @@
+//! Statements: assignments, IF, calls, jumps; loops and CASE have their own file.
+
+use sieben_model::address::Area;
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+use sieben_model::types::{DataType, ReferenceKind};
+
+use super::expressions::same_type;
+use super::names::Role;
+use super::places::{Reached, unknown_length};
+use super::ranges::same_place;
+use super::typed::{Target, Through, Typed};
+use super::types::Kind;
+use super::{Block, Checker, Label, operators, walk, words};
+use crate::st::ast::{self, AssignOperator, BinaryOperator, Expression, ExpressionKind, Name, StatementKind as Kinds};
+use crate::st::dialect::{Construct, IndexFault};
+use crate::st::tree::{Call, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
+
+impl Checker<'_> {
+    /// A list of statements.
+    pub(super) fn statements(&mut self, statements: &[ast::Statement]) -> Vec<Statement> {
+        self.lists.push(self.next_list);
+        self.next_list += 1;
+        let mut all = Vec::with_capacity(statements.len());
+        let mut left: Option<&'static str> = None;
+        for statement in statements {
+            if let Some(word) = left
+                && !matches!(statement.kind, Kinds::Empty | Kinds::Missing | Kinds::Label(_))
+            {
+                let message = format!("this statement is never reached: {word} comes before it");
+                self.report(Problem::P2208, statement.span, message).help =
+                    Some("Remove it, or put the statement before it under a condition.".into());
+                left = None;
+            }
+            self.locals.release();
+            if let Some(kind) = self.statement(statement) {
+                all.push(Statement { kind, span: statement.span });
+            }
+            left = match statement.kind {
+                Kinds::Exit => Some("EXIT"),
+                Kinds::Continue => Some("CONTINUE"),
+                Kinds::Return => Some("RETURN"),
+                Kinds::Goto(_) => Some("the jump"),
+                Kinds::Label(_) => None,
+                _ => left,
+            };
+        }
+        self.lists.pop();
+        all
+    }
+
+    fn statement(&mut self, statement: &ast::Statement) -> Option<StatementKind> {
+        let span = statement.span;
+        match &statement.kind {
+            Kinds::Empty | Kinds::Missing => None,
+            Kinds::Assign { targets, operator, value } => self.assignment(targets, *operator, value, span),
+            Kinds::Expression(expression) => self.expression_statement(expression, span),
+            Kinds::If { branches, otherwise } => {
+                let branches: Vec<(Option<Value>, Vec<Statement>)> = branches
+                    .iter()
+                    .map(|branch| {
+                        let condition = self.condition(&branch.condition);
+                        (condition, self.statements(&branch.body))
+                    })
+                    .collect();
+                let otherwise = self.statements(otherwise.as_deref().unwrap_or_default());
+                let branches = branches.into_iter().map(|(condition, body)| Some((condition?, body))).collect::<Option<Vec<_>>>()?;
+                Some(StatementKind::If { branches, otherwise })
+            }
+            Kinds::Case { selector, arms, otherwise } => self.case(selector, arms, otherwise.as_deref().unwrap_or_default()),
+            Kinds::For(one) => self.for_loop(&one.variable, &one.from, &one.to, one.by.as_ref(), &one.body),
+            Kinds::While { condition, body } => {
+                let condition = self.condition(condition);
+                let body = self.body_of_loop(None, body);
+                Some(StatementKind::While { condition: condition?, body })
+            }
+            Kinds::Repeat { body, until } => {
+                let body = self.body_of_loop(None, body);
+                let until = self.condition(until)?;
+                Some(StatementKind::Repeat { body, until })
+            }
+            Kinds::Exit | Kinds::Continue if self.loops.is_empty() => {
+                let word = if matches!(statement.kind, Kinds::Exit) { "EXIT" } else { "CONTINUE" };
+                let message = format!("{word} stands outside of a loop");
+                self.report(Problem::P6213, span, message).help = Some("RETURN leaves the block.".to_owned());
+                None
+            }
+            Kinds::Exit => Some(StatementKind::Exit { depth: 0 }),
+            Kinds::Continue => Some(StatementKind::Continue { depth: 0 }),
+            Kinds::Return => Some(StatementKind::Return),
+            Kinds::Goto(name) => self.jump(name),
+            Kinds::Label(name) => self.labels.get(&name.key()).map(|label| StatementKind::Label(label.number)),
+            Kinds::Region { body, .. } => Some(StatementKind::Block(self.statements(body))),
+            Kinds::Try { body, catch, finally, .. } => {
+                self.not_built(Span { end: span.start + 5, ..span }, "__TRY");
+                for body in [body, catch, finally] {
+                    self.statements(body);
+                }
+                None
+            }
+        }
+    }
+
+    fn expression_statement(&mut self, expression: &Expression, span: Span) -> Option<StatementKind> {
+        match &expression.kind {
+            ExpressionKind::Call(call) => self.call_statement(call, span),
+            ExpressionKind::Parenthesized(inner) => self.expression_statement(inner, span),
+            ExpressionKind::Missing => None,
+            ExpressionKind::Binary(BinaryOperator::Equal, sign, ..) => {
+                let diagnostic = self.report(Problem::P6216, span, "this compares and does nothing with the result");
+                *diagnostic = diagnostic.clone().help("An assignment is written with `:=`.").fix(*sign, ":=", "write `:=`");
+                None
+            }
+            _ => {
+                let before = self.diagnostics.len();
+                match self.reach(expression) {
+                    Reached::Target(Target { data_type: DataType::Instance { .. }, name, .. }) => {
+                        let end = Span { start: expression.span.end, ..expression.span };
+                        let diagnostic = self.report(Problem::P6216, span, format!("a call of `{name}` needs brackets"));
+                        *diagnostic = diagnostic.clone().fix(end, "()", "write `()`");
+                    }
+                    Reached::Other(Typed::Block(block)) => {
+                        let end = Span { start: expression.span.end, ..expression.span };
+                        let message = format!("a call of `{}` needs brackets", self.names.block_name(block));
+                        let diagnostic = self.report(Problem::P6216, span, message);
+                        *diagnostic = diagnostic.clone().fix(end, "()", "write `()`");
+                    }
+                    _ if self.diagnostics.len() > before => {}
+                    _ => {
+                        self.report(Problem::P6216, span, "this is a value and no statement: nothing happens with it");
+                    }
+                }
+                None
+            }
+        }
+    }
+
+    fn assignment(&mut self, targets: &[Expression], operator: AssignOperator, value: &Expression, span: Span) -> Option<StatementKind> {
+        let (last, others) = targets.split_last()?;
+        if !others.is_empty() && !self.judge(Construct::ChainedAssignment, others[0].span.to(last.span)) {
+            return None;
+        }
+        let binary = match operator {
+            AssignOperator::Becomes if others.is_empty() => return self.assign(last, value, span),
+            AssignOperator::Becomes => {
+                let mut all = vec![Statement { kind: self.assign(last, value, span)?, span }];
+                let mut source = last;
+                for target in others.iter().rev() {
+                    all.push(Statement { kind: self.assign(target, source, span)?, span });
+                    source = target;
+                }
+                return Some(StatementKind::Block(all));
+            }
+            AssignOperator::Add => BinaryOperator::Add,
+            AssignOperator::Subtract => BinaryOperator::Subtract,
+            AssignOperator::Multiply => BinaryOperator::Multiply,
+            AssignOperator::Divide => BinaryOperator::Divide,
+            AssignOperator::Attempt => {
+                self.not_built(span, "the assignment attempt `?=`");
+                return None;
+            }
+            AssignOperator::Set | AssignOperator::Reset => return self.set(last, operator, value, span),
+            AssignOperator::Refer => return self.refer(last, value, span),
+        };
+        if !self.judge(Construct::CombinedAssignment, last.span) {
+            return None;
+        }
+        // `a += b` is `a := a + b`.
+        let boxed = |expression: &Expression| Box::new(expression.clone());
+        let sign = Span { start: last.span.end, end: value.span.start, ..last.span };
+        let sum = Expression { kind: ExpressionKind::Binary(binary, sign, boxed(last), boxed(value)), span };
+        self.assign(last, &sum, span)
+    }
+
+    /// `x S= c`, `x R= c`.
+    fn set(&mut self, target: &Expression, operator: AssignOperator, value: &Expression, span: Span) -> Option<StatementKind> {
+        let condition = self.condition(value);
+        let target = self.target(target)?;
+        if target.data_type != DataType::Bool {
+            let message = format!("`{}` is {}, and only a BOOL is set and reset", target.name, words(&target.data_type));
+            self.report(Problem::P6200, target.place.span, message);
+            return None;
+        }
+        let bit = u64::from(operator == AssignOperator::Set);
+        let value = Value { kind: ValueKind::Constant(bit), scalar: Scalar::Bool, span };
+        let assign = Statement { kind: StatementKind::Assign { target: target.place, value }, span };
+        Some(StatementKind::If { branches: vec![(condition?, vec![assign])], otherwise: Vec::new() })
+    }
+
+    /// `r REF= x`: the reference itself is written, not what it refers to.
+    fn refer(&mut self, target: &Expression, value: &Expression, span: Span) -> Option<StatementKind> {
+        let reference = match &target.kind {
+            ExpressionKind::Name(name) => match self.names.local(&name.text).or_else(|| self.names.global(&name.text)) {
+                Some(super::names::Entity::Variable(variable)) => match &variable.data_type {
+                    DataType::Reference(reference) if reference.kind == ReferenceKind::Reference => {
+                        let place = Place { base: variable.base.clone(), offset: variable.offset, indexes: Vec::new(), span: target.span };
+                        Some((place, reference.target.clone()))
+                    }
+                    _ => None,
+                },
+                _ => None,
+            },
+            _ => None,
+        };
+        let Some((place, data_type)) = reference else {
+            self.report(Problem::P6204, target.span, "`REF=` takes a variable that is declared as REFERENCE TO");
+            return None;
+        };
+        let source = self.target(value)?;
+        if !same_type(&source.data_type, &data_type) {
+            self.no_conversion(&source.data_type, &data_type, value.span);
+            return None;
+        }
+        let value = Value { kind: ValueKind::AddressOf(source.place), scalar: Scalar::U64, span };
+        Some(StatementKind::Assign { target: place, value })
+    }
+
+    /// What an expression writes to; whether it can be written is said.
+    pub(super) fn target(&mut self, expression: &Expression) -> Option<Target> {
+        let target = match self.reach(expression) {
+            Reached::Target(target) => target,
+            Reached::Other(Typed::Poison) => return None,
+            Reached::Other(other) => {
+                let message = match &expression.kind {
+                    ExpressionKind::Name(Name { text, .. }) => {
+                        format!("`{text}` is {}: it cannot be assigned to", self.constant_words(&other))
+                    }
+                    _ => format!("{} cannot be assigned to", self.what(&other)),
+                };
+                self.report(Problem::P6204, expression.span, message);
+                return None;
+            }
+        };
+        self.writable(&target, expression.span).then_some(target)
+    }
+
+    fn constant_words(&self, typed: &Typed) -> String {
+        match typed {
+            Typed::Integer { .. } | Typed::Real { .. } | Typed::Scalar { .. } | Typed::Text(_) | Typed::Moment(_) => {
+                "a constant".to_owned()
+            }
+            other => self.what(other),
+        }
+    }
+
+    /// Whether a variable can be assigned to.
+    fn writable(&mut self, target: &Target, span: Span) -> bool {
+        let name = &target.name;
+        if let Some(control) = self.loops.iter().filter_map(|one| one.control.as_ref()).find(|(_, place)| same_place(place, &target.place))
+        {
+            let control = control.0.clone();
+            if !self.judge(Construct::WrittenControl, span) {
+                return false;
+            }
+            self.known.retain(|known| !same_place(&known.place, &target.place));
+            let _ = control;
+        }
+        match (target.role, target.through) {
+            (_, Through::Reference) => true,
+            (Role::Constant, _) => {
+                self.report(Problem::P6204, span, format!("`{name}` is a constant: it cannot be assigned to"));
+                false
+            }
+            (_, Through::InstanceOutput) => {
+                let message = format!("`{name}` is an output, and only the block itself writes it");
+                self.report(Problem::P6204, span, message);
+                false
+            }
+            (Role::Input, _) => self.judge(Construct::WrittenInput, span),
+            _ if target.place.base == crate::st::tree::Base::Area(Area::PeripheralInput) => {
+                let message = format!("`{name}` is a peripheral input, and these can only be read");
+                self.report(Problem::P6204, span, message);
+                false
+            }
+            _ => true,
+        }
+    }
+
+    /// `target := value`.
+    fn assign(&mut self, target: &Expression, value: &Expression, span: Span) -> Option<StatementKind> {
+        // OK and ENO.
+        if let ExpressionKind::Name(name) = &target.kind
+            && (name.is("OK") || name.is("ENO"))
+            && let Reached::Other(Typed::Scalar { value: Value { kind: ValueKind::Ok | ValueKind::Eno, .. }, .. }) = self.reach(target)
+        {
+            return Some(StatementKind::SetOk(self.value(value, &DataType::Bool)?));
+        }
+        let reached = self.target(target);
+        let Some(target) = reached else {
+            // The value may have mistakes of its own.
+            self.expression(value);
+            return None;
+        };
+        if target.data_type == DataType::Void {
+            self.expression(value);
+            return None;
+        }
+        if let Some(kind) = self.result_into(&target, value, span) {
+            return kind;
+        }
+        let typed = self.expression_for(value, &target.data_type);
+        self.store(target, typed, value.span, span)
+    }
+
+    /// A function whose result is an array or a structure writes it to the target itself.
+    fn result_into(&mut self, target: &Target, value: &Expression, span: Span) -> Option<Option<StatementKind>> {
+        let ExpressionKind::Call(call) = &value.kind else { return None };
+        if Kind::of(&target.data_type).is_some() || matches!(target.data_type, DataType::String(_)) {
+            return None;
+        }
+        let super::calls::Called::Function(block) = self.quietly(|checker| checker.called(&call.callee)) else { return None };
+        let interface = self.names.interface(block)?;
+        let result = interface.variables.iter().find(|variable| variable.section == sieben_model::interface::Section::Return)?.clone();
+        if Kind::of(&result.data_type).is_some() || matches!(result.data_type, DataType::String(_)) {
+            return None;
+        }
+        self.called.insert(block);
+        if !same_type(&result.data_type, &target.data_type) {
+            self.no_conversion(&result.data_type, &target.data_type, value.span);
+            return Some(None);
+        }
+        let callee = crate::st::tree::Callee::Function(block);
+        let (call, mut before) = match self.arguments(callee, &interface, call, value.span) {
+            Some(found) => found,
+            None => return Some(None),
+        };
+        let output = crate::st::tree::Argument::OutputAggregate {
+            parameter: result.offset,
+            target: target.place.clone(),
+            data_type: target.data_type.clone(),
+        };
+        let mut arguments = call.arguments;
+        arguments.push(output);
+        let call = Call { arguments, result: DataType::Void, ..call };
+        before.push(Statement { kind: StatementKind::Call(call), span });
+        Some(Some(StatementKind::Block(before)))
+    }
+
+    /// Writes a value to a variable.
+    fn store(&mut self, target: Target, typed: Typed, from: Span, span: Span) -> Option<StatementKind> {
+        if Kind::of(&target.data_type).is_some() {
+            let value = self.coerce(typed, from, &target.data_type)?;
+            return Some(self.limited(target, value, span));
+        }
+        match (&target.data_type, typed) {
+            (_, Typed::Poison) => None,
+            (DataType::String(length), typed) => {
+                let capacity = if unknown_length(&target.place) { 0 } else { *length };
+                if let Typed::Text(Text::Constant(text)) = &typed
+                    && text.len() > usize::from(*length)
+                {
+                    let message = format!("this text has {} characters and is cut to the {length} of `{}`", text.len(), target.name);
+                    self.report(Problem::P6201, from, message);
+                }
+                let source = self.text(typed, from)?;
+                Some(StatementKind::AssignString { target: target.place, capacity, source })
+            }
+            (DataType::DateAndTime, Typed::Moment(bytes)) => Some(StatementKind::Block(moment(&target.place, bytes, span))),
+            (wanted, Typed::Aggregate(source)) if same_type(wanted, &source.data_type) => {
+                if matches!(wanted, DataType::Instance { .. }) && !self.dialect.switches().temporaries_initialised {
+                    let message = format!("`{}` is an instance, and instances are not copied", target.name);
+                    self.report(Problem::P6204, target.place.span, message);
+                    return None;
+                }
+                let bytes = u32::try_from(wanted.bits().div_ceil(8)).unwrap_or(u32::MAX);
+                Some(StatementKind::Copy { target: target.place, source: source.place, bytes })
+            }
+            (wanted, other) => {
+                let wanted = wanted.clone();
+                match other {
+                    Typed::Aggregate(source) => self.no_conversion(&source.data_type, &wanted, from),
+                    other => {
+                        let what = self.what(&other);
+                        self.report(Problem::P6200, from, format!("`{}` is {}, and this is {what}", target.name, words(&wanted)));
+                    }
+                }
+                None
+            }
+        }
+    }
+
+    /// An assignment to a subrange: a value outside its limits is not stored.
+    fn limited(&mut self, target: Target, value: Value, span: Span) -> StatementKind {
+        let plain = |value| StatementKind::Assign { target: target.place.clone(), value };
+        let DataType::Subrange(subrange) = &target.data_type else { return plain(value) };
+        let (least, most) = self.range_of(&value);
+        if self.dialect.switches().index_fault != IndexFault::Skip || least >= subrange.low && most <= subrange.high {
+            return plain(value);
+        }
+        let scalar = value.scalar;
+        let (keep, value) = self.kept(value);
+        let limit = |bound: i128| Value { kind: ValueKind::Constant(bound as u64 & super::literals::mask(scalar.bits())), scalar, span };
+        let holds = |operator, bound| {
+            let (op, _) = operators::binary(operator, scalar)?;
+            Some(operators::compute(op, vec![value.clone(), limit(bound)], Scalar::Bool))
+        };
+        let Some((above, below)) = holds(BinaryOperator::GreaterEqual, subrange.low).zip(holds(BinaryOperator::LessEqual, subrange.high))
+        else {
+            return plain(value);
+        };
+        let inside = Value { kind: ValueKind::AndThen(Box::new(above), Box::new(below)), scalar: Scalar::Bool, span };
+        let store = Statement { kind: plain(value), span };
+        let otherwise = match self.reads_ok {
+            true => {
+                let value = Value { kind: ValueKind::Constant(0), scalar: Scalar::Bool, span };
+                vec![Statement { kind: StatementKind::SetOk(value), span }]
+            }
+            false => Vec::new(),
+        };
+        let choice = Statement { kind: StatementKind::If { branches: vec![(inside, vec![store])], otherwise }, span };
+        StatementKind::Block(vec![keep, choice])
+    }
+
+    fn jump(&mut self, name: &Name) -> Option<StatementKind> {
+        let Some(label) = self.labels.get(&name.key()) else {
+            self.report(Problem::P3004, name.span, format!("the label `{}` does not exist in this block", name.text));
+            return None;
+        };
+        // A jump leaves statements, it does not enter them.
+        let (number, inside) = (label.number, self.lists.starts_with(&label.path));
+        if !inside {
+            let message = format!("`{}` stands inside a loop, an IF or a CASE that this jump is outside of", name.text);
+            self.report(Problem::P6215, name.span, message);
+            return None;
+        }
+        Some(StatementKind::Goto(number))
+    }
+
+    /// Numbers the labels of the block. Lists of statements are counted as [`Self::statements`] goes through them.
+    pub(super) fn collect_labels(&mut self, statements: &[ast::Statement]) {
+        let mut next = 0;
+        self.labels_of(statements, &mut Vec::new(), &mut next);
+    }
+
+    fn labels_of(&mut self, statements: &[ast::Statement], path: &mut Vec<u32>, next: &mut u32) {
+        path.push(*next);
+        *next += 1;
+        for statement in statements {
+            match &statement.kind {
+                Kinds::Label(name) => self.label(name, path),
+                Kinds::If { branches, otherwise } => {
+                    branches.iter().for_each(|branch| self.labels_of(&branch.body, path, next));
+                    self.labels_of(otherwise.as_deref().unwrap_or_default(), path, next);
+                }
+                Kinds::Case { arms, otherwise, .. } => {
+                    arms.iter().for_each(|arm| self.labels_of(&arm.body, path, next));
+                    self.labels_of(otherwise.as_deref().unwrap_or_default(), path, next);
+                }
+                Kinds::For(one) => self.labels_of(&one.body, path, next),
+                Kinds::While { body, .. } | Kinds::Repeat { body, .. } | Kinds::Region { body, .. } => {
+                    self.labels_of(body, path, next);
+                }
+                Kinds::Try { body, catch, finally, .. } => {
+                    [body, catch, finally].into_iter().for_each(|body| self.labels_of(body, path, next));
+                }
+                _ => {}
+            }
+        }
+        path.pop();
+    }
+
+    fn label(&mut self, name: &Name, path: &[u32]) {
+        if self.labels.contains_key(&name.key()) {
+            self.report(Problem::P3005, name.span, format!("the label `{}` stands twice in this block", name.text));
+            return;
+        }
+        if !self.block.labels.iter().any(|declared| declared.is(&name.text)) {
+            self.judge(Construct::UndeclaredLabel, name.span);
+        }
+        let number = u32::try_from(self.labels.len()).unwrap_or(u32::MAX);
+        self.labels.insert(name.key(), Label { number, path: path.to_vec() });
+    }
+
+    /// Looks at something without saying anything about it.
+    pub(super) fn quietly<T>(&mut self, look: impl FnOnce(&mut Self) -> T) -> T {
+        let before = std::mem::replace(&mut self.quiet, true);
+        let result = look(self);
+        self.quiet = before;
+        result
+    }
+}
+
+/// The statements that write the eight bytes of a DATE_AND_TIME.
+pub(super) fn moment(target: &Place, bytes: [u8; 8], span: Span) -> Vec<Statement> {
+    let half = |offset: u32, bytes: [u8; 4]| {
+        let value = Value { kind: ValueKind::Constant(u64::from(u32::from_be_bytes(bytes))), scalar: Scalar::U32, span };
+        let target = Place { offset: target.offset + offset, ..target.clone() };
+        Statement { kind: StatementKind::Assign { target, value }, span }
+    };
+    let [a, b, c, d, e, f, g, h] = bytes;
+    vec![half(0, [a, b, c, d]), half(32, [e, f, g, h])]
+}
+
+/// Whether a body leaves its block.
+pub(super) fn has_return(statements: &[ast::Statement]) -> bool {
+    let mut found = false;
+    walk::statements(statements, &mut |statement| found |= matches!(statement.kind, Kinds::Return));
+    found
+}
+
+/// Whether a block mentions OK or ENO as a variable of its own.
+pub(super) fn mentions_ok(block: &Block<'_>) -> bool {
+    let switches = block.dialect.switches();
+    let mut found = false;
+    let mut see = |expression: &Expression| {
+        if let ExpressionKind::Name(name) = &expression.kind {
+            found |= switches.ok_flag && name.is("OK") || (switches.eno_variable || switches.ok_flag) && name.is("ENO");
+        }
+    };
+    walk::expressions(block.body, &mut see);
+    block.actions.iter().for_each(|action| walk::expressions(&action.body, &mut see));
+    found
+}

@@ -1,0 +1,338 @@
+//! Warnings about variables: never used, read before they are written, a result that is not set.
+
+use std::collections::BTreeSet;
+
+use sieben_model::address::Area;
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+use sieben_model::types::DataType;
+
+use super::names::{Role, Variable};
+use super::{Checker, walk};
+use crate::scope::key;
+use crate::st::ast::{self, ExpressionKind};
+use crate::st::tree::{Argument, Base, Body, Call, Callee, Place, Statement, StatementKind, Text, Value, ValueKind};
+
+impl Checker<'_> {
+    /// Says what is odd about the variables of a block without errors.
+    pub(super) fn usage(&mut self, body: &Body) {
+        self.unused();
+        if !self.dialect.switches().temporaries_initialised {
+            self.unwritten(body);
+            self.result_unset(body);
+        }
+    }
+
+    /// Temporary variables that no statement names.
+    fn unused(&mut self) {
+        let mut named = BTreeSet::new();
+        let mut see = |expression: &ast::Expression| match &expression.kind {
+            ExpressionKind::Name(name) => drop(named.insert(key(&name.text))),
+            // `x.n`: a bit whose number is a constant.
+            ExpressionKind::Member(_, name) => drop(named.insert(key(&name.text))),
+            ExpressionKind::Address(address) => drop(named.insert(key(&address.written.text))),
+            _ => {}
+        };
+        walk::expressions(self.block.body, &mut see);
+        self.block.actions.iter().for_each(|action| walk::expressions(&action.body, &mut see));
+        for variable in self.names.declared() {
+            // Views of one variable share its bytes: one of the names is enough, and declarations do not tell.
+            if variable.role == Role::Temp && !named.contains(&key(&variable.name)) && !self.overlaid(&variable) {
+                let message = format!("`{}` is never used", variable.name);
+                self.report(Problem::P6222, variable.span, message);
+            }
+        }
+    }
+
+    /// Whether another variable lies in the same bytes.
+    fn overlaid(&self, variable: &Variable) -> bool {
+        let end = |one: &Variable| u64::from(one.offset) + one.data_type.bits();
+        self.names.declared().iter().any(|other| {
+            other.base == variable.base
+                && other.name != variable.name
+                && u64::from(other.offset) < end(variable)
+                && u64::from(variable.offset) < end(other)
+        })
+    }
+
+    /// Temporary variables that are read although nothing before can have written them.
+    fn unwritten(&mut self, body: &Body) {
+        let variables: Vec<Variable> =
+            self.names.declared().into_iter().filter(|one| one.role == Role::Temp && one.base == Base::Area(Area::Local)).collect();
+        let has_labels = {
+            let mut found = false;
+            walk::statements(self.block.body, &mut |statement| found |= matches!(statement.kind, ast::StatementKind::Label(_)));
+            found
+        };
+        if variables.is_empty() || has_labels {
+            return;
+        }
+        let mut walk = Walk { variables: &variables, written: vec![false; variables.len()], reads: Vec::new() };
+        walk.statements(&body.statements);
+        for (index, span) in walk.reads {
+            let variable = &variables[index];
+            if self.overlaid(variable) {
+                continue;
+            }
+            let message = format!("`{}` is read here, and nothing in this block has written it before", variable.name);
+            self.report(Problem::P4020, span, message);
+        }
+    }
+
+    /// A result that is not set on some way through the function.
+    fn result_unset(&mut self, body: &Body) {
+        let Some(result) = &self.block.result else { return };
+        if result.data_type == DataType::Void {
+            return;
+        }
+        let place =
+            (result.base.clone(), result.offset, result.offset.saturating_add(u32::try_from(result.data_type.bits()).unwrap_or(u32::MAX)));
+        let mut returns = true;
+        let set = sets(&body.statements, &place, false, &mut returns);
+        if !set.unwrap_or(true) || !returns {
+            let message = format!("the result of `{}` is not set on every path", self.names.block_name(self.block.id));
+            self.report(Problem::P6223, self.block.end, message);
+        }
+    }
+}
+
+/// Whether statements set the result on every way; `None`: they do not come to their end. `returns` becomes false at a RETURN without it.
+fn sets(statements: &[Statement], result: &(Base, u32, u32), before: bool, returns: &mut bool) -> Option<bool> {
+    let mut set = before;
+    let written = |place: &Place| place.base == result.0 && place.offset >= result.1 && place.offset < result.2.max(result.1 + 1);
+    for statement in statements {
+        match &statement.kind {
+            StatementKind::Assign { target, .. } | StatementKind::Copy { target, .. } | StatementKind::AssignString { target, .. } => {
+                set |= written(target);
+            }
+            StatementKind::Call(call) => set |= outputs(call).any(written),
+            StatementKind::For(one) => {
+                set |= written(&one.variable);
+                sets(&one.body, result, set, returns);
+            }
+            StatementKind::While { body, .. } => drop(sets(body, result, set, returns)),
+            StatementKind::Repeat { body, .. } => set |= sets(body, result, set, returns).unwrap_or(true),
+            StatementKind::Block(body) => set = sets(body, result, set, returns)?,
+            StatementKind::If { branches, otherwise } => {
+                let ways = branches.iter().map(|(_, body)| body).chain([otherwise]);
+                set = all_ways(ways, result, set, returns)?;
+            }
+            StatementKind::Case { branches, otherwise, .. } => {
+                let ways = branches.iter().map(|branch| &branch.body).chain([otherwise]);
+                set = all_ways(ways, result, set, returns)?;
+            }
+            StatementKind::Return => {
+                *returns &= set;
+                return None;
+            }
+            StatementKind::Exit { .. } | StatementKind::Continue { .. } | StatementKind::Goto(_) => return None,
+            // Where a jump leads to is not followed: it may come from behind an assignment.
+            StatementKind::Label(_) => set = true,
+            StatementKind::SetOk(_) => {}
+        }
+    }
+    Some(set)
+}
+
+fn all_ways<'a>(
+    ways: impl Iterator<Item = &'a Vec<Statement>>,
+    result: &(Base, u32, u32),
+    before: bool,
+    returns: &mut bool,
+) -> Option<bool> {
+    let ends: Vec<Option<bool>> = ways.map(|body| sets(body, result, before, returns)).collect();
+    ends.into_iter().flatten().reduce(|a, b| a && b)
+}
+
+/// The variables that a call writes to.
+fn outputs(call: &Call) -> impl Iterator<Item = &Place> {
+    call.arguments.iter().filter_map(|argument| match argument {
+        Argument::Output { target, .. }
+        | Argument::OutputText { target, .. }
+        | Argument::OutputAggregate { target, .. }
+        | Argument::Eno { target } => Some(target),
+        Argument::InOut { place, .. } | Argument::Pointer { place, .. } => Some(place),
+        _ => None,
+    })
+}
+
+/// Goes through a body and notes first reads of variables that nothing has written.
+struct Walk<'a> {
+    variables: &'a [Variable],
+    written: Vec<bool>,
+    reads: Vec<(usize, Span)>,
+}
+
+impl Walk<'_> {
+    fn variable(&self, place: &Place) -> Option<usize> {
+        if place.base != Base::Area(Area::Local) {
+            return None;
+        }
+        let position = u64::from(place.offset);
+        self.variables.iter().position(|one| {
+            let first = u64::from(one.offset);
+            (first..first + one.data_type.bits().max(1)).contains(&position)
+        })
+    }
+
+    fn write(&mut self, place: &Place) {
+        place.indexes.iter().for_each(|index| self.value(&index.value));
+        if let Some(index) = self.variable(place) {
+            self.written[index] = true;
+        }
+    }
+
+    fn read(&mut self, place: &Place) {
+        place.indexes.iter().for_each(|index| self.value(&index.value));
+        match &place.base {
+            Base::ComputedDataBlock(value) | Base::Reference(value) => self.value(value),
+            _ => {}
+        }
+        if let Some(index) = self.variable(place)
+            && !std::mem::replace(&mut self.written[index], true)
+        {
+            self.reads.push((index, place.span));
+        }
+    }
+
+    /// Inside a loop an earlier pass may have written what stands further down.
+    fn repeated(&mut self, body: &[Statement]) {
+        let reads = self.reads.len();
+        let mut ahead = Walk { variables: self.variables, written: self.written.clone(), reads: Vec::new() };
+        ahead.statements(body);
+        // The first statements of the first pass still read what nothing has written.
+        let certain: Vec<(usize, Span)> =
+            ahead.reads.iter().copied().filter(|&(index, _)| !assigned(self.variables, body, index)).collect();
+        self.written = ahead.written;
+        self.reads.truncate(reads);
+        self.reads.extend(certain);
+    }
+
+    fn statements(&mut self, statements: &[Statement]) {
+        for statement in statements {
+            match &statement.kind {
+                StatementKind::Assign { target, value } => {
+                    self.value(value);
+                    self.write(target);
+                }
+                StatementKind::Copy { target, source, .. } => {
+                    self.read(source);
+                    self.write(target);
+                }
+                StatementKind::AssignString { target, source, .. } => {
+                    self.text(source);
+                    self.write(target);
+                }
+                StatementKind::Call(call) => self.call(call),
+                StatementKind::If { branches, otherwise } => {
+                    for (condition, body) in branches {
+                        self.value(condition);
+                        self.statements(body);
+                    }
+                    self.statements(otherwise);
+                }
+                StatementKind::Case { selector, branches, otherwise } => {
+                    self.value(selector);
+                    branches.iter().for_each(|branch| self.statements(&branch.body));
+                    self.statements(otherwise);
+                }
+                StatementKind::For(one) => {
+                    self.value(&one.from);
+                    self.write(&one.variable);
+                    self.value(&one.to);
+                    self.value(&one.by);
+                    self.repeated(&one.body);
+                }
+                StatementKind::While { condition, body } => {
+                    self.value(condition);
+                    self.repeated(body);
+                }
+                StatementKind::Repeat { body, until } => {
+                    self.repeated(body);
+                    self.value(until);
+                }
+                StatementKind::Block(body) => self.statements(body),
+                StatementKind::SetOk(value) => self.value(value),
+                StatementKind::Exit { .. }
+                | StatementKind::Continue { .. }
+                | StatementKind::Return
+                | StatementKind::Label(_)
+                | StatementKind::Goto(_) => {}
+            }
+        }
+    }
+
+    fn value(&mut self, value: &Value) {
+        match &value.kind {
+            ValueKind::Load(place) => self.read(place),
+            // From here on it may be written in ways that no one sees.
+            ValueKind::AddressOf(place) => self.write(place),
+            ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } => args.iter().for_each(|arg| self.value(arg)),
+            ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => {
+                self.value(a);
+                self.value(b);
+            }
+            ValueKind::Choose { condition, a, b } => [condition, a, b].into_iter().for_each(|one| self.value(one)),
+            ValueKind::Call(call) => self.call(call),
+            ValueKind::CompareTexts(a, b) => {
+                self.text(a);
+                self.text(b);
+            }
+            ValueKind::Length(text) => self.text(text),
+            ValueKind::After(statements, value) => {
+                self.statements(statements);
+                self.value(value);
+            }
+            ValueKind::Constant(_) | ValueKind::Ok | ValueKind::Eno | ValueKind::ScanClock => {}
+        }
+    }
+
+    fn text(&mut self, text: &Text) {
+        match text {
+            Text::Place { place, .. } => self.read(place),
+            Text::Character(value) => self.value(value),
+            Text::Call { call, .. } => self.call(call),
+            Text::Constant(_) => {}
+        }
+    }
+
+    fn call(&mut self, call: &Call) {
+        call.enable.iter().for_each(|value| self.value(value));
+        if let Callee::Instance { instance, .. } = &call.callee {
+            instance.indexes.iter().for_each(|index| self.value(&index.value));
+        }
+        for argument in &call.arguments {
+            match argument {
+                Argument::Value { value, .. } | Argument::Number { value, .. } => self.value(value),
+                Argument::Text { text, .. } => self.text(text),
+                Argument::Aggregate { source, .. } => self.read(source),
+                // What an in-out does with a variable only the block knows.
+                _ => {}
+            }
+        }
+        outputs(call).for_each(|place| self.write(place));
+    }
+}
+
+/// Whether an assignment or a call names a variable as its target.
+fn assigned(variables: &[Variable], statements: &[Statement], index: usize) -> bool {
+    let walk = Walk { variables, written: Vec::new(), reads: Vec::new() };
+    let is = |place: &Place| walk.variable(place) == Some(index);
+    statements.iter().any(|statement| match &statement.kind {
+        StatementKind::Assign { target, .. } | StatementKind::Copy { target, .. } | StatementKind::AssignString { target, .. } => {
+            is(target)
+        }
+        StatementKind::Call(call) => outputs(call).any(is),
+        StatementKind::If { branches, otherwise } => {
+            branches.iter().any(|(_, body)| assigned(variables, body, index)) || assigned(variables, otherwise, index)
+        }
+        StatementKind::Case { branches, otherwise, .. } => {
+            branches.iter().any(|branch| assigned(variables, &branch.body, index)) || assigned(variables, otherwise, index)
+        }
+        StatementKind::For(one) => is(&one.variable) || assigned(variables, &one.body, index),
+        StatementKind::While { body, .. } | StatementKind::Repeat { body, .. } | StatementKind::Block(body) => {
+            assigned(variables, body, index)
+        }
+        _ => false,
+    })
+}
