@@ -184,17 +184,17 @@ pub fn pointed_area(pointer: u64, write: bool) -> Result<Area, Fault> {
     })
 }
 
-/// Moves bytes, overlapping or not; nothing is moved if either end lies outside.
+/// The arena bytes at which a move of so many bytes begins, from and to.
 ///
 /// # Errors
-/// The fault of the end that lies outside.
-pub fn move_bytes(
-    machine: &mut Machine,
+/// The fault of the end that lies outside; then nothing may be moved.
+pub fn plan_move(
+    machine: &Machine,
     file: &File,
     local: &dyn Fn(usize) -> Range<usize>,
     (from, to, bytes): (Place, Place, u32),
-) -> Result<(), Fault> {
-    let Some(last) = bytes.checked_sub(1) else { return Ok(()) };
+) -> Result<Option<(usize, usize)>, Fault> {
+    let Some(last) = bytes.checked_sub(1) else { return Ok(None) };
     let ends = [(from, false), (to, true)];
     for (place, write) in ends {
         locate_far(machine, file, local, place.moved(last), Width::Byte, write)?;
@@ -202,12 +202,16 @@ pub fn move_bytes(
     let [from, to] =
         [locate_far(machine, file, local, from, Width::Byte, false)?, locate_far(machine, file, local, to, Width::Byte, true)?];
     match (from, to) {
-        (Target::Arena(from, _), Target::Arena(to, _)) => {
-            machine.memory.arena.copy_within(from..from + bytes as usize, to);
-            Ok(())
-        }
+        (Target::Arena(from, _), Target::Arena(to, _)) => Ok(Some((from, to))),
         (Target::Peripheral(byte), _) => Err(Fault::IoAccess { write: false, width: Width::Byte, byte }),
         (_, Target::Peripheral(byte)) => Err(Fault::IoAccess { write: true, width: Width::Byte, byte }),
+    }
+}
+
+/// Moves bytes that [`plan_move`] found, overlapping or not.
+pub fn move_bytes(machine: &mut Machine, plan: Option<(usize, usize)>, bytes: u32) {
+    if let Some((from, to)) = plan {
+        machine.memory.arena.copy_within(from..from + bytes as usize, to);
     }
 }
 

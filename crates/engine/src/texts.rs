@@ -21,25 +21,43 @@ pub struct Text {
     pub characters_max: u8,
 }
 
-/// Does what a text instruction says; nothing is changed if a text lies outside its area. `local` is that of [`locate_far`].
+/// What a text instruction will do, all places found.
+#[derive(Clone, Debug)]
+pub enum Plan {
+    /// Nothing but a result.
+    Result(u64),
+    /// Writes characters, and the two bytes before them.
+    Write {
+        /// Arena bytes of the characters that are written.
+        from: Range<usize>,
+        /// Arena byte of the text.
+        to: usize,
+        /// Its greatest length.
+        room: u8,
+        /// Whether characters are left out.
+        cut: bool,
+    },
+}
+
+/// Finds what a text instruction means. `local` is that of [`locate_far`].
 ///
 /// # Errors
-/// The programming error of the text that lies outside.
-pub fn text(
-    machine: &mut Machine,
+/// The programming error of a text that lies outside its area.
+pub fn plan(
+    machine: &Machine,
     file: &File,
     local: &dyn Fn(usize) -> Range<usize>,
     action: TextAction,
     to: Text,
     from: Text,
-) -> Result<u64, Fault> {
+) -> Result<Plan, Fault> {
     let source = characters(machine, file, local, from)?;
     match action {
-        TextAction::Length => Ok(source.len() as u64),
+        TextAction::Length => Ok(Plan::Result(source.len() as u64)),
         TextAction::Compare => {
             let first = characters(machine, file, local, to)?;
             let arena = &machine.memory.arena;
-            Ok(u64::from(arena[first].cmp(&arena[source]) as i32 as u32))
+            Ok(Plan::Result(u64::from(arena[first].cmp(&arena[source]) as i32 as u32)))
         }
         TextAction::Assign => {
             let head = start(machine, file, local, to.place, HEAD, true)?;
@@ -49,12 +67,26 @@ pub fn text(
             };
             let count = source.len().min(usize::from(room));
             start(machine, file, local, to.place, HEAD + count as u32, true)?;
-            let arena = &mut machine.memory.arena;
-            // The characters first: both texts may overlap.
-            arena.copy_within(source.start..source.start + count, head + HEAD as usize);
-            arena[head] = room;
-            arena[head + 1] = count as u8;
-            Ok(u64::from(count < source.len()))
+            let cut = count < source.len();
+            Ok(Plan::Write { from: source.start..source.start + count, to: head, room, cut })
+        }
+    }
+}
+
+impl Plan {
+    /// Does it; the result of the instruction.
+    pub fn run(self, machine: &mut Machine) -> u64 {
+        match self {
+            Self::Result(result) => result,
+            Self::Write { from, to, room, cut } => {
+                let count = from.len();
+                let arena = &mut machine.memory.arena;
+                // The characters first: both texts may overlap.
+                arena.copy_within(from, to + HEAD as usize);
+                arena[to] = room;
+                arena[to + 1] = count as u8;
+                u64::from(cut)
+            }
         }
     }
 }

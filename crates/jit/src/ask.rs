@@ -6,7 +6,7 @@
 use sieben_engine::access::{self, Target};
 use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Place, Var};
 use sieben_engine::machine::{Origin, Register, Registers};
-use sieben_engine::texts::{Text, text};
+use sieben_engine::texts::{self, Text};
 use sieben_engine::{Abort, Exit, Fault, FaultPlace, Reaction, StopReason};
 use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
@@ -155,9 +155,10 @@ impl Run<'_, '_> {
         self.point(from, pointers[0]);
         self.point(to, pointers[1]);
         let depth = self.depth(link);
-        let locals: Vec<_> = (0..=depth + 1).map(|outwards| self.local_data(depth, outwards)).collect();
-        let local = |outwards: usize| locals[outwards.min(depth + 1)].clone();
-        access::move_bytes(self.context.machine, &self.registers, &local, (from, to, bytes))
+        let local = |outwards: usize| self.local_data(depth, outwards);
+        let plan = access::plan_move(self.context.machine, &self.registers, &local, (from, to, bytes))?;
+        access::move_bytes(self.context.machine, plan, bytes);
+        Ok(())
     }
 
     fn text(&mut self, link: u64, site: u64, pointers: [u64; 2]) -> Result<u64, Fault> {
@@ -167,10 +168,10 @@ impl Run<'_, '_> {
         self.point(from, pointers[0]);
         self.point(to, pointers[1]);
         let depth = self.depth(link);
-        let locals: Vec<_> = (0..=depth + 1).map(|outwards| self.local_data(depth, outwards)).collect();
-        let local = |outwards: usize| locals[outwards.min(depth + 1)].clone();
+        let local = |outwards: usize| self.local_data(depth, outwards);
         let [to, from] = [(to, to_max), (from, from_max)].map(|(place, characters_max)| Text { place, characters_max });
-        text(self.context.machine, &self.registers, &local, action, to, from)
+        let plan = texts::plan(self.context.machine, &self.registers, &local, action, to, from)?;
+        Ok(plan.run(self.context.machine))
     }
 
     /// Ends the run; `None` = the interpreter goes on with the frames as they are.

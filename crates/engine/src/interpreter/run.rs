@@ -7,14 +7,14 @@ use super::Interpreter;
 use super::local_data;
 use super::prepare::{Block, Step};
 use crate::access::{
-    File, Target, after_call, caller_registers, in_data_block, load_file, locate, move_bytes, open, read_peripheral, registers,
+    File, Target, after_call, caller_registers, in_data_block, load_file, locate, move_bytes, open, plan_move, read_peripheral, registers,
     restore_caller, store_file, write_peripheral, write_start_information,
 };
 use crate::fault::{Abort, Fault, Place};
 use crate::host::{Context, Entry, Exit, Reaction, StopReason};
 use crate::ir::{Callee, OnFault, TextAction};
 use crate::machine::{Frame, Machine, Origin, Register, Registers};
-use crate::texts::text;
+use crate::texts;
 use crate::tracer::StatementEvent;
 
 /// Where the loop goes on after something unusual.
@@ -253,14 +253,14 @@ impl Interpreter {
                         }
                     }
                     Step::Move { index } => {
+                        let (from, to, bytes) = block.moves[index as usize];
                         if WATCHED {
-                            local_data::moved(context, &file, place_of(block, at), block.moves[index as usize]);
+                            local_data::moved(context, &file, place_of(block, at), (from, to, bytes));
                         }
-                        let frames = context.machine.frames.len();
-                        let locals: Vec<_> = (0..=frames).map(|outwards| context.machine.local_data(outwards)).collect();
-                        let local = |outwards: usize| locals[outwards.min(frames)].clone();
-                        if let Err(fault) = move_bytes(context.machine, &file, &local, block.moves[index as usize]) {
-                            go!(self.fault(context, &mut file, block, at, &fault, None));
+                        let machine = &*context.machine;
+                        match plan_move(machine, &file, &|outwards| machine.local_data(outwards), (from, to, bytes)) {
+                            Ok(plan) => move_bytes(context.machine, plan, bytes),
+                            Err(fault) => go!(self.fault(context, &mut file, block, at, &fault, None)),
                         }
                     }
                     Step::Text { dst, index } => {
@@ -269,11 +269,9 @@ impl Interpreter {
                             let bytes = 2 + u32::from(to.characters_max);
                             local_data::moved(context, &file, place_of(block, at), (from.place, to.place, bytes));
                         }
-                        let frames = context.machine.frames.len();
-                        let locals: Vec<_> = (0..=frames).map(|outwards| context.machine.local_data(outwards)).collect();
-                        let local = |outwards: usize| locals[outwards.min(frames)].clone();
-                        match text(context.machine, &file, &local, action, to, from) {
-                            Ok(value) => var!(dst) = value,
+                        let machine = &*context.machine;
+                        match texts::plan(machine, &file, &|outwards| machine.local_data(outwards), action, to, from) {
+                            Ok(plan) => var!(dst) = plan.run(context.machine),
                             Err(fault) => go!(self.fault(context, &mut file, block, at, &fault, None)),
                         }
                     }

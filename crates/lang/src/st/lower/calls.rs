@@ -13,6 +13,9 @@ use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, ValueKind};
 use crate::stl::meaning::data_blocks::REGISTER_PAIRS;
 use crate::stl::meaning::logic_control::{CALLER_LOCAL, INSTANCE_START};
 
+/// No value has more bytes: a data block has at most so many.
+const VALUE_BYTES_MAX: u32 = 65_536;
+
 /// What a function gets for one parameter.
 #[derive(Clone, Copy)]
 enum Pass {
@@ -68,7 +71,7 @@ impl Lowering<'_> {
         if let DataType::String(capacity) = data_type {
             return self.empty_text(*capacity);
         }
-        let size = bytes(data_type).max(1);
+        let size = bytes(data_type).clamp(1, VALUE_BYTES_MAX);
         let place = self.hidden_bytes(size);
         match data_type.bits() {
             bits @ (1 | 8 | 16 | 32 | 64) => {

@@ -14,16 +14,17 @@ mod pointers;
 mod private;
 mod statements;
 mod texts;
+mod usage;
 mod values;
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use sieben_engine::CodeBlock;
-use sieben_engine::ir::{Builder, Inst, Op, Place, Target, Var};
+use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
 use sieben_model::block::{BlockId, BlockKind};
-use sieben_model::interface::Interface;
+use sieben_model::interface::{Interface, Section};
 use sieben_model::source::Span;
 
 use super::tree::{Body, Scalar};
@@ -34,13 +35,16 @@ use sieben_model::address::{Area, Width};
 /// Bytes of start information in the local data of an organization block.
 const START_INFORMATION_BYTES: u32 = 20;
 
+/// More local data than any CPU has: a block that needs more cannot be entered.
+const LOCAL_BYTES_MAX: u32 = 1 << 20;
+
 /// What lowering must know of the blocks that are called.
 pub type Known<'a> = dyn Fn(BlockId) -> Option<Arc<Interface>> + 'a;
 
 /// The IR of a block: its body, and what `known` says of the blocks that it calls.
 pub fn lower(id: BlockId, interface: &Interface, body: &Body, known: &Known<'_>) -> CodeBlock {
     let mut l = Lowering::new(id, interface, body, known);
-    l.entry();
+    l.entry(interface);
     l.statements(&body.statements);
     l.finish(interface)
 }
@@ -59,6 +63,14 @@ struct Loop {
     end: Label,
     /// The end of its body.
     next: Label,
+}
+
+/// A parameter in the local data.
+#[derive(Clone, Copy)]
+struct Copied {
+    position: u32,
+    width: Width,
+    back: bool,
 }
 
 /// What is known while a block is lowered.
@@ -91,6 +103,8 @@ struct Lowering<'a> {
     fallible: bool,
     loops: Vec<Loop>,
     gotos: HashMap<u32, Label>,
+    /// Elementary parameters of a function that are copied to local data: where to, and whether they are copied back.
+    copies: BTreeMap<u16, Copied>,
     /// The data block that the DB register is known to hold in this IR statement.
     open: Option<u16>,
     /// Position in the local data of the result of the last call, if it has one.
@@ -125,14 +139,16 @@ impl<'a> Lowering<'a> {
             fallible: false,
             loops: Vec::new(),
             gotos: HashMap::new(),
+            copies: BTreeMap::new(),
             open: None,
             result: None,
         }
     }
 
-    /// OK := 1, the initial values of the local variables.
-    fn entry(&mut self) {
+    /// OK := 1, the initial values of the local variables, parameters that are used more than once.
+    fn entry(&mut self, interface: &Interface) {
         self.begin();
+        self.copy_parameters(interface);
         if let Some(ok) = self.ok {
             let one = self.constant(1);
             self.store_local(ok, Width::Bit, one);
@@ -144,11 +160,51 @@ impl<'a> Lowering<'a> {
         }
     }
 
+    /// Copies elementary parameters that are used more than once, and inputs that the function changes: the variable of a caller
+    /// stays as it is.
+    fn copy_parameters(&mut self, interface: &Interface) {
+        if self.has_instance {
+            return;
+        }
+        let usage = usage::parameters(&self.body.statements);
+        for (index, formal) in (0_u16..).zip(interface.parameters()) {
+            let (Some(usage), Some(width)) = (usage.get(&index), formal.data_type.width()) else { continue };
+            let back = matches!(formal.section, Section::Output | Section::Return);
+            let often = usage.reads + usage.writes > 1 || usage.writes > 0 && formal.section == Section::Input;
+            if usage.addressed || !often || formal.section == Section::InOut || !formal.data_type.is_elementary() {
+                continue;
+            }
+            let position = self.hidden.scalar(width);
+            let pointer = self.parameter(index);
+            let value = self.temporary();
+            let place = Place::Crossing { pointer, offset: 0 };
+            self.push(Inst::Load { dst: value, place, width, on_fault: OnFault::SkipStatement });
+            self.release(pointer);
+            self.store_local(position, width, value);
+            self.copies.insert(index, Copied { position, width, back });
+        }
+        self.hidden.keep();
+    }
+
+    /// Gives the outputs that were copied to the caller.
+    fn copy_back(&mut self) {
+        let copies: Vec<(u16, Copied)> =
+            self.copies.iter().filter(|(_, copied)| copied.back).map(|(&index, &copied)| (index, copied)).collect();
+        for (index, Copied { position, width, .. }) in copies {
+            let value = self.load_local(position, width);
+            let pointer = self.parameter(index);
+            self.push(Inst::Store { place: Place::Crossing { pointer, offset: 0 }, width, src: value });
+            self.release(pointer);
+            self.release(value);
+        }
+    }
+
     /// The end of the block: BR is ENO for whoever called.
     fn finish(mut self, interface: &Interface) -> CodeBlock {
         self.span = self.body.statements.last().map_or(self.span, |statement| statement.span);
         let exit = self.exit;
         self.bind(exit);
+        self.copy_back();
         match self.ok {
             Some(ok) => {
                 let ok = self.load_local(ok, Width::Bit);
@@ -174,7 +230,7 @@ impl<'a> Lowering<'a> {
         CodeBlock {
             code,
             interface: interface.clone(),
-            local_size: self.hidden.end().next_multiple_of(2),
+            local_size: self.hidden.end().min(LOCAL_BYTES_MAX).next_multiple_of(2),
             private: self.seen.private(),
             spans: self.spans,
         }
@@ -303,12 +359,7 @@ impl<'a> Lowering<'a> {
 
     fn load_local(&mut self, position: u32, width: Width) -> Var {
         let dst = self.temporary();
-        self.push(Inst::Load {
-            dst,
-            place: Place::Fixed { area: Area::Local, position },
-            width,
-            on_fault: sieben_engine::ir::OnFault::SkipStatement,
-        });
+        self.push(Inst::Load { dst, place: Place::Fixed { area: Area::Local, position }, width, on_fault: OnFault::SkipStatement });
         dst
     }
 

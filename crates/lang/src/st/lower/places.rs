@@ -133,6 +133,11 @@ impl Lowering<'_> {
                 }
             }
             Base::Parameter(index) => {
+                if let Some(copied) = self.copies.get(index) {
+                    let offset = copied.position.saturating_add(place.offset);
+                    let local = Place { base: Base::Area(Area::Local), offset, ..place.clone() };
+                    return self.locate(&local, bits, write);
+                }
                 let indexed = self.indexes(place, write, false);
                 let pointer = self.parameter(*index);
                 self.crossing(pointer, indexed, Block::Any)
@@ -208,7 +213,7 @@ impl Lowering<'_> {
 
     /// The value of a base, then the indexes.
     fn with_indexes(&mut self, base: &Value, place: &Place, write: bool) -> (Var, Indexed) {
-        if place.indexes.iter().any(|index| self.breaks(&index.value)) {
+        if self.is_crowded() || place.indexes.iter().any(|index| self.breaks(&index.value)) {
             let base = self.keep(base);
             let indexed = self.indexes(place, write, false);
             return (self.value(&base), indexed);

@@ -1,5 +1,7 @@
 //! Statements but loops.
 
+use std::collections::BTreeMap;
+
 use sieben_engine::ir::{Inst, Op, Target, Var};
 use sieben_model::address::Width;
 
@@ -241,26 +243,26 @@ impl Lowering<'_> {
 
 /// The values of all branches, in ascending order, none twice: the first branch in the source counts.
 fn ranges(branches: &[Branch], labels: &[Label]) -> Vec<Range> {
-    let mut all: Vec<Range> = Vec::new();
+    let mut all: BTreeMap<i128, Range> = BTreeMap::new();
     for (branch, &to) in branches.iter().zip(labels) {
         for &(low, high) in &branch.ranges {
             // What earlier labels leave of the range.
-            let (first, mut low) = (low, low);
+            let before = all.range(..low).next_back().map(|(_, taken)| taken.high);
+            let mut low = before.map_or(low, |taken| low.max(taken + 1));
             let mut pieces = Vec::new();
-            for taken in all.iter().filter(|taken| taken.high >= first && taken.low <= high) {
-                if taken.low > low {
-                    pieces.push(Range { low, high: taken.low - 1, to });
+            if low <= high {
+                for taken in all.range(low..=high).map(|(_, taken)| taken) {
+                    if taken.low > low {
+                        pieces.push(Range { low, high: taken.low - 1, to });
+                    }
+                    low = taken.high + 1;
                 }
-                low = low.max(taken.high + 1);
             }
             if low <= high {
                 pieces.push(Range { low, high, to });
             }
-            for piece in pieces {
-                let index = all.partition_point(|taken| taken.low < piece.low);
-                all.insert(index, piece);
-            }
+            all.extend(pieces.into_iter().map(|piece| (piece.low, piece)));
         }
     }
-    all
+    all.into_values().collect()
 }

@@ -73,7 +73,7 @@ impl Lowering<'_> {
             }
             let var = self.value(value);
             let rest = &values[index + 1..];
-            let crowded = self.in_use() > IN_USE_MAX && rest.iter().any(|value| !is_leaf(value));
+            let crowded = self.is_crowded() && rest.iter().any(|value| !is_leaf(value));
             held.push(if crowded || rest.iter().any(|value| self.breaks(value)) {
                 let position = self.spill(var, width(value.scalar));
                 Held::Hidden(position, width(value.scalar))
@@ -88,6 +88,11 @@ impl Lowering<'_> {
                 Held::Hidden(position, width) => self.load_local(position, width),
             })
             .collect()
+    }
+
+    /// Whether values had better be spilled before more is computed.
+    pub(super) fn is_crowded(&self) -> bool {
+        self.in_use() > IN_USE_MAX
     }
 
     /// Puts a value into hidden local data; its position there.
