@@ -43,6 +43,16 @@ fn fences<'a>(lines: &[&'a str]) -> Vec<Fence<'a>> {
     fences
 }
 
+/// Whether a fence shows a program: STL, ST of IEC 61131-3, or SCL.
+fn is_source(language: &str) -> bool {
+    matches!(language, "stl" | "st" | "scl")
+}
+
+/// The file that an example without a name is written to: its end says the language.
+fn example_of(language: &str) -> String {
+    format!("example.{}", if language == "stl" { "awl" } else { language })
+}
+
 /// Pages that people read, each with its path from the root.
 fn pages() -> Vec<(String, String)> {
     fn collect(folder: &Path, pages: &mut Vec<PathBuf>) {
@@ -200,13 +210,14 @@ fn the_page_of_a_problem_produces_it() {
             fences.iter().filter(|fence| fence.language == "console").flat_map(|fence| replay(&folder, fence)).collect()
         } else {
             let files: Vec<&str> = fences.iter().map(|fence| fence.name).filter(|name| !name.is_empty()).collect();
+            let example = example_of(first.language);
             if files.is_empty() {
-                fs::write(folder.join("example.awl"), first.lines.join("\n") + "\n").expect("a file of the test can be written");
+                fs::write(folder.join(&example), first.lines.join("\n") + "\n").expect("a file of the test can be written");
             }
             let what = if files.contains(&"sieben.toml") {
                 ".".to_owned()
             } else if files.is_empty() {
-                "example.awl".to_owned()
+                example
             } else {
                 files.join(" ")
             };
@@ -226,7 +237,8 @@ fn the_mended_example_of_a_problem_compiles_without_it() {
     for (name, text) in pages() {
         let Some(code) = name.strip_prefix("docs/problems/").and_then(|name| name.strip_suffix(".md")) else { continue };
         let lines: Vec<&str> = text.split('\n').collect();
-        let sources: Vec<Fence<'_>> = fences(&lines).into_iter().filter(|fence| fence.language == "stl" && fence.name.is_empty()).collect();
+        let sources: Vec<Fence<'_>> =
+            fences(&lines).into_iter().filter(|fence| is_source(fence.language) && fence.name.is_empty()).collect();
         let mended = match sources.as_slice() {
             [] => continue,
             [_, mended] => mended,
@@ -236,8 +248,9 @@ fn the_mended_example_of_a_problem_compiles_without_it() {
             }
         };
         let folder = folder_of(&format!("{name}-mended"), &[]);
-        fs::write(folder.join("example.awl"), mended.lines.join("\n") + "\n").expect("a file of the test can be written");
-        let printed = run(&folder, "check --json example.awl");
+        let example = example_of(mended.language);
+        fs::write(folder.join(&example), mended.lines.join("\n") + "\n").expect("a file of the test can be written");
+        let printed = run(&folder, &format!("check --json {example}"));
         if printed.contains(code) || printed.contains("[exit code") {
             failures.push(format!("{name}:{}: the mended source still has a problem\n{printed}\n", mended.first));
         }
