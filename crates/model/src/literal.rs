@@ -761,7 +761,7 @@ const CP1252: [char; 32] = [
 const CP1250: &str = "Ś\u{8C}Ť\u{8D}Ź\u{8F}ś\u{9C}ť\u{9D}ź\u{9F}Ł\u{A3}Ą\u{A5}Ş\u{AA}Ż\u{AF}ł\u{B3}ą\u{B9}ş\u{BA}Ľ\u{BC}ľ\u{BE}ż\u{BF}Ŕ\u{C0}Ă\u{C3}Ĺ\u{C5}Ć\u{C6}Č\u{C8}Ę\u{CA}Ě\u{CC}Ď\u{CF}Đ\u{D0}Ń\u{D1}Ň\u{D2}Ő\u{D5}Ř\u{D8}Ů\u{D9}Ű\u{DB}Ţ\u{DE}ŕ\u{E0}ă\u{E3}ĺ\u{E5}ć\u{E6}č\u{E8}ę\u{EA}ě\u{EC}ď\u{EF}đ\u{F0}ń\u{F1}ň\u{F2}ő\u{F5}ř\u{F8}ů\u{F9}ű\u{FB}ţ\u{FE}";
 
 /// The byte of a character: code page 1252, else the byte that 1250 or 1251 has for the letter, as the source's author saw it.
-fn character_byte(character: char) -> Option<u8> {
+pub fn character_byte(character: char) -> Option<u8> {
     let code = u32::from(character);
     match character {
         '\u{20}'..='\u{7E}' | '\u{A0}'..='\u{FF}' => Some(code as u8),

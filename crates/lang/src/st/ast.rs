@@ -442,6 +442,8 @@ pub enum Location {
     Address(Address),
     /// `view AT x`: the same bytes as this variable.
     View(Name),
+    /// `name : resource.program.x : INT` of VAR_ACCESS: what the name gives access to.
+    Path(Expression),
 }
 
 /// The edge that an input waits for.
@@ -505,6 +507,13 @@ pub enum TypeKind {
         base: Option<Path>,
         /// The names, with their values if they are written.
         values: Vec<(Name, Option<Expression>)>,
+    },
+    /// `MyBlock(a := 1)`: an instance of a function block of codesys with the parameters of its FB_init.
+    Constructed {
+        /// The function block.
+        block: Path,
+        /// The parameters.
+        arguments: Vec<Argument>,
     },
     /// `REF_TO INT`.
     Reference(Box<TypeSpec>),

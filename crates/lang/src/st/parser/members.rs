@@ -1,0 +1,213 @@
+//! Methods, properties and actions.
+
+use sieben_model::problems::Problem;
+
+use super::super::ast::{Access, Accessor, Action, Block, BlockKind, Item, Method, Modifiers, Name, Path, Property, TypeKind, TypeSpec};
+use super::super::dialect::Construct;
+use super::super::keywords::Keyword;
+use super::super::lexer::Raw;
+use super::{Parser, SyntaxKind};
+
+impl Parser<'_> {
+    /// PUBLIC, ABSTRACT and the like before a name.
+    pub(super) fn modifiers(&mut self) -> Modifiers {
+        let start = self.here();
+        let mut modifiers = Modifiers::default();
+        loop {
+            // `METHOD final : INT` is a method of that name.
+            if !self.is_name(self.behind(self.at)) {
+                break;
+            }
+            match self.current().to_ascii_uppercase().as_str() {
+                "PUBLIC" => modifiers.access = Some(Access::Public),
+                "PRIVATE" => modifiers.access = Some(Access::Private),
+                "PROTECTED" => modifiers.access = Some(Access::Protected),
+                "INTERNAL" => modifiers.access = Some(Access::Internal),
+                "ABSTRACT" => modifiers.is_abstract = true,
+                "FINAL" => modifiers.is_final = true,
+                "OVERRIDE" => modifiers.is_override = true,
+                _ => break,
+            }
+            self.bump(SyntaxKind::Keyword);
+        }
+        modifiers.span = self.span(start, self.previous.max(start));
+        modifiers
+    }
+
+    /// The names behind EXTENDS or IMPLEMENTS.
+    pub(super) fn bases(&mut self) -> Vec<Path> {
+        let token = self.token();
+        self.judge(Construct::ObjectOrientation, token.start, token.end);
+        self.bump(SyntaxKind::Keyword);
+        let mut bases = Vec::new();
+        while self.at_name() {
+            bases.push(self.path(SyntaxKind::TypeWord));
+            if !self.eat(Raw::Comma, SyntaxKind::Punctuation) {
+                break;
+            }
+        }
+        if bases.is_empty() {
+            let shown = self.shown();
+            self.unexpected(Problem::P2010, format!("a name is wanted behind {}, not {shown}", self.previous_text()));
+        }
+        bases
+    }
+
+    /// A member of a block; the current token is METHOD, PROPERTY or ACTION.
+    pub(super) fn member(&mut self, block: &mut Block) {
+        match self.keyword() {
+            Some(Keyword::Method) => {
+                let method = self.method();
+                block.methods.push(method);
+            }
+            Some(Keyword::Property) => {
+                let property = self.property();
+                block.properties.push(property);
+            }
+            _ => {
+                let action = self.action();
+                block.actions.push(action);
+            }
+        }
+    }
+
+    /// A member that stands behind its block, as text exports write them.
+    pub(super) fn member_behind(&mut self, items: &mut [Item]) {
+        let owner = items.iter_mut().rev().find_map(|item| match item {
+            Item::Block(block) if matches!(block.kind, BlockKind::FunctionBlock | BlockKind::Program | BlockKind::Class) => Some(block),
+            _ => None,
+        });
+        if let Some(block) = owner {
+            self.member(block);
+            return;
+        }
+        let token = self.token();
+        let shown = self.shown();
+        self.error(
+            Problem::P2019,
+            token.start,
+            token.end,
+            format!("{shown} belongs to a FUNCTION_BLOCK, PROGRAM or CLASS, and none is before it"),
+        );
+        match token.keyword {
+            Some(Keyword::Method) => drop(self.method()),
+            Some(Keyword::Property) => drop(self.property()),
+            _ => drop(self.action()),
+        }
+    }
+
+    fn method(&mut self) -> Method {
+        let attributes = self.take_attributes();
+        let token = self.token();
+        self.judge(Construct::ObjectOrientation, token.start, token.end);
+        self.start(SyntaxKind::Block);
+        self.bump(SyntaxKind::Keyword);
+        let modifiers = self.modifiers();
+        let name = self.block_name("METHOD");
+        let result = match self.eat(Raw::Colon, SyntaxKind::Punctuation) {
+            true => self.result_type(),
+            false => None,
+        };
+        self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+        let (sections, body) = self.sections_and_body();
+        let last = self.token();
+        self.block_end(Keyword::EndMethod, token.start, "METHOD");
+        let end = self.span(last.start.min(self.previous), self.previous);
+        self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+        let span = self.since(token.start);
+        self.finish();
+        Method { name, modifiers, attributes, result, sections, body, end, span }
+    }
+
+    /// VAR sections and statements up to an end keyword of a block.
+    fn sections_and_body(&mut self) -> (Vec<super::super::ast::VarSection>, Vec<super::super::ast::Statement>) {
+        let (mut sections, mut body) = (Vec::new(), Vec::new());
+        loop {
+            match self.keyword() {
+                Some(keyword) if keyword.begins_section() && keyword != Keyword::Label => {
+                    let section = self.section();
+                    sections.push(section);
+                }
+                _ if self.at_body_end() => return (sections, body),
+                _ => self.statement_into(&mut body),
+            }
+        }
+    }
+
+    fn property(&mut self) -> Property {
+        let attributes = self.take_attributes();
+        let token = self.token();
+        self.judge(Construct::Property, token.start, token.end);
+        self.start(SyntaxKind::Block);
+        self.bump(SyntaxKind::Keyword);
+        let modifiers = self.modifiers();
+        let name: Name = self.block_name("PROPERTY");
+        let data_type = match self.eat(Raw::Colon, SyntaxKind::Punctuation) {
+            true => self.type_spec(),
+            false => {
+                self.missing(Problem::P2020, " : INT", "`:` with the type of the property is missing");
+                TypeSpec { kind: TypeKind::Missing, span: self.since(self.previous) }
+            }
+        };
+        self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+        let (mut get, mut set) = (None, None);
+        loop {
+            if self.at_word("GET") {
+                get = Some(self.accessor(Keyword::EndGet));
+            } else if self.at_word("SET") {
+                set = Some(self.accessor(Keyword::EndSet));
+            } else {
+                break;
+            }
+        }
+        self.block_end(Keyword::EndProperty, token.start, "PROPERTY");
+        self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+        let span = self.since(token.start);
+        self.finish();
+        Property { name, modifiers, attributes, data_type, get, set, span }
+    }
+
+    fn accessor(&mut self, end: Keyword) -> Accessor {
+        let start = self.here();
+        self.start(SyntaxKind::Block);
+        self.bump(SyntaxKind::Keyword);
+        self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+        let (mut sections, mut body) = (Vec::new(), Vec::new());
+        loop {
+            // Without END_GET, SET begins the next accessor and END_PROPERTY ends it.
+            let next =
+                (self.at_word("SET") || self.at_word("GET")) && !matches!(self.next_raw(), Raw::Becomes | Raw::ParenOpen | Raw::Point);
+            match self.keyword() {
+                _ if next => break,
+                Some(keyword) if keyword.begins_section() && keyword != Keyword::Label => {
+                    let section = self.section();
+                    sections.push(section);
+                }
+                _ if self.at_body_end() => break,
+                _ => self.statement_into(&mut body),
+            }
+        }
+        if self.eat_keyword(end) {
+            self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+        }
+        self.finish();
+        Accessor { sections, body, span: self.since(start) }
+    }
+
+    fn action(&mut self) -> Action {
+        let token = self.token();
+        self.judge(Construct::Action, token.start, token.end);
+        self.take_attributes();
+        self.start(SyntaxKind::Block);
+        self.bump(SyntaxKind::Keyword);
+        let name = self.block_name("ACTION");
+        self.eat(Raw::Colon, SyntaxKind::Punctuation);
+        self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+        let (_, body) = self.sections_and_body();
+        self.block_end(Keyword::EndAction, token.start, "ACTION");
+        self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+        let span = self.since(token.start);
+        self.finish();
+        Action { name, body, span }
+    }
+}

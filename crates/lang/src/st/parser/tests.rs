@@ -1,0 +1,178 @@
+//! What the parser must do with whole sources.
+
+use sieben_model::source::FileId;
+
+use super::super::ast::*;
+use super::super::dialect::Dialect;
+use super::{Parsed, parse};
+
+fn parsed(text: &str, dialect: Dialect) -> Parsed {
+    let parsed = parse(FileId::default(), text, dialect);
+    assert_eq!(parsed.syntax(text).text(), text, "the tree holds every byte");
+    parsed
+}
+
+/// Parses what has no problems.
+fn clean(text: &str, dialect: Dialect) -> File {
+    let parsed = parsed(text, dialect);
+    assert!(parsed.diagnostics.is_empty(), "{text}\n{:#?}", parsed.diagnostics);
+    parsed.file
+}
+
+/// The messages about a source, as `code text-of-the-place -> replacement`.
+fn messages(text: &str, dialect: Dialect) -> Vec<String> {
+    let show = |span: sieben_model::source::Span| &text[span.start as usize..span.end as usize];
+    parsed(text, dialect)
+        .diagnostics
+        .iter()
+        .map(|diagnostic| {
+            let fix = diagnostic.fix.as_ref().map(|fix| format!(" -> {}", fix.replacement)).unwrap_or_default();
+            format!("{} {}{fix}", diagnostic.problem.code(), show(diagnostic.span))
+        })
+        .collect()
+}
+
+fn body(text: &str, dialect: Dialect) -> Vec<Statement> {
+    match clean(text, dialect).items.into_iter().next() {
+        Some(Item::Block(block)) => block.body,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// An expression with all its brackets.
+fn written(expression: &Expression) -> String {
+    match &expression.kind {
+        ExpressionKind::Binary(operator, _, left, right) => format!("({} {} {})", written(left), operator.sign(), written(right)),
+        ExpressionKind::Unary(operator, operand) => format!("({operator:?} {})", written(operand)),
+        ExpressionKind::Name(name) => name.text.clone(),
+        ExpressionKind::Literal(Literal { kind: LiteralKind::Integer { value, .. }, .. }) => value.to_string(),
+        ExpressionKind::Parenthesized(inner) => written(inner),
+        ExpressionKind::Member(left, name) => format!("{}.{}", written(left), name.text),
+        other => format!("{other:?}"),
+    }
+}
+
+fn value(text: &str, dialect: Dialect) -> Expression {
+    match body(&format!("x := {text};"), dialect).remove(0).kind {
+        StatementKind::Assign { value, .. } => value,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn operators_bind_as_the_dialect_says() {
+    for (text, iec, scl) in [
+        ("-a ** b", "((Minus a) ** b)", "(Minus (a ** b))"),
+        ("2 ** 3 ** 2", "((2 ** 3) ** 2)", "((2 ** 3) ** 2)"),
+        ("a + b * c - d", "((a + (b * c)) - d)", "((a + (b * c)) - d)"),
+        ("a < b = c < d", "((a < b) = (c < d))", "((a < b) = (c < d))"),
+        ("NOT a = b", "((Not a) = b)", "((Not a) = b)"),
+        ("a OR b XOR c AND d", "(a OR (b XOR (c AND d)))", "(a OR (b XOR (c AND d)))"),
+        ("-a MOD b", "((Minus a) MOD b)", "((Minus a) MOD b)"),
+        ("a & b OR c", "((a AND b) OR c)", "((a AND b) OR c)"),
+        ("a ** -b", "(a ** (Minus b))", "(a ** (Minus b))"),
+    ] {
+        assert_eq!(written(&value(text, Dialect::Iec)), iec, "{text}");
+        assert_eq!(written(&value(text, Dialect::Tia)), scl, "{text}");
+    }
+}
+
+#[test]
+fn a_block_of_each_dialect_is_understood() {
+    let iec = clean(
+        "FUNCTION_BLOCK Counter\nVAR_INPUT up : BOOL R_EDGE; limit : INT := 5; END_VAR\nVAR_OUTPUT q : BOOL; END_VAR\nVAR n : INT; t : TON := (PT := T#1s); a : ARRAY[1..3, 0..1] OF REAL := [1.0, 2(0.5)]; END_VAR\nIF up THEN n := n + 1; ELSIF n > limit THEN n := 0; ELSE ; END_IF;\nt(IN := up, Q => q);\nEND_FUNCTION_BLOCK\nPROGRAM Main VAR c : Counter; x AT %MW10 : INT; END_VAR c(up := TRUE); x := %IW0; x.3 := c.q; END_PROGRAM\n",
+        Dialect::Iec,
+    );
+    assert_eq!(iec.items.len(), 2);
+    let scl = clean(
+        "FUNCTION FC10 : INT\nTITLE = What it's for\nVERSION : '1.0'\nAUTHOR : me\nCONST\n  N := 5;\nEND_CONST\nLABEL weiter; END_LABEL\nVAR_INPUT\n  a : INT; // first\n  b { S7_visible := 'false' } : BYTE;\nEND_VAR\nVAR_TEMP w : WORD; v AT w : ARRAY[0..1] OF BYTE; END_VAR\nBEGIN\n  FC10 := a DIV N;\n  MW[a] := DB10.DW[2 * a];\n  M0.1 := DB10.DX4.0 AND I 0.0;\n  GOTO weiter;\nweiter:\n  FB10.DB20(x := EW4);\nEND_FUNCTION\nDATA_BLOCK DB5 FB10\nBEGIN\n  x := 5;\n  y[2] := 3(0);\nEND_DATA_BLOCK\nTYPE UDT1\nSTRUCT a : INT; END_STRUCT\nEND_TYPE\n"
+            .replace("I 0.0", "I0.0")
+            .as_str(),
+        Dialect::Scl,
+    );
+    assert_eq!(scl.items.len(), 3);
+    let Item::Block(block) = &scl.items[0] else { panic!() };
+    assert_eq!(block.header.title.as_ref().map(|title| title.text.as_str()), Some("What it's for"));
+    assert_eq!(block.sections[1].declarations[0].comment, "first");
+    assert_eq!(block.sections[1].declarations[1].attributes[0].value.as_deref(), Some("false"));
+    assert_eq!(block.labels.len(), 1);
+}
+
+#[test]
+fn a_slip_gives_one_message_at_its_place() {
+    let mut failures = Vec::new();
+    for (text, expected) in [
+        ("x =: 5;", "P2007 =: -> :="),
+        ("x :=> 5;", "P2007 :=> -> :="),
+        ("x = 5;", "P2007 = -> :="),
+        ("x == 5;", "P2007 == -> :="),
+        ("IF a THEN x := 1; ELSE IF b THEN x := 2; END_IF;", "P6061 ELSE IF -> ELSIF"),
+        ("IF a == b THEN x := 1; END_IF;", "P6052 == -> ="),
+        ("IF a != b THEN x := 1; END_IF;", "P6052 != -> <>"),
+        ("IF a := b THEN x := 1; END_IF;", "P6052 := -> ="),
+        ("IF a && b THEN x := 1; END_IF;", "P6052 && -> AND"),
+        ("x := 1\ny := 2;", "P6053 1 -> ;"),
+        ("IF a THEN x := 1; END_IF\ny := 2;", "P6053 F -> ;"),
+        ("IF a x := 1; END_IF;", "P6056 a ->  THEN"),
+        ("WHILE a\nx := 1; END_WHILE;", "P6056 a ->  DO"),
+        ("CASE a\n1: x := 1; END_CASE;", "P6056 a ->  OF"),
+        ("IF a THEN x := 1; END_WHILE;", "P6058 END_WHILE -> END_IF"),
+        ("IF a DO x := 1; END_IF;", "P6056 DO -> THEN"),
+        ("FOR i := 1 TO 5\nx := 1; END_FOR;", "P6056 5 ->  DO"),
+        ("a < b THEN x := 1; END_IF;", "P6056 a < b -> IF "),
+        ("x := a +;", "P6055 ;"),
+        ("x := (a + b;", "P6065 b -> )"),
+        ("x := a[1;", "P2016 1 -> ]"),
+        ("f(a := 1;", "P2031 1 -> )"),
+        ("f(a := 1 b := 2);", "P2030 1 -> ,"),
+        ("f(a =: 1);", "P2007 =: -> :="),
+        ("VAR if : INT; END_VAR x := 1;", "P6060 if"),
+        ("VAR a INT; END_VAR x := 1;", "P2020 a ->  :"),
+        ("VAR a : INT END_VAR x := 1;", "P6053 T -> ;"),
+        ("VAR a : INT;\nx := 1;", "P2023 ; -> \nEND_VAR"),
+        ("a : INT; END_VAR x := 1;", "P2020 a -> VAR "),
+        ("RETURN 5;", "P6064 5"),
+        ("x := 5x;", "P4202 5x"),
+        ("x := T#5;", "P4202 T#5"),
+        ("END_IF; x := 1;", "P6059 END_IF"),
+        ("x := 'abc;\ny := 1;", "P1002 'abc;"),
+        ("FUNCTION f : INT f := 1; END_FUNCTION_BLOCK", "P2012 END_FUNCTION_BLOCK -> END_FUNCTION"),
+        ("FUNCTION f : INT f := 1;", "P2011 FUNCTION"),
+        ("PROGRAM VAR a : INT; END_VAR a := 1; END_PROGRAM", "P2010 M"),
+        ("(* x := 1;", "P1004 (*"),
+        ("REPEAT x := 1; END_REPEAT;", "P6056 ; ->  UNTIL"),
+        ("CASE a OF 1 x := 1; END_CASE;", "P6071 1"),
+        ("IF a THEN x := 1;", "P6057 ;"),
+        ("x := a b;", "P6054 b"),
+        ("x := 5 § 3;", "P1001 §"),
+    ] {
+        let mut found = messages(text, Dialect::Iec);
+        // What is missing at the end of the text is missing in every message about it.
+        found.sort();
+        if found != [expected] {
+            failures.push(format!("{text}\n  wanted {expected}\n  found {found:?}"));
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn depth_gives_a_message_and_no_overflow() {
+    for (open, close) in
+        [("(", ")"), ("a[", "]"), ("f(", ")"), ("-", ""), ("NOT ", ""), ("IF a THEN ", "END_IF;"), ("a + ", ""), ("a.", ""), ("a(1).", "")]
+    {
+        let count = 100_000;
+        let statement = open.starts_with("IF");
+        let text = match statement {
+            true => format!("{}{}", open.repeat(count), close.repeat(count)),
+            false => format!("x := {}a{};", open.repeat(count), close.repeat(count)),
+        };
+        let found = parsed(&text, Dialect::Iec).diagnostics;
+        assert!(!found.is_empty() && found.len() < 10, "{open}: {} {:?}", found.len(), found.first());
+        assert!(found.iter().any(|diagnostic| diagnostic.problem == sieben_model::problems::Problem::P6063), "{open}: {found:?}");
+    }
+    let chain = vec!["a"; 100_000].join(" OR ");
+    clean(&format!("x := {chain};"), Dialect::Iec);
+    let fields = "STRUCT a : ".repeat(10_000);
+    assert!(!parsed(&format!("TYPE t : {fields}"), Dialect::Iec).diagnostics.is_empty());
+}
