@@ -90,7 +90,7 @@ impl Source {
     /// Whether Cranelift's optimizations take a bounded time.
     pub(crate) fn may_optimize(&self) -> bool {
         let statements: usize = self.blocks.iter().map(|block| block.code.statement_count()).sum();
-        let loops = self.blocks.iter().map(|block| loop_heads(&block.code)).max().unwrap_or(0);
+        let loops = self.blocks.iter().map(|block| loop_heads(&block.code).len()).max().unwrap_or(0);
         statements <= OPTIMIZED_STATEMENTS_MAX && loops <= OPTIMIZED_LOOPS_MAX
     }
 
@@ -289,7 +289,7 @@ fn makes_protected_blocks(blocks: &[Native]) -> bool {
 }
 
 /// Statements to which a later one jumps.
-pub(crate) fn loop_heads(code: &Code) -> usize {
+pub(crate) fn loop_heads(code: &Code) -> BTreeSet<u32> {
     let mut heads = BTreeSet::new();
     for statement in 0..code.statement_count() {
         let mut jump = |Target(to): Target| {
@@ -307,7 +307,7 @@ pub(crate) fn loop_heads(code: &Code) -> usize {
             }
         }
     }
-    heads.len()
+    heads
 }
 
 /// Checks the limits of machine code; the greatest number of parameters that a statement passes.
@@ -321,7 +321,7 @@ fn limits(program: &Program) -> Result<usize, String> {
         if block.code.insts.len() > BLOCK_INSTRUCTIONS_MAX {
             return Err(format!("{id} is too long for machine code"));
         }
-        let loops = loop_heads(&block.code);
+        let loops = loop_heads(&block.code).len();
         if loops > LOOPS_MAX {
             return Err(format!("{id} jumps back to {loops} places, and {LOOPS_MAX} is the most that become machine code"));
         }

@@ -26,7 +26,7 @@ use sieben_model::block::{BlockId, BlockKind};
 
 use crate::ask::{GO_ON, LEAVE, Question};
 use crate::entry::Generation;
-use crate::jit::{Native, loop_heads};
+use crate::jit::Native;
 use crate::run::{LINKS, Run};
 
 mod analysis;
@@ -34,6 +34,7 @@ mod bytes;
 mod calls;
 mod gates;
 mod inline;
+mod inlining;
 mod intrinsics;
 mod loops;
 mod memory;
@@ -43,6 +44,7 @@ mod value;
 
 use analysis::{SPARED, Summary, open_blocks, set_by_calls};
 use bytes::Bytes;
+use inlining::{Outer, Plan};
 use loops::Loop;
 use promote::Promoted;
 use value::{Lazy, Val};
@@ -121,6 +123,7 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
     let mut module = JITModule::new(builder);
     let functions = declare(&mut module, blocks).map_err(|error| error.to_string())?;
     let summaries = analysis::summaries(blocks, find, options.exact);
+    let plans = inlining::plan(blocks, find);
     let mut context = module.make_context();
     let mut frontend = FunctionBuilderContext::new();
     let (mut bytes, mut frame_max) = (0, 0);
@@ -129,9 +132,9 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
         context.func.signature = block_signature(&module);
         let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
         let target = module.target_config();
-        let for_loops = for_loops.as_ref().filter(|_| loop_heads(&block.code) > 0);
+        let for_loops = for_loops.as_ref().filter(|_| plans[index].loops);
         let joins = for_loops.is_none();
-        let program = Program { functions: &functions, blocks, summaries: &summaries, find, layout, options, joins };
+        let program = Program { functions: &functions, blocks, summaries: &summaries, plans: &plans, find, layout, options, joins };
         let mut found = Translator::new(builder, &mut module, program, index).run(target);
         pinned.append(&mut found.pinned);
         asked.append(&mut found.asked);
@@ -280,6 +283,7 @@ struct Program<'a> {
     functions: &'a Functions,
     blocks: &'a [Native],
     summaries: &'a [Summary],
+    plans: &'a [Plan],
     find: Find<'a>,
     layout: &'a Layout,
     options: Options,
@@ -301,6 +305,7 @@ struct Translator<'a> {
     functions: &'a Functions,
     blocks: &'a [Native],
     summaries: &'a [Summary],
+    plans: &'a [Plan],
     index: usize,
     find: Find<'a>,
     layout: &'a Layout,
@@ -333,7 +338,19 @@ struct Translator<'a> {
     arrivals: HashMap<u32, Arrival>,
     statement: u32,
     /// Parameters passed and not yet taken.
-    passed: u32,
+    passed: Vec<Val>,
+    /// Parameters that the caller of an inlined block passed.
+    given: Vec<Val>,
+    /// Blocks in which the present one is inlined, outermost first; that one alone has a function, and the link and local data below.
+    outer: Vec<Outer>,
+    /// Where the local data of the present block begin behind those of the outermost one, in bytes.
+    local_offset: i32,
+    /// Where the parameters of the present block end behind those of the outermost one, as their number.
+    parameters_end: usize,
+    /// IR instructions of inlined blocks so far.
+    grown: usize,
+    /// Whether some call of this function may find no room; `None` = there is none.
+    no_room: Option<Value>,
     /// Safe points on ways back that are still to be written: the block, the statement, where it begins.
     ways: Vec<(clif::Block, u32, clif::Block)>,
     /// The running statement has not begun yet.
@@ -355,7 +372,7 @@ fn register_offset(register: Register) -> i32 {
 
 impl<'a> Translator<'a> {
     fn new(mut b: FunctionBuilder<'a>, module: &'a mut JITModule, program: Program<'a>, index: usize) -> Self {
-        let Program { functions, blocks, summaries, find, layout, options, joins } = program;
+        let Program { functions, blocks, summaries, plans, find, layout, options, joins } = program;
         let entry = b.create_block();
         b.append_block_params_for_function_params(entry);
         b.switch_to_block(entry);
@@ -370,6 +387,7 @@ impl<'a> Translator<'a> {
             functions,
             blocks,
             summaries,
+            plans,
             index,
             find,
             layout,
@@ -391,7 +409,13 @@ impl<'a> Translator<'a> {
             written: 0,
             arrivals: HashMap::new(),
             statement: 0,
-            passed: 0,
+            passed: Vec::new(),
+            given: Vec::new(),
+            outer: Vec::new(),
+            local_offset: 0,
+            parameters_end: 0,
+            grown: 0,
+            no_room: None,
             ways: Vec::new(),
             arriving: false,
             ended: false,
@@ -415,7 +439,20 @@ impl<'a> Translator<'a> {
     /// Writes the function.
     fn run(mut self, target: cranelift_codegen::isa::TargetFrontendConfig) -> Found {
         self.find_registers_and_loops();
+        self.look_for_room();
         self.enter_block();
+        self.statements();
+        debug_assert!(self.ended, "a block ends with a return");
+        self.b.switch_to_block(self.leave);
+        let leave = self.b.ins().iconst(I64, LEAVE as i64);
+        self.b.ins().return_(&[leave]);
+        self.b.seal_all_blocks();
+        self.b.finalize(target);
+        Found { pinned: self.pinned, asked: self.asked }
+    }
+
+    /// Writes the statements of the present block.
+    fn statements(&mut self) {
         let code = &self.native().code;
         for statement in 0..code.statement_count() {
             if !self.ended {
@@ -427,7 +464,7 @@ impl<'a> Translator<'a> {
                 continue;
             }
             self.temporaries.clear();
-            self.passed = 0;
+            self.passed.clear();
             let first = code.statements[statement];
             for (index, inst) in (first..).zip(code.statement(statement)) {
                 self.inst(index, inst);
@@ -436,13 +473,6 @@ impl<'a> Translator<'a> {
                 }
             }
         }
-        debug_assert!(self.ended, "a block ends with a return");
-        self.b.switch_to_block(self.leave);
-        let leave = self.b.ins().iconst(I64, LEAVE as i64);
-        self.b.ins().return_(&[leave]);
-        self.b.seal_all_blocks();
-        self.b.finalize(target);
-        Found { pinned: self.pinned, asked: self.asked }
     }
 
     /// Which registers the block mentions, and where it jumps back to.
@@ -465,10 +495,7 @@ impl<'a> Translator<'a> {
             }
         }
         for to in back {
-            let again = self.loops.iter().any(|it| it.first == to).then(|| self.b.create_block());
-            let arrival = self.arrival(to);
-            arrival.backward = true;
-            arrival.again = arrival.again.or(again);
+            self.expect_way_back(to);
         }
         if self.called_only() {
             // What is known there is not in memory.
@@ -488,6 +515,14 @@ impl<'a> Translator<'a> {
                 self.b.def_var(self.variables[register as usize], value);
             }
         }
+    }
+
+    /// Notes that a later statement jumps back to one.
+    fn expect_way_back(&mut self, to: u32) {
+        let again = self.loops.iter().any(|it| it.first == to).then(|| self.b.create_block());
+        let arrival = self.arrival(to);
+        arrival.backward = true;
+        arrival.again = arrival.again.or(again);
     }
 
     fn arrival(&mut self, statement: u32) -> &mut Arrival {
@@ -707,7 +742,11 @@ impl<'a> Translator<'a> {
     fn ask(&mut self, question: Question, arguments: &[Value]) -> Value {
         self.settle_bytes();
         self.store_promoted();
-        let arguments: Vec<Value> = [self.run].iter().chain(arguments).copied().collect();
+        let mut arguments: Vec<Value> = [self.run].iter().chain(arguments).copied().collect();
+        // In an inlined block the link is another one.
+        if let Some(link) = arguments.iter().position(|&argument| argument == self.link) {
+            arguments[link] = self.shown_link();
+        }
         let answer = match self.cold {
             Some(_) => self.ask_at_gate(question, &arguments),
             None => self.call(self.functions.questions[&question], &arguments),
@@ -841,6 +880,8 @@ impl<'a> Translator<'a> {
             }
             Inst::JumpTable { index, first, count, otherwise } => self.jump_table(index, first, count, otherwise),
             Inst::Call { callee, parameters } => self.call_block(index, callee, parameters),
+            // Goes on in the caller.
+            Inst::Return if !self.outer.is_empty() => {}
             Inst::Return => {
                 self.settle_bytes();
                 self.store_promoted();

@@ -51,7 +51,7 @@ struct Faults(Vec<Fault>);
 
 impl Host for Faults {
     fn fault(&mut self, _: &mut Machine, fault: &Fault, _: FaultPlace) -> Reaction {
-        self.0.push(fault.clone());
+        self.0.push(*fault);
         Reaction::Continue
     }
     fn peripheral_read(&mut self, _: &mut Machine, _: u32, _: Width) -> Option<u32> {
@@ -80,7 +80,7 @@ fn program() -> Program {
             for (word_index, &word) in WORDS.iter().enumerate() {
                 let mut builder = Builder::default();
                 builder.begin_statement();
-                let mut arguments = vec![Register::Accu3.into(), Register::Rlo.into(), Register::Accu2.into()];
+                let mut arguments = [Register::Accu3.into(), Register::Rlo.into(), Register::Accu2.into()];
                 if form > 0 {
                     arguments[0] = builder.constant(u64::from(NUMBER));
                     arguments[2] = builder.constant(u64::from(word));

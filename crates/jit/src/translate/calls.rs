@@ -9,14 +9,19 @@ use sieben_engine::ir::{Callee, Var};
 use sieben_engine::machine::Register;
 
 use super::analysis::{SPARED, open_blocks, set_by_calls};
+use super::inlining::{KEPT_IN, RESTORED};
 use super::value::Val;
-use super::{AFTER_CALL, After, OPEN_BLOCKS, TRUSTED, Translator, bit_of};
+use super::{AFTER_CALL, OPEN_BLOCKS, TRUSTED, Translator, bit_of};
 use crate::ask::{LEAVE, Question};
-use crate::run::{Link, Run};
+use crate::run::Link;
 
 impl Translator<'_> {
     /// The pointer that the caller gave.
     pub(super) fn parameter(&mut self, dst: Var, index: u16) {
+        if !self.outer.is_empty() {
+            let pointer = self.given.get(usize::from(index)).copied().unwrap_or(Val::Const(0));
+            return self.set(dst, pointer);
+        }
         let first = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters) as i32);
         let end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
         let address = self.b.ins().iadd_imm_u(first, 4 * i64::from(index));
@@ -27,18 +32,35 @@ impl Translator<'_> {
         self.set(dst, Val::Int(pointer));
     }
 
-    /// Puts a pointer where the block that is called next finds it.
+    /// Takes a pointer for the block that is called next.
     pub(super) fn pass_parameter(&mut self, src: Var) {
-        let end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
         let value = self.get(src);
-        let value = self.int(value);
-        self.b.ins().store(TRUSTED, value, end, 4 * self.passed as i32);
-        self.passed += 1;
+        let pointer = match self.force(value) {
+            Val::Const(pointer) => Val::Const(pointer & 0xFFFF_FFFF),
+            value => Val::Int(self.int(value)),
+        };
+        self.passed.push(pointer);
+    }
+
+    /// Puts the pointers where a function that is called, or somebody who looks, finds them.
+    pub(super) fn store_passed(&mut self) {
+        if self.passed.is_empty() {
+            return;
+        }
+        let end = self.own_parameters_end();
+        for index in 0..self.passed.len() {
+            let pointer = self.int(self.passed[index]);
+            self.b.ins().store(TRUSTED, pointer, end, 4 * index as i32);
+        }
     }
 
     pub(super) fn call_block(&mut self, index: u32, callee: Callee, parameters: u16) {
         match callee {
             Callee::Block(id) => match (self.find)(id) {
+                Some(code) if self.inlines(code as usize) => {
+                    self.call_inlined(index, code as usize, usize::from(parameters));
+                    return self.temporaries.clear();
+                }
                 Some(code) => self.call_loaded(index, code as usize, parameters),
                 None => self.call_other(index, None),
             },
@@ -48,16 +70,17 @@ impl Translator<'_> {
                 self.call_other(index, Some(number));
             }
         }
-        self.passed = self.passed.saturating_sub(u32::from(parameters));
+        self.passed.truncate(self.passed.len().saturating_sub(usize::from(parameters)));
         self.temporaries.clear();
     }
 
     fn call_other(&mut self, index: u32, number: Option<Value>) {
+        self.store_passed();
         self.spill(self.dirty);
         self.dirty = 0;
         let site = self.site(index);
         let number = number.unwrap_or_else(|| self.b.ins().iconst(I64, 0));
-        let passed = self.b.ins().iconst(I64, i64::from(self.passed));
+        let passed = self.b.ins().iconst(I64, self.passed.len() as i64);
         let answer = self.ask(Question::CallOther, &[self.link, site, number, passed]);
         let cold = self.cold_block();
         let go_on = self.b.create_block();
@@ -79,24 +102,18 @@ impl Translator<'_> {
     }
 
     fn call_loaded(&mut self, index: u32, code: usize, parameters: u16) {
-        let size = size_of::<Link>() as i64;
-        let local_size = i64::from(self.native().local_size);
-        let callee_size = i64::from(self.blocks[code].local_size);
-        let link = self.b.ins().iadd_imm_u(self.link, size);
-        let local = self.b.ins().iadd_imm_u(self.local, local_size);
-        let end = self.b.ins().iadd_imm_u(local, callee_size);
-        let link_max = self.load_run(offset_of!(Run<'_, '_>, link_max));
-        let local_end = self.load_run(offset_of!(Run<'_, '_>, local_end));
-        let too_deep = self.b.ins().icmp(IntCC::UnsignedGreaterThan, link, link_max);
-        let too_long = self.b.ins().icmp(IntCC::UnsignedGreaterThan, end, local_end);
-        let no_room = self.b.ins().bor(too_deep, too_long);
-        let site = self.site(index);
-        self.unless_failed(no_room, Question::NoRoom, &[self.link, site], After::Never);
+        self.make_sure_of_room(index, code);
+        self.settle_bytes();
+        self.store_passed();
+        let own = self.shown_link();
+        let link = self.b.ins().iadd_imm_u(own, size_of::<Link>() as i64);
+        let behind = self.local_behind();
+        let local = self.b.ins().iadd_imm_u(self.local, behind);
         let callee = self.b.ins().iconst(I64, code as i64);
-
-        let own_end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
-        let first = self.b.ins().iadd_imm_u(own_end, 4 * (i64::from(self.passed) - i64::from(parameters)));
-        let last = self.b.ins().iadd_imm_u(own_end, 4 * i64::from(self.passed));
+        let own_end = self.own_parameters_end();
+        let passed = self.passed.len() as i64;
+        let first = self.b.ins().iadd_imm_u(own_end, 4 * (passed - i64::from(parameters)));
+        let last = self.b.ins().iadd_imm_u(own_end, 4 * passed);
         let site = self.b.ins().iconst(I64, i64::from(index));
         let put = |this: &mut Self, value: Value, offset: usize| {
             this.b.ins().store(TRUSTED, value, link, offset as i32);
@@ -106,19 +123,8 @@ impl Translator<'_> {
         put(self, local, offset_of!(Link, local));
         put(self, first, offset_of!(Link, parameters));
         put(self, last, offset_of!(Link, parameters_end));
-        let offsets = [
-            offset_of!(Link, shared),
-            offset_of!(Link, shared) + 8,
-            offset_of!(Link, shared) + 16,
-            offset_of!(Link, instance),
-            offset_of!(Link, instance) + 8,
-            offset_of!(Link, instance) + 16,
-            offset_of!(Link, mcr_active),
-            offset_of!(Link, nesting),
-        ];
-        let restored: Vec<Register> = OPEN_BLOCKS.into_iter().chain([Register::Ma, Register::Nesting]).collect();
-        let values: Vec<Val> = restored.iter().map(|&register| self.register(register)).collect();
-        for (&value, offset) in values.iter().zip(offsets) {
+        let values = RESTORED.map(|register| self.register(register));
+        for (&value, offset) in values.iter().zip(KEPT_IN) {
             let value = self.word(value);
             put(self, value, offset);
         }
@@ -139,7 +145,7 @@ impl Translator<'_> {
                 self.reload(register);
             }
         }
-        for (register, value) in restored.into_iter().zip(values) {
+        for (register, value) in RESTORED.into_iter().zip(values) {
             let memory_may_differ =
                 written & bit_of(register) != 0 || !OPEN_BLOCKS.contains(&register) || self.dirty & bit_of(register) != 0;
             self.current[register as usize] = Some(value);

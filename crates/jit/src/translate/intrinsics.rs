@@ -171,12 +171,8 @@ impl Translator<'_> {
 
     /// Asks Rust code if a condition holds; nothing has changed so far.
     fn leave_fast(&mut self, condition: Value, slow: &mut Slow) {
+        let slow = *slow.get_or_insert_with(|| self.cold_block());
         let go_on = self.b.create_block();
-        let slow = *slow.get_or_insert_with(|| {
-            let block = self.b.create_block();
-            self.b.set_cold_block(block);
-            block
-        });
         self.b.ins().brif(condition, slow, &[], go_on, &[]);
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);

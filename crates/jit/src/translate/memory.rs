@@ -55,6 +55,10 @@ impl Translator<'_> {
             self.set(dst, value);
             return;
         }
+        if on_fault == OnFault::DeliverZero {
+            // Whoever is asked inside a statement sees what it has passed so far.
+            self.store_passed();
+        }
         let go_on = self.b.create_block();
         // A quad word is the only value of more than 32 bits.
         let wide = width == Width::QuadWord;
@@ -168,7 +172,11 @@ impl Translator<'_> {
                 let Some(constant) = pointer.constant() else { return self.way_to_any_area(pointer, offset, width, write) };
                 let pointer = constant;
                 match access::pointed_area(pointer, write) {
-                    Ok(Area::PeripheralInput | Area::PeripheralOutput | Area::CallerLocal) | Err(_) => Way::Asked,
+                    Ok(Area::CallerLocal) => match self.way_to_caller(moved(pointer, offset), width) {
+                        Some((offset, bit)) => Way::Direct(Address { base: self.local, offset, bit: Bit::Number(bit) }),
+                        None => Way::Asked,
+                    },
+                    Ok(Area::PeripheralInput | Area::PeripheralOutput) | Err(_) => Way::Asked,
                     Ok(area) => self.way_to_constant(area, moved(pointer, offset), width, write),
                 }
             }
@@ -178,7 +186,7 @@ impl Translator<'_> {
     /// First byte and number of bytes of an area, if they are known beforehand.
     fn area(&self, area: Area) -> Option<(Value, i32, usize)> {
         match area {
-            Area::Local => Some((self.local, 0, self.native().local_size as usize)),
+            Area::Local => Some((self.local, self.local_offset, self.native().local_size as usize)),
             _ => {
                 let range = self.layout.area(area)?;
                 Some((self.arena, i32::try_from(range.start).ok()?, range.len()))
@@ -273,9 +281,14 @@ impl Translator<'_> {
         }
         if self.called_only() {
             // The local data of the caller end where those of this block begin. A pointer that was passed on further is asked for.
-            let caller = -(size_of::<Link>() as i32) + offset_of!(Link, local) as i32;
-            let caller = self.b.ins().load(I64, trusted, self.link, caller);
-            let bytes = self.b.ins().isub(self.local, caller);
+            let (caller, bytes) = match self.caller_local(0) {
+                Some((offset, bytes)) => (self.b.ins().iadd_imm_u(self.local, i64::from(offset)), self.b.ins().iconst(I64, bytes as i64)),
+                None => {
+                    let caller = -(size_of::<Link>() as i32) + offset_of!(Link, local) as i32;
+                    let caller = self.b.ins().load(I64, trusted, self.link, caller);
+                    (caller, self.b.ins().isub(self.local, caller))
+                }
+            };
             let base = self.b.ins().isub(caller, self.arena);
             let calls = self.b.ins().ushr_imm_u(bits, 19);
             let is_it = self.b.ins().icmp_imm_u(IntCC::Equal, calls, 0x87 << 5);

@@ -32,7 +32,7 @@ const WEIGHED_LOOPS_MAX: usize = 4;
 enum Base {
     /// The first byte of the arena.
     Arena,
-    /// The first byte of the block's local data.
+    /// The first byte of the local data of the function's outermost block.
     Local,
     /// The run: its budget.
     Run,
@@ -208,7 +208,7 @@ impl Translator<'_> {
             return None;
         }
         let (base, start, length) = match area {
-            Area::Local => (Base::Local, 0, u64::from(self.native().local_size)),
+            Area::Local => (Base::Local, self.local_offset as u64, u64::from(self.native().local_size)),
             Area::SharedData | Area::InstanceData => {
                 let (start, length) = self.constant_block(area)?;
                 (Base::Arena, start, length)
@@ -233,7 +233,10 @@ impl Translator<'_> {
     fn touched(&self, place: Place) -> Touched {
         let (Place::Fixed { area, .. } | Place::Indirect { area, .. }) = place else { return Touched::Anything };
         match area {
-            Area::Local => Touched::Bytes(Base::Local, 0..i64::from(self.native().local_size)),
+            Area::Local => {
+                let first = i64::from(self.local_offset);
+                Touched::Bytes(Base::Local, first..first + i64::from(self.native().local_size))
+            }
             Area::SharedData | Area::InstanceData => match self.constant_block(area) {
                 Some((base, length)) => Touched::Bytes(Base::Arena, base as i64..base as i64 + length as i64),
                 None => Touched::DataBlocks,

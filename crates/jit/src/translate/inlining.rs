@@ -1,0 +1,300 @@
+//! Small blocks become part of the functions that call them.
+//!
+//! Inside, parameters are the pointers that the caller passed, mostly constants, and so are the data block registers and AR2 of a
+//! function block with its instance: access through them is access to a constant address. Whoever is asked sees the same activations
+//! as ever: their links are written where they are shown.
+
+use std::collections::HashMap;
+use std::mem::offset_of;
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::I64;
+use cranelift_codegen::ir::{InstBuilder, Value};
+use sieben_engine::ir::{Callee, Inst};
+use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
+use sieben_model::address::Width;
+
+use super::loops::{self, Loop};
+use super::promote::Promoted;
+use super::value::Val;
+use super::{AFTER_CALL, AT_CALL, After, Arrival, Find, OPEN_BLOCKS, TRUSTED, Translator, bit_of};
+use crate::ask::Question;
+use crate::jit::{Native, loop_heads};
+use crate::run::{Link, Run};
+
+/// Rounds in which blocks are chosen: an inlined block has others inlined in it, and so on, as deep as this.
+const DEPTH_MAX: usize = 4;
+/// IR instructions of an inlined block with all that is inlined in it. Beyond some hundred a call costs little beside its block.
+const INSTRUCTIONS_MAX: usize = 400;
+/// Jumps back of an inlined block: loops take the compiler long.
+const LOOPS_MAX: usize = 4;
+/// How many IR instructions a function may grow by: so many for each of its own …
+const GROWTH: usize = 3;
+/// … and these, for a block of few calls …
+const GROWTH_MIN: usize = 2_000;
+/// … but not more than this: the time to compile grows faster than a function.
+const GROWTH_MAX: usize = 40_000;
+
+/// What a call restores for the caller.
+pub(super) const RESTORED: [Register; 8] =
+    [OPEN_BLOCKS[0], OPEN_BLOCKS[1], OPEN_BLOCKS[2], OPEN_BLOCKS[3], OPEN_BLOCKS[4], OPEN_BLOCKS[5], Register::Ma, Register::Nesting];
+/// Where a link keeps it.
+pub(super) const KEPT_IN: [usize; 8] = [
+    offset_of!(Link, shared),
+    offset_of!(Link, shared) + 8,
+    offset_of!(Link, shared) + 16,
+    offset_of!(Link, instance),
+    offset_of!(Link, instance) + 8,
+    offset_of!(Link, instance) + 16,
+    offset_of!(Link, mcr_active),
+    offset_of!(Link, nesting),
+];
+
+/// How a block takes part.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Plan {
+    /// IR instructions that it adds to its caller; `None` = it is always called.
+    inlined: Option<usize>,
+    /// Activations below it that its function may enter itself.
+    depth: usize,
+    /// Bytes of local data that these take behind its own.
+    local: usize,
+    /// Whether its function has a loop.
+    pub(super) loops: bool,
+}
+
+/// Decides for all blocks. A block that calls itself, however far around, is never inlined.
+pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
+    let callees: Vec<Vec<usize>> = blocks
+        .iter()
+        .map(|block| {
+            let callee = |inst: &Inst| match inst {
+                Inst::Call { callee: Callee::Block(id), .. } => find(*id).map(|code| code as usize),
+                _ => None,
+            };
+            block.code.insts.iter().filter_map(callee).collect()
+        })
+        .collect();
+    let mut plans = vec![Plan::default(); blocks.len()];
+    let mut decided = vec![false; blocks.len()];
+    for _ in 0..DEPTH_MAX {
+        let before = decided.clone();
+        for (index, block) in blocks.iter().enumerate() {
+            if before[index] || !callees[index].iter().all(|&callee| before[callee]) {
+                continue;
+            }
+            decided[index] = true;
+            plans[index] = reach(&plans, blocks, index, &callees[index]);
+            let inner = callees[index].iter().filter_map(|&callee| plans[callee].inlined);
+            let size = inner.fold(block.code.insts.len(), usize::saturating_add);
+            let returns = block.code.insts.iter().filter(|inst| matches!(inst, Inst::Return)).count();
+            let ends_once = returns == 1 && block.code.insts.last() == Some(&Inst::Return);
+            if size <= INSTRUCTIONS_MAX && ends_once && loop_heads(&block.code).len() <= LOOPS_MAX {
+                plans[index].inlined = Some(size);
+            }
+        }
+    }
+    for index in (0..blocks.len()).filter(|&index| !decided[index]) {
+        plans[index] = reach(&plans, blocks, index, &callees[index]);
+    }
+    plans
+}
+
+/// The plan of a block that is not inlined itself.
+fn reach(plans: &[Plan], blocks: &[Native], index: usize, callees: &[usize]) -> Plan {
+    let own = Plan { loops: !loop_heads(&blocks[index].code).is_empty(), ..Plan::default() };
+    callees.iter().fold(own, |all, &callee| {
+        let inner = if plans[callee].inlined.is_some() { plans[callee] } else { Plan::default() };
+        Plan {
+            inlined: None,
+            depth: all.depth.max(1 + inner.depth),
+            local: all.local.max(blocks[callee].local_size as usize + inner.local),
+            loops: all.loops || inner.loops,
+        }
+    })
+}
+
+/// A block that waits for one that is inlined in it.
+pub(super) struct Outer {
+    index: usize,
+    statement: u32,
+    /// The call.
+    inst: u32,
+    arrivals: HashMap<u32, Arrival>,
+    /// A loop that calls a block keeps nothing in registers for it.
+    loops: Vec<Loop>,
+    promoted: Vec<Promoted>,
+    passed: Vec<Val>,
+    given: Vec<Val>,
+    restored: [Val; RESTORED.len()],
+    local_offset: i32,
+    parameters_end: usize,
+}
+
+impl Translator<'_> {
+    /// Whether a call of this block becomes its code.
+    pub(super) fn inlines(&self, code: usize) -> bool {
+        let own = self.outer.first().map_or(self.index, |outermost| outermost.index);
+        let most = (self.blocks[own].code.insts.len() * GROWTH + GROWTH_MIN).min(GROWTH_MAX);
+        self.options.inline && self.plans[code].inlined.is_some_and(|size| self.grown + size <= most)
+    }
+
+    /// Looks at the beginning of a function whether all that it calls itself has room: mostly, and then no call has to look again.
+    pub(super) fn look_for_room(&mut self) {
+        let Plan { depth, local, .. } = self.plans[self.index];
+        if depth == 0 {
+            return;
+        }
+        let (no_room, _) = self.lacks_room(depth, (self.native().local_size as usize + local) as i64);
+        self.no_room = Some(no_room);
+    }
+
+    /// Whether so many activations below the outermost one of this function, or so many bytes of local data from its own, are too many.
+    fn lacks_room(&mut self, depth: usize, bytes: i64) -> (Value, Value) {
+        let link = self.b.ins().iadd_imm_u(self.link, (depth * size_of::<Link>()) as i64);
+        let end = self.b.ins().iadd_imm_u(self.local, bytes);
+        let link_max = self.load_run(offset_of!(Run<'_, '_>, link_max));
+        let local_end = self.load_run(offset_of!(Run<'_, '_>, local_end));
+        let too_deep = self.b.ins().icmp(IntCC::UnsignedGreaterThan, link, link_max);
+        let too_long = self.b.ins().icmp(IntCC::UnsignedGreaterThan, end, local_end);
+        (self.b.ins().bor(too_deep, too_long), link)
+    }
+
+    /// Makes sure that there is room for a block that is called now.
+    pub(super) fn make_sure_of_room(&mut self, index: u32, code: usize) {
+        let [look, go_on] = [self.cold_block(), self.b.create_block()];
+        match self.no_room {
+            Some(no_room) => self.b.ins().brif(no_room, look, &[], go_on, &[]),
+            None => self.b.ins().jump(look, &[]),
+        };
+        self.b.switch_to_block(look);
+        self.b.seal_block(look);
+        let bytes = self.local_behind() + i64::from(self.blocks[code].local_size);
+        let (no_room, _) = self.lacks_room(self.outer.len() + 1, bytes);
+        let site = self.site(index);
+        let cold = self.cold_block();
+        self.b.ins().brif(no_room, cold, &[], go_on, &[]);
+        let before = self.cold.replace(look);
+        self.cold_path(cold, Question::NoRoom, &[self.link, site], After::Never);
+        self.cold = before;
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+    }
+
+    /// Where the local data of a block that is called now begin, from those of the outermost block of this function, in bytes.
+    pub(super) fn local_behind(&self) -> i64 {
+        i64::from(self.local_offset) + i64::from(self.native().local_size)
+    }
+
+    /// Address behind the parameters of the block that is written now.
+    pub(super) fn own_parameters_end(&mut self) -> Value {
+        let end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
+        if self.parameters_end == 0 { end } else { self.b.ins().iadd_imm_u(end, 4 * self.parameters_end as i64) }
+    }
+
+    /// Writes the code of a called block in place of the call.
+    pub(super) fn call_inlined(&mut self, index: u32, code: usize, parameters: usize) {
+        self.make_sure_of_room(index, code);
+        self.grown += self.blocks[code].code.insts.len();
+        let restored = RESTORED.map(|register| {
+            let value = self.register(register);
+            self.force(value)
+        });
+        for &(register, value) in AT_CALL {
+            self.set_register(register, Val::Const(value));
+        }
+        let parameters_end = self.parameters_end + self.passed.len();
+        let given = self.passed.split_off(self.passed.len().saturating_sub(parameters));
+        let local_offset = self.local_behind() as i32;
+        self.outer.push(Outer {
+            index: self.index,
+            statement: self.statement,
+            inst: index,
+            arrivals: std::mem::take(&mut self.arrivals),
+            loops: std::mem::replace(&mut self.loops, loops::find(&self.blocks[code].code)),
+            promoted: std::mem::take(&mut self.promoted),
+            passed: std::mem::take(&mut self.passed),
+            given: std::mem::replace(&mut self.given, given),
+            restored,
+            local_offset: self.local_offset,
+            parameters_end: self.parameters_end,
+        });
+        (self.index, self.local_offset, self.parameters_end) = (code, local_offset, parameters_end);
+        self.statement = 0;
+        for to in loop_heads(&self.native().code) {
+            self.expect_way_back(to);
+        }
+        self.enter_block();
+        self.statements();
+        let Some(outer) = self.outer.pop() else { unreachable!("it was pushed above") };
+        let written = self.summaries[code].written;
+        (self.index, self.statement, self.arrivals) = (outer.index, outer.statement, outer.arrivals);
+        (self.loops, self.promoted) = (outer.loops, outer.promoted);
+        (self.passed, self.given) = (outer.passed, outer.given);
+        (self.local_offset, self.parameters_end) = (outer.local_offset, outer.parameters_end);
+        for (register, value) in RESTORED.into_iter().zip(outer.restored) {
+            if !OPEN_BLOCKS.contains(&register) || written & bit_of(register) != 0 {
+                self.set_register(register, value);
+            }
+        }
+        for (register, value) in AFTER_CALL {
+            self.set_register(register, Val::Const(value));
+        }
+    }
+
+    /// The link of the block that is written now, for somebody who looks: those of inlined blocks are written first.
+    pub(super) fn shown_link(&mut self) -> Value {
+        if self.outer.is_empty() {
+            return self.link;
+        }
+        let end = self.b.ins().load(I64, TRUSTED, self.link, offset_of!(Link, parameters_end) as i32);
+        for level in 1..=self.outer.len() {
+            let (code, given, local_offset, parameters_end) = match self.outer.get(level) {
+                Some(outer) => (outer.index, outer.given.clone(), outer.local_offset, outer.parameters_end),
+                None => (self.index, self.given.clone(), self.local_offset, self.parameters_end),
+            };
+            let (site, restored) = (self.outer[level - 1].inst, self.outer[level - 1].restored);
+            let first_given = parameters_end - given.len();
+            let code = self.b.ins().iconst(I64, code as i64);
+            let site = self.b.ins().iconst(I64, i64::from(site));
+            let local = self.b.ins().iadd_imm_u(self.local, i64::from(local_offset));
+            let first = self.b.ins().iadd_imm_u(end, 4 * first_given as i64);
+            let last = self.b.ins().iadd_imm_u(end, 4 * parameters_end as i64);
+            let mut fields = vec![
+                (code, offset_of!(Link, code)),
+                (site, offset_of!(Link, site)),
+                (local, offset_of!(Link, local)),
+                (first, offset_of!(Link, parameters)),
+                (last, offset_of!(Link, parameters_end)),
+            ];
+            for (value, offset) in restored.into_iter().zip(KEPT_IN) {
+                fields.push((self.word(value), offset));
+            }
+            for (value, offset) in fields {
+                self.b.ins().store(TRUSTED, value, self.link, (level * size_of::<Link>() + offset) as i32);
+            }
+            for (index, pointer) in given.into_iter().enumerate() {
+                let pointer = self.int(pointer);
+                self.b.ins().store(TRUSTED, pointer, end, 4 * (first_given + index) as i32);
+            }
+        }
+        self.b.ins().iadd_imm_u(self.link, (self.outer.len() * size_of::<Link>()) as i64)
+    }
+
+    /// The local data of the caller, as bytes behind the local data of the outermost block of this function: first and number. `None` = the
+    /// caller is another function.
+    pub(super) fn caller_local(&self, calls: usize) -> Option<(i32, usize)> {
+        let level = self.outer.len().checked_sub(1 + calls)?;
+        let caller = &self.outer[level];
+        Some((caller.local_offset, self.blocks[caller.index].local_size as usize))
+    }
+
+    /// Where a pointer to the local data of a caller goes, if that caller is in this function: byte behind the local data of its outermost
+    /// block, and bit. Not if the access would fail.
+    pub(super) fn way_to_caller(&self, position: u32, width: Width) -> Option<(i32, u8)> {
+        let (first, bytes) = self.caller_local((position >> CALLS_SHIFT) as usize)?;
+        let (byte, bit) = ((position & CALLS_MASK) / 8, (position % 8) as u8);
+        let inside = byte as usize + width.bytes() as usize <= bytes;
+        (inside && (width == Width::Bit || bit == 0)).then_some((first + byte as i32, bit))
+    }
+}
