@@ -8,6 +8,7 @@ use clap::{Args, ValueEnum};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
 use sieben_jit::{Jit, StatusBits, Tier, Tiers};
 use sieben_lang::encoding::Encoding;
+use sieben_lang::st::dialect::Dialect;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
@@ -27,6 +28,9 @@ pub(crate) struct ProgramArguments {
     /// Mnemonic language of the sources; auto judges each file as a whole [default: the project's, else auto]
     #[arg(long, value_name = "LANGUAGE")]
     mnemonics: Option<MnemonicsArgument>,
+    /// Dialect of the sources of ST and SCL [default: the project's, else judged over each file]
+    #[arg(long, value_name = "DIALECT", value_parser = dialect_argument)]
+    dialect: Option<Dialect>,
     /// Allow the extension words of awlsim, such as `__ASSERT==` [default: the project's, else not]
     #[arg(long)]
     extended: bool,
@@ -35,6 +39,14 @@ pub(crate) struct ProgramArguments {
     profile: Option<ProfileArgument>,
     #[command(flatten)]
     encoding: EncodingArgument,
+}
+
+/// The dialect with this name.
+pub(crate) fn dialect_argument(text: &str) -> Result<Dialect, String> {
+    Dialect::from_name(text).ok_or_else(|| {
+        let names = Dialect::ALL.map(Dialect::name).join(", ");
+        format!("`{text}` is no dialect of ST; there are {names}")
+    })
 }
 
 /// How the bytes of the files mean characters.
@@ -119,6 +131,7 @@ impl ProgramArguments {
         Ok(Overrides {
             cpu,
             mnemonics: self.mnemonics.map(MnemonicsArgument::language),
+            dialect: self.dialect,
             extended: self.extended,
             profile: self.profile.map(Profile::from),
             ..Overrides::default()

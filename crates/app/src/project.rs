@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use sieben_lang::encoding::{self, Decoded, Encoding};
+use sieben_lang::st::dialect::Dialect;
 use sieben_lang::{Compiled, Options, TemporaryReads};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
@@ -22,8 +23,8 @@ use crate::glob::Pattern;
 use crate::report::{self, Finding, Texts};
 use crate::settings::{self, Placed, Settings};
 
-/// Endings of STL sources.
-const SOURCE_ENDINGS: [&str; 2] = ["awl", "stl"];
+/// Endings of sources.
+const SOURCE_ENDINGS: [&str; 5] = ["awl", "stl", "st", "iecst", "scl"];
 /// Endings of symbol tables of other tools; of `.csv` files only `symbols.csv` is one without being named.
 const SYMBOL_ENDINGS: [&str; 4] = ["sdf", "asc", "dif", "seq"];
 /// Most files a folder is searched for: a home directory given by mistake must not be read for minutes.
@@ -38,6 +39,8 @@ pub(crate) struct Overrides {
     pub(crate) cpu: Option<&'static CpuType>,
     /// `--mnemonics en|de`; `Some(None)` is `auto`.
     pub(crate) mnemonics: Option<Option<Mnemonics>>,
+    /// `--dialect`.
+    pub(crate) dialect: Option<Dialect>,
     /// `--temp`.
     pub(crate) temporaries: TemporaryReads,
     /// `--extended`.
@@ -141,6 +144,7 @@ impl Project {
             replacing: overrides.replacing.then_some(FileId(0)),
             system_blocks,
             library: self.settings.library.clone(),
+            dialect: overrides.dialect.or(self.settings.dialect),
         };
         let nothing = self.findings.iter().any(|finding| finding.diagnostic.problem == Problem::P6005);
         let compiled = match nothing {

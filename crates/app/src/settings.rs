@@ -9,6 +9,7 @@ use std::time::Duration;
 use sieben_cpu::retain::Numbers;
 use sieben_cpu::{CyclicInterrupt, ImageErrors, RetentiveAreas};
 use sieben_lang::library::{self, Selection};
+use sieben_lang::st::dialect::Dialect;
 use sieben_model::address::Operand;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
@@ -49,6 +50,8 @@ pub(crate) struct Settings {
     pub(crate) tests: Option<Vec<Placed>>,
     /// `project.mnemonics`; `None` = judged over each file.
     pub(crate) mnemonics: Option<Mnemonics>,
+    /// `project.dialect`; `None` = judged over each file.
+    pub(crate) dialect: Option<Dialect>,
     /// `project.library` and the numbers under `[library]`.
     pub(crate) library: Selection,
     /// `project.extended`: the sources use the extension words of awlsim.
@@ -142,6 +145,7 @@ const KEYS: &[Key] = &[
     used("project", "sources"),
     used("project", "symbols"),
     used("project", "mnemonics"),
+    used("project", "dialect"),
     used("project", "tests"),
     used("project", "library"),
     later("project", "dialect"),
@@ -214,6 +218,7 @@ impl Reader {
                 ("project", "symbols") => self.settings.symbols = self.list(value, name),
                 ("project", "tests") => self.settings.tests = self.list(value, name),
                 ("project", "mnemonics") => self.mnemonics(value),
+                ("project", "dialect") => self.dialect(value),
                 ("project", "library") => match value.get_ref() {
                     DeValue::Boolean(enabled) => self.settings.library.enabled = *enabled,
                     _ => self.wrong(value, "`library` is `true` or `false`; numbers of its blocks stand in a table `[library]`"),
@@ -323,6 +328,15 @@ impl Reader {
                 self.wrong(value, &format!("`{name}` is a list of patterns: `{name} = [\"src/**/*.awl\"]`"));
                 None
             }
+        }
+    }
+
+    fn dialect(&mut self, value: &Value<'_>) {
+        let Some(placed) = self.text(value, "dialect") else { return };
+        self.settings.dialect = Dialect::from_name(&placed.text);
+        if self.settings.dialect.is_none() {
+            let names = Dialect::ALL.map(|dialect| format!("`{}`", dialect.name())).join(", ");
+            self.wrong(value, &format!("`{}` is no dialect of ST: write one of {names}", placed.text));
         }
     }
 

@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use sieben_model::address::Width;
+use sieben_model::address::{Operand, Width};
 use sieben_model::block::BlockId;
 use sieben_model::interface::Interface;
 use sieben_model::program::DataBlock;
 use sieben_model::source::Span;
+use sieben_model::types::DataType;
 
 use crate::ir::Code;
 
@@ -26,6 +27,17 @@ pub struct CodeBlock {
     pub private: Vec<(u32, Width)>,
 }
 
+/// Names of the variables of a program that has names without addresses.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Names {
+    /// Data blocks by name, in lower case.
+    pub blocks: BTreeMap<String, u16>,
+    /// Data blocks whose fields are called by their names alone; of two fields with one name the one of the first block counts.
+    pub open: Vec<u16>,
+    /// Variables with an address, in lower case.
+    pub located: BTreeMap<String, (Operand, DataType)>,
+}
+
 /// Everything that is loaded into a CPU.
 #[derive(Clone, Debug, Default)]
 pub struct Program {
@@ -33,4 +45,6 @@ pub struct Program {
     pub code: BTreeMap<BlockId, CodeBlock>,
     /// Data blocks by number.
     pub data: BTreeMap<u16, DataBlock>,
+    /// What people call its variables, beside their addresses.
+    pub names: Names,
 }

@@ -4,6 +4,7 @@
 pub mod awlsim_project;
 mod declarations;
 pub mod encoding;
+pub mod language;
 pub mod library;
 pub mod project;
 mod scope;
@@ -11,5 +12,6 @@ pub mod st;
 pub mod stl;
 pub mod symbols;
 
+pub use language::Language;
 pub use project::{Compiled, Options, compile};
 pub use stl::check::TemporaryReads;

@@ -1,6 +1,6 @@
 //! Compiles the sources of a project into a program.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use sieben_engine::Program;
 use sieben_model::block::{BlockId, BlockKind};
@@ -15,9 +15,14 @@ use sieben_model::symbols::SymbolTable;
 use crate::declarations::data_block::{DataLayout, fill, instance, layout};
 use crate::declarations::path::FieldNames;
 use crate::declarations::types::{BlockInterface, Types};
+use crate::language::Language;
 use crate::library::link::{Links, link};
 use crate::library::{Linked, Selection};
 use crate::scope::{Scope, block_of_name};
+use crate::st;
+use crate::st::declare::{Demand, Items, Needed, StFile, collect};
+use crate::st::dialect::Dialect;
+use crate::st::standard::Source;
 use crate::stl::ast;
 use crate::stl::check;
 use crate::stl::extension;
@@ -48,6 +53,8 @@ pub struct Options {
     pub temporaries: check::TemporaryReads,
     /// What the program may take from the library.
     pub library: Selection,
+    /// The dialect of all sources of ST; `None` = judged over each whole file.
+    pub dialect: Option<Dialect>,
 }
 
 /// What came of it. With an error among the diagnostics the program holds what could be compiled and must not be run.
@@ -65,6 +72,23 @@ pub struct Compiled {
     pub block_names: BTreeMap<BlockId, String>,
     /// The blocks of the library that belong to the program because something there names them.
     pub library: Vec<Linked>,
+    /// Sources of ST of the library that belong to the program because something there needs them.
+    pub st_library: Vec<LinkedSource>,
+    /// The blocks that each block of ST calls.
+    pub calls: BTreeMap<BlockId, BTreeSet<BlockId>>,
+    /// How often the cyclic interrupts are called that run the tasks of a CONFIGURATION: organization block and milliseconds.
+    pub intervals: BTreeMap<u16, u16>,
+}
+
+/// A source of ST of the library that belongs to a program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinkedSource {
+    /// Its place among the sources of the program, behind the user's and those of [`Linked`] blocks.
+    pub file: FileId,
+    /// Which source it is.
+    pub source: &'static Source,
+    /// Its blocks.
+    pub blocks: BTreeSet<BlockId>,
 }
 
 impl Compiled {
@@ -75,11 +99,21 @@ impl Compiled {
 
     /// Whether a block comes from the library.
     pub fn is_of_library(&self, block: BlockId) -> bool {
-        self.library.iter().any(|linked| linked.id == block)
+        self.library.iter().any(|linked| linked.id == block) || self.st_library.iter().any(|linked| linked.blocks.contains(&block))
+    }
+
+    /// Whether a file is one of the user's.
+    fn is_of_user(&self, file: FileId) -> bool {
+        !self.library.iter().any(|linked| linked.file == file) && !self.st_library.iter().any(|linked| linked.file == file)
     }
 
     /// Adds the sources of the linked library blocks to those that were compiled, so that every place of the program can be shown.
     pub fn add_library_sources(&self, sources: &mut Sources) {
+        for linked in &self.st_library {
+            if sources.iter().len() == linked.file.0 as usize {
+                sources.add(linked.source.path, linked.source.text);
+            }
+        }
         for linked in &self.library {
             if sources.iter().len() == linked.file.0 as usize {
                 sources.add(linked.block.path, linked.block.text);
@@ -98,13 +132,23 @@ struct Found<'a> {
 /// Compiles all sources of a project, in any order of blocks.
 pub fn compile(sources: &Sources, symbols: &SymbolTable, options: &Options) -> Compiled {
     let mut files = Vec::new();
+    let mut st = Vec::new();
     let mut diagnostics = Vec::new();
     for (id, source) in sources.iter() {
-        let mut parsed = parse(id, &source.text, options.mnemonics);
-        diagnostics.append(&mut parsed.diagnostics);
-        files.push(SyntaxOfFile { id, file: parsed.file, mnemonics: parsed.mnemonics });
+        match Language::of(&source.name, &source.text, options.dialect) {
+            Language::Stl => {
+                let mut parsed = parse(id, &source.text, options.mnemonics);
+                diagnostics.append(&mut parsed.diagnostics);
+                files.push(SyntaxOfFile { id, file: parsed.file, mnemonics: parsed.mnemonics });
+            }
+            Language::St(dialect) => {
+                let mut parsed = st::parser::parse(id, &source.text, dialect);
+                diagnostics.append(&mut parsed.diagnostics);
+                st.push(StFile { id, dialect, file: parsed.file, library: None });
+            }
+        }
     }
-    compile_syntax(sources, &files, diagnostics, symbols, options)
+    compile_languages(sources, &files, st, &diagnostics, symbols, options)
 }
 
 /// A source that is parsed already.
@@ -118,14 +162,46 @@ pub struct SyntaxOfFile {
     pub mnemonics: Mnemonics,
 }
 
-/// Compiles sources that are parsed already; `diagnostics` are those of the parser.
+/// Compiles sources of STL that are parsed already; `diagnostics` are those of the parser.
 pub fn compile_syntax(
     sources: &Sources,
     files: &[SyntaxOfFile],
-    mut diagnostics: Vec<Diagnostic>,
+    diagnostics: Vec<Diagnostic>,
     symbols: &SymbolTable,
     options: &Options,
 ) -> Compiled {
+    compile_languages(sources, files, Vec::new(), &diagnostics, symbols, options)
+}
+
+/// Compiles sources of all languages that are parsed already. What a program needs of the library shows while it is checked: then
+/// all begins anew with that.
+fn compile_languages(
+    sources: &Sources,
+    files: &[SyntaxOfFile],
+    st: Vec<StFile>,
+    diagnostics: &[Diagnostic],
+    symbols: &SymbolTable,
+    options: &Options,
+) -> Compiled {
+    let mut needed = Needed::default();
+    loop {
+        let (compiled, demands) = attempt(sources, files, &st, diagnostics.to_vec(), symbols, options, &needed);
+        if !needed.add(&demands) {
+            return compiled;
+        }
+    }
+}
+
+/// Compiles once, with what the program is known to need of the library; tells what else it needs.
+fn attempt(
+    sources: &Sources,
+    files: &[SyntaxOfFile],
+    st: &[StFile],
+    mut diagnostics: Vec<Diagnostic>,
+    symbols: &SymbolTable,
+    options: &Options,
+    needed: &Needed,
+) -> (Compiled, Vec<Demand>) {
     let mut cpu = options.cpu.copied().unwrap_or_default();
     if options.extended {
         cpu.accumulators = accumulators(&cpu, files, &mut diagnostics);
@@ -143,11 +219,15 @@ pub fn compile_syntax(
 
     let mut scope = Scope::new(symbols, &options.system_blocks);
     let mut found = find_blocks(files, &scope, &cpu, options.replacing, &mut diagnostics);
-    let defined: HashSet<BlockId> = found.iter().map(|found| found.id).collect();
+    let mut taken: HashMap<BlockId, Span> = found.iter().map(|found| (found.id, found.block.name.span())).collect();
+    let all_st = needed.with_library(st, sources.iter().len());
+    let items = collect(&all_st, &mut scope, &cpu, options.replacing, &mut taken, &mut diagnostics);
+    let defined: HashSet<BlockId> = taken.keys().copied().collect();
     // One file alone does not tell whether another one defines the block.
     let selection = Selection { enabled: options.library.enabled && !options.syntax_only, ..options.library.clone() };
-    let links = link(found.iter().map(|found| found.block), &defined, &mut scope, &selection, &cpu);
-    compiled.library = linked(&links, sources);
+    let links = link(found.iter().map(|found| found.block), &needed.blocks, &defined, &mut scope, &selection, &cpu);
+    compiled.library = linked(&links, sources.iter().len() + needed.sources.len());
+    compiled.st_library = needed.linked(&items, sources.iter().len());
     let library: Vec<Parsed> =
         compiled.library.iter().map(|linked| parse(linked.file, linked.block.text, Some(Mnemonics::English))).collect();
     for (linked, parsed) in compiled.library.iter().zip(&library) {
@@ -155,7 +235,7 @@ pub fn compile_syntax(
         found.push(Found { id: linked.id, block, mnemonics: Mnemonics::English });
     }
     let mut with_library;
-    let sources = match compiled.library.is_empty() {
+    let sources = match compiled.library.is_empty() && compiled.st_library.is_empty() {
         true => sources,
         false => {
             with_library = sources.clone();
@@ -168,6 +248,7 @@ pub fn compile_syntax(
 
     // First pass: everything that is declared. The order of the sources does not matter, types resolve one another.
     let mut types = Types::new(&scope, &blocks, &system);
+    types.st = Some(&items);
     let mut interfaces: HashMap<BlockId, BlockInterface> = HashMap::new();
     let mut data: HashMap<u16, DataLayout> = HashMap::new();
     for &block in system.keys() {
@@ -192,14 +273,26 @@ pub fn compile_syntax(
             }
         }
     }
-    let generated = missing_instances(&found, &scope, &interfaces, &mut data, &blocks, &mut types.diagnostics);
+    for (&id, code) in &items.code {
+        if let Some(interface) = types.interface(id, code.block.name.span) {
+            interfaces.insert(id, interface);
+        }
+    }
+    let globals = st::declare::layouts(&mut types, &items, &mut data);
+    st::declare::all_types(&mut types, &items);
+    let generated = missing_instances(&found, &items, &scope, &interfaces, &mut data, &blocks, &mut types.diagnostics);
     let field_names = FieldNames::default();
-    fill_data(&mut types, &field_names, &found, &data, &generated, &mut compiled.program);
+    fill_data(&mut types, &field_names, &found, &items, &data, &generated, &mut compiled.program);
     diagnostics.append(&mut types.diagnostics);
+    let known = std::mem::take(&mut types.st_known);
+    let environment = st::declare::environment(&items, &scope, &interfaces, &data, known, globals);
 
     // Second pass: statements.
     let exists = |id: BlockId| {
-        blocks.contains_key(&id) || system.contains_key(&id) || (id.kind == BlockKind::DataBlock && data.contains_key(&id.number))
+        blocks.contains_key(&id)
+            || system.contains_key(&id)
+            || items.code.contains_key(&id)
+            || (id.kind == BlockKind::DataBlock && data.contains_key(&id.number))
     };
     let only = |id: BlockId| system.get(&id).and_then(|block| Some((block.name, block.only?)));
     let known = Known {
@@ -246,8 +339,17 @@ pub fn compile_syntax(
             compiled.blocks.insert(*id, checked.block);
         }
     }
-    if !files.is_empty() && !blocks.contains_key(&BlockId::ob(1)) {
-        let place = found.first().map_or(Span::default(), |found| found.block.name.span());
+    let mut bodies = environment.compile(&cpu, &exists);
+    compiled.program.code.append(&mut bodies.code);
+    compiled.intervals = bodies.intervals;
+    compiled.calls = bodies.calls;
+    diagnostics.extend(bodies.diagnostics.into_iter().filter(|diagnostic| compiled.is_of_user(diagnostic.span.file)));
+    compiled.program.names = environment.program_names();
+    let has_main = blocks.contains_key(&BlockId::ob(1)) || compiled.program.code.contains_key(&BlockId::ob(1)) || bodies.failed;
+    let nothing = files.is_empty() && st.is_empty();
+    if !nothing && !has_main {
+        let stl = found.first().map(|found| found.block.name.span());
+        let place = stl.or_else(|| items.code.values().next().map(|code| code.block.name.span)).unwrap_or_default();
         diagnostics.push(Diagnostic::new(Problem::P3013, place, "there is no OB 1, so nothing runs in the cycle"));
     }
 
@@ -257,7 +359,9 @@ pub fn compile_syntax(
     diagnostics.sort_by_key(|diagnostic| (diagnostic.span.file, diagnostic.span.start));
     compiled.diagnostics = diagnostics;
     compiled.block_names = block_names(&found, &scope);
-    compiled
+    compiled.block_names.extend(items.names.iter().map(|(&id, name)| (id, name.clone())));
+    let demands = environment.demands();
+    (compiled, demands)
 }
 
 /// The accumulators of the CPU type, or those that the program asks for with `__FEATURE 0`.
@@ -290,8 +394,7 @@ fn needs_other_files(problem: Problem) -> bool {
 }
 
 /// The linked blocks with their places behind the user's sources.
-fn linked(links: &Links, sources: &Sources) -> Vec<Linked> {
-    let first = sources.iter().len();
+fn linked(links: &Links, first: usize) -> Vec<Linked> {
     let file = |index: usize| FileId(u32::try_from(first + index).expect("fewer than 2^32 source files"));
     links.iter().enumerate().map(|(index, (&id, &block))| Linked { id, block, file: file(index) }).collect()
 }
@@ -386,6 +489,7 @@ fn article(kind: BlockKind) -> &'static str {
 /// Instance data blocks that calls name and no source defines, in the order of their numbers.
 fn missing_instances(
     found: &[Found<'_>],
+    items: &Items<'_>,
     scope: &Scope,
     interfaces: &HashMap<BlockId, BlockInterface>,
     data: &mut HashMap<u16, DataLayout>,
@@ -393,12 +497,14 @@ fn missing_instances(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<u16> {
     let mut generated = Vec::new();
-    for statement in found.iter().flat_map(|found| &found.block.statements) {
-        let ast::Operand::Call(call) = &statement.operand else { continue };
-        let Some((operand, span)) = &call.instance else { continue };
-        let (Some(callee), Some(number)) = (plain_callee(scope, &call.callee), plain_data_block(scope, operand)) else {
-            continue;
-        };
+    let statements = found.iter().flat_map(|found| &found.block.statements);
+    let of_stl = statements.filter_map(|statement| {
+        let ast::Operand::Call(call) = &statement.operand else { return None };
+        let (operand, span) = call.instance.as_ref()?;
+        Some((plain_callee(scope, &call.callee)?, plain_data_block(scope, operand)?, *span))
+    });
+    let calls: Vec<(BlockId, u16, Span)> = of_stl.chain(items.instances_called()).collect();
+    for (callee, number, span) in calls {
         if number == 0 || data.contains_key(&number) || blocks.contains_key(&BlockId::db(number)) {
             continue;
         }
@@ -409,16 +515,17 @@ fn missing_instances(
         data.insert(number, DataLayout { structure: instance.clone(), based_on: Some(callee) });
         generated.push(number);
         let message = format!("`DB {number}` has no source; it is made as an instance of `{callee}`");
-        diagnostics.push(Diagnostic::new(Problem::P3014, *span, message));
+        diagnostics.push(Diagnostic::new(Problem::P3014, span, message));
     }
     generated.sort_unstable();
     generated
 }
 
-fn fill_data(
-    types: &mut Types<'_>,
+fn fill_data<'a>(
+    types: &mut Types<'a>,
     field_names: &FieldNames,
     found: &[Found<'_>],
+    items: &'a Items<'a>,
     data: &HashMap<u16, DataLayout>,
     generated: &[u16],
     program: &mut Program,
@@ -437,7 +544,10 @@ fn fill_data(
         }
         program.data.insert(id.number, fill(types, field_names, id.number, block, layout));
     }
-    for number in generated {
+    let mut of_st: Vec<u16> =
+        data.keys().copied().filter(|number| !program.data.contains_key(number) && !generated.contains(number)).collect();
+    of_st.sort_unstable();
+    for number in generated.iter().chain(&of_st) {
         let Some(layout) = data.get(number) else { continue };
         total += layout.structure.size as usize;
         if total > DATA_BYTES_MAX {
@@ -445,7 +555,8 @@ fn fill_data(
             types.report(Problem::P5006, Span::default(), message);
             return;
         }
-        program.data.insert(*number, instance(*number, layout));
+        let block = st::declare::fill(types, items, *number, layout);
+        program.data.insert(*number, block.unwrap_or_else(|| instance(*number, layout)));
     }
 }
 

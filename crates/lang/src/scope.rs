@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use sieben_model::address::Operand;
 use sieben_model::block::{BlockId, BlockKind};
@@ -31,6 +32,14 @@ pub(crate) struct Global {
     pub(crate) data_type: String,
     /// The name stands in the table again with another address.
     pub(crate) ambiguous: bool,
+}
+
+impl Global {
+    /// Whether it is a block of the CPU itself.
+    fn is_of_system(&self) -> bool {
+        let Some(Operand::Block(block)) = self.operand else { return false };
+        matches!(block.kind, BlockKind::SystemFunction | BlockKind::SystemFunctionBlock)
+    }
 }
 
 /// The global names.
@@ -73,6 +82,40 @@ impl Scope {
             data_type: block.to_string(),
             ambiguous: false,
         });
+    }
+
+    /// Lets a name stand for a block of the project, unless the symbol table says otherwise.
+    pub(crate) fn define_block(&mut self, wanted: &str, name: &str, block: BlockId) {
+        let global = Global {
+            name: name.to_owned(),
+            operand: Some(Operand::Block(block)),
+            address: block.to_string(),
+            data_type: block.to_string(),
+            ambiguous: false,
+        };
+        match self.globals.entry(key(wanted)) {
+            Entry::Occupied(mut entry) if entry.get().is_of_system() => drop(entry.insert(global)),
+            Entry::Occupied(_) => {}
+            Entry::Vacant(entry) => drop(entry.insert(global)),
+        }
+    }
+
+    /// The block that the symbol table gives a name to; names of system blocks do not count.
+    pub(crate) fn own_block(&self, name: &str) -> Option<BlockId> {
+        match self.global(name).filter(|global| !global.is_of_system())?.operand? {
+            Operand::Block(block) => Some(block),
+            _ => None,
+        }
+    }
+
+    /// Everything that has a name.
+    pub(crate) fn operands(&self) -> impl Iterator<Item = Operand> {
+        self.globals.values().filter_map(|global| global.operand)
+    }
+
+    /// All names.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        self.globals.values().map(|global| global.name.as_str())
     }
 
     /// All blocks with a symbol.

@@ -204,6 +204,12 @@ problems! {
     P6111 Error "a symbol table that ends too early" "Export the table again; the file seems to be cut.";
     P6112 Warning "a symbol table with another number of rows than its head says" "Export the table again, or look whether rows are missing.";
     P6113 Warning "a symbol table in another format than its name says" "Rename the file; it was read as what it holds.";
+    P6120 Error "an organization block without a number" "Name it `OB1`, or give its name the address of an organization block in the symbol table.";
+    P6122 Error "a value that is not known when the program is compiled" "Use constants only: numbers, CONST, VAR CONSTANT, values of enumerations.";
+    P6127 Error "an address or a view that a variable cannot have" "Use an address of the width of the type, or a view that is not longer than its variable.";
+    P6130 Error "a task that the CPU cannot run" "Write an interval of 1 ms to 60 s, or none for the cycle.";
+    P6132 Error "an instance where nothing is kept" "Declare it under VAR of a FUNCTION_BLOCK or PROGRAM, or under VAR_GLOBAL.";
+    P6199 Error "a declaration that cannot be compiled yet" "Write it another way; the message says what is missing.";
 
     // 62xx statements of ST
     P6200 Error "a value of another type" "Convert it with a function such as `INT_TO_REAL`, or declare the variable with the type of the value.";
@@ -237,6 +243,8 @@ problems! {
     P6231 Error "a read of something that can only be written" "Read the process image instead.";
     P6232 Warning "a result that nobody uses" "Assign it to a variable, or remove the call.";
     P6233 Error "a CASE of something that has no whole numbers" "Use IF and ELSIF.";
+
+    // 62xx statements of ST
 
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";

@@ -136,6 +136,9 @@ impl Name {
     /// Nothing is called that.
     pub fn parse(text: &str, symbols: &SymbolTable, program: &Program) -> Result<Self, NameError> {
         let text = text.trim();
+        if let Some(target) = named(text, program)? {
+            return Ok(Self { text: text.to_owned(), target });
+        }
         let target = if text.starts_with('"') { None } else { absolute(text)? };
         let target = match target {
             Some(target) => target,
@@ -499,6 +502,31 @@ fn absolute(text: &str) -> Result<Option<Target>, NameError> {
             Err(NameError::new(format!("`{block}` is a block, which has no value; name an address or a field in it")))
         }
         Some(operand) => Ok(Some(Target::Operand(operand, None))),
+        None => Ok(None),
+    }
+}
+
+/// A variable that the program calls by this name alone, or a field of a data block with a name.
+fn named(text: &str, program: &Program) -> Result<Option<Target>, NameError> {
+    let names = &program.names;
+    if names.open.is_empty() && names.blocks.is_empty() && names.located.is_empty() {
+        return Ok(None);
+    }
+    if let Some((operand, data_type)) = names.located.get(&text.trim_matches('"').to_lowercase()) {
+        return Ok(Some(Target::Operand(*operand, Some(data_type.clone()))));
+    }
+    let found = names.open.iter().find_map(|number| {
+        let (offset, data_type) = field(&program.data.get(number)?.structure, text).ok()?;
+        Some((*number, offset, data_type))
+    });
+    let (first, path) = split_first(text);
+    let in_block = || {
+        let number = *names.blocks.get(&first.to_lowercase())?;
+        let (offset, data_type) = field(&program.data.get(&number)?.structure, path).ok()?;
+        Some((number, offset, data_type))
+    };
+    match found.or_else(in_block) {
+        Some((number, offset, data_type)) => target_of_field(number, offset, data_type, text).map(Some),
         None => Ok(None),
     }
 }

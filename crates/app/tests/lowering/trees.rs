@@ -157,7 +157,7 @@ pub(crate) fn compile(blocks: &[Block]) -> Program {
         code.insert(block.id, lowered);
     }
     let data = (1..=2).map(|number| (number, data_block(number))).collect();
-    Program { code, data }
+    Program { code, data, ..Program::default() }
 }
 
 fn data_block(number: u16) -> DataBlock {

@@ -51,7 +51,7 @@ pub(crate) fn layout(types: &mut Types<'_>, number: u16, block: &ast::Block) -> 
             let structure = match based_on.kind {
                 BlockKind::UserDefinedType => types.udt(based_on.number, name.span)?,
                 BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock => {
-                    if !types.blocks.contains_key(&based_on) && !types.system.contains_key(&based_on) {
+                    if !types.exists(based_on) {
                         types.report(Problem::P3008, name.span, format!("`{based_on}`, of which `{id}` is an instance, does not exist"));
                         return None;
                     }

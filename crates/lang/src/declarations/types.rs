@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use sieben_model::block::{BlockId, BlockKind};
-use sieben_model::diagnostic::Diagnostic;
+use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::interface::{Interface, Section, SystemBlock};
 use sieben_model::literal::Value;
 use sieben_model::problems::Problem;
@@ -15,6 +15,7 @@ use super::interface::{Declared, declared_of, lay_out};
 use super::values::{Misfit, coerce};
 use super::{BLOCK_BYTES_MAX, NESTING_MAX};
 use crate::scope::{Scope, did_you_mean, key};
+use crate::st::declare::{self, Items};
 use crate::stl::ast;
 
 /// Dimensions an array may have.
@@ -55,7 +56,8 @@ pub(crate) struct BlockInterface {
     pub(crate) instance: Arc<Structure>,
 }
 
-enum State<T> {
+/// How far something is that is resolved once.
+pub(crate) enum State<T> {
     InProgress,
     Done(Option<T>),
 }
@@ -69,6 +71,10 @@ pub(crate) struct Types<'a> {
     udts: HashMap<u16, State<Arc<Structure>>>,
     interfaces: HashMap<BlockId, State<BlockInterface>>,
     depth: usize,
+    /// What the ST sources declare.
+    pub(crate) st: Option<&'a Items<'a>>,
+    /// What is known of that so far.
+    pub(crate) st_known: declare::Known,
     pub(crate) diagnostics: Vec<Diagnostic>,
 }
 
@@ -78,7 +84,22 @@ impl<'a> Types<'a> {
         blocks: &'a HashMap<BlockId, &'a ast::Block>,
         system: &'a HashMap<BlockId, &'a SystemBlock>,
     ) -> Self {
-        Self { scope, blocks, system, udts: HashMap::new(), interfaces: HashMap::new(), depth: 0, diagnostics: Vec::new() }
+        Self {
+            scope,
+            blocks,
+            system,
+            udts: HashMap::new(),
+            interfaces: HashMap::new(),
+            depth: 0,
+            st: None,
+            st_known: declare::Known::default(),
+            diagnostics: Vec::new(),
+        }
+    }
+
+    /// The number of errors so far.
+    pub(crate) fn errors(&self) -> usize {
+        self.diagnostics.iter().filter(|diagnostic| diagnostic.severity() == Severity::Error).count()
     }
 
     pub(crate) fn report(&mut self, problem: Problem, span: Span, message: impl Into<String>) -> &mut Diagnostic {
@@ -96,6 +117,9 @@ impl<'a> Types<'a> {
                 return None;
             }
             None => {}
+        }
+        if let Some(structure) = declare::user_defined(self, number, span) {
+            return structure;
         }
         let Some(&block) = self.blocks.get(&id) else {
             self.report(Problem::P3015, span, format!("`{id}` does not exist")).help =
@@ -136,6 +160,18 @@ impl<'a> Types<'a> {
             }
             None => {}
         }
+        if let Some(items) = self.st
+            && items.code.contains_key(&id)
+        {
+            if !self.enter(span) {
+                return None;
+            }
+            self.interfaces.insert(id, State::InProgress);
+            let laid_out = declare::interface_of(self, items, id);
+            self.leave();
+            self.interfaces.insert(id, State::Done(laid_out.clone()));
+            return laid_out;
+        }
         let (declared, named) = if let Some(&block) = self.blocks.get(&id) {
             if !self.enter(span) {
                 return None;
@@ -159,7 +195,8 @@ impl<'a> Types<'a> {
         laid_out
     }
 
-    fn enter(&mut self, span: Span) -> bool {
+    /// Goes one level deeper; `false` if that is too deep, which is reported.
+    pub(crate) fn enter(&mut self, span: Span) -> bool {
         if self.depth >= NESTING_MAX {
             let message = format!("types are nested in one another deeper than {NESTING_MAX} levels here");
             self.report(Problem::P4008, span, message);
@@ -167,6 +204,16 @@ impl<'a> Types<'a> {
         }
         self.depth += 1;
         true
+    }
+
+    /// Comes back from a deeper level.
+    pub(crate) fn leave(&mut self) {
+        self.depth -= 1;
+    }
+
+    /// Whether a block has a source or is one of the CPU's.
+    pub(crate) fn exists(&self, block: BlockId) -> bool {
+        self.blocks.contains_key(&block) || self.system.contains_key(&block) || self.st.is_some_and(|st| st.code.contains_key(&block))
     }
 
     /// The type as written, with its layout; `None` if something was wrong with it (which is reported).
@@ -241,11 +288,12 @@ impl<'a> Types<'a> {
         None
     }
 
-    fn type_of_block(&mut self, block: BlockId, span: Span) -> Option<DataType> {
+    /// The type that a block is: a UDT, or an FB or SFB for an instance.
+    pub(crate) fn type_of_block(&mut self, block: BlockId, span: Span) -> Option<DataType> {
         match block.kind {
             BlockKind::UserDefinedType => self.udt(block.number, span).map(DataType::Struct),
             BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock => {
-                if !self.blocks.contains_key(&block) && !self.system.contains_key(&block) {
+                if !self.exists(block) {
                     self.report(Problem::P3008, span, format!("`{block}` does not exist"));
                     return None;
                 }

@@ -15,10 +15,11 @@ pub(crate) type Links = BTreeMap<BlockId, &'static LibraryBlock>;
 
 /// Looks through the blocks of a program for names of library blocks.
 ///
-/// `scope` takes in the names that are used without a row in the symbol table. A block that the program defines itself
+/// `needed` are blocks that something else than a name in STL calls for. `scope` takes in the names that are used without a row in the symbol table. A block that the program defines itself
 /// always wins.
 pub(crate) fn link<'a>(
     blocks: impl Iterator<Item = &'a ast::Block>,
+    needed: &[&'static LibraryBlock],
     defined: &HashSet<BlockId>,
     scope: &mut Scope,
     selection: &Selection,
@@ -28,6 +29,9 @@ pub(crate) fn link<'a>(
     if selection.enabled {
         for block in blocks {
             search.block(block);
+        }
+        for block in needed {
+            search.symbol(block.name);
         }
     }
     search.links

@@ -2,6 +2,7 @@
 
 pub mod ast;
 pub mod check;
+pub mod declare;
 pub mod dialect;
 mod keywords;
 mod lexer;

@@ -1,0 +1,125 @@
+//! Which language a source is written in.
+
+use crate::st::dialect::Dialect;
+
+/// The language of a source.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Language {
+    /// Statement list.
+    Stl,
+    /// Structured text or SCL.
+    St(Dialect),
+}
+
+/// Endings of sources of ST, with the dialect that each has unless its text or the project says otherwise.
+const ST_ENDINGS: &[(&str, Dialect)] = &[("st", Dialect::Iec), ("iecst", Dialect::Iec), ("scl", Dialect::Scl), ("exp", Dialect::Codesys)];
+
+/// Words that only one dialect writes, in upper case, each with the dialect that it shows for a file of another one.
+const MARKS: &[(&str, Dialect, Dialect)] = &[
+    ("S7_OPTIMIZED_ACCESS", Dialect::Scl, Dialect::Tia),
+    ("END_REGION", Dialect::Scl, Dialect::Tia),
+    ("INSTRUCTIONNAME", Dialect::Scl, Dialect::Tia),
+    ("VAR CONSTANT", Dialect::Scl, Dialect::Tia),
+    ("VAR RETAIN", Dialect::Scl, Dialect::Tia),
+    ("END_UNION", Dialect::Iec, Dialect::Codesys),
+    ("POINTER TO", Dialect::Iec, Dialect::Codesys),
+    ("REFERENCE TO", Dialect::Iec, Dialect::Codesys),
+    ("VAR_STAT", Dialect::Iec, Dialect::Codesys),
+    ("END_PROPERTY", Dialect::Iec, Dialect::Codesys),
+    ("{ATTRIBUTE", Dialect::Iec, Dialect::Codesys),
+    ("AND_THEN", Dialect::Iec, Dialect::Codesys),
+    ("OR_ELSE", Dialect::Iec, Dialect::Codesys),
+    ("PERSISTENT", Dialect::Iec, Dialect::Codesys),
+    ("__NEW", Dialect::Iec, Dialect::Codesys),
+    ("__TRY", Dialect::Iec, Dialect::Codesys),
+];
+
+/// Bytes of a source that are looked at to find its dialect.
+const LOOKED_AT: usize = 1 << 20;
+
+impl Language {
+    /// The language of a source by the ending of its name and what its text shows; `dialect` is what the user chose.
+    pub fn of(name: &str, text: &str, dialect: Option<Dialect>) -> Self {
+        let ending = name.rsplit(['/', '\\']).next().and_then(|file| file.rsplit_once('.')).map_or("", |(_, ending)| ending);
+        match ST_ENDINGS.iter().find(|(known, _)| ending.eq_ignore_ascii_case(known)) {
+            None => Self::Stl,
+            Some(&(_, usual)) => Self::St(dialect.unwrap_or_else(|| shown(text, usual))),
+        }
+    }
+
+    /// Whether a file is a source of ST by the ending of its name.
+    pub fn is_st_ending(ending: &str) -> bool {
+        ST_ENDINGS.iter().any(|(known, _)| ending.eq_ignore_ascii_case(known))
+    }
+}
+
+/// The dialect that a text shows, if it shows another one than the usual.
+fn shown(text: &str, usual: Dialect) -> Dialect {
+    let end = (0..=text.len().min(LOOKED_AT)).rev().find(|&end| text.is_char_boundary(end)).unwrap_or(0);
+    let code = without_comments(&text[..end]).to_ascii_uppercase();
+    if usual == Dialect::Scl && quotes_locals(&code) {
+        return Dialect::Tia;
+    }
+    MARKS.iter().find(|&&(mark, of, _)| of == usual && code.contains(mark)).map_or(usual, |&(_, _, dialect)| dialect)
+}
+
+/// Whether `#name` stands there, or a block whose name is quoted: TIA writes them.
+fn quotes_locals(code: &str) -> bool {
+    let local = code.match_indices('#').any(|(at, _)| {
+        let before = code[..at].chars().next_back();
+        let behind = code[at + 1..].chars().next();
+        !before.is_some_and(|c| c.is_alphanumeric() || c == '_') && behind.is_some_and(|c| c.is_alphabetic() || c == '_' || c == '"')
+    });
+    let quoted = ["FUNCTION_BLOCK \"", "FUNCTION \"", "ORGANIZATION_BLOCK \"", "DATA_BLOCK \"", "TYPE \""].iter();
+    local || quoted.into_iter().any(|header| code.contains(header))
+}
+
+/// The text without comments and without what stands between apostrophes.
+fn without_comments(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(c) = rest.chars().next() {
+        let skipped = if rest.starts_with("(*") {
+            rest.find("*)").map_or(rest.len(), |end| end + 2)
+        } else if rest.starts_with("//") {
+            rest.find('\n').unwrap_or(rest.len())
+        } else if c == '\'' {
+            let line = rest.find('\n').unwrap_or(rest.len());
+            rest[1..line.max(1)].find('\'').map_or(line.max(1), |end| end + 2)
+        } else {
+            out.push(c);
+            rest = &rest[c.len_utf8()..];
+            continue;
+        };
+        out.push(' ');
+        rest = &rest[skipped.min(rest.len())..];
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ending_and_the_text_tell_the_dialect() {
+        let st = Language::St;
+        for (name, text, dialect, expected) in [
+            ("a.awl", "x := 1;", None, Language::Stl),
+            ("noending", "x := 1;", Some(Dialect::Scl), Language::Stl),
+            ("dir.st/a.stl", "", None, Language::Stl),
+            ("a.ST", "x := 1;", None, st(Dialect::Iec)),
+            ("a.st", "VAR p : POINTER TO INT; END_VAR", None, st(Dialect::Codesys)),
+            ("a.st", "(* POINTER TO *) x := 'POINTER TO'; // POINTER TO", None, st(Dialect::Iec)),
+            ("a.scl", "FUNCTION FC1 : VOID x := W#16#FF; d := \"Data\".x;", None, st(Dialect::Scl)),
+            ("a.scl", "#x := 1;", None, st(Dialect::Tia)),
+            ("a.scl", "FUNCTION_BLOCK \"Motor\"", None, st(Dialect::Tia)),
+            ("a.scl", "#x := 1;", Some(Dialect::Scl), st(Dialect::Scl)),
+            ("a.exp", "", None, st(Dialect::Codesys)),
+            ("a.st", "'", None, st(Dialect::Iec)),
+            ("a.st", "'ä", None, st(Dialect::Iec)),
+        ] {
+            assert_eq!(Language::of(name, text, dialect), expected, "{name}: {text}");
+        }
+    }
+}

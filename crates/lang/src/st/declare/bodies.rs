@@ -1,0 +1,141 @@
+//! The statements of all blocks of ST: checked, lowered, and the organization blocks that run the programs.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use sieben_engine::CodeBlock;
+use sieben_engine::program::Names as ProgramNames;
+use sieben_model::address::{Address, Operand, Width};
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::cpu_type::CpuType;
+use sieben_model::diagnostic::{Diagnostic, Severity};
+use sieben_model::interface::Interface;
+use sieben_model::problems::Problem;
+
+use super::environment::Environment;
+use super::items::Code;
+use super::organization_blocks;
+use crate::declarations::interface::lay_out;
+use crate::scope::key;
+use crate::st::check::names::{Entity, Variable};
+use crate::st::check::{Block, check};
+use crate::st::lower::lower;
+use crate::st::tree::Base;
+
+/// What became of the statements.
+#[derive(Default)]
+pub(crate) struct Bodies {
+    pub(crate) code: BTreeMap<BlockId, CodeBlock>,
+    pub(crate) calls: BTreeMap<BlockId, BTreeSet<BlockId>>,
+    pub(crate) intervals: BTreeMap<u16, u16>,
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    /// A block could not be compiled.
+    pub(crate) failed: bool,
+}
+
+impl Environment<'_> {
+    /// Compiles the statements of all blocks.
+    pub(crate) fn compile(&self, cpu: &CpuType, exists: &dyn Fn(BlockId) -> bool) -> Bodies {
+        let mut bodies = Bodies::default();
+        for (&id, &code) in &self.items.code {
+            self.block(id, code, cpu, &mut bodies);
+        }
+        for (id, generated) in organization_blocks(self.items, exists, &mut bodies.diagnostics) {
+            let Some(block) = lay_out(id, Vec::new()) else { continue };
+            let calls = generated.body.statements.iter().filter_map(|statement| match &statement.kind {
+                crate::st::tree::StatementKind::Call(call) => match call.callee {
+                    crate::st::tree::Callee::Function(block) | crate::st::tree::Callee::Instance { block, .. } => Some(block),
+                },
+                _ => None,
+            });
+            bodies.calls.insert(id, calls.collect());
+            bodies.code.insert(id, lower(id, &block.interface, &generated.body, &|block| self.interface_of(block)));
+            bodies.intervals.extend(generated.interval_ms.map(|interval| (id.number, interval)));
+        }
+        bodies
+    }
+
+    fn interface_of(&self, block: BlockId) -> Option<Arc<Interface>> {
+        self.interfaces.get(&block).map(|found| Arc::clone(&found.interface))
+    }
+
+    fn block(&self, id: BlockId, code: Code<'_>, cpu: &CpuType, bodies: &mut Bodies) {
+        let (Some(names), Some(interface)) = (self.names(id, code.dialect), self.interface_of(id)) else {
+            bodies.failed = true;
+            return;
+        };
+        if interface.local_size > cpu.local_data_block {
+            let message = format!(
+                "`{}` declares {} bytes of local data; CPU {} has {} for a block",
+                names.shown(),
+                interface.local_size,
+                cpu.name,
+                cpu.local_data_block
+            );
+            bodies.diagnostics.push(Diagnostic::new(Problem::P5007, code.block.name.span, message));
+        }
+        if !matches!(id.kind, BlockKind::Function | BlockKind::FunctionBlock | BlockKind::OrganizationBlock) {
+            return;
+        }
+        let block = Block {
+            id,
+            dialect: code.dialect,
+            body: &code.block.body,
+            labels: &code.block.labels,
+            actions: &code.block.actions,
+            result: names.result(),
+            end: code.block.end,
+        };
+        let mut checked = check(&block, &names);
+        let sound = !checked.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error);
+        bodies.diagnostics.append(&mut checked.diagnostics);
+        bodies.calls.insert(id, checked.called);
+        let whole = sound && self.declared(id).is_some_and(|declared| !declared.broken);
+        let Some(mut body) = checked.body.filter(|_| whole) else {
+            bodies.failed = true;
+            return;
+        };
+        let mut starting = names.starting_statements(code.block.name.span);
+        starting.append(&mut body.statements);
+        body.statements = starting;
+        bodies.code.insert(id, lower(id, &interface, &body, &|block| self.interface_of(block)));
+    }
+
+    /// What people call the variables of the program.
+    pub(crate) fn program_names(&self) -> ProgramNames {
+        let mut names = ProgramNames::default();
+        for (id, name) in &self.items.names {
+            if id.kind == BlockKind::DataBlock {
+                names.blocks.insert(key(name), id.number);
+            }
+        }
+        for program in &self.items.programs {
+            names.open.push(program.instance);
+            if let Some(declared) = self.declared(program.block) {
+                declared.variables.iter().for_each(|variable| locate(&mut names, variable));
+            }
+        }
+        names.open.extend(self.items.lists.iter().map(|list| list.number));
+        for entity in self.globals.values() {
+            if let Entity::Variable(variable) = entity {
+                locate(&mut names, variable);
+            }
+        }
+        names
+    }
+}
+
+/// Takes in the name of a variable with an address.
+fn locate(names: &mut ProgramNames, variable: &Variable) {
+    let Base::Area(area) = variable.base else { return };
+    let width = match variable.data_type.width() {
+        Some(width) => width,
+        None => return,
+    };
+    if area == sieben_model::address::Area::Local {
+        return;
+    }
+    let bit = if width == Width::Bit { (variable.offset % 8) as u8 } else { 0 };
+    let address = Address { area, width, byte: variable.offset / 8, bit };
+    names.located.entry(key(&variable.name)).or_insert((Operand::Address(address), variable.data_type.clone()));
+}

@@ -1,0 +1,316 @@
+//! What the names in the statements of a block stand for: the answers to the questions of the checker.
+
+use std::cell::RefCell;
+use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
+
+use sieben_model::address::{Address, Area, Operand, Width};
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::interface::Interface;
+use sieben_model::literal::Value;
+use sieben_model::source::Span;
+use sieben_model::types::DataType;
+
+use super::initial::bytes;
+use super::items::{Items, numbered};
+use super::{Declared, Demand, Known, Named};
+use crate::declarations::data_block::DataLayout;
+use crate::declarations::types::{BlockInterface, State};
+use crate::scope::{Scope, key};
+use crate::st::check::names::{DataBlockView, Entity, Names, Role, Variable};
+use crate::st::dialect::Dialect;
+use crate::st::standard::Provided;
+use crate::st::tree::{self, Base, Local, Place, Scalar, Statement, StatementKind, Text, ValueKind};
+
+pub(crate) use super::globals::Globals;
+
+/// Everything that the statements of ST may name.
+pub(crate) struct Environment<'a> {
+    pub(crate) items: &'a Items<'a>,
+    scope: &'a Scope,
+    pub(super) interfaces: &'a HashMap<BlockId, BlockInterface>,
+    data: &'a HashMap<u16, DataLayout>,
+    /// Types of TYPE sections by key.
+    named: HashMap<String, Arc<Named>>,
+    pub(super) globals: Globals,
+    blocks: HashMap<BlockId, Declared>,
+    /// How many suggestions were made; they cost a look at every name.
+    suggestions: RefCell<BTreeSet<String>>,
+    /// What of the library the program needs and does not have yet.
+    demands: RefCell<Vec<Demand>>,
+}
+
+/// Puts together what is known when everything is declared.
+pub(crate) fn environment<'a>(
+    items: &'a Items<'a>,
+    scope: &'a Scope,
+    interfaces: &'a HashMap<BlockId, BlockInterface>,
+    data: &'a HashMap<u16, DataLayout>,
+    known: Known,
+    globals: Globals,
+) -> Environment<'a> {
+    let named = known.named.into_iter().filter_map(|(name, state)| match state {
+        State::Done(Some(named)) => Some((name, named)),
+        _ => None,
+    });
+    Environment {
+        items,
+        scope,
+        interfaces,
+        data,
+        named: named.collect(),
+        globals,
+        blocks: known.blocks,
+        suggestions: RefCell::default(),
+        demands: RefCell::new(known.demands),
+    }
+}
+
+impl<'a> Environment<'a> {
+    /// What a block declares.
+    pub(crate) fn declared(&self, block: BlockId) -> Option<&Declared> {
+        self.blocks.get(&block)
+    }
+
+    /// The names of a block.
+    pub(crate) fn names(&self, block: BlockId, dialect: Dialect) -> Option<BlockNames<'_, 'a>> {
+        Some(BlockNames { environment: self, declared: self.blocks.get(&block)?, dialect, block })
+    }
+
+    /// What of the library the program needs and does not have yet.
+    pub(crate) fn demands(&self) -> Vec<Demand> {
+        self.demands.borrow().clone()
+    }
+
+    fn type_entity(&self, wanted: &str) -> Option<Entity> {
+        self.named.get(wanted).map(|named| Entity::Type(named.data_type.clone()))
+    }
+
+    /// A value of an enumeration that is written without its type.
+    fn enumeration_value(&self, wanted: &str) -> Option<Entity> {
+        let owners = self.items.values.get(wanted)?;
+        if owners.len() > 1 {
+            let names = owners.iter().filter_map(|owner| self.items.types.get(owner));
+            return Some(Entity::Ambiguous(names.map(|found| format!("{}#{wanted}", found.declaration.name.text)).collect()));
+        }
+        self.value_of(owners.first()?, wanted)
+    }
+
+    fn value_of(&self, owner: &str, wanted: &str) -> Option<Entity> {
+        let data_type = &self.named.get(owner)?.data_type;
+        let DataType::Enumeration(enumeration) = data_type else { return None };
+        let (_, number) = enumeration.values.iter().find(|(name, _)| key(name) == wanted)?;
+        Some(Entity::EnumValue { data_type: data_type.clone(), value: i128::from(*number) })
+    }
+
+    /// A symbol of the symbol table, or a block of the CPU or of the library by its name.
+    fn symbol(&self, name: &str) -> Option<Entity> {
+        let global = self.scope.global(name)?;
+        Some(match global.operand? {
+            Operand::Block(block) => Entity::Block(block),
+            Operand::Timer(number) => Entity::Number { data_type: DataType::Timer, number },
+            Operand::Counter(number) => Entity::Number { data_type: DataType::Counter, number },
+            Operand::Address(address) => {
+                Entity::Variable(self.at_address(&global.name, Base::Area(address.area), address, &global.data_type)?)
+            }
+            Operand::InDataBlock { db, address } => {
+                Entity::Variable(self.at_address(&global.name, Base::DataBlock(db), address, &global.data_type)?)
+            }
+        })
+    }
+
+    fn at_address(&self, name: &str, base: Base, address: Address, written: &str) -> Option<Variable> {
+        if matches!(address.area, Area::Local | Area::CallerLocal | Area::InstanceData) {
+            return None;
+        }
+        let declared = DataType::from_any_word(written).filter(|data_type| data_type.width() == Some(address.width));
+        let data_type = declared.unwrap_or(match address.width {
+            Width::Bit => DataType::Bool,
+            Width::Byte => DataType::Byte,
+            Width::Word => DataType::Word,
+            Width::DoubleWord => DataType::DoubleWord,
+            #[allow(unreachable_patterns)] // A width of 64 bits has no symbol.
+            _ => return None,
+        });
+        let offset = address.byte.checked_mul(8)?.checked_add(u32::from(address.bit))?;
+        Some(Variable { name: name.to_owned(), role: Role::Global, data_type, base, offset, span: Span::default() })
+    }
+
+    /// A variable of a program: `PLC_PRG.x`.
+    fn of_program(&self, program: &str, wanted: &str) -> Option<Entity> {
+        let program = self.items.programs.iter().find(|one| key(&one.name) == program)?;
+        let structure = &self.data.get(&program.instance)?.structure;
+        let field = structure.fields.iter().find(|field| key(&field.name) == wanted)?;
+        Some(Entity::Variable(Variable {
+            name: field.name.clone(),
+            role: Role::Global,
+            data_type: field.data_type.clone(),
+            base: Base::DataBlock(program.instance),
+            offset: field.offset,
+            span: program.span,
+        }))
+    }
+}
+
+/// The names of one block.
+pub(crate) struct BlockNames<'e, 'a> {
+    environment: &'e Environment<'a>,
+    declared: &'e Declared,
+    dialect: Dialect,
+    block: BlockId,
+}
+
+impl Names for BlockNames<'_, '_> {
+    fn local(&self, name: &str) -> Option<Entity> {
+        self.declared.names.get(&key(name)).cloned()
+    }
+
+    fn global(&self, name: &str) -> Option<Entity> {
+        let environment = self.environment;
+        let wanted = key(name);
+        if let Some(entity) = environment.globals.get(&wanted) {
+            return Some(entity.clone());
+        }
+        if let Some(&block) = environment.items.blocks.get(&wanted) {
+            return Some(Entity::Block(block));
+        }
+        if let Some(entity) = environment.type_entity(&wanted).or_else(|| environment.enumeration_value(&wanted)) {
+            return Some(entity);
+        }
+        if let Some(block) = numbered(name, self.dialect) {
+            return Some(match block.kind {
+                BlockKind::UserDefinedType => environment.type_entity(environment.items.numbered_types.get(&block.number)?)?,
+                _ => Entity::Block(block),
+            });
+        }
+        if let Some(entity) = environment.symbol(name) {
+            return Some(entity);
+        }
+        environment.items.qualifiers.contains(&wanted).then_some(Entity::Qualifier)
+    }
+
+    fn qualified(&self, path: &[&str]) -> Option<Entity> {
+        let environment = self.environment;
+        let full = key(&path.join("."));
+        let (last, before) = path.split_last()?;
+        let (last, before) = (key(last), key(&before.join(".")));
+        let block = || environment.items.blocks.get(&full).copied().map(Entity::Block);
+        environment
+            .globals
+            .get(&full)
+            .cloned()
+            .or_else(|| environment.value_of(&before, &last))
+            .or_else(|| environment.of_program(&before, &last))
+            .or_else(|| environment.type_entity(&full))
+            .or_else(block)
+            // `Standard.TON`: the library of a block needs not be told.
+            .or_else(|| if environment.items.qualifiers.contains(&before) || before == "standard" { self.global(&last) } else { None })
+    }
+
+    fn interface(&self, block: BlockId) -> Option<Arc<Interface>> {
+        self.environment.interfaces.get(&block).map(|found| Arc::clone(&found.interface))
+    }
+
+    fn data_block(&self, number: u16) -> Option<DataBlockView> {
+        let layout = self.environment.data.get(&number)?;
+        Some(DataBlockView { based_on: layout.based_on, structure: Arc::clone(&layout.structure) })
+    }
+
+    fn block_name(&self, block: BlockId) -> String {
+        let own = self.environment.items.names.get(&block).cloned();
+        own.unwrap_or_else(|| block.to_string())
+    }
+
+    fn nearest(&self, name: &str) -> Option<String> {
+        let environment = self.environment;
+        if !environment.suggestions.borrow_mut().insert(key(name)) {
+            return None;
+        }
+        let own = self.declared.variables.iter().map(|variable| variable.name.as_str());
+        let globals = environment.globals.values().filter_map(|entity| match entity {
+            Entity::Variable(variable) => Some(variable.name.as_str()),
+            _ => None,
+        });
+        let constants = self.declared.names.keys().map(String::as_str);
+        let blocks = environment.items.names.values().map(String::as_str);
+        let near = environment.scope.nearest(name, own.chain(globals).chain(blocks));
+        near.or_else(|| environment.scope.nearest(name, constants.chain(environment.scope.names())))
+    }
+
+    fn locals(&self) -> Vec<Local> {
+        self.declared.locals.clone()
+    }
+
+    fn provided(&self, block: &Provided) -> Option<BlockId> {
+        let environment = self.environment;
+        let (name, demand) = match *block {
+            Provided::System(block) => return Some(block),
+            Provided::Library(block) => (block.name, Demand::Block(block)),
+            Provided::Source { name, source } => (name, Demand::Source(source)),
+        };
+        let found = match demand {
+            Demand::Source(source) => environment.items.library.get(&(source.path, key(name))).copied(),
+            Demand::Block(block) => {
+                environment.scope.block(name).filter(|id| id.kind == block.block.kind && environment.interfaces.contains_key(id))
+            }
+        };
+        if found.is_none() {
+            environment.demands.borrow_mut().push(demand);
+        }
+        found
+    }
+
+    fn local_size(&self) -> u32 {
+        self.environment.interfaces.get(&self.block).map_or(0, |found| found.interface.local_size)
+    }
+
+    fn declared(&self) -> Vec<Variable> {
+        self.declared.variables.clone()
+    }
+}
+
+impl BlockNames<'_, '_> {
+    /// The result of the block, if it is a function with one.
+    pub(super) fn result(&self) -> Option<Variable> {
+        self.declared.result.as_ref().map(|(variable, _)| variable.clone())
+    }
+
+    /// How the block is shown in messages.
+    pub(super) fn shown(&self) -> String {
+        self.block_name(self.block)
+    }
+
+    /// Statements that give the result and the outputs of a function what they hold at the start.
+    pub(super) fn starting_statements(&self, span: Span) -> Vec<Statement> {
+        let starting = self.declared.result.iter().chain(&self.declared.outputs);
+        starting.filter_map(|(variable, initial)| starting_statement(variable, initial, span)).collect()
+    }
+}
+
+/// `variable := initial;`; `None` for arrays and structures, which keep what they have.
+fn starting_statement(variable: &Variable, initial: &[Value], span: Span) -> Option<Statement> {
+    let target = Place { base: variable.base.clone(), offset: variable.offset, indexes: Vec::new(), span };
+    let data_type = &variable.data_type;
+    let kind = match data_type {
+        DataType::String(capacity) => {
+            let text = match initial {
+                [Value::Characters(text)] => text.clone(),
+                _ => Vec::new(),
+            };
+            StatementKind::AssignString { target, capacity: *capacity, source: Text::Constant(text) }
+        }
+        _ if data_type.is_elementary() || data_type.is_long() => {
+            let scalar = match data_type.bits() {
+                1 => Scalar::Bool,
+                8 => Scalar::U8,
+                16 => Scalar::U16,
+                32 => Scalar::U32,
+                _ => Scalar::U64,
+            };
+            let bits = bytes(data_type, initial).iter().fold(0, |bits: u64, &byte| bits << 8 | u64::from(byte));
+            StatementKind::Assign { target, value: tree::Value { kind: ValueKind::Constant(bits), scalar, span } }
+        }
+        _ => return None,
+    };
+    Some(Statement { kind, span })
+}

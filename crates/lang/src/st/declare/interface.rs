@@ -1,0 +1,473 @@
+//! VAR sections of a block → its interface, and what its names stand for.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use sieben_model::address::Area;
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::interface::{Interface, Section, Variable as Declaration};
+use sieben_model::literal::Value;
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+use sieben_model::types::{DataType, Field, Structure, place};
+
+use super::initial::bytes;
+use super::items::{Code, Items};
+use super::types::{Resolver, holds_instance};
+use super::{Declared, ast, globals};
+use crate::declarations::BLOCK_BYTES_MAX;
+use crate::declarations::interface::{Declared as Unplaced, is_complex, lay_out};
+use crate::declarations::types::{BlockInterface, Types, describe};
+use crate::scope::key;
+use crate::st::check::names::{Entity, Role, Variable};
+use crate::st::tree::{Base, Local};
+
+/// Where the variables of a section lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Store {
+    /// In the interface of the block.
+    Interface(Section),
+    /// In the data block that a function has for what it keeps.
+    Kept,
+}
+
+/// A variable before it has a place.
+struct Pending {
+    name: String,
+    store: Store,
+    role: Role,
+    data_type: DataType,
+    initial: Vec<Value>,
+    comment: String,
+    span: Span,
+}
+
+/// `view AT x`.
+struct View {
+    name: ast::Name,
+    of: ast::Name,
+    data_type: DataType,
+}
+
+/// The interface of a block of ST, laid out; what its names stand for is kept in [`super::Known`]. `None` if it has too many bytes.
+pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: BlockId) -> Option<BlockInterface> {
+    let code = *items.code.get(&id)?;
+    let before = types.errors();
+    let mut sections = Sections {
+        resolver: Resolver::new(types, items, code.dialect),
+        id,
+        pending: Vec::new(),
+        views: Vec::new(),
+        located: Vec::new(),
+        places: HashMap::new(),
+    };
+    sections.constants(code);
+    for section in &code.block.sections {
+        sections.section(section);
+    }
+    if id.kind == BlockKind::Function {
+        sections.result(code);
+    }
+    let Sections { resolver, pending, views, located, .. } = sections;
+    let unplaced: Vec<Unplaced> = pending.iter().filter_map(Pending::unplaced).collect();
+    let laid_out = lay_out(id, unplaced);
+    let Some(block) = laid_out else {
+        let message = format!("the variables of `{id}` need more than {BLOCK_BYTES_MAX} bytes (4 for each parameter of a function)");
+        types.report(Problem::P5002, code.block.name.span, message);
+        return None;
+    };
+    let mut declared = Declared { names: resolver.names, ..Declared::default() };
+    let kept = kept_structure(&pending);
+    if let (Some(structure), Some(&number)) = (kept.clone(), items.kept.get(&id)) {
+        types.st_known.statics.push((number, structure));
+    }
+    let keep = items.kept.get(&id).copied();
+    let initialised = code.dialect.switches().temporaries_initialised;
+    for one in pending {
+        let Some(variable) = placed(&one, id, &block.interface, kept.as_deref(), keep) else { continue };
+        let local = variable.base == Base::Area(Area::Local);
+        if local {
+            // A text needs its room: the first byte says how much there is.
+            let text = matches!(one.data_type, DataType::String(_) | DataType::WideString(_));
+            let starts = initialised || text || !one.initial.is_empty();
+            let initial = starts.then(|| bytes(&one.data_type, &one.initial));
+            declared.locals.push(Local { position: variable.offset, data_type: one.data_type.clone(), initial });
+        }
+        match one.role {
+            Role::Result => {
+                declared.names.insert(key(&code.block.name.text), Entity::Variable(variable.clone()));
+                declared.result = Some((variable, one.initial));
+                continue;
+            }
+            Role::Output if id.kind == BlockKind::Function && initialised => {
+                declared.outputs.push((variable.clone(), one.initial));
+            }
+            _ => {}
+        }
+        declared.names.insert(key(&one.name), Entity::Variable(variable.clone()));
+        declared.variables.push(variable);
+    }
+    declared.locals.sort_by_key(|local| local.position);
+    for variable in located {
+        declared.names.insert(key(&variable.name), Entity::Variable(variable.clone()));
+        declared.variables.push(variable);
+    }
+    for view in views {
+        view.declare(types, &mut declared);
+    }
+    declared.broken = types.errors() > before;
+    types.st_known.blocks.insert(id, declared);
+    Some(block)
+}
+
+impl Pending {
+    fn unplaced(&self) -> Option<Unplaced> {
+        let Store::Interface(section) = self.store else { return None };
+        Some(Unplaced::from_variable(Declaration {
+            name: self.name.clone(),
+            section,
+            data_type: self.data_type.clone(),
+            offset: 0,
+            initial: self.initial.clone(),
+            comment: self.comment.clone(),
+            span: self.span,
+        }))
+    }
+}
+
+impl View {
+    fn declare(self, types: &mut Types<'_>, declared: &mut Declared) {
+        let Some(Entity::Variable(variable)) = declared.names.get(&key(&self.of.text)).cloned() else {
+            let message = format!("`{}` is no variable of this block before `{}`", self.of.text, self.name.text);
+            types.report(Problem::P3001, self.of.span, message);
+            return;
+        };
+        if self.data_type.bits() > variable.data_type.bits() {
+            let message = format!("{} is longer than `{}`, {}", describe(&self.data_type), self.of.text, describe(&variable.data_type));
+            types.report(Problem::P6127, self.name.span, message);
+            return;
+        }
+        let view = Variable { name: self.name.text.clone(), data_type: self.data_type, span: self.name.span, ..variable };
+        declared.names.insert(key(&view.name), Entity::Variable(view.clone()));
+        declared.variables.push(view);
+    }
+}
+
+/// The fields of what a function keeps.
+fn kept_structure(pending: &[Pending]) -> Option<Arc<Structure>> {
+    let mut structure = Structure::default();
+    let mut cursor = 0;
+    for one in pending.iter().filter(|one| one.store == Store::Kept) {
+        let (offset, behind) = place(cursor, &one.data_type);
+        cursor = behind;
+        structure.fields.push(Field {
+            name: one.name.clone(),
+            data_type: one.data_type.clone(),
+            offset: u32::try_from(offset).ok()?,
+            initial: one.initial.clone(),
+            comment: one.comment.clone(),
+        });
+    }
+    if structure.fields.is_empty() || cursor > BLOCK_BYTES_MAX * 8 {
+        return None;
+    }
+    structure.size = (cursor.next_multiple_of(16) / 8) as u32;
+    Some(Arc::new(structure))
+}
+
+/// A variable with its place.
+fn placed(one: &Pending, id: BlockId, interface: &Interface, kept: Option<&Structure>, keep: Option<u16>) -> Option<Variable> {
+    let (base, offset) = match one.store {
+        Store::Kept => (Base::DataBlock(keep?), kept?.field(&one.name)?.offset),
+        Store::Interface(section) => {
+            let variable = interface.variables.iter().find(|variable| variable.section == section && variable.name == one.name)?;
+            let complex = is_complex(&one.data_type) || matches!(one.data_type, DataType::Pointer | DataType::Any);
+            match (section, id.kind) {
+                (Section::Temp, _) => (Base::Area(Area::Local), variable.offset),
+                (_, BlockKind::Function) => {
+                    let index = u16::try_from(variable.offset).ok()?;
+                    (if complex { Base::ComplexParameter(index) } else { Base::Parameter(index) }, 0)
+                }
+                (Section::InOut, _) if is_complex(&one.data_type) => (Base::InstancePointer(variable.offset), 0),
+                _ => (Base::Instance, variable.offset),
+            }
+        }
+    };
+    Some(Variable { name: one.name.clone(), role: one.role, data_type: one.data_type.clone(), base, offset, span: one.span })
+}
+
+/// The VAR sections of a block on the way to its interface.
+struct Sections<'t, 'a> {
+    resolver: Resolver<'t, 'a>,
+    id: BlockId,
+    pending: Vec<Pending>,
+    views: Vec<View>,
+    /// Variables with an address.
+    located: Vec<Variable>,
+    /// Where names were declared.
+    places: HashMap<String, Span>,
+}
+
+/// How a section begins.
+fn keyword(kind: ast::SectionKind) -> &'static str {
+    match kind {
+        ast::SectionKind::Var => "VAR",
+        ast::SectionKind::Input => "VAR_INPUT",
+        ast::SectionKind::Output => "VAR_OUTPUT",
+        ast::SectionKind::InOut => "VAR_IN_OUT",
+        ast::SectionKind::Temp => "VAR_TEMP",
+        ast::SectionKind::Static => "VAR_STAT",
+        ast::SectionKind::Instance => "VAR_INST",
+        ast::SectionKind::Global => "VAR_GLOBAL",
+        ast::SectionKind::External => "VAR_EXTERNAL",
+        ast::SectionKind::Config => "VAR_CONFIG",
+        ast::SectionKind::Access => "VAR_ACCESS",
+        ast::SectionKind::Const => "CONST",
+    }
+}
+
+/// Whether declarations of a section are constants that need no memory: those with a single value.
+pub(super) fn is_constant(section: &ast::VarSection, declaration: &ast::Declaration) -> bool {
+    let constant = section.kind == ast::SectionKind::Const || section.has(ast::Qualifier::Constant);
+    let single = match &declaration.initial {
+        Some(initial) => matches!(initial.kind, ast::InitializerKind::Expression(_)),
+        None => matches!(declaration.data_type.kind, ast::TypeKind::Inferred),
+    };
+    constant && single && declaration.location.is_none()
+}
+
+impl<'a> Sections<'_, 'a> {
+    /// Makes the constants of the block known, whichever stands first.
+    fn constants(&mut self, code: Code<'a>) {
+        for section in &code.block.sections {
+            for declaration in section.declarations.iter().filter(|declaration| is_constant(section, declaration)) {
+                for declared in &declaration.names {
+                    if self.is_first(&declared.name) {
+                        self.resolver.constant_declarations.insert(key(&declared.name.text), declaration);
+                    }
+                }
+            }
+        }
+        for section in &code.block.sections {
+            for declaration in section.declarations.iter().filter(|declaration| is_constant(section, declaration)) {
+                for declared in &declaration.names {
+                    let wanted = key(&declared.name.text);
+                    if self.resolver.constant_declarations.remove(&wanted).is_some()
+                        && let Some(constant) = self.resolver.declared_constant(declaration)
+                    {
+                        self.resolver.names.insert(wanted, Entity::Constant(constant));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether a name is not declared yet; else it is reported.
+    fn is_first(&mut self, name: &ast::Name) -> bool {
+        if name.text.is_empty() {
+            return false;
+        }
+        match self.places.get(&key(&name.text)) {
+            Some(&first) => {
+                let message = format!("`{}` is declared twice in this block", name.text);
+                let report = self.resolver.report(Problem::P3006, name.span, message);
+                report.related.push((first, "first declared here".to_owned()));
+                false
+            }
+            None => {
+                self.places.insert(key(&name.text), name.span);
+                true
+            }
+        }
+    }
+
+    /// Where the variables of a section lie, and what may be done with them; `None` if the block has no such section.
+    fn store(&self, section: &ast::VarSection) -> Option<(Store, Role)> {
+        use ast::SectionKind as Kind;
+        let has_instance = self.id.kind == BlockKind::FunctionBlock;
+        let kept = self.resolver.items.kept.contains_key(&self.id);
+        let (store, role) = match section.kind {
+            Kind::Input if self.id.kind != BlockKind::OrganizationBlock => (Store::Interface(Section::Input), Role::Input),
+            Kind::Output if self.id.kind != BlockKind::OrganizationBlock => (Store::Interface(Section::Output), Role::Output),
+            Kind::InOut if self.id.kind != BlockKind::OrganizationBlock => (Store::Interface(Section::InOut), Role::InOut),
+            Kind::Var | Kind::Static if has_instance => (Store::Interface(Section::Static), Role::Static),
+            Kind::Static => (Store::Kept, Role::Static),
+            Kind::Var if kept && section.has(ast::Qualifier::Constant) => (Store::Kept, Role::Constant),
+            Kind::Var | Kind::Temp => (Store::Interface(Section::Temp), Role::Temp),
+            _ => return None,
+        };
+        Some((store, if section.has(ast::Qualifier::Constant) { Role::Constant } else { role }))
+    }
+
+    fn section(&mut self, section: &'a ast::VarSection) {
+        if section.kind == ast::SectionKind::External {
+            return self.external(section);
+        }
+        let variables = section.declarations.iter().filter(|declaration| !is_constant(section, declaration));
+        let Some((store, role)) = self.store(section) else {
+            if section.kind != ast::SectionKind::Const {
+                let message = format!("`{}` has no place in an {}", keyword(section.kind), self.id.kind.abbreviation());
+                self.resolver.report(Problem::P2201, section.span, message);
+            }
+            for declaration in variables {
+                self.unknown(declaration);
+            }
+            return;
+        };
+        for declaration in variables {
+            self.declaration(declaration, store, role);
+        }
+    }
+
+    /// The names of a declaration that was not understood stay declared, so that their uses are not reported too.
+    fn unknown(&mut self, declaration: &ast::Declaration) {
+        for declared in &declaration.names {
+            if self.is_first(&declared.name) {
+                self.resolver.names.insert(key(&declared.name.text), unknown(&declared.name));
+            }
+        }
+    }
+
+    fn declaration(&mut self, declaration: &'a ast::Declaration, store: Store, role: Role) {
+        if declaration.edge.is_some() {
+            self.resolver.not_built(declaration.span, "R_EDGE and F_EDGE");
+        }
+        let Some((data_type, named)) = self.resolver.type_and_initial(&declaration.data_type) else {
+            return self.unknown(declaration);
+        };
+        if let Some((problem, why)) = misplaced(&data_type, store) {
+            let message = format!("{} may not stand here: {why}", describe(&data_type));
+            self.resolver.report(problem, declaration.data_type.span, message);
+            return self.unknown(declaration);
+        }
+        let initial = match &declaration.initial {
+            Some(initializer) if store == Store::Interface(Section::InOut) => {
+                let message = "VAR_IN_OUT keeps no initial value; the variable that is given has one";
+                self.resolver.report(Problem::P2212, initializer.span, message);
+                Vec::new()
+            }
+            Some(initializer) => self.resolver.initial(initializer, &data_type),
+            None => named,
+        };
+        for declared in &declaration.names {
+            let name = &declared.name;
+            if !self.is_first(name) {
+                continue;
+            }
+            match &declaration.location {
+                Some(ast::Location::View(of)) => {
+                    self.views.push(View { name: name.clone(), of: of.clone(), data_type: data_type.clone() });
+                }
+                Some(ast::Location::Path(path)) => {
+                    self.resolver.not_built(path.span, "AT with a part of a variable");
+                    self.resolver.names.insert(key(&name.text), unknown(name));
+                }
+                Some(ast::Location::Address(address)) => match globals::located(&mut self.resolver, address, &data_type) {
+                    Some((base, offset)) => self.located.push(Variable {
+                        name: name.text.clone(),
+                        role,
+                        data_type: data_type.clone(),
+                        base,
+                        offset,
+                        span: name.span,
+                    }),
+                    None => drop(self.resolver.names.insert(key(&name.text), unknown(name))),
+                },
+                None => self.pending.push(Pending {
+                    name: name.text.clone(),
+                    store,
+                    role,
+                    data_type: data_type.clone(),
+                    initial: initial.clone(),
+                    comment: declaration.comment.clone(),
+                    span: name.span,
+                }),
+            }
+        }
+    }
+
+    /// VAR_EXTERNAL: names of global variables that the block uses.
+    fn external(&mut self, section: &'a ast::VarSection) {
+        for declaration in &section.declarations {
+            let data_type = self.resolver.data_type(&declaration.data_type);
+            for declared in &declaration.names {
+                let name = &declared.name;
+                if !self.is_first(name) {
+                    continue;
+                }
+                let items = self.resolver.items;
+                let Some(&(list, global)) = items.globals.get(&key(&name.text)) else {
+                    let message = format!("there is no global variable `{}`", name.text);
+                    self.resolver.report(Problem::P3001, name.span, message);
+                    self.resolver.names.insert(key(&name.text), unknown(name));
+                    continue;
+                };
+                let dialect = items.lists[list].dialect;
+                let own = Resolver::new(self.resolver.types, items, dialect).data_type(&global.data_type);
+                if let (Some(data_type), Some(own)) = (&data_type, &own)
+                    && data_type != own
+                {
+                    let message = format!("`{}` is {} where it is declared, not {}", name.text, describe(own), describe(data_type));
+                    let first = global.span;
+                    let report = self.resolver.report(Problem::P4006, declaration.data_type.span, message);
+                    report.related.push((first, "declared here".to_owned()));
+                }
+            }
+        }
+    }
+
+    /// The result of a function, its last parameter.
+    fn result(&mut self, code: Code<'a>) {
+        let Some(written) = &code.block.result else { return };
+        let Some((data_type, initial)) = self.resolver.type_and_initial(written) else {
+            self.resolver.names.insert(key(&code.block.name.text), unknown(&code.block.name));
+            return;
+        };
+        if data_type == DataType::Void {
+            return;
+        }
+        if holds_instance(&data_type) || data_type.is_number() {
+            let message = format!("a function cannot have {} as its result", describe(&data_type));
+            self.resolver.report(Problem::P4009, written.span, message);
+            return;
+        }
+        self.pending.push(Pending {
+            name: "RET_VAL".to_owned(),
+            store: Store::Interface(Section::Return),
+            role: Role::Result,
+            data_type,
+            initial,
+            comment: String::new(),
+            span: code.block.name.span,
+        });
+    }
+}
+
+/// What a name stands for whose declaration was not understood: a variable about which nothing more is said.
+pub(super) fn unknown(name: &ast::Name) -> Entity {
+    Entity::Variable(Variable {
+        name: name.text.clone(),
+        role: Role::Static,
+        data_type: DataType::Void,
+        base: Base::Instance,
+        offset: 0,
+        span: name.span,
+    })
+}
+
+/// Why the type may not stand there, if it may not.
+fn misplaced(data_type: &DataType, store: Store) -> Option<(Problem, &'static str)> {
+    let parameter = matches!(store, Store::Interface(Section::Input | Section::Output | Section::InOut));
+    let local = store == Store::Interface(Section::Temp);
+    Some(match data_type {
+        DataType::Void => (Problem::P4009, "it is only the result of a function"),
+        passed if !parameter && (passed.is_number() || *passed == DataType::Pointer) => {
+            (Problem::P4009, "it is only for parameters (VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT)")
+        }
+        DataType::Any if !parameter && !local => (Problem::P4009, "it is only for parameters and VAR_TEMP"),
+        other if local && holds_instance(other) => {
+            (Problem::P6132, "an instance keeps its data from one call to the next, and these variables do not last")
+        }
+        _ => return None,
+    })
+}

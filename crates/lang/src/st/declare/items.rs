@@ -1,0 +1,455 @@
+//! What the ST sources of a project declare, by name and by number.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::cpu_type::CpuType;
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::problems::Problem;
+use sieben_model::source::{FileId, Span};
+
+use super::numbers::{Wanted, assign};
+use super::{StFile, ast};
+use crate::scope::{Scope, key};
+use crate::st::dialect::Dialect;
+
+/// A block with statements.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Code<'a> {
+    pub(crate) block: &'a ast::Block,
+    pub(crate) dialect: Dialect,
+}
+
+/// A DATA_BLOCK.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Data<'a> {
+    pub(crate) block: &'a ast::DataBlock,
+    pub(crate) dialect: Dialect,
+}
+
+/// A type of a TYPE section.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Type<'a> {
+    pub(crate) declaration: &'a ast::TypeDeclaration,
+    pub(crate) dialect: Dialect,
+}
+
+/// A PROGRAM, or statements outside any block: a function block with its instance.
+#[derive(Clone, Debug)]
+pub(crate) struct Program {
+    pub(crate) name: String,
+    pub(crate) block: BlockId,
+    pub(crate) instance: u16,
+    /// The place of its name.
+    pub(crate) span: Span,
+    /// It has no name.
+    pub(crate) implicit: bool,
+}
+
+/// A VAR_GLOBAL section.
+#[derive(Clone, Debug)]
+pub(crate) struct List<'a> {
+    /// What its variables can be qualified by, and its data block is called.
+    pub(crate) name: String,
+    pub(crate) section: &'a ast::VarSection,
+    pub(crate) dialect: Dialect,
+    /// Its data block.
+    pub(crate) number: u16,
+}
+
+/// Everything that the ST sources declare.
+#[derive(Debug, Default)]
+pub(crate) struct Items<'a> {
+    pub(crate) code: BTreeMap<BlockId, Code<'a>>,
+    pub(crate) data: BTreeMap<u16, Data<'a>>,
+    /// By the key of the name.
+    pub(crate) types: HashMap<String, Type<'a>>,
+    /// Keys of the types that have a UDT number.
+    pub(crate) numbered_types: HashMap<u16, String>,
+    /// Types that declare a value of an enumeration of this name, by the key of the value.
+    pub(crate) values: HashMap<String, Vec<String>>,
+    /// Blocks by the key of their names.
+    pub(crate) blocks: HashMap<String, BlockId>,
+    /// Blocks of the library by the path of their source and the key of their names.
+    pub(crate) library: HashMap<(&'static str, String), BlockId>,
+    /// Names of blocks as they are spelled.
+    pub(crate) names: BTreeMap<BlockId, String>,
+    pub(crate) programs: Vec<Program>,
+    pub(crate) lists: Vec<List<'a>>,
+    /// Global variables and constants by key: list and declaration.
+    pub(crate) globals: HashMap<String, (usize, &'a ast::Declaration)>,
+    pub(crate) configurations: Vec<(&'a ast::Configuration, Dialect)>,
+    /// Functions with VAR_STAT or VAR CONSTANT of their own: the data block that keeps it.
+    pub(crate) kept: BTreeMap<BlockId, u16>,
+    /// Names before a point.
+    pub(crate) qualifiers: BTreeSet<String>,
+}
+
+/// The block that a name such as `FB10` means by itself.
+pub(crate) fn numbered(text: &str, dialect: Dialect) -> Option<BlockId> {
+    if !dialect.switches().numbered_blocks {
+        return None;
+    }
+    let digits = text.find(|c: char| c.is_ascii_digit())?;
+    let (word, number) = text.split_at(digits);
+    Some(BlockId::new(BlockKind::from_abbreviation(word)?, number.parse().ok()?))
+}
+
+/// Organization blocks that have a usual name and no number in their source.
+const NAMED_ORGANIZATION_BLOCKS: &[(&str, u16)] = &[
+    ("Main", 1),
+    ("Cyclic interrupt", 35),
+    ("Startup", 100),
+    ("Time of day", 10),
+    ("Time delay interrupt", 20),
+    ("Hardware interrupt", 40),
+];
+
+/// Something that needs a number, on the way to it.
+enum Pending<'a> {
+    Code(Code<'a>),
+    Data(Data<'a>),
+    /// The instance of the program at this position.
+    Instance(usize),
+    List(usize),
+    /// What the function at this position keeps.
+    Kept(usize),
+}
+
+struct Collector<'a, 's> {
+    items: Items<'a>,
+    scope: &'s Scope,
+    pending: Vec<(Wanted, Pending<'a>)>,
+    /// Where names were declared.
+    places: HashMap<(Space, String), Span>,
+    diagnostics: Vec<Diagnostic>,
+    /// The namespace that is open, with a point behind it.
+    namespace: String,
+    /// The path of the file, if it is one of the library.
+    library: Option<&'static str>,
+}
+
+/// What may have the same name without being confused.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Space {
+    /// Blocks and types.
+    Block,
+    Global,
+}
+
+/// Finds everything that the sources declare and gives numbers to what has none.
+///
+/// `taken` are the blocks of STL with the places of their names; those found here are added. Blocks of the
+/// library get the numbers that the others leave.
+pub(crate) fn collect<'a>(
+    files: &'a [StFile],
+    scope: &mut Scope,
+    cpu: &CpuType,
+    replacing: Option<FileId>,
+    taken: &mut HashMap<BlockId, Span>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Items<'a> {
+    let mut collector = Collector {
+        items: Items::default(),
+        scope,
+        pending: Vec::new(),
+        places: HashMap::new(),
+        diagnostics: Vec::new(),
+        namespace: String::new(),
+        library: None,
+    };
+    for file in files {
+        collector.library = file.library.map(|source| source.path);
+        collector.items(&file.file.items, file.dialect);
+    }
+    let Collector { mut items, pending, diagnostics: mut found, .. } = collector;
+    let wanted: Vec<&Wanted> = pending.iter().map(|(wanted, _)| wanted).collect();
+    let numbers = assign(&wanted, scope, cpu, replacing, taken, &mut found);
+    let mut instances: HashMap<BlockId, u16> = HashMap::new();
+    for ((wanted, pending), id) in pending.into_iter().zip(numbers.iter().copied()) {
+        let Some(id) = id else { continue };
+        if !wanted.name.is_empty() {
+            items.names.insert(id, wanted.name.clone());
+            if !matches!(pending, Pending::Instance(_) | Pending::List(_) | Pending::Kept(_)) {
+                match wanted.library {
+                    Some(path) => drop(items.library.insert((path, key(&wanted.name)), id)),
+                    None => drop(items.blocks.insert(key(&wanted.name), id)),
+                }
+            }
+        }
+        match pending {
+            Pending::Code(code) => {
+                items.code.insert(id, code);
+                if matches!(code.block.kind, ast::BlockKind::Program | ast::BlockKind::Implicit) {
+                    let implicit = code.block.kind == ast::BlockKind::Implicit;
+                    let span = if implicit { code.block.span } else { code.block.name.span };
+                    items.programs.push(Program { name: wanted.name, block: id, instance: 0, span, implicit });
+                }
+            }
+            Pending::Data(data) => {
+                items.data.insert(id.number, data);
+            }
+            Pending::Instance(owner) => instances.extend(numbers[owner].map(|owner| (owner, id.number))),
+            Pending::List(list) => items.lists[list].number = id.number,
+            Pending::Kept(owner) => items.kept.extend(numbers[owner].map(|owner| (owner, id.number))),
+        }
+    }
+    for program in &mut items.programs {
+        program.instance = instances.get(&program.block).copied().unwrap_or_default();
+    }
+    for (name, id) in &items.blocks {
+        scope.define_block(name, items.names.get(id).map_or(name.as_str(), String::as_str), *id);
+    }
+    diagnostics.append(&mut found);
+    items
+}
+
+/// What stands behind the name of a function in the name of the data block that keeps its static variables.
+const KEPT: &str = ".static";
+/// The name of statements outside any block.
+const IMPLICIT: &str = "MAIN";
+
+impl Items<'_> {
+    /// Function blocks that are called with a data block by its number, `FB10.DB20(…)`: both, and the place.
+    pub(crate) fn instances_called(&self) -> Vec<(BlockId, u16, Span)> {
+        let mut found = Vec::new();
+        for code in self.code.values() {
+            calls(&code.block.body, &mut |call, span| {
+                let ast::ExpressionKind::Member(block, data) = &call.callee.kind else { return };
+                let ast::ExpressionKind::Name(block) = &block.kind else { return };
+                let block = numbered(&block.text, code.dialect).or_else(|| self.blocks.get(&key(&block.text)).copied());
+                let data = numbered(&data.text, code.dialect).or_else(|| self.blocks.get(&key(&data.text)).copied());
+                if let (Some(block), Some(BlockId { kind: BlockKind::DataBlock, number })) = (block, data) {
+                    found.push((block, number, span));
+                }
+            });
+        }
+        found
+    }
+}
+
+/// Shows all calls that are statements of their own.
+fn calls(statements: &[ast::Statement], found: &mut dyn FnMut(&ast::Call, Span)) {
+    for statement in statements {
+        match &statement.kind {
+            ast::StatementKind::Expression(expression) => {
+                if let ast::ExpressionKind::Call(call) = &expression.kind {
+                    found(call, expression.span);
+                }
+            }
+            ast::StatementKind::If { branches, otherwise } => {
+                branches.iter().for_each(|branch| calls(&branch.body, found));
+                otherwise.iter().for_each(|body| calls(body, found));
+            }
+            ast::StatementKind::Case { arms, otherwise, .. } => {
+                arms.iter().for_each(|arm| calls(&arm.body, found));
+                otherwise.iter().for_each(|body| calls(body, found));
+            }
+            ast::StatementKind::For(one) => calls(&one.body, found),
+            ast::StatementKind::While { body, .. } | ast::StatementKind::Repeat { body, .. } | ast::StatementKind::Region { body, .. } => {
+                calls(body, found);
+            }
+            ast::StatementKind::Try { body, catch, finally, .. } => {
+                [body, catch, finally].into_iter().for_each(|body| calls(body, found));
+            }
+            _ => {}
+        }
+    }
+}
+
+impl<'a> Collector<'a, '_> {
+    fn items(&mut self, items: &'a [ast::Item], dialect: Dialect) {
+        for item in items {
+            match item {
+                ast::Item::Block(block) => self.block(block, dialect),
+                ast::Item::DataBlock(block) => {
+                    let wanted = self.wanted(&block.name, BlockKind::DataBlock, dialect);
+                    self.pending.extend(wanted.map(|wanted| (wanted, Pending::Data(Data { block, dialect }))));
+                }
+                ast::Item::Type(declaration) => self.type_declaration(declaration, dialect),
+                ast::Item::Globals(section) => self.globals(section, dialect),
+                ast::Item::Interface(interface) => self.not_built(interface.name.span, "an INTERFACE"),
+                ast::Item::Namespace(namespace) => {
+                    let names: Vec<&str> = namespace.name.names.iter().map(|name| name.text.as_str()).collect();
+                    let outer = std::mem::take(&mut self.namespace);
+                    self.namespace = format!("{outer}{}.", names.join("."));
+                    for name in names {
+                        self.items.qualifiers.insert(key(name));
+                    }
+                    self.items(&namespace.items, dialect);
+                    self.namespace = outer;
+                }
+                ast::Item::Using(_) => {}
+                ast::Item::Configuration(configuration) => {
+                    self.items.configurations.push((configuration, dialect));
+                    let sections = configuration.sections.iter();
+                    for section in sections.chain(configuration.resources.iter().flat_map(|resource| &resource.sections)) {
+                        self.globals(section, dialect);
+                    }
+                }
+            }
+        }
+    }
+
+    fn not_built(&mut self, span: Span, what: &str) {
+        self.diagnostics.push(Diagnostic::new(Problem::P6199, span, format!("{what} cannot be compiled yet")));
+    }
+
+    fn block(&mut self, block: &'a ast::Block, dialect: Dialect) {
+        let kind = match block.kind {
+            ast::BlockKind::Function => BlockKind::Function,
+            ast::BlockKind::OrganizationBlock => BlockKind::OrganizationBlock,
+            ast::BlockKind::Class => return self.not_built(block.name.span, "a CLASS"),
+            ast::BlockKind::Program | ast::BlockKind::FunctionBlock | ast::BlockKind::Implicit => BlockKind::FunctionBlock,
+        };
+        if let Some(method) = block.methods.first() {
+            self.not_built(method.name.span, "a METHOD");
+        }
+        if let Some(property) = block.properties.first() {
+            self.not_built(property.name.span, "a PROPERTY");
+        }
+        if let Some(base) = block.extends.first().or(block.implements.first()) {
+            self.not_built(base.span, "a block that extends or implements another one");
+        }
+        let wanted = match block.kind {
+            ast::BlockKind::Implicit => Some(Wanted {
+                name: self.free_name(IMPLICIT),
+                kind,
+                fixed: None,
+                span: Span { end: block.span.start, ..block.span },
+                library: self.library,
+            }),
+            _ => self.wanted(&block.name, kind, dialect),
+        };
+        let Some(wanted) = wanted else { return };
+        let owner = Wanted { kind: BlockKind::DataBlock, fixed: None, ..wanted.clone() };
+        let behind = self.pending.len() + 1;
+        if matches!(block.kind, ast::BlockKind::Program | ast::BlockKind::Implicit) {
+            self.items.qualifiers.insert(key(&wanted.name));
+            self.pending.push((owner, Pending::Instance(behind)));
+        } else if matches!(block.kind, ast::BlockKind::Function | ast::BlockKind::OrganizationBlock)
+            && block.sections.iter().any(|section| section.kind == ast::SectionKind::Static)
+        {
+            self.pending.push((Wanted { name: format!("{}{KEPT}", wanted.name), ..owner }, Pending::Kept(behind)));
+        }
+        self.pending.push((wanted, Pending::Code(Code { block, dialect })));
+    }
+
+    /// A name that no block has, made from this one.
+    fn free_name(&self, name: &str) -> String {
+        let taken = |name: &str| self.places.contains_key(&(Space::Block, key(name)));
+        if !taken(name) {
+            return name.to_owned();
+        }
+        (2..).map(|number| format!("{name}_{number}")).find(|name| !taken(name)).unwrap_or_default()
+    }
+
+    /// Declares a name; whether it is the first of its kind.
+    fn declare(&mut self, space: Space, name: &str, span: Span) -> bool {
+        match self.places.get(&(space, key(name))) {
+            Some(&first) => {
+                let message = format!("`{name}` is declared twice");
+                self.diagnostics.push(Diagnostic::new(Problem::P3006, span, message).related(first, "first declared here"));
+                false
+            }
+            None => {
+                self.places.insert((space, key(name)), span);
+                true
+            }
+        }
+    }
+
+    /// The number that a block has by its name or by the symbol table, or that it wants one.
+    fn wanted(&mut self, name: &ast::Name, kind: BlockKind, dialect: Dialect) -> Option<Wanted> {
+        // The parser has reported a name that is missing.
+        if name.text.is_empty() {
+            return None;
+        }
+        let span = name.span;
+        let bare = !matches!(name.quoting, ast::Quoting::Global);
+        let numbered = numbered(&name.text, dialect).filter(|_| bare);
+        let full = format!("{}{}", self.namespace, name.text);
+        let mut first = || match self.library {
+            Some(_) => true,
+            None => self.declare(Space::Block, &full, span),
+        };
+        if numbered.is_none() && !first() {
+            return None;
+        }
+        let by_table = || self.scope.own_block(&name.text);
+        let fixed = numbered.or_else(by_table).or_else(|| {
+            let usual = NAMED_ORGANIZATION_BLOCKS.iter().find(|(usual, _)| usual.eq_ignore_ascii_case(&name.text));
+            usual.filter(|_| kind == BlockKind::OrganizationBlock).map(|&(_, number)| BlockId::ob(number))
+        });
+        let shown = if numbered.is_some() { String::new() } else { full };
+        match fixed {
+            Some(id) if id.kind != kind => {
+                let message = format!("`{}` stands for `{id}`, which is no {}", name.text, kind.abbreviation());
+                self.diagnostics.push(Diagnostic::new(Problem::P2200, span, message));
+                None
+            }
+            None if kind == BlockKind::OrganizationBlock => {
+                let message = format!("`{}` does not say which organization block it is", name.text);
+                let help = "Give the name in the symbol table the address of an OB, or write `ORGANIZATION_BLOCK OB1`.";
+                self.diagnostics.push(Diagnostic::new(Problem::P6120, span, message).help(help));
+                None
+            }
+            fixed => Some(Wanted { name: shown, kind, fixed, span, library: self.library }),
+        }
+    }
+
+    fn type_declaration(&mut self, declaration: &'a ast::TypeDeclaration, dialect: Dialect) {
+        let name = &declaration.name;
+        if name.text.is_empty() {
+            return;
+        }
+        let full = format!("{}{}", self.namespace, name.text);
+        if !self.declare(Space::Block, &full, name.span) {
+            return;
+        }
+        let id = numbered(&name.text, dialect).or_else(|| self.scope.own_block(&name.text));
+        if let Some(BlockId { kind: BlockKind::UserDefinedType, number }) = id {
+            self.items.numbered_types.insert(number, key(&full));
+        }
+        let qualified = declaration.attributes.iter().any(|attribute| attribute.name.is("qualified_only"));
+        if let (ast::TypeKind::Enumeration { values, .. }, false) = (&declaration.data_type.kind, qualified) {
+            for (value, _) in values {
+                self.items.values.entry(key(&value.text)).or_default().push(key(&full));
+            }
+        }
+        self.items.types.insert(key(&full), Type { declaration, dialect });
+        if !self.namespace.is_empty() {
+            self.items.types.entry(key(&name.text)).or_insert(Type { declaration, dialect });
+        }
+    }
+
+    fn globals(&mut self, section: &'a ast::VarSection, dialect: Dialect) {
+        if section.kind != ast::SectionKind::Global {
+            if !section.declarations.is_empty() {
+                self.not_built(section.span, "VAR_CONFIG and VAR_ACCESS");
+            }
+            return;
+        }
+        let name = section.name.as_ref().map_or("Globals", |name| name.text.as_str());
+        let name = self.free_name(name);
+        self.places.insert((Space::Block, key(&name)), section.span);
+        let qualified = section.attributes.iter().any(|attribute| attribute.name.is("qualified_only"));
+        let list = self.items.lists.len();
+        self.items.qualifiers.insert(key(&name));
+        for declaration in &section.declarations {
+            for declared in &declaration.names {
+                let word = &declared.name;
+                let full = format!("{name}.{}", word.text);
+                if self.declare(Space::Global, if qualified { &full } else { &word.text }, word.span) {
+                    self.items.globals.insert(key(&full), (list, declaration));
+                    if !qualified {
+                        self.items.globals.entry(key(&word.text)).or_insert((list, declaration));
+                    }
+                }
+            }
+        }
+        let wanted = Wanted { name: name.clone(), kind: BlockKind::DataBlock, fixed: None, span: section.span, library: self.library };
+        self.items.lists.push(List { name, section, dialect, number: 0 });
+        self.pending.push((wanted, Pending::List(list)));
+    }
+}

@@ -1,0 +1,93 @@
+//! Declarations of ST: blocks and their numbers, types, constants, interfaces, global variables, data blocks.
+//!
+//! Everything becomes what an S7 has: FUNCTION an FC, FUNCTION_BLOCK an FB, PROGRAM an FB with an instance data block that an
+//! organization block calls, VAR_GLOBAL a data block. Types, interfaces and data blocks are the same ones that STL works with,
+//! so that each language calls the blocks of the other.
+
+mod bodies;
+mod constants;
+mod data;
+mod environment;
+mod globals;
+mod initial;
+mod interface;
+mod items;
+mod needed;
+mod numbers;
+mod programs;
+mod types;
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use sieben_model::block::BlockId;
+use sieben_model::literal::Value;
+use sieben_model::source::FileId;
+use sieben_model::types::DataType;
+
+use super::ast;
+use super::check::names::{Constant, Entity, Variable};
+use super::dialect::Dialect;
+use super::standard::Source;
+use super::tree::Local;
+use crate::declarations::types::State;
+
+pub(crate) use data::{fill, layouts};
+pub(crate) use environment::environment;
+pub(crate) use interface::interface_of;
+pub(crate) use items::{Items, collect};
+pub(crate) use needed::{Demand, Needed};
+use programs::organization_blocks;
+pub(crate) use types::{all_types, user_defined};
+
+/// A source of ST that is parsed.
+#[derive(Clone, Debug)]
+pub struct StFile {
+    /// Which source.
+    pub id: FileId,
+    /// Its dialect.
+    pub dialect: Dialect,
+    /// Its syntax.
+    pub file: ast::File,
+    /// Which source of the library it is; `None` = the user's.
+    pub library: Option<&'static Source>,
+}
+
+/// A type with the initial values that its name brings along.
+#[derive(Clone, Debug)]
+pub(crate) struct Named {
+    pub(crate) data_type: DataType,
+    pub(crate) initial: Vec<Value>,
+}
+
+/// What a block of ST declares.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Declared {
+    /// What its names stand for.
+    pub(crate) names: HashMap<String, Entity>,
+    /// Its variables in order.
+    pub(crate) variables: Vec<Variable>,
+    /// Its variables in the local data.
+    pub(crate) locals: Vec<Local>,
+    /// The result of a function and what it holds at the start.
+    pub(crate) result: Option<(Variable, Vec<Value>)>,
+    /// Outputs of a function with what they hold at the start.
+    pub(crate) outputs: Vec<(Variable, Vec<Value>)>,
+    /// Something was wrong with a declaration, so that its statements cannot be understood whole.
+    pub(crate) broken: bool,
+}
+
+/// What is known of ST while types are resolved; lives in [`crate::declarations::types::Types`].
+#[derive(Default)]
+pub(crate) struct Known {
+    /// Types of TYPE sections by the key of their names.
+    pub(crate) named: HashMap<String, State<Arc<Named>>>,
+    /// Global constants by key.
+    pub(crate) constants: HashMap<String, State<Constant>>,
+    /// What each block declares.
+    pub(crate) blocks: HashMap<BlockId, Declared>,
+    /// Data blocks that functions keep their VAR_STAT in: structure and initial values come from the declarations.
+    pub(crate) statics: Vec<(u16, Arc<sieben_model::types::Structure>)>,
+    /// What of the library is needed and not there yet.
+    pub(crate) demands: Vec<Demand>,
+}

@@ -1,0 +1,546 @@
+//! Types as written in ST → types with a layout.
+
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::literal::Value;
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+use sieben_model::types::{DataType, Enumeration, Field, Reference, ReferenceKind, STRING_LENGTH_MAX, Structure, Subrange, place};
+
+use super::initial::range;
+use super::items::{Items, numbered};
+use super::{Demand, Named, ast};
+use crate::declarations::BLOCK_BYTES_MAX;
+use crate::declarations::types::{State, Types, describe};
+use crate::scope::{did_you_mean, key};
+use crate::st::ast::{Dimension, TypeKind, TypeSpec};
+use crate::st::check::names::Entity;
+use crate::st::dialect::{Calendar, Construct, Dialect, Judgement};
+use crate::st::standard::Provided;
+use crate::st::standard::library::block_type;
+
+/// Dimensions that an array may have.
+const DIMENSIONS_MAX: usize = 16;
+/// Values that an enumeration may have.
+const VALUES_MAX: usize = 65_536;
+
+/// The structure of a user-defined type that ST declares; `None` if it is another one.
+pub(crate) fn user_defined(types: &mut Types<'_>, number: u16, span: Span) -> Option<Option<Arc<Structure>>> {
+    let items = types.st?;
+    let wanted = items.numbered_types.get(&number)?;
+    let dialect = items.types.get(wanted)?.dialect;
+    let named = Resolver::new(types, items, dialect).type_of_key(wanted, span);
+    Some(match named?.data_type.clone() {
+        DataType::Struct(structure) => Some(structure),
+        _ => {
+            types.report(Problem::P2210, span, format!("`UDT {number}` is no STRUCT"));
+            None
+        }
+    })
+}
+
+/// Resolves the types that nobody has asked for, so that all that is wrong with them is said.
+pub(crate) fn all_types<'a>(types: &mut Types<'a>, items: &'a Items<'a>) {
+    let mut all: Vec<_> = items.types.iter().map(|(wanted, found)| (found.declaration.name.span, wanted, found.dialect)).collect();
+    all.sort_unstable();
+    for (span, wanted, dialect) in all {
+        Resolver::new(types, items, dialect).type_of_key(wanted, span);
+    }
+}
+
+/// Resolves what the declarations of one block, or of one type, say.
+pub(super) struct Resolver<'t, 'a> {
+    pub(super) types: &'t mut Types<'a>,
+    pub(super) items: &'a Items<'a>,
+    pub(super) dialect: Dialect,
+    /// What the names of the block stand for, as far as it is known.
+    pub(super) names: HashMap<String, Entity>,
+    /// Constants of the block that nobody has asked for yet.
+    pub(super) constant_declarations: HashMap<String, &'a ast::Declaration>,
+}
+
+impl<'t, 'a> Resolver<'t, 'a> {
+    pub(super) fn new(types: &'t mut Types<'a>, items: &'a Items<'a>, dialect: Dialect) -> Self {
+        Self { types, items, dialect, names: HashMap::new(), constant_declarations: HashMap::new() }
+    }
+
+    pub(super) fn report(&mut self, problem: Problem, span: Span, message: impl Into<String>) -> &mut Diagnostic {
+        self.types.report(problem, span, message)
+    }
+
+    /// Says what the dialect thinks of a construct; whether it is part of it.
+    pub(super) fn judge(&mut self, construct: Construct, span: Span) -> bool {
+        let row = construct.row();
+        let title = self.dialect.title();
+        match self.dialect.judge(construct) {
+            Judgement::Accept => true,
+            Judgement::Note => {
+                self.report(Problem::P6206, span, format!("{} is not written in {title}", row.title)).help = Some(advice(row.instead));
+                true
+            }
+            Judgement::Reject => {
+                self.report(Problem::P6205, span, format!("{title} does not have {}", row.title)).help = Some(advice(row.instead));
+                false
+            }
+        }
+    }
+
+    /// The type that a word names by itself in the dialect.
+    pub(super) fn word(&self, word: &str) -> Option<DataType> {
+        let long = self.dialect.switches().calendar == Calendar::Long;
+        let data_type = match DataType::from_any_word(word) {
+            Some(DataType::Date) if long => DataType::LongDate,
+            Some(DataType::DateAndTime) if long => DataType::LongDateAndTime,
+            Some(DataType::String(_)) => DataType::String(self.string_length()),
+            Some(DataType::WideString(_)) => DataType::WideString(u16::from(self.string_length())),
+            Some(data_type) => data_type,
+            None if word.eq_ignore_ascii_case("BIT") => DataType::Bool,
+            None if word.eq_ignore_ascii_case("VARIANT") => DataType::Any,
+            None if word.eq_ignore_ascii_case("DB_ANY") => DataType::BlockData,
+            None => return None,
+        };
+        Some(data_type)
+    }
+
+    fn string_length(&self) -> u8 {
+        u8::try_from(self.dialect.switches().string_length).unwrap_or(STRING_LENGTH_MAX).min(STRING_LENGTH_MAX)
+    }
+
+    /// The type as written; `None` if something was wrong with it, which is reported.
+    pub(super) fn data_type(&mut self, written: &TypeSpec) -> Option<DataType> {
+        self.type_and_initial(written).map(|(data_type, _)| data_type)
+    }
+
+    /// The type as written, with the initial values that its name brings along.
+    pub(super) fn type_and_initial(&mut self, written: &TypeSpec) -> Option<(DataType, Vec<Value>)> {
+        if !self.types.enter(written.span) {
+            return None;
+        }
+        let found = self.type_inside(written, None);
+        self.types.leave();
+        found
+    }
+
+    fn type_inside(&mut self, written: &TypeSpec, name: Option<&str>) -> Option<(DataType, Vec<Value>)> {
+        let span = written.span;
+        let plain = |data_type| Some((data_type, Vec::new()));
+        match &written.kind {
+            TypeKind::Missing => None,
+            TypeKind::Inferred => {
+                self.report(Problem::P3015, span, "this declaration has no type");
+                None
+            }
+            TypeKind::Named(path) => {
+                let named = self.named(path)?;
+                Some((named.data_type.clone(), named.initial.clone()))
+            }
+            TypeKind::String { wide, length } => {
+                let length = match length {
+                    Some(length) => self.integer(length)?,
+                    None => i128::from(self.string_length()),
+                };
+                let limit = if *wide { 16_382 } else { i128::from(STRING_LENGTH_MAX) };
+                if !(0..=limit).contains(&length) {
+                    let message = format!("a {} has 0 to {limit} characters, not {length}", if *wide { "WSTRING" } else { "STRING" });
+                    self.report(Problem::P4004, span, message);
+                    return None;
+                }
+                plain(if *wide { DataType::WideString(length as u16) } else { DataType::String(length as u8) })
+            }
+            TypeKind::Array { dimensions, element } => plain(self.array(dimensions, element, span)?),
+            TypeKind::Struct { fields, overlap } => {
+                if *overlap {
+                    self.not_built(span, "OVERLAP");
+                }
+                plain(DataType::Struct(self.structure(fields, name, None, false, span)?))
+            }
+            TypeKind::Union(fields) => plain(DataType::Struct(self.structure(fields, name, None, true, span)?)),
+            TypeKind::Subrange { base, low, high } => {
+                let base = self.named(base)?.data_type.clone();
+                let Some(limits) = range(&base) else {
+                    self.report(Problem::P3015, span, format!("{} has no subranges; an integer type has", describe(&base)));
+                    return None;
+                };
+                let (low, high) = (self.integer(low), self.integer(high));
+                let (low, high) = (low?, high?);
+                if low > high || low < limits.0 || high > limits.1 {
+                    let message = format!("{low}..{high} is no part of {}, {} to {}", describe(&base), limits.0, limits.1);
+                    self.report(Problem::P4004, span, message);
+                    return None;
+                }
+                let initial = if (low..=high).contains(&0) { 0 } else { low };
+                plain(DataType::Subrange(Arc::new(Subrange { name: name.map(str::to_owned), base, low, high, initial })))
+            }
+            TypeKind::Enumeration { base, values } => {
+                let data_type = self.enumeration(base.as_ref(), values, name, span)?;
+                if name.is_none()
+                    && let DataType::Enumeration(enumeration) = &data_type
+                {
+                    for (value, number) in &enumeration.values {
+                        let entity = Entity::EnumValue { data_type: data_type.clone(), value: i128::from(*number) };
+                        self.names.entry(key(value)).or_insert(entity);
+                    }
+                }
+                plain(data_type)
+            }
+            TypeKind::Constructed { .. } => {
+                self.not_built(span, "an instance with arguments for FB_init");
+                None
+            }
+            TypeKind::Reference(target) => self.reference(target, ReferenceKind::RefTo),
+            TypeKind::Pointer(target) => self.reference(target, ReferenceKind::Pointer),
+            TypeKind::Alias(target) => self.reference(target, ReferenceKind::Reference),
+        }
+    }
+
+    pub(super) fn not_built(&mut self, span: Span, what: &str) {
+        self.report(Problem::P6199, span, format!("{what} cannot be compiled yet"));
+    }
+
+    fn reference(&mut self, target: &TypeSpec, kind: ReferenceKind) -> Option<(DataType, Vec<Value>)> {
+        let target = self.data_type(target)?;
+        Some((DataType::Reference(Arc::new(Reference { target, kind })), Vec::new()))
+    }
+
+    /// The type of a name: a word, a block by number, a type or a function block of the project, a symbol.
+    pub(super) fn named(&mut self, path: &ast::Path) -> Option<Arc<Named>> {
+        let span = path.span;
+        let plain = |data_type: DataType| Some(Arc::new(Named { data_type, initial: Vec::new() }));
+        if let Some(name) = path.single() {
+            if name.quoting != ast::Quoting::Global {
+                if let Some(data_type) = self.word(&name.text) {
+                    return plain(data_type);
+                }
+                if let Some(id) = numbered(&name.text, self.dialect) {
+                    return plain(self.types.type_of_block(id, span)?);
+                }
+            }
+        } else if path.names.is_empty() {
+            return None;
+        }
+        let words: Vec<&str> = path.names.iter().map(|name| name.text.as_str()).collect();
+        let full_name = words.join(".");
+        let full = key(&full_name);
+        if self.items.types.contains_key(&full) {
+            return self.type_of_key(&full, span);
+        }
+        // `Standard.TON`: the library of a block needs not be told.
+        let last = words.last().copied().unwrap_or_default();
+        if self.items.types.contains_key(&key(last)) && words.len() > 1 {
+            return self.type_of_key(&key(last), span);
+        }
+        let items = self.items;
+        let own = items.blocks.get(&full).or_else(|| items.blocks.get(&key(last))).copied();
+        let block = own.or_else(|| self.types.scope.own_block(last));
+        if let Some(id) = block {
+            return plain(self.types.type_of_block(id, span)?);
+        }
+        match self.of_library(last) {
+            Some(Some(id)) => return plain(self.types.type_of_block(id, span)?),
+            // Known in a moment, when the block of the library is there.
+            Some(None) => return None,
+            None => {}
+        }
+        match self.types.scope.block(last) {
+            Some(id) => plain(self.types.type_of_block(id, span)?),
+            None => {
+                let blocks = items.names.iter().filter(|(id, _)| id.kind == BlockKind::FunctionBlock).map(|(_, name)| name.as_str());
+                let own = items.types.values().map(|found| found.declaration.name.text.as_str());
+                let scope = self.types.scope;
+                let nearest = scope.nearest(last, own.chain(blocks));
+                let nearest = nearest.or_else(|| scope.nearest(last, DataType::all_words().chain(["ARRAY", "STRUCT"])));
+                let nearest = nearest.or_else(|| scope.nearest_symbol(last));
+                let message = format!("there is no type `{full_name}`{}", did_you_mean(nearest));
+                self.report(Problem::P3015, span, message);
+                None
+            }
+        }
+    }
+
+    /// The function block of the library with this name; `Some(None)` if the program does not have it yet, which is asked for.
+    fn of_library(&mut self, name: &str) -> Option<Option<BlockId>> {
+        let function_block = || crate::library::by_name(name).filter(|block| block.block.kind == BlockKind::FunctionBlock);
+        let provided = block_type(name, self.dialect).or_else(|| function_block().map(Provided::Library))?;
+        let (found, demand) = match provided {
+            Provided::System(block) => return Some(Some(block)),
+            Provided::Source { name, source } => (self.items.library.get(&(source.path, key(name))).copied(), Demand::Source(source)),
+            Provided::Library(block) => {
+                let id = self.types.scope.block(block.name).filter(|&id| self.types.exists(id));
+                (id, Demand::Block(block))
+            }
+        };
+        if found.is_none() {
+            self.types.st_known.demands.push(demand);
+        }
+        Some(found)
+    }
+
+    /// A type of a TYPE section.
+    pub(super) fn type_of_key(&mut self, wanted: &str, span: Span) -> Option<Arc<Named>> {
+        match self.types.st_known.named.get(wanted) {
+            Some(State::Done(done)) => return done.clone(),
+            Some(State::InProgress) => {
+                let name = self.items.types.get(wanted).map_or(wanted, |found| found.declaration.name.text.as_str());
+                self.report(Problem::P3016, span, format!("`{name}` contains itself"));
+                return None;
+            }
+            None => {}
+        }
+        let items = self.items;
+        let found = items.types.get(wanted)?;
+        if !self.types.enter(span) {
+            return None;
+        }
+        self.types.st_known.named.insert(wanted.to_owned(), State::InProgress);
+        let declaration = found.declaration;
+        let mut inner = Resolver::new(self.types, items, found.dialect);
+        let resolved = inner.declared_type(declaration).map(Arc::new);
+        self.types.leave();
+        self.types.st_known.named.insert(wanted.to_owned(), State::Done(resolved.clone()));
+        resolved
+    }
+
+    fn declared_type(&mut self, declaration: &ast::TypeDeclaration) -> Option<Named> {
+        let name = Some(declaration.name.text.as_str());
+        let span = declaration.data_type.span;
+        let (mut data_type, mut initial) = match (&declaration.data_type.kind, &declaration.extends) {
+            (TypeKind::Struct { fields, .. }, Some(base)) => {
+                let base = match &self.named(base)?.data_type {
+                    DataType::Struct(structure) => Arc::clone(structure),
+                    _ => {
+                        self.report(Problem::P3015, base.span, "a structure extends a structure");
+                        return None;
+                    }
+                };
+                (DataType::Struct(self.structure(fields, name, Some(&base), false, span)?), Vec::new())
+            }
+            _ => self.type_inside(&declaration.data_type, name)?,
+        };
+        if let Some(initializer) = &declaration.initial {
+            let values = self.initial(initializer, &data_type);
+            match (&mut data_type, values.as_slice()) {
+                (DataType::Enumeration(enumeration), [value]) => {
+                    if let Some(number) = number_of(value, &enumeration.base) {
+                        Arc::make_mut(enumeration).initial = i64::try_from(number).unwrap_or_default();
+                    }
+                }
+                (DataType::Subrange(subrange), [value]) => {
+                    if let Some(number) = number_of(value, &subrange.base) {
+                        Arc::make_mut(subrange).initial = number;
+                    }
+                }
+                _ => initial = values,
+            }
+        }
+        Some(Named { data_type, initial })
+    }
+
+    fn enumeration(
+        &mut self,
+        base: Option<&ast::Path>,
+        values: &[(ast::Name, Option<ast::Expression>)],
+        name: Option<&str>,
+        span: Span,
+    ) -> Option<DataType> {
+        let base = match base {
+            Some(path) => self.named(path)?.data_type.clone(),
+            None => DataType::Int,
+        };
+        let Some((low, high)) = range(&base) else {
+            self.report(Problem::P3015, span, format!("{} cannot hold the values of an enumeration; an integer type can", describe(&base)));
+            return None;
+        };
+        if values.is_empty() || values.len() > VALUES_MAX {
+            self.report(Problem::P4004, span, format!("an enumeration has 1 to {VALUES_MAX} values, not {}", values.len()));
+            return None;
+        }
+        let mut found: Vec<(String, i64)> = Vec::with_capacity(values.len());
+        let mut seen: HashSet<String> = HashSet::new();
+        let mut next = 0_i128;
+        for (value, written) in values {
+            if !seen.insert(key(&value.text)) {
+                self.report(Problem::P3006, value.span, format!("`{}` is declared twice in this enumeration", value.text));
+                continue;
+            }
+            if let Some(expression) = written {
+                let own = match &expression.kind {
+                    ast::ExpressionKind::Name(name) => found.iter().find(|(known, _)| known.eq_ignore_ascii_case(&name.text)),
+                    _ => None,
+                };
+                next = match own {
+                    Some(&(_, number)) => i128::from(number),
+                    None => self.integer(expression)?,
+                };
+            }
+            if !(low..=high).contains(&next) || i64::try_from(next).is_err() {
+                self.report(
+                    Problem::P4001,
+                    value.span,
+                    format!("the value {next} of `{}` is outside the range of {}", value.text, describe(&base)),
+                );
+                return None;
+            }
+            found.push((value.text.clone(), next as i64));
+            next += 1;
+        }
+        let initial = found.first().map_or(0, |&(_, number)| number);
+        Some(DataType::Enumeration(Arc::new(Enumeration { name: name.map(str::to_owned), base, values: found, initial })))
+    }
+
+    fn array(&mut self, dimensions: &[Dimension], element: &TypeSpec, span: Span) -> Option<DataType> {
+        let element = self.data_type(element);
+        if dimensions.is_empty() || dimensions.len() > DIMENSIONS_MAX {
+            let message = format!("an array has 1 to {DIMENSIONS_MAX} dimensions, not {}", dimensions.len());
+            self.report(Problem::P4004, span, message);
+            return None;
+        }
+        let mut bounds = Vec::with_capacity(dimensions.len());
+        let mut whole = true;
+        for dimension in dimensions {
+            let Dimension::Bounds(pair) = dimension else {
+                self.not_built(span, "ARRAY[*]");
+                return None;
+            };
+            let (low, high) = (self.integer(&pair.0), self.integer(&pair.1));
+            let (Some(low), Some(high)) = (low, high) else {
+                whole = false;
+                continue;
+            };
+            let place = pair.0.span.to(pair.1.span);
+            let (Ok(low_index), Ok(high_index)) = (i32::try_from(low), i32::try_from(high)) else {
+                let message = format!("array bounds lie between {} and {}, not {low}..{high}", i32::MIN, i32::MAX);
+                self.report(Problem::P4004, place, message);
+                return None;
+            };
+            if low > high {
+                self.report(Problem::P4004, place, format!("the lower array bound {low} is above the upper bound {high}"));
+                return None;
+            }
+            bounds.push((low_index, high_index));
+        }
+        let element = element?;
+        if !whole {
+            return None;
+        }
+        if element == DataType::Void || element.is_number() {
+            self.report(Problem::P4009, span, format!("an array cannot consist of {}", describe(&element)));
+            return None;
+        }
+        let array = DataType::Array { bounds, element: Box::new(element) };
+        if array.bits() > BLOCK_BYTES_MAX * 8 {
+            let message = format!("this array needs {} bytes; a block has at most {BLOCK_BYTES_MAX}", array.bits().div_ceil(8));
+            self.report(Problem::P5002, span, message);
+            return None;
+        }
+        Some(array)
+    }
+
+    /// The fields of a STRUCT, one behind the other and behind those of its base, or of a UNION, all at the beginning.
+    pub(super) fn structure(
+        &mut self,
+        declarations: &[ast::Declaration],
+        name: Option<&str>,
+        base: Option<&Structure>,
+        union: bool,
+        span: Span,
+    ) -> Option<Arc<Structure>> {
+        let mut structure = Structure { name: name.map(str::to_owned), ..Structure::default() };
+        let mut cursor = 0;
+        if let Some(base) = base {
+            structure.fields.clone_from(&base.fields);
+            cursor = u64::from(base.size) * 8;
+        }
+        let mut names: HashSet<String> = structure.fields.iter().map(|field| key(&field.name)).collect();
+        let mut whole = true;
+        let mut end = cursor;
+        for declaration in declarations {
+            let Some((data_type, named)) = self.type_and_initial(&declaration.data_type) else {
+                whole = false;
+                continue;
+            };
+            if data_type == DataType::Void || data_type.is_number() {
+                self.report(Problem::P4009, declaration.data_type.span, format!("a STRUCT cannot hold {}", describe(&data_type)));
+                whole = false;
+                continue;
+            }
+            if let Some(ast::Location::Address(address)) = &declaration.location {
+                self.not_built(address.span, "a field with an address");
+            }
+            let initial = match &declaration.initial {
+                Some(initializer) => self.initial(initializer, &data_type),
+                None => named,
+            };
+            for declared in &declaration.names {
+                let word = &declared.name;
+                if !names.insert(key(&word.text)) {
+                    self.report(Problem::P3006, word.span, format!("`{}` is declared twice in this STRUCT", word.text));
+                    continue;
+                }
+                let (offset, behind) = place(if union { 0 } else { cursor }, &data_type);
+                cursor = behind;
+                end = end.max(behind);
+                if end > BLOCK_BYTES_MAX * 8 {
+                    let message = format!("with `{}` this STRUCT is larger than {BLOCK_BYTES_MAX} bytes", word.text);
+                    self.report(Problem::P5002, word.span, message);
+                    return None;
+                }
+                structure.fields.push(Field {
+                    name: word.text.clone(),
+                    data_type: data_type.clone(),
+                    offset: offset as u32,
+                    // The first member of a UNION says what all of them hold.
+                    initial: if union && !structure.fields.is_empty() { vec![Value::Image(Vec::new())] } else { initial.clone() },
+                    comment: declaration.comment.clone(),
+                });
+            }
+        }
+        if !whole {
+            return None;
+        }
+        if structure.fields.is_empty() {
+            self.report(Problem::P2211, span, "this STRUCT has no fields");
+            return None;
+        }
+        structure.size = (end.next_multiple_of(16) / 8) as u32;
+        Some(Arc::new(structure))
+    }
+}
+
+/// A row's advice as a sentence.
+pub(super) fn advice(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().map(|first| first.to_uppercase().collect::<String>() + characters.as_str() + ".").unwrap_or_default()
+}
+
+/// The number that an initial value is.
+fn number_of(value: &Value, base: &DataType) -> Option<i128> {
+    let bits = match value {
+        Value::Image(bytes) => bytes.iter().take(8).fold(0, |bits: u64, &byte| bits << 8 | u64::from(byte)),
+        other => other.bits()?,
+    };
+    let (low, high) = range(base)?;
+    let width = base.bits();
+    let number = i128::from(bits);
+    Some(if low < 0 && number > high { number - (1 << width) } else { number })
+}
+
+/// Whether a variable of the type holds an instance of a function block.
+pub(super) fn holds_instance(data_type: &DataType) -> bool {
+    match data_type {
+        DataType::Instance { .. } => true,
+        DataType::Array { element, .. } => holds_instance(element),
+        DataType::Struct(structure) => structure.size > 0 && structure.fields.iter().any(|field| holds_instance(&field.data_type)),
+        _ => false,
+    }
+}
+
+/// The block that a data type is an instance of.
+pub(super) fn instance_of(data_type: &DataType) -> Option<BlockId> {
+    match data_type {
+        DataType::Instance { block, .. } => Some(*block),
+        _ => None,
+    }
+}
