@@ -241,20 +241,20 @@ pub fn load_file(registers: &Registers) -> File {
     file
 }
 
-/// The registers in a file.
-pub fn registers(file: &File) -> Registers {
+/// The registers in a file, or in the part of one that holds them.
+pub fn registers<const N: usize>(file: &[u64; N]) -> Registers {
     let mut words = [0; Register::COUNT];
     words.copy_from_slice(&file[..Register::COUNT]);
     Registers::from_words(&words)
 }
 
 /// Shows the registers of the file in the machine.
-pub fn store_file(machine: &mut Machine, file: &File) {
+pub fn store_file<const N: usize>(machine: &mut Machine, file: &[u64; N]) {
     machine.registers = registers(file);
 }
 
 /// What the end of a block that is called now restores.
-pub fn caller_registers(file: &File) -> CallerRegisters {
+pub fn caller_registers<const N: usize>(file: &[u64; N]) -> CallerRegisters {
     CallerRegisters {
         shared: data_registers(DataRegister::Shared).map(|register| file[register as usize]),
         instance: data_registers(DataRegister::Instance).map(|register| file[register as usize]),
@@ -264,7 +264,7 @@ pub fn caller_registers(file: &File) -> CallerRegisters {
 }
 
 /// Restores them.
-pub fn restore_caller(file: &mut File, caller: &CallerRegisters) {
+pub fn restore_caller<const N: usize>(file: &mut [u64; N], caller: &CallerRegisters) {
     for (register, value) in data_registers(DataRegister::Shared).into_iter().zip(caller.shared) {
         file[register as usize] = value;
     }
@@ -276,7 +276,7 @@ pub fn restore_caller(file: &mut File, caller: &CallerRegisters) {
 }
 
 /// Status at the start of a called block and behind a call: OS, OR and /FC are 0, STA is 1.
-pub fn after_call(file: &mut File) {
+pub fn after_call<const N: usize>(file: &mut [u64; N]) {
     file[Register::Os as usize] = 0;
     file[Register::Or as usize] = 0;
     file[Register::Sta as usize] = 1;
@@ -287,7 +287,7 @@ pub fn after_call(file: &mut File) {
 ///
 /// # Errors
 /// There is no such block, or no CPU of this type can have it.
-pub fn open(machine: &Machine, file: &mut File, register: DataRegister, number: u64) -> Result<(), Fault> {
+pub fn open<const N: usize>(machine: &Machine, file: &mut [u64; N], register: DataRegister, number: u64) -> Result<(), Fault> {
     let number = number & 0xFFFF;
     let (base, length) = if number == 0 {
         (0, 0)

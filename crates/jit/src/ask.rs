@@ -100,17 +100,22 @@ impl Run<'_, '_> {
         FaultPlace { block: block.id, statement: block.statement_of(inst) }
     }
 
-    /// Puts the value of a place's pointer where access finds it.
+    /// Puts the registers where access finds them.
+    fn show_registers(&mut self) {
+        self.scratch.file[..Register::COUNT].copy_from_slice(&self.registers);
+    }
+
+    /// Puts the value of a place's pointer there.
     fn point(&mut self, place: Place, value: u64) {
         if let Place::Indirect { pointer: Var(var), .. } | Place::Crossing { pointer: Var(var), .. } = place {
-            self.registers[usize::from(var)] = value;
+            self.scratch.file[usize::from(var)] = value;
         }
     }
 
     fn locate(&self, link: u64, place: Place, width: Width, write: bool) -> Result<Target, Fault> {
         let depth = self.depth(link);
         let local = |outwards: usize| self.local_data(depth, outwards);
-        access::locate(self.context.machine, &self.registers, &local, place, width, write)
+        access::locate(self.context.machine, &self.scratch.file, &local, place, width, write)
     }
 
     /// Notes a fault; what a function that failed returns.
@@ -121,6 +126,7 @@ impl Run<'_, '_> {
 
     fn load(&mut self, link: u64, site: u64, pointer: u64) -> Result<u64, Fault> {
         let Inst::Load { place, width, on_fault, .. } = self.inst(site) else { unreachable!("a site of `try_load` is a load") };
+        self.show_registers();
         self.point(place, pointer);
         match self.locate(link, place, width, on_fault == OnFault::SkipWrite)? {
             Target::Arena(byte, bit) => Ok(self.context.machine.memory.read_wide(byte, bit, width)),
@@ -135,6 +141,7 @@ impl Run<'_, '_> {
 
     fn store(&mut self, link: u64, site: u64, pointer: u64, value: u64) -> Result<(), Fault> {
         let Inst::Store { place, width, .. } = self.inst(site) else { unreachable!("a site of `try_store` is a store") };
+        self.show_registers();
         self.point(place, pointer);
         match self.locate(link, place, width, true)? {
             Target::Arena(byte, bit) => self.context.machine.memory.write_wide(byte, bit, width, value),
@@ -152,11 +159,12 @@ impl Run<'_, '_> {
 
     fn move_bytes(&mut self, link: u64, site: u64, pointers: [u64; 2]) -> Result<(), Fault> {
         let Inst::Move { from, to, bytes } = self.inst(site) else { unreachable!("a site of `try_move` is a move") };
+        self.show_registers();
         self.point(from, pointers[0]);
         self.point(to, pointers[1]);
         let depth = self.depth(link);
         let local = |outwards: usize| self.local_data(depth, outwards);
-        let plan = access::plan_move(self.context.machine, &self.registers, &local, (from, to, bytes))?;
+        let plan = access::plan_move(self.context.machine, &self.scratch.file, &local, (from, to, bytes))?;
         access::move_bytes(self.context.machine, plan, bytes);
         Ok(())
     }
@@ -165,12 +173,13 @@ impl Run<'_, '_> {
         let Inst::Text { action, to, to_max, from, from_max, .. } = self.inst(site) else {
             unreachable!("a site of `try_text` works on texts")
         };
+        self.show_registers();
         self.point(from, pointers[0]);
         self.point(to, pointers[1]);
         let depth = self.depth(link);
         let local = |outwards: usize| self.local_data(depth, outwards);
         let [to, from] = [(to, to_max), (from, from_max)].map(|(place, characters_max)| Text { place, characters_max });
-        let plan = texts::plan(self.context.machine, &self.registers, &local, action, to, from)?;
+        let plan = texts::plan(self.context.machine, &self.scratch.file, &local, action, to, from)?;
         Ok(plan.run(self.context.machine))
     }
 
@@ -284,7 +293,7 @@ impl Run<'_, '_> {
             self.take_back();
             return self.leave(Some(exit));
         }
-        self.registers = access::load_file(&Registers::fresh());
+        self.registers = Registers::fresh().to_words();
         access::write_start_information(self.context.machine, information);
         // The block may call as deep as its class allows.
         let layout = &self.context.machine.memory.layout;
@@ -320,7 +329,7 @@ impl Run<'_, '_> {
         self.interrupts -= 1;
         (self.link_max, self.local_end) = limits;
         if let Origin::Interrupt { registers, deliver } = frame.origin {
-            self.registers = access::load_file(&registers);
+            self.registers = registers.to_words();
             self.value = deliver.map_or(0, |(_, value)| u64::from(value));
         }
         GO_ON

@@ -1,7 +1,7 @@
 //! The engine: a program as machine code, with an interpreter beside it for what machine code cannot do.
 
 use std::collections::BTreeSet;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, OnceLock};
 
 use sieben_engine::access;
 use sieben_engine::ir::{Callee, Code, Inst, Target};
@@ -11,7 +11,7 @@ use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Interpreter, Layout
 use sieben_model::block::{BlockId, BlockKind};
 
 use crate::entry::Generation;
-use crate::run::{Run, Scratch};
+use crate::run::{Areas, Run, Scratch, areas};
 use crate::translate::{self, Options};
 
 /// More parameters at one call are left to the interpreter: every activation has room for as many.
@@ -110,8 +110,9 @@ impl Source {
             pinned: pinned.into_iter().map(entry).collect(),
             asks_before_writing: self.asks_before_writing,
             parameters_max: self.parameters_max,
+            areas: areas(&self.layout),
         };
-        Ok(Jit { compiled, layout: self.layout.clone(), known_layout: OnceLock::new(), scratch: Mutex::default() })
+        Ok(Jit { compiled, layout: self.layout.clone(), known_layout: OnceLock::new() })
     }
 }
 
@@ -126,17 +127,19 @@ pub(crate) struct Compiled {
     /// Whether the code asks before it writes to a data block that it does not know.
     asks_before_writing: bool,
     pub(crate) parameters_max: usize,
+    pub(crate) areas: Areas,
 }
 
 impl Compiled {
     /// Whether the data blocks are as the code takes them to be.
     pub(crate) fn fits(&self, memory: &Memory) -> bool {
-        self.pinned.iter().all(|&(number, entry)| memory.data_block(u64::from(number)) == Some(entry))
+        memory.data_blocks.is_as_laid_out()
+            || self.pinned.iter().all(|&(number, entry)| memory.data_block(u64::from(number)) == Some(entry))
     }
 
     /// Whether no data block is protected, or the code asks before it writes. One may have been restored that SFC 85 made in another program.
     fn protects(&self, memory: &Memory) -> bool {
-        self.asks_before_writing || !memory.data_blocks.iter().flatten().any(|entry| entry.read_only)
+        self.asks_before_writing || memory.data_blocks.is_as_laid_out() || !memory.data_blocks.iter().flatten().any(|entry| entry.read_only)
     }
 }
 
@@ -157,8 +160,6 @@ pub struct Jit {
     layout: Layout,
     /// The layout of the first machine that ran here, to compare addresses instead of contents.
     known_layout: OnceLock<Arc<Layout>>,
-    /// Scratch memory of finished runs: as many as there were runs at the same time.
-    scratch: Mutex<Vec<Scratch>>,
 }
 
 impl Jit {
@@ -216,8 +217,7 @@ impl Jit {
     }
 
     fn run_native(&self, context: &mut Context<'_>, code: u32, entry: &Entry) -> Exit {
-        let pooled = self.scratch.lock().unwrap_or_else(PoisonError::into_inner).pop();
-        let mut scratch = pooled.unwrap_or_else(|| Scratch::new(self.compiled.parameters_max));
+        let mut scratch = Scratch::take(self.compiled.parameters_max);
         let mut run = Run::new(context, &self.compiled, &mut scratch);
         let local = run.local_start();
         let parameters = run.parameters_start();
@@ -231,7 +231,7 @@ impl Jit {
         let link = run.link_address(0);
         let left = self.compiled.generation.call(code as usize, &mut run, local, link);
         let (registers, budget, exit) = (access::registers(&run.registers), run.budget, run.exit.take());
-        self.scratch.lock().unwrap_or_else(PoisonError::into_inner).push(scratch);
+        scratch.keep();
         context.machine.budget = budget;
         if !left {
             context.machine.registers = registers;

@@ -1,10 +1,11 @@
 //! What machine code works on: the registers, the links between activations, and what it asks Rust code for.
 
+use std::cell::Cell;
 use std::ops::Range;
 
 use sieben_engine::access::{self, File};
 use sieben_engine::machine::{CallerRegisters, Origin, Register};
-use sieben_engine::{Context, Exit, Fault};
+use sieben_engine::{Context, Exit, Fault, Layout};
 
 use sieben_model::address::Area;
 
@@ -47,24 +48,62 @@ pub(crate) struct Link {
 pub(crate) struct Scratch {
     pub(crate) links: Box<[Link]>,
     pub(crate) parameters: Box<[u32]>,
+    /// Registers and temporaries as access has them.
+    pub(crate) file: Box<File>,
+}
+
+thread_local! {
+    /// The scratch memory of the last run in this thread.
+    static SPARE: Cell<Option<Box<Scratch>>> = const { Cell::new(None) };
 }
 
 impl Scratch {
-    /// For blocks that pass at most this many parameters at once.
-    pub(crate) fn new(parameters_max: usize) -> Self {
+    /// Scratch memory for blocks that pass at most this many parameters at once: that of the last run in this thread, if it is enough.
+    pub(crate) fn take(parameters_max: usize) -> Box<Self> {
+        let spare = SPARE.try_with(Cell::take).ok().flatten();
+        spare
+            .filter(|scratch| scratch.parameters.len() >= Self::parameters(parameters_max))
+            .unwrap_or_else(|| Box::new(Self::new(parameters_max)))
+    }
+
+    /// Keeps scratch memory for the next run in this thread.
+    pub(crate) fn keep(self: Box<Self>) {
+        // A thread that ends needs it no more.
+        let _ = SPARE.try_with(|spare| spare.set(Some(self)));
+    }
+
+    /// Every activation has those that it was given behind those of its caller, and room for those that it passes.
+    fn parameters(parameters_max: usize) -> usize {
+        (LINKS + 2) * parameters_max.max(1)
+    }
+
+    fn new(parameters_max: usize) -> Self {
         Self {
             links: vec![Link::default(); LINKS].into_boxed_slice(),
-            // Every activation has those that it was given behind those of its caller, and room for those that it passes.
-            parameters: vec![0; (LINKS + 2) * parameters_max.max(1)].into_boxed_slice(),
+            parameters: vec![0; Self::parameters(parameters_max)].into_boxed_slice(),
+            file: Box::new([0; 256]),
         }
     }
+}
+
+/// First byte in the arena and length of I, Q and M, under the low half of their codes in pointers; no bytes under other codes.
+pub(crate) type Areas = [[u64; 2]; 16];
+
+/// The areas of a layout.
+pub(crate) fn areas(layout: &Layout) -> Areas {
+    let mut areas = [[0; 2]; 16];
+    for area in [Area::Input, Area::Output, Area::BitMemory] {
+        let range = layout.area(area).unwrap_or(0..0);
+        areas[usize::from(area.pointer_code() & 0xF)] = [range.start as u64, range.len() as u64];
+    }
+    areas
 }
 
 /// One run of machine code. The fields before `context` are reached by machine code through their offsets.
 #[repr(C)]
 pub(crate) struct Run<'a, 'c> {
     /// All registers, in the order of `Register::ALL`; current wherever machine code asks for something.
-    pub(crate) registers: File,
+    pub(crate) registers: [u64; Register::COUNT],
     /// The result of what was asked for.
     pub(crate) value: u64,
     /// The answer of what was asked in cold code.
@@ -75,8 +114,7 @@ pub(crate) struct Run<'a, 'c> {
     pub(crate) local_end: u64,
     /// Address of the last link that a call may use.
     pub(crate) link_max: u64,
-    /// First byte in the arena and length of I, Q and M, under the low half of their codes in pointers; no bytes under other codes.
-    pub(crate) areas: [[u64; 2]; 16],
+    pub(crate) areas: &'a Areas,
     /// Address of the first timer.
     pub(crate) timers: u64,
     /// Address of the first counter.
@@ -104,12 +142,7 @@ impl<'a, 'c> Run<'a, 'c> {
         let arena = memory.arena.as_mut_ptr();
         let arena_bytes = memory.arena.len();
         let budget = context.machine.budget;
-        let registers = access::load_file(&context.machine.registers);
-        let mut areas = [[0; 2]; 16];
-        for area in [Area::Input, Area::Output, Area::BitMemory] {
-            let range = context.machine.memory.layout.area(area).unwrap_or(0..0);
-            areas[usize::from(area.pointer_code() & 0xF)] = [range.start as u64, range.len() as u64];
-        }
+        let registers = context.machine.registers.to_words();
         let (timers, counters) = (context.machine.timers.as_mut_ptr() as u64, context.machine.counters.as_mut_ptr() as u64);
         let clock_us = context.machine.clock_us;
         Self {
@@ -119,7 +152,7 @@ impl<'a, 'c> Run<'a, 'c> {
             budget,
             local_end: 0,
             link_max: 0,
-            areas,
+            areas: &compiled.areas,
             timers,
             counters,
             clock_us,
@@ -267,7 +300,7 @@ impl<'a, 'c> Run<'a, 'c> {
 
     /// Takes over the registers that a system function may have changed.
     pub(crate) fn take_registers(&mut self) {
-        self.registers[..Register::COUNT].copy_from_slice(&self.context.machine.registers.to_words());
+        self.registers = self.context.machine.registers.to_words();
         self.check_open_blocks();
     }
 

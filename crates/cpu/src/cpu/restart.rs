@@ -94,8 +94,11 @@ impl Cpu {
     /// Copies data blocks from load memory, those whose NON_RETAIN attribute `which` wants.
     pub(super) fn load_data_blocks(&mut self, which: impl Fn(bool) -> bool) {
         for (&number, block) in self.program.data.iter().filter(|(_, block)| which(block.non_retain)) {
-            let Some(Some(entry)) = self.machine.memory.data_blocks.get_mut(usize::from(number)) else { continue };
-            entry.read_only = block.read_only;
+            let Some(mut entry) = self.machine.memory.data_block(u64::from(number)) else { continue };
+            if entry.read_only != block.read_only {
+                entry.read_only = block.read_only;
+                self.machine.memory.data_blocks[usize::from(number)] = Some(entry);
+            }
             let start = entry.base as usize;
             // The program may have written the load memory (SFC 84).
             let image = self.system.load_memory.get(&number).unwrap_or(&block.image);

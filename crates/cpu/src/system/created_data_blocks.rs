@@ -70,6 +70,9 @@ pub(super) fn reserve(machine: &Machine) -> Range<usize> {
 
 /// What created data blocks take of the reserve, in the order of their places.
 pub(super) fn taken(machine: &Machine) -> Vec<(usize, u16)> {
+    if machine.memory.data_blocks.is_as_laid_out() {
+        return Vec::new();
+    }
     let reserve = reserve(machine);
     let mut taken: Vec<(usize, u16)> = machine
         .memory

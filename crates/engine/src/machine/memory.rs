@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use sieben_model::address::{Address, Area, Operand, Width};
 
+use super::data_block_table::DataBlockTable;
 use super::layout::Layout;
 
 /// All data memory of a CPU.
@@ -13,8 +14,8 @@ pub struct Memory {
     pub arena: Vec<u8>,
     /// Where things lie in them.
     pub layout: Arc<Layout>,
-    /// Data blocks by number: first byte and length in the arena, write protection. Index 0 is never used.
-    pub data_blocks: Vec<Option<DataBlockEntry>>,
+    /// Data blocks by number.
+    pub data_blocks: DataBlockTable,
 }
 
 /// A loaded data block.
@@ -40,7 +41,7 @@ impl Memory {
                 read_only: layout.read_only.contains(&number),
             });
         }
-        Self { arena: vec![0; layout.size], layout, data_blocks }
+        Self { arena: vec![0; layout.size], layout, data_blocks: DataBlockTable::new(data_blocks) }
     }
 
     /// The loaded data block with this number.

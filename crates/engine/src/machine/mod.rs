@@ -1,6 +1,7 @@
 //! All state that a program can touch, as plain data.
 
 pub mod counters;
+pub mod data_block_table;
 pub mod layout;
 pub mod memory;
 pub mod registers;

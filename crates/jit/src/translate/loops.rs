@@ -72,7 +72,7 @@ pub(super) fn find(code: &Code) -> Vec<Loop> {
     for it in &mut loops {
         for inst in (it.first..=it.last).flat_map(|statement| code.statement(statement as usize)) {
             it.written |= written(inst);
-            it.calls_nothing &= !matches!(inst, Inst::Call { .. } | Inst::Intrinsic { .. } | Inst::Move { .. });
+            it.calls_nothing &= !matches!(inst, Inst::Call { .. } | Inst::Intrinsic { .. } | Inst::Move { .. } | Inst::Text { .. });
         }
     }
     loops

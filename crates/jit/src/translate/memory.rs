@@ -267,11 +267,11 @@ impl Translator<'_> {
         let index = self.b.ins().select(known, index, none);
         let index = self.b.ins().uextend(I64, index);
         let moved = self.b.ins().ishl_imm_u(index, 4);
-        let entry = self.b.ins().iadd(self.run, moved);
-        let table = offset_of!(Run<'_, '_>, areas) as i32;
+        let table = self.load_run(offset_of!(Run<'_, '_>, areas));
+        let entry = self.b.ins().iadd(table, moved);
         let trusted = MemFlagsData::trusted();
-        let mut start = self.b.ins().load(I64, trusted, entry, table);
-        let mut length = self.b.ins().load(I64, trusted, entry, table + 8);
+        let mut start = self.b.ins().load(I64, trusted, entry, 0);
+        let mut length = self.b.ins().load(I64, trusted, entry, 8);
         for (area, base, bytes) in [(0x84, Register::DbBase, Register::DbLength), (0x85, Register::DiBase, Register::DiLength)] {
             let is_it = self.b.ins().icmp_imm_u(IntCC::Equal, code, area);
             let (base, bytes) = (self.register(base), self.register(bytes));
