@@ -11,6 +11,7 @@ mod failure;
 mod files;
 mod fixing;
 mod glob;
+mod instances;
 mod local_check;
 mod names;
 mod nearest;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, SyncSender, TryRecvError, channel, sync_channel};
 use std::time::{Duration, SystemTime};
 
-use sieben_cpu::{Cpu, OnlineChange, Replacement};
+use sieben_cpu::{Cpu, Loaded, OnlineChange};
 use sieben_jit::StatusBits;
 use sieben_model::cpu_type::CpuType;
 
@@ -32,7 +32,7 @@ enum Found {
 /// A program that is ready to take over.
 struct Prepared {
     build: Build,
-    replacement: Replacement,
+    loaded: Loaded,
 }
 
 /// What is said about a change, by the one who knows how to write beside the status line.
@@ -96,7 +96,7 @@ impl Watch {
     }
 
     fn ready(&mut self, prepared: Box<Prepared>, cpu: &mut Cpu, build: &mut Build, say: Say<'_>) {
-        let change = cpu.plan_change(&prepared.replacement);
+        let change = cpu.plan_change(&prepared.loaded);
         self.pending = None;
         if change.is_empty() {
             // Comments, spaces, names: the lines of the sources are others all the same.
@@ -115,8 +115,8 @@ impl Watch {
     }
 
     fn take_over(&mut self, prepared: Box<Prepared>, cpu: &mut Cpu, build: &mut Build, say: Say<'_>) {
-        let Prepared { build: new, replacement } = *prepared;
-        match cpu.change_online(replacement) {
+        let Prepared { build: new, loaded } = *prepared;
+        match cpu.change_online(loaded) {
             Ok(OnlineChange { losses, .. }) => {
                 *build = new;
                 self.changes += 1;
@@ -233,7 +233,7 @@ impl Looking {
         }
         let program = Arc::new(build.compiled.program.clone());
         let load = |program: &_, layout: &_| self.engine.load(program, layout, StatusBits::Needed);
-        let replacement = Replacement::load(build.cpu, program, load);
-        Found::Ready(Box::new(Prepared { build, replacement }))
+        let loaded = Loaded::new(build.cpu, program, load);
+        Found::Ready(Box::new(Prepared { build, loaded }))
     }
 }

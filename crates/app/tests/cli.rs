@@ -56,6 +56,9 @@ fn bench_prints_what_its_contract_says() {
         );
         assert_eq!(json["code_bytes"].as_u64().is_some_and(|bytes| bytes > 0), native, "{engine}");
     }
+    let many = folder.run(&["bench", "count.awl", "--instances", "50", "--reps", "1", "--min-ms", "1", "--json"]).code(0).json();
+    assert_eq!(many["instances"]["count"], 50);
+    assert!(many["instances"]["scans_per_second"].as_f64().is_some_and(|scans| scans > 0.0));
     folder.run(&["bench", "stop.awl", "--min-ms", "1"]).code(4).stderr("16#");
 }
 

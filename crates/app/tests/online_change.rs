@@ -8,7 +8,7 @@ use std::sync::Arc;
 use program::{ENGINES, Load, compile, cpu};
 use sieben_cpu::online_change::LossReason;
 use sieben_cpu::retain::Adoption;
-use sieben_cpu::{ChangeRefused, Cpu, OnlineChange, OperatingMode, Replacement, Restart, Station};
+use sieben_cpu::{ChangeRefused, Cpu, Loaded, OnlineChange, OperatingMode, Restart, Station};
 use sieben_engine::Program;
 use sieben_model::address::{Area, Operand, Width};
 use sieben_model::cpu_type::CpuType;
@@ -36,9 +36,9 @@ fn run(cpu: &mut Cpu, scan: u64) {
 }
 
 fn change(cpu: &mut Cpu, text: &str, load: Load) -> OnlineChange {
-    let replacement = Replacement::load(cpu_type(), built(text), load);
-    let planned = cpu.plan_change(&replacement);
-    let done = cpu.change_online(replacement).expect("between two scans");
+    let loaded = Loaded::new(cpu_type(), built(text), load);
+    let planned = cpu.plan_change(&loaded);
+    let done = cpu.change_online(loaded).expect("between two scans");
     assert_eq!(planned, done, "what is listed before is what happens");
     done
 }
@@ -298,15 +298,15 @@ fn between_two_scans_only_and_on_the_same_cpu_type_only() {
         cpu.stop_request().hold();
         cpu.scan(10_000);
         assert_eq!(cpu.mode(), OperatingMode::Hold);
-        let refused = cpu.change_online(Replacement::load(cpu_type(), built(&text), load)).expect_err("in the middle of a scan");
+        let refused = cpu.change_online(Loaded::new(cpu_type(), built(&text), load)).expect_err("in the middle of a scan");
         assert_eq!(refused, ChangeRefused::Running);
         cpu.stop();
         let other = CpuType::by_name("315-2PN/DP").expect("a CPU type");
         let program = Arc::new(compile(&text, Mnemonics::English, other).expect("the program compiles").program);
-        let refused = cpu.change_online(Replacement::load(other, program, load)).expect_err("other limits");
+        let refused = cpu.change_online(Loaded::new(other, program, load)).expect_err("other limits");
         assert_eq!(refused, ChangeRefused::OtherCpuType);
         // In STOP a program may be changed; then there is no scan that a hot restart could go on with.
-        cpu.change_online(Replacement::load(cpu_type(), built(&text), load)).expect("in STOP");
+        cpu.change_online(Loaded::new(cpu_type(), built(&text), load)).expect("in STOP");
         assert_eq!(cpu.restart(Restart::Hot), OperatingMode::Run);
         run(&mut cpu, 5);
     }

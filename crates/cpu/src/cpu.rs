@@ -4,6 +4,7 @@ mod access;
 mod background;
 mod extension;
 mod interrupting;
+mod loaded;
 mod online_change;
 mod restart;
 mod retentive;
@@ -22,6 +23,7 @@ use sieben_model::cpu_type::CpuType;
 use crate::clock::DateAndTime;
 use crate::cycle::{Cycle, CycleTimes};
 use crate::diagnostic_buffer::DiagnosticBuffer;
+use crate::forcing::Forced;
 use crate::host::{Requests, Watchdog};
 use crate::interrupts::Interrupts;
 use crate::io::Rack;
@@ -33,7 +35,8 @@ use crate::settings::Settings;
 use crate::system;
 
 pub(crate) use background::Slice;
-pub use online_change::{ChangeRefused, Replacement};
+pub use loaded::Loaded;
+pub use online_change::ChangeRefused;
 pub use retentive::DataLoss;
 pub use scan::ScanReport;
 use stack::Stack;
@@ -67,6 +70,7 @@ pub struct Cpu {
     registers: Registers,
     requests: Arc<Requests>,
     overrides: Overrides,
+    forced: Forced,
     /// What the last cycle control point could not exchange.
     image_failures: Failures,
     system: system::State,
@@ -83,7 +87,7 @@ pub struct Cpu {
     interrupted: Option<Stack>,
     /// The program was loaded, or the memory reset: there is nothing that a hot restart could go on with.
     warm_demanded: bool,
-    declarations: Declarations,
+    declarations: Arc<Declarations>,
     keeper: Keeper,
     /// A STOP from outside has ended the last cycle in the middle, or a hot restart is to end it.
     torn: bool,
@@ -98,12 +102,15 @@ impl Cpu {
         rack: Rack,
         settings: Settings,
     ) -> Self {
-        let layout = Arc::new(Layout::new(cpu_type, &program));
-        let engine = load(&program, &layout);
+        Self::new(Loaded::new(cpu_type, program, load), rack, settings)
+    }
+
+    /// A CPU in STOP with a program that others may run too.
+    pub fn new(loaded: Loaded, rack: Rack, settings: Settings) -> Self {
+        let Loaded { cpu_type, program, layout, engine, declarations } = loaded;
         let machine = Machine::new(layout);
         let registers = machine.registers.clone();
         let interrupts = Interrupts::new(|number| available(cpu_type, &*engine, number));
-        let declarations = Declarations::of(&program);
         let mut cpu = Self {
             cpu_type,
             program,
@@ -125,6 +132,7 @@ impl Cpu {
             registers,
             requests: Arc::default(),
             overrides: Overrides::new(),
+            forced: Forced::default(),
             image_failures: Failures::new(),
             system: system::State::default(),
             interrupts,

@@ -23,6 +23,8 @@ pub enum AccessError {
     NotAccessible,
     /// The value does not fit: a counter holds 0 to 999, a timer an S5TIME of three BCD digits.
     Value,
+    /// The CPU type does not force this operand: an S7-300 forces inputs and outputs, an S7-400 bit memory too.
+    NotForced,
 }
 
 impl fmt::Display for AccessError {
@@ -34,6 +36,7 @@ impl fmt::Display for AccessError {
             Self::NotAccessible => {
                 "only inputs, outputs, bit memory, timers, counters, data blocks and peripheral addresses have a value between two scans"
             }
+            Self::NotForced => "a CPU of the S7-300 forces inputs and outputs (I, Q), one of the S7-400 bit memory (M) too",
             Self::Value => "the value does not fit: a counter holds 0 to 999, a timer an S5TIME with three BCD digits",
         })
     }

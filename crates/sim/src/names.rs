@@ -225,6 +225,34 @@ impl Name {
         }
     }
 
+    /// Forces it to this value, until [`Self::unforce`].
+    ///
+    /// # Errors
+    /// The value is none or does not fit, or the CPU type does not force anything of that name.
+    pub fn force(&self, cpu: &mut Cpu, value: &str) -> Result<(), NameError> {
+        let bits = self.value(value)?;
+        cpu.force(self.forcible()?, bits as u32).map_err(|error| NameError::new(format!("cannot force `{}`: {error}", self.text)))
+    }
+
+    /// Ends its forcing.
+    ///
+    /// # Errors
+    /// It is not forced, or the CPU type does not force anything of that name.
+    pub fn unforce(&self, cpu: &mut Cpu) -> Result<(), NameError> {
+        match cpu.unforce(self.forcible()?) {
+            Ok(true) => Ok(()),
+            Ok(false) => Err(NameError::new(format!("`{}` is not forced", self.text))),
+            Err(error) => Err(NameError::new(format!("`{}` cannot be forced: {error}", self.text))),
+        }
+    }
+
+    fn forcible(&self) -> Result<&Operand, NameError> {
+        match &self.target {
+            Target::Operand(operand, _) => Ok(operand),
+            _ => Err(NameError::new(format!("`{}` cannot be forced: {}", self.text, sieben_cpu::AccessError::NotForced))),
+        }
+    }
+
     /// Whether the value in a CPU is this one. `NaN` stands for every REAL that is no number.
     ///
     /// # Errors

@@ -7,6 +7,8 @@
 //! cycle 10ms                           distance of two scans (default 10ms)
 //! modules 0..63                        only these peripheral bytes have a module (default: all); `modules none`
 //! set I 0.0=1 MW10=16#0102 ACCU1=5     before the next scan
+//! force I 0.0=1 Q 4.0=0                from the next scan on, until
+//! unforce I 0.0 | unforce              ends the forcing of one name, or of all
 //! scan | scan 3 | scan until 400ms | scan at 410ms
 //! at 310ms I 0.0=0                     when a scan begins at that time or later
 //! cyclic OB 35 50ms phase 10ms         interval and phase offset of a cyclic interrupt, from the start
@@ -85,6 +87,8 @@ type Assignments = Vec<(String, String)>;
 #[derive(Clone, Debug, PartialEq)]
 enum Command {
     Set(Assignments),
+    Force(Assignments),
+    Unforce(Option<String>),
     Scan(u32),
     ScanUntil(u64),
     ScanAt(u64),
@@ -105,7 +109,7 @@ const CYCLE_US: u64 = 10_000;
 const SCANS_MAX: u64 = 1_000_000;
 
 /// The words a line can begin with.
-const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `retain`, `set`, `scan`, `at`, `interrupt`, `restart`, `power`, `expect`, `table` or `known-gap`";
+const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `retain`, `set`, `force`, `unforce`, `scan`, `at`, `interrupt`, `restart`, `power`, `expect`, `table` or `known-gap`";
 
 impl Scenario {
     /// Reads a scenario.
@@ -198,6 +202,8 @@ impl Scenario {
                 return Ok(());
             }
             "set" => Command::Set(assignments(rest)?),
+            "force" => Command::Force(assignments(rest)?),
+            "unforce" => Command::Unforce((!rest.is_empty()).then(|| rest.to_owned())),
             "scan" => scan(rest)?,
             "at" => {
                 let (time, values) =
@@ -332,6 +338,12 @@ impl<'a> Run<'a> {
     fn command(&mut self, command: &Command) {
         match command {
             Command::Set(assignments) => self.set(assignments),
+            Command::Force(assignments) => self.force(assignments),
+            Command::Unforce(None) => self.cpu.unforce_all(),
+            Command::Unforce(Some(name)) => {
+                let done = Name::parse(name, self.symbols, self.cpu.program()).and_then(|name| name.unforce(&mut self.cpu));
+                done.unwrap_or_else(|error| self.fail(error.to_string()));
+            }
             Command::Scan(count) => (0..*count).for_each(|_| self.scan()),
             Command::ScanUntil(end) => {
                 if self.reachable(*end) {
@@ -395,6 +407,15 @@ impl<'a> Run<'a> {
     fn set(&mut self, assignments: &Assignments) {
         for (name, value) in assignments {
             let done = Name::parse(name, self.symbols, self.cpu.program()).and_then(|name| name.write(&mut self.cpu, value));
+            if let Err(error) = done {
+                self.fail(error.to_string());
+            }
+        }
+    }
+
+    fn force(&mut self, assignments: &Assignments) {
+        for (name, value) in assignments {
+            let done = Name::parse(name, self.symbols, self.cpu.program()).and_then(|name| name.force(&mut self.cpu, value));
             if let Err(error) = done {
                 self.fail(error.to_string());
             }

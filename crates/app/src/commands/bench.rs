@@ -1,6 +1,5 @@
 //! `sieben bench FILE…`: how long a scan takes.
 
-use std::cell::Cell;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
@@ -8,13 +7,14 @@ use std::time::Duration;
 use clap::Args;
 use rustix::time::{ClockId, clock_gettime};
 use serde_json::{Value, json};
-use sieben_cpu::{Cpu, OperatingMode, Rack, Restart};
+use sieben_cpu::{Cpu, Loaded, OperatingMode, Rack, Restart};
 use sieben_engine::{Layout, Machine, Program, StatementEvent, Tracer};
 use sieben_jit::{StatusBits, Tier, Tiers};
 use sieben_sim::names::Name;
 
 use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
+use crate::instances::{self, Instances};
 use crate::{controller, names, output};
 
 /// Bytes that are walked through before each scan of the cold figure: more than the caches of a core hold.
@@ -30,7 +30,8 @@ const COLD_SCANS: usize = 15;
   sieben bench plant.awl\n  \
   sieben bench plant.awl --engine interpreter --json\n  \
   sieben bench plant.awl --engine quick  the machine code of the first scans\n  \
-  sieben bench plant --warmup-scans 1000 --show MW20\n\n\
+  sieben bench plant --warmup-scans 1000 --show MW20\n  \
+  sieben bench plant --instances 10000   ten thousand controllers in one process\n\n\
 Time is virtual; what is measured is the CPU time of the thread, process images and\n\
 cycle included. Figures of one machine do not carry over to another.\n\n\
 Exit codes: 0 ok, 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
@@ -55,6 +56,9 @@ pub(crate) struct Arguments {
     /// Print these as they are after the scans of the warm-up
     #[arg(long, value_name = "NAME,…")]
     show: Vec<String>,
+    /// Also let so many controllers of this program run in turn, which share one copy of its code
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    instances: Option<u32>,
     /// Which engine runs the program
     #[arg(long, value_name = "ENGINE", default_value = "auto")]
     engine: EngineArgument,
@@ -138,17 +142,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
-    let code_bytes = Cell::new(0);
-    let load = |program: &_, layout: &_| {
-        let engine = arguments.engine.settled().load(program, layout, StatusBits::Needed);
-        code_bytes.set(engine.code_bytes());
-        engine
-    };
+    let load = |program: &_, layout: &_| arguments.engine.settled().load(program, layout, StatusBits::Needed);
     let program = Arc::new(build.compiled.program.clone());
     let settings = controller::settings(&build);
-    let cpu = Cpu::load(build.cpu, Arc::clone(&program), load, Rack::simulated(build.cpu), settings);
+    let loaded = Loaded::new(build.cpu, Arc::clone(&program), load);
+    let cpu = Cpu::new(loaded.clone(), Rack::simulated(build.cpu), settings.clone());
     let compile = now().saturating_sub(started);
-    let quick = (code_bytes.get() > 0).then(|| time_of_quick(&program, &cpu.machine().memory.layout));
+    let quick = (loaded.code_bytes() > 0).then(|| time_of_quick(&program, &cpu.machine().memory.layout));
     let symbols = &build.project.symbols;
     let shown = names::resolve_lists(&arguments.show, symbols, &cpu)?;
     let cycle = arguments.cycle.or(build.project.settings.cycle).filter(|cycle| !cycle.is_zero()).unwrap_or(Duration::from_millis(10));
@@ -169,11 +169,19 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
     let values: Vec<(String, String, Value)> =
         shown.iter().map(|name: &Name| (name.text().to_owned(), names::text(name, &bench.cpu), names::to_json(name, &bench.cpu))).collect();
-    let compile = Compile { whole: compile, quick, code_bytes: code_bytes.get() };
+    let compile = Compile { whole: compile, quick, code_bytes: loaded.code_bytes() };
     let figures = bench.runs().then(|| measure(arguments, &mut bench, compile, count.0));
+    let least = Duration::from_millis(u64::from(arguments.min_ms));
+    let instances = |count: u32| instances::measure(&loaded, build.cpu, &settings, count as usize, least, now);
     match figures {
         Some(figures) if bench.runs() => {
-            print(arguments, &figures, &values)?;
+            let many = arguments.instances.map(instances);
+            if many.as_ref().is_some_and(Option::is_none) {
+                output::message("One of the instances went to STOP: each has a module at the first 128 peripheral bytes only.\n");
+                return Ok(Exit::Stopped);
+            }
+            let instances = many.flatten();
+            print(arguments, &figures, &values, instances.as_ref())?;
             Ok(Exit::Success)
         }
         _ => {
@@ -222,10 +230,15 @@ fn measure(arguments: &Arguments, bench: &mut Bench, compile: Compile, statement
     }
 }
 
-fn print(arguments: &Arguments, figures: &Figures, values: &[(String, String, Value)]) -> Result<(), Failure> {
+fn print(
+    arguments: &Arguments,
+    figures: &Figures,
+    values: &[(String, String, Value)],
+    instances: Option<&Instances>,
+) -> Result<(), Failure> {
     if arguments.json {
         let values: serde_json::Map<String, Value> = values.iter().map(|(name, _, value)| (name.clone(), value.clone())).collect();
-        let object = json!({
+        let mut object = json!({
             "compile_s": figures.compile.whole.as_secs_f64(),
             "compile_quick_s": figures.compile.quick.as_ref().map(|quick| quick.time.as_secs_f64()),
             "ns_per_scan": figures.ns_per_scan,
@@ -234,6 +247,9 @@ fn print(arguments: &Arguments, figures: &Figures, values: &[(String, String, Va
             "code_bytes": figures.compile.code_bytes,
             "values": values,
         });
+        if let Some(instances) = instances {
+            object["instances"] = instances.json();
+        }
         return output::print_json(&object, false);
     }
     let best = figures.ns_per_scan.iter().copied().fold(f64::INFINITY, f64::min);
@@ -254,6 +270,9 @@ fn print(arguments: &Arguments, figures: &Figures, values: &[(String, String, Va
         0 => "machine code     none: the program is interpreted\n".to_owned(),
         bytes => format!("machine code     {bytes} bytes\n"),
     });
+    if let Some(instances) = instances {
+        text.push_str(&instances.text());
+    }
     for (name, value, _) in values {
         text.push_str(&format!("{name} = {value}\n"));
     }

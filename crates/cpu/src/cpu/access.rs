@@ -7,6 +7,7 @@ use sieben_model::cpu_type::CpuType;
 use super::{Cpu, StopCause};
 use crate::cycle::CycleTimes;
 use crate::diagnostic_buffer::DiagnosticBuffer;
+use crate::forcing::Forced;
 use crate::mode::{OperatingMode, Restart};
 use crate::station::{AccessError, Station, TimerReading};
 
@@ -104,6 +105,54 @@ fn check_bit(operand: &Operand) -> Result<(), AccessError> {
 }
 
 impl Cpu {
+    /// What is forced.
+    pub fn forced(&self) -> &Forced {
+        &self.forced
+    }
+
+    /// Forces an operand to a value (raw bits) from the next cycle control point on, until [`Self::unforce`]; a restart does not end it.
+    ///
+    /// Outputs take it when they go to the modules, inputs and bit memory when the inputs have come; inside a scan the program may write
+    /// something else there. Direct access to peripherals is not forced.
+    ///
+    /// # Errors
+    /// The CPU type does not force this operand, or it lies outside its area.
+    pub fn force(&mut self, operand: &Operand, value: u32) -> Result<(), AccessError> {
+        let address = self.forcible(operand)?;
+        if self.forced.set(&address, value) { Ok(()) } else { Err(AccessError::NotForced) }
+    }
+
+    /// Ends the forcing of an operand, or of its bits that are forced; `false` if none of it was. It keeps the value until something writes it.
+    ///
+    /// # Errors
+    /// The CPU type does not force this operand, or it lies outside its area.
+    pub fn unforce(&mut self, operand: &Operand) -> Result<bool, AccessError> {
+        let address = self.forcible(operand)?;
+        Ok(self.forced.clear(&address))
+    }
+
+    /// Ends all forcing.
+    pub fn unforce_all(&mut self) {
+        self.forced = Forced::default();
+    }
+
+    fn forcible(&self, operand: &Operand) -> Result<Address, AccessError> {
+        check_bit(operand)?;
+        match operand {
+            Operand::Address(address @ Address { area: Area::Input | Area::Output, .. }) => self.inside(address),
+            // The families differ in more than OB 88, but nothing else tells them apart.
+            Operand::Address(address @ Address { area: Area::BitMemory, .. }) if self.cpu_type.has_ob88 => self.inside(address),
+            _ => Err(AccessError::NotForced),
+        }
+    }
+
+    fn inside(&self, address: &Address) -> Result<Address, AccessError> {
+        match self.machine.memory.locate(&Operand::Address(*address)) {
+            Some(_) => Ok(*address),
+            None => Err(AccessError::Outside),
+        }
+    }
+
     /// Why an operand of the data memory has no value.
     fn why_not(&self, operand: &Operand) -> AccessError {
         match operand {

@@ -4,34 +4,13 @@ use std::fmt;
 use std::sync::Arc;
 
 use sieben_engine::machine::Registers;
-use sieben_engine::{Engine, Layout, Machine, Program};
+use sieben_engine::{Machine, Program};
 use sieben_model::address::Area;
-use sieben_model::cpu_type::CpuType;
 
-use super::{Cpu, available};
+use super::{Cpu, Loaded, available};
 use crate::mode::OperatingMode;
 use crate::online_change::OnlineChange;
-use crate::retain::Declarations;
 use crate::system;
-
-/// A program that is ready to take over: loaded beside the CPU, so that the scans do not wait for it.
-pub struct Replacement {
-    cpu_type: &'static CpuType,
-    program: Arc<Program>,
-    layout: Arc<Layout>,
-    engine: Arc<dyn Engine>,
-    declarations: Declarations,
-}
-
-impl Replacement {
-    /// Loads a program for a CPU type; `load` makes the engine for it and its layout.
-    pub fn load(cpu_type: &'static CpuType, program: Arc<Program>, load: impl FnOnce(&Program, &Layout) -> Arc<dyn Engine>) -> Self {
-        let layout = Arc::new(Layout::new(cpu_type, &program));
-        let engine = load(&program, &layout);
-        let declarations = Declarations::of(&program);
-        Self { cpu_type, program, layout, engine, declarations }
-    }
-}
 
 /// Why a program does not take over. The other one goes on unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,9 +34,9 @@ impl std::error::Error for ChangeRefused {}
 
 impl Cpu {
     /// What would change, and what of the data cannot be kept, if this program took over now. Nothing changes.
-    pub fn plan_change(&self, replacement: &Replacement) -> OnlineChange {
+    pub fn plan_change(&self, new: &Loaded) -> OnlineChange {
         let created: Vec<u16> = system::created(&self.machine, &self.system.non_retain).iter().map(|block| block.number).collect();
-        OnlineChange::between(&self.program, &replacement.program, &created)
+        OnlineChange::between(&self.program, &new.program, &created)
     }
 
     /// Another program takes over, between two scans. Inputs, outputs, bit memory, timers and counters stay, and with them edges and
@@ -67,15 +46,15 @@ impl Cpu {
     ///
     /// # Errors
     /// Why not; then nothing has changed.
-    pub fn change_online(&mut self, replacement: Replacement) -> Result<OnlineChange, ChangeRefused> {
-        if *self.cpu_type != *replacement.cpu_type {
+    pub fn change_online(&mut self, new: Loaded) -> Result<OnlineChange, ChangeRefused> {
+        if *self.cpu_type != *new.cpu_type {
             return Err(ChangeRefused::OtherCpuType);
         }
         if !matches!(self.mode, OperatingMode::Run | OperatingMode::Stop) || !self.machine.frames.is_empty() {
             return Err(ChangeRefused::Running);
         }
-        let change = self.plan_change(&replacement);
-        let Replacement { program, layout, engine, declarations, .. } = replacement;
+        let change = self.plan_change(&new);
+        let Loaded { program, layout, engine, declarations, .. } = new;
         let old_program = std::mem::replace(&mut self.program, program);
         let old = std::mem::replace(&mut self.machine, Machine::new(layout));
         self.engine = engine;

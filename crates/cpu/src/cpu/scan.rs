@@ -135,7 +135,14 @@ impl Cpu {
     }
 
     pub(super) fn cycle_control_point(&mut self) {
+        let forces = !self.forced.is_empty();
+        if forces {
+            self.forced.put_outputs(&mut self.machine);
+        }
         let failures = process_image::exchange(&mut self.machine, &mut self.rack, &mut self.overrides);
+        if forces {
+            self.forced.put_inputs(&mut self.machine);
+        }
         for error in process_image::errors(self.settings.image_errors, &self.image_failures, &failures) {
             self.interrupts.raise(error, &self.class, self.now_us);
         }

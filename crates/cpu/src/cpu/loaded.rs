@@ -1,0 +1,33 @@
+//! A program as it is loaded: all that any number of CPUs with the same program share.
+
+use std::sync::Arc;
+
+use sieben_engine::{Engine, Layout, Program};
+use sieben_model::cpu_type::CpuType;
+
+use crate::retain::Declarations;
+
+/// A program that is ready to run, with its code; a copy shares all of it.
+#[derive(Clone)]
+pub struct Loaded {
+    pub(super) cpu_type: &'static CpuType,
+    pub(super) program: Arc<Program>,
+    pub(super) layout: Arc<Layout>,
+    pub(super) engine: Arc<dyn Engine>,
+    pub(super) declarations: Arc<Declarations>,
+}
+
+impl Loaded {
+    /// Loads a program for a CPU type; `load` makes the engine for it and the layout that it has there.
+    pub fn new(cpu_type: &'static CpuType, program: Arc<Program>, load: impl FnOnce(&Program, &Layout) -> Arc<dyn Engine>) -> Self {
+        let layout = Arc::new(Layout::new(cpu_type, &program));
+        let engine = load(&program, &layout);
+        let declarations = Arc::new(Declarations::of(&program));
+        Self { cpu_type, program, layout, engine, declarations }
+    }
+
+    /// Bytes of machine code that all its CPUs share; 0 if the program is interpreted.
+    pub fn code_bytes(&self) -> usize {
+        self.engine.code_bytes()
+    }
+}
