@@ -217,8 +217,6 @@ problems! {
     P6202 Error "an operator with operands that it does not take" "Convert the operands, or use the operator for their type.";
     P6203 Error "a condition that is not BOOL" "Compare the value with something, for example `<> 0`.";
     P6204 Error "something that cannot be assigned to" "Assign to a variable that the block may write.";
-    P6205 Error "a construct that the dialect does not have" "Write what the message says, or choose another dialect with --dialect.";
-    P6206 Warning "a construct that is foreign to the dialect" "Write what the message says if the program has to go to other tools.";
     P6207 Error "a value of CASE that an earlier label covers" "Remove one of the two labels.";
     P6208 Warning "a value of CASE that an earlier label covers already" "Remove one of the two labels; the first one is taken.";
     P6209 Error "an empty range" "Write the lower value first, as in `5..9`.";

@@ -11,7 +11,7 @@ use super::typed::Typed;
 use super::types::{Class, Implicit, Kind, common, implicit};
 use super::{Checker, operators, words};
 use crate::st::ast::{BinaryOperator, Expression, ExpressionKind, Literal, LiteralKind, UnaryOperator};
-use crate::st::dialect::{Calendar, Construct};
+use crate::st::dialect::{Calendar, Construct, Judgement};
 use crate::st::tree::{Scalar, Text, Value, ValueKind};
 
 const MILLISECONDS_OF_DAY: u64 = 86_400_000;
@@ -27,9 +27,10 @@ impl Checker<'_> {
             ExpressionKind::Unary(operator, operand) => self.unary(*operator, operand, span),
             ExpressionKind::Binary(operator, place, left, right) => self.binary(*operator, *place, left, right),
             ExpressionKind::Call(call) => self.call_value(call, span),
-            ExpressionKind::Assign(..) => match self.judge(Construct::AssignmentExpression, span) {
-                true => self.not_built(span, "an assignment inside an expression"),
-                false => Typed::Poison,
+            // Where the dialect does not have it, the parser has said so.
+            ExpressionKind::Assign(..) => match self.dialect.judge(Construct::AssignmentExpression) {
+                Judgement::Reject => Typed::Poison,
+                _ => self.not_built(span, "an assignment inside an expression"),
             },
             ExpressionKind::This | ExpressionKind::Super => self.not_built(span, "THIS and SUPER"),
             ExpressionKind::Missing => Typed::Poison,
@@ -376,12 +377,6 @@ impl Checker<'_> {
 
     fn binary(&mut self, operator: BinaryOperator, sign: Span, left: &Expression, right: &Expression) -> Typed {
         let span = left.span.to(right.span);
-        match operator {
-            BinaryOperator::Power if !self.judge(Construct::PowerOperator, sign) => return Typed::Poison,
-            BinaryOperator::IntegerDivide if !self.judge(Construct::DivOperator, sign) => return Typed::Poison,
-            BinaryOperator::AndThen | BinaryOperator::OrElse if !self.judge(Construct::ShortCircuit, sign) => return Typed::Poison,
-            _ => {}
-        }
         let (a, b) = self.both(left, right);
         if a == Typed::Poison || b == Typed::Poison {
             return Typed::Poison;

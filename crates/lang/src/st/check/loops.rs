@@ -61,7 +61,7 @@ impl Checker<'_> {
             self.report(Problem::P6211, by.span, "a step of 0 never ends the loop");
         }
         let (low, high) = bounds(scalar);
-        let up = constant(&step).map(|step| step > 0);
+        let up = constant(&step).filter(|&step| step != 0).map(|step| step > 0);
         let reaches_end = match (up, constant(&last)) {
             (Some(true), Some(last)) => last == high,
             (Some(false), Some(last)) => last == low,

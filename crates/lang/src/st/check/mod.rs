@@ -84,6 +84,7 @@ pub fn check(block: &Block<'_>, names: &dyn Names) -> Checked {
         locals: Locals::new(names.local_size()),
         lists: Vec::new(),
         next_list: 0,
+        noted: BTreeSet::new(),
         inside_actions: Vec::new(),
     };
     checker.collect_labels(block.body);
@@ -136,6 +137,8 @@ struct Checker<'a> {
     /// The lists of statements around the current one, by the number that [`Label::path`] has.
     lists: Vec<u32>,
     next_list: u32,
+    /// The constructs that were noted: once for a block is enough.
+    noted: BTreeSet<u32>,
     /// The actions whose statements stand here.
     inside_actions: Vec<usize>,
 }
@@ -163,14 +166,17 @@ impl Checker<'_> {
         let title = self.dialect.title();
         match self.dialect.judge(construct) {
             Judgement::Accept => true,
+            Judgement::Note if !self.noted.insert(construct as u32) => true,
             Judgement::Note => {
-                let message = format!("{} is not written in {title}", row.title);
-                self.report(Problem::P6206, span, message).help = Some(sentence(row.instead));
+                let message = format!("{} is not usual in {title}", row.title);
+                let help = format!("{}; the other places of this block are not listed.", sentence(row.instead));
+                self.report(Problem::P6051, span, message).help = Some(help);
                 true
             }
             Judgement::Reject => {
                 let message = format!("{title} does not have {}", row.title);
-                self.report(Problem::P6205, span, message).help = Some(sentence(row.instead));
+                let help = format!("{}, or name the dialect of the file with `--dialect`.", sentence(row.instead));
+                self.report(Problem::P6050, span, message).help = Some(help);
                 false
             }
         }
@@ -183,10 +189,10 @@ impl Checker<'_> {
     }
 }
 
-/// A row's advice as a sentence.
+/// A row's advice as the beginning of a sentence.
 fn sentence(advice: &str) -> String {
     let mut characters = advice.chars();
-    characters.next().map(|first| first.to_uppercase().collect::<String>() + characters.as_str() + ".").unwrap_or_default()
+    characters.next().map(|first| first.to_uppercase().collect::<String>() + characters.as_str()).unwrap_or_default()
 }
 
 /// A type in a message.

@@ -324,6 +324,9 @@ impl Checker<'_> {
     fn no_field(&mut self, target: Target, name: &Name, span: Span) -> Reached {
         let bits = Kind::of(&target.data_type).is_some_and(|kind| matches!(kind.class, Class::Bits | Class::Signed | Class::Unsigned));
         if bits && let Some(index) = self.constant_number(name) {
+            if !self.judge(Construct::BitByNumber, name.span) {
+                return POISON;
+            }
             let slice = ast::Slice { bits: 1, index, percent: false, span: name.span };
             return self.slice_of(target, &slice, span);
         }
@@ -353,9 +356,6 @@ impl Checker<'_> {
 
     /// A part of a value: which bytes it has follows from the byte order of the S7, the highest byte first.
     fn slice_of(&mut self, target: Target, slice: &ast::Slice, span: Span) -> Reached {
-        if !self.judge(if slice.percent { Construct::Slice } else { Construct::BitByNumber }, slice.span) {
-            return POISON;
-        }
         let kind = Kind::of(&target.data_type).filter(|kind| matches!(kind.class, Class::Bits | Class::Signed | Class::Unsigned));
         let Some(kind) = kind.filter(|&kind| kind != Kind::BOOL) else {
             let message = format!("`{}` is {} and has no parts", target.name, words(&target.data_type));
@@ -589,14 +589,6 @@ impl Checker<'_> {
                 }
             };
         }
-        let construct = match (address.percent, &address.position) {
-            (_, Position::Computed(_)) => Construct::ComputedAddress,
-            (true, _) => Construct::PercentAddress,
-            (false, _) => Construct::BareAddress,
-        };
-        if !self.judge(construct, address.span) {
-            return POISON;
-        }
         let area = match address.area {
             ast::Area::Input => Area::Input,
             ast::Area::Output => Area::Output,
@@ -717,9 +709,6 @@ impl Checker<'_> {
                 return POISON;
             }
         };
-        if matches!(address.position, Position::Computed(_)) && !self.judge(Construct::ComputedAddress, span) {
-            return POISON;
-        }
         let Some(place) = self.position(base, address.width, &address.position, false, span) else { return POISON };
         Reached::Target(Target { place, data_type, role: Role::Global, name, through: Through::Part })
     }

@@ -13,7 +13,7 @@ use super::typed::{Target, Through, Typed};
 use super::types::Kind;
 use super::{Block, Checker, Label, operators, walk, words};
 use crate::st::ast::{self, AssignOperator, BinaryOperator, Expression, ExpressionKind, Name, StatementKind as Kinds};
-use crate::st::dialect::{Construct, IndexFault};
+use crate::st::dialect::{Construct, IndexFault, Judgement};
 use crate::st::tree::{Call, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
 
 impl Checker<'_> {
@@ -137,9 +137,6 @@ impl Checker<'_> {
 
     fn assignment(&mut self, targets: &[Expression], operator: AssignOperator, value: &Expression, span: Span) -> Option<StatementKind> {
         let (last, others) = targets.split_last()?;
-        if !others.is_empty() && !self.judge(Construct::ChainedAssignment, others[0].span.to(last.span)) {
-            return None;
-        }
         let binary = match operator {
             AssignOperator::Becomes if others.is_empty() => return self.assign(last, value, span),
             AssignOperator::Becomes => {
@@ -162,9 +159,6 @@ impl Checker<'_> {
             AssignOperator::Set | AssignOperator::Reset => return self.set(last, operator, value, span),
             AssignOperator::Refer => return self.refer(last, value, span),
         };
-        if !self.judge(Construct::CombinedAssignment, last.span) {
-            return None;
-        }
         // `a += b` is `a := a + b`.
         let boxed = |expression: &Expression| Box::new(expression.clone());
         let sign = Span { start: last.span.end, end: value.span.start, ..last.span };
@@ -413,6 +407,10 @@ impl Checker<'_> {
 
     fn jump(&mut self, name: &Name) -> Option<StatementKind> {
         let Some(label) = self.labels.get(&name.key()) else {
+            // Where there are no jumps at all, the parser has said so.
+            if [Construct::Goto, Construct::Jmp].iter().all(|&construct| self.dialect.judge(construct) == Judgement::Reject) {
+                return None;
+            }
             self.report(Problem::P3004, name.span, format!("the label `{}` does not exist in this block", name.text));
             return None;
         };

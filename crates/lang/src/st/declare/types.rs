@@ -78,11 +78,11 @@ impl<'t, 'a> Resolver<'t, 'a> {
         match self.dialect.judge(construct) {
             Judgement::Accept => true,
             Judgement::Note => {
-                self.report(Problem::P6206, span, format!("{} is not written in {title}", row.title)).help = Some(advice(row.instead));
+                self.report(Problem::P6051, span, format!("{} is not written in {title}", row.title)).help = Some(advice(row.instead));
                 true
             }
             Judgement::Reject => {
-                self.report(Problem::P6205, span, format!("{title} does not have {}", row.title)).help = Some(advice(row.instead));
+                self.report(Problem::P6050, span, format!("{title} does not have {}", row.title)).help = Some(advice(row.instead));
                 false
             }
         }

@@ -324,8 +324,8 @@ impl<'t> Parser<'t> {
         let start = self.here();
         let token = self.token();
         let kind = match token.raw {
-            Raw::Number | Raw::Literal | Raw::Characters => ExpressionKind::Literal(self.literal()),
-            Raw::Quoted if !quotes_names(self.dialect) => ExpressionKind::Literal(self.literal()),
+            Raw::Number | Raw::Literal | Raw::Characters => self.literal().map_or(ExpressionKind::Missing, ExpressionKind::Literal),
+            Raw::Quoted if !quotes_names(self.dialect) => self.literal().map_or(ExpressionKind::Missing, ExpressionKind::Literal),
             Raw::Percent => return (self.percent_address(), 0),
             Raw::EnumValue => self.enum_value(),
             Raw::ParenOpen => return self.parenthesized(),
@@ -432,7 +432,7 @@ impl<'t> Parser<'t> {
     }
 
     /// A constant without a sign; the current token is one.
-    pub(super) fn literal(&mut self) -> Literal {
+    pub(super) fn literal(&mut self) -> Option<Literal> {
         let token = self.token();
         let text = self.current();
         let mut kind = SyntaxKind::Constant;
@@ -458,13 +458,13 @@ impl<'t> Parser<'t> {
                 if let Some(construct) = note {
                     self.judge(construct, token.start, token.end);
                 }
-                literal
+                Some(literal)
             }
             Err((problem, message)) => {
                 if terminated {
                     self.error(problem, token.start, token.end, message);
                 }
-                Literal { kind: LiteralKind::Integer { value: 0, radix: 10 }, prefix: None }
+                None
             }
         }
     }

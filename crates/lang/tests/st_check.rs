@@ -1,0 +1,188 @@
+//! What each dialect of ST accepts, accepts with a warning and rejects: rows of programs, each with one verdict.
+
+use sieben_lang::st::dialect::Dialect;
+use sieben_lang::{Options, compile};
+use sieben_model::diagnostic::Severity;
+use sieben_model::source::Sources;
+use sieben_model::symbols::SymbolTable;
+
+/// Dialects, declarations, statements, and what is said: `ok`, `warning CODE`, `error CODE`. Exactly one message, and no other.
+type Row = (&'static str, &'static str, &'static str, &'static str);
+
+/// Rows of the reference vectors and of the rules of the checker.
+const ROWS: &[Row] = &[
+    // Precedence and chains.
+    ("iec codesys scl tia", "b : BOOL; x : INT;", "b := 1 < x < 3;", "error P6202"),
+    ("iec codesys tia", "b : BOOL; x : INT;", "b := 1 < x = TRUE;", "ok"),
+    // Implicit conversions.
+    ("codesys", "i : INT; d : DINT;", "i := d;", "error P6200"),
+    ("iec codesys scl tia", "i : INT; d : DINT;", "d := i;", "ok"),
+    ("scl", "d : DINT; r : REAL;", "r := d;", "ok"),
+    ("codesys", "d : DINT; r : REAL;", "r := d;", "warning P6201"),
+    ("iec", "d : DINT; r : REAL;", "r := d;", "error P6200"),
+    ("iec codesys scl tia", "i : INT; r : REAL;", "i := r;", "error P6200"),
+    ("iec", "u : UINT; i : INT;", "u := i;", "error P6200"),
+    ("codesys", "u : UINT; i : INT;", "u := i;", "warning P6201"),
+    ("iec scl", "i : INT; w : WORD;", "i := w;", "error P6200"),
+    ("codesys", "i : INT; w : WORD;", "i := w;", "warning P6201"),
+    ("iec", "w : WORD; u : UINT;", "w := u;", "error P6200"),
+    ("iec codesys scl tia", "dw : DWORD; w : WORD;", "dw := w;", "ok"),
+    ("iec codesys scl tia", "w : WORD;", "w := 16#FF;", "ok"),
+    ("scl", "w : WORD;", "w := 255;", "error P6050"),
+    ("tia", "w : WORD;", "w := 255;", "warning P6051"),
+    ("scl tia", "w : WORD; b : BOOL;", "w := b;", "ok"),
+    ("iec codesys", "w : WORD; b : BOOL;", "w := b;", "error P6200"),
+    ("scl iec", "w : WORD;", "w := w + 1;", "error P6202"),
+    ("codesys", "w : WORD;", "w := w + 1;", "ok"),
+    ("iec scl", "i : INT;", "i := i AND 1;", "error P6202"),
+    ("codesys tia", "i : INT;", "i := i AND 1;", "ok"),
+    ("iec", "d : DINT; i : INT;", "d := i * 1.5;", "error P6200"),
+    ("iec", "b : BOOL;", "b := 1;", "warning P6051"),
+    ("codesys scl tia", "b : BOOL;", "b := 1;", "ok"),
+    ("iec codesys scl tia", "b : BOOL;", "b := 2;", "error P4001"),
+    ("iec codesys scl tia", "i : INT;", "i := 32768;", "error P4001"),
+    ("iec codesys scl tia", "i : INT;", "i := 20000 + 20000;", "error P4001"),
+    ("iec codesys tia", "i : USINT;", "i := -1;", "error P4001"),
+    ("iec codesys scl tia", "r : REAL;", "r := 1;", "ok"),
+    ("iec codesys scl tia", "i : INT;", "i := 1.5;", "error P6200"),
+    ("iec codesys scl tia", "i : INT;", "i := TRUE;", "error P6200"),
+    ("iec codesys scl tia", "i : INT;", "i := 'a';", "error P6200"),
+    ("iec codesys scl tia", "t1 : TIME;", "t1 := 5;", "error P6200"),
+    ("iec codesys scl tia", "t1 : TIME; i : INT;", "i := t1;", "error P6200"),
+    ("iec", "u : UINT; v : UINT;", "u := -v;", "error P6202"),
+    // Literals.
+    ("iec codesys scl tia", "d1 : DATE;", "d1 := D#2024-02-29;", "ok"),
+    ("scl tia", "d1 : DATE;", "d1 := D#1989-12-31;", "error"),
+    ("codesys", "t1 : TIME;", "t1 := T#-5s;", "error"),
+    ("scl", "s : S5TIME;", "s := S5T#3h;", "error"),
+    ("iec codesys scl tia", "i : INT;", "i := 1__0;", "error"),
+    ("iec codesys scl tia", "r : REAL;", "r := .5;", "error"),
+    ("iec codesys scl tia", "r : REAL;", "r := 5.;", "error"),
+    ("iec codesys scl tia", "t1 : TIME;", "t1 := T#5s1h;", "error"),
+    ("iec codesys scl tia", "t1 : TIME;", "t1 := T#1.5h20m;", "error"),
+    ("iec codesys scl tia", "t1 : TOD;", "t1 := TOD#24:00:00;", "error"),
+    ("iec codesys scl tia", "s : STRING;", "s := 'a$zb';", "error"),
+    ("iec codesys scl tia", "s : STRING[3];", "s := 'abcd';", "warning P6201"),
+    ("scl tia", "s : STRING;", "s := \"abc\";", "error"),
+    ("iec", "i : INT;", "(* a (* b *) c *) i := 1;", "ok"),
+    ("iec", "i : INT;", "/* a */ i := 1;", "ok"),
+    ("scl tia", "i : INT;", "/* a */ i := 1;", "error"),
+    // Operators.
+    ("iec codesys scl tia", "b : BOOL; i : INT;", "b := b AND i;", "error P6202"),
+    ("iec codesys scl tia", "t1 : TIME; t2 : TIME;", "t1 := t1 * t2;", "error P6202"),
+    ("iec codesys scl tia", "t1 : TIME;", "t1 := t1 + 5;", "error P6202"),
+    ("iec codesys scl tia", "t1 : TIME;", "t1 := t1 + T#1s;", "ok"),
+    ("iec codesys scl tia", "t1 : TIME;", "t1 := t1 * 2;", "ok"),
+    ("iec codesys scl tia", "r : REAL;", "r := r MOD 2.0;", "error P6202"),
+    ("scl", "b : BOOL; c : BOOL;", "b := b < c;", "error P6202"),
+    ("iec codesys", "b : BOOL; c : BOOL;", "b := b < c;", "ok"),
+    ("iec codesys scl tia", "b : BOOL; i : INT;", "b := i > 40000;", "warning P6221"),
+    ("iec codesys scl tia", "b : BOOL; i : INT;", "b := i < 32767;", "ok"),
+    ("iec codesys scl tia", "i : INT;", "i := i / 0;", "warning P6227"),
+    ("iec", "i : INT;", "i := i DIV 2;", "error"),
+    ("scl tia", "i : INT;", "i := i DIV 2;", "ok"),
+    ("iec scl tia", "b : BOOL;", "b := b AND_THEN b;", "error"),
+    ("codesys", "b : BOOL;", "b := b AND_THEN b;", "ok"),
+    // Standard functions.
+    ("iec", "i : INT;", "i := SHL(i, 1);", "error"),
+    ("iec", "b : BOOL;", "b := NE(1, 2, 3);", "error"),
+    ("codesys", "s : STRING;", "s := CONCAT('A','B','C');", "error"),
+    ("iec codesys scl tia", "i : INT;", "i := NOSUCH(i);", "error P3008"),
+    // Statements.
+    ("codesys", "b : BYTE; r : INT;", "FOR b := 0 TO 255 DO r := r + 1; END_FOR;", "warning P6212"),
+    ("iec codesys scl tia", "x : REAL;", "FOR x := 1.0 TO 5.0 DO ; END_FOR;", "error P6210"),
+    ("iec codesys scl tia", "x : INT; r : INT;", "FOR x := 1 TO 5 BY 0 DO r := r + 1; END_FOR;", "error P6211"),
+    ("iec codesys scl tia", "x : INT; r : INT;", "FOR x := 5 TO 1 DO r := r + 1; END_FOR;", "warning P6212"),
+    ("iec scl", "x : INT;", "FOR x := 1 TO 5 DO x := x + 1; END_FOR;", "warning P6051"),
+    ("codesys tia", "x : INT;", "FOR x := 1 TO 5 DO x := x + 1; END_FOR;", "ok"),
+    ("iec tia", "x : INT; r : INT;", "CASE x OF 1..5: r := 1; 3: r := 2; END_CASE;", "error P6207"),
+    ("scl", "x : INT; r : INT;", "CASE x OF 1..5: r := 1; 3: r := 2; END_CASE;", "warning P6208"),
+    ("iec codesys scl tia", "x : INT; r : INT;", "CASE x OF 9..5: r := 1; END_CASE;", "error P6209"),
+    ("iec codesys scl tia", "x : INT; r : INT;", "CASE x OF r: r := 1; END_CASE;", "error P6229"),
+    ("iec codesys scl tia", "x : REAL; r : INT;", "CASE x OF 1: r := 1; END_CASE;", "error P6233"),
+    ("iec codesys scl tia", "x : INT; r : INT;", "CASE x OF 1, 3: r := 1; 2: r := 2; ELSE r := 3; END_CASE;", "ok"),
+    ("iec", "", "GOTO l1;", "error"),
+    ("iec codesys scl tia", "", "EXIT;", "error P6213"),
+    ("iec codesys scl tia", "", "CONTINUE;", "error P6213"),
+    ("iec codesys scl tia", "x : INT;", "WHILE x < 5 DO x := x + 1; EXIT; x := 3; END_WHILE;", "warning P2208"),
+    ("iec codesys scl tia", "x : INT;", "RETURN; x := 3;", "warning P2208"),
+    ("iec codesys scl tia", "x : INT;", "IF x THEN x := 1; END_IF;", "error P6203"),
+    ("iec codesys scl tia", "x : INT;", "WHILE x + 1 DO x := 1; END_WHILE;", "error P6203"),
+    ("iec codesys scl tia", "x : INT;", "x = 5;", "error"),
+    ("iec codesys scl tia", "x : INT;", "x + 5;", "error"),
+    ("iec codesys scl tia", "x : INT;", "x;", "error P6216"),
+    ("iec codesys scl tia", "x, y : INT;", "x := 1 y := 2;", "error"),
+    ("iec scl tia", "a : BOOL; x, y : INT;", "IF a THEN x := 1; END_IF y := 2;", "error"),
+    ("tia", "x : INT;", "#x += 2;", "ok"),
+    ("tia", "x : INT;", "REGION my part\n x := 1;\nEND_REGION", "ok"),
+    ("iec scl", "a, b : INT;", "a := b := 7;", "error"),
+    ("codesys tia", "a, b : INT;", "a := b := 7;", "ok"),
+    ("codesys", "a, b : BOOL;", "a S= b;", "ok"),
+    ("codesys", "a : INT; b : BOOL;", "a S= b;", "error P6200"),
+    // Names and parts.
+    ("iec codesys scl tia", "level : INT;", "levle := 1;", "error P3001"),
+    ("iec codesys scl tia", "level : INT;", "level.x := 1;", "error P4010"),
+    ("iec codesys scl tia", "level : INT;", "level[1] := 1;", "error P4010"),
+    ("iec codesys scl tia", "s : STRUCT x : INT; END_STRUCT;", "s.y := 1;", "error P3007"),
+    ("iec codesys scl tia", "s : STRUCT x : INT; END_STRUCT;", "s := 1;", "error P6200"),
+    ("iec codesys scl tia", "a : ARRAY[1..3] OF INT;", "a[4] := 1;", "error P4005"),
+    ("iec codesys scl tia", "a : ARRAY[1..3] OF INT;", "a[-1] := 1;", "error P4005"),
+    ("iec codesys scl tia", "a : ARRAY[1..3, 0..1] OF INT;", "a[1] := 1;", "error P4005"),
+    ("iec codesys scl tia", "a : ARRAY[1..3] OF INT; r : REAL;", "a[r] := 1;", "error P6200"),
+    ("iec codesys scl tia", "a : ARRAY[1..3] OF INT; b : ARRAY[1..3] OF INT;", "a := b;", "ok"),
+    ("iec codesys scl tia", "a : ARRAY[1..3] OF INT; b : ARRAY[1..4] OF INT;", "a := b;", "error P6200"),
+    ("iec codesys", "w : WORD; b : BOOL;", "b := w.15;", "ok"),
+    ("iec codesys", "w : WORD; b : BOOL;", "b := w.16;", "error P6225"),
+    ("iec tia", "w : DWORD; x : WORD;", "x := w.%W1;", "ok"),
+    ("iec tia", "w : DWORD; x : WORD;", "x := w.%W2;", "error P6225"),
+    ("iec", "s : INT(0..100);", "s := 101;", "error P4001"),
+    ("iec", "s : INT(0..100); i : INT;", "s := i;", "ok"),
+    // One mistake, one message.
+    ("iec codesys scl tia", "x : INT;", "x := ABS(nowhere);", "error P3001"),
+    ("iec codesys scl tia", "x : INT;", "IF nowhere THEN x := 1; END_IF;", "error P3001"),
+];
+
+fn program(dialect: Dialect, declarations: &str, code: &str) -> String {
+    match dialect {
+        Dialect::Iec | Dialect::Codesys => format!("PROGRAM Main\nVAR\n  {declarations}\nEND_VAR\n{code}\nEND_PROGRAM\n"),
+        Dialect::Scl => format!(
+            "FUNCTION_BLOCK FB1\nVAR\n  {declarations}\nEND_VAR\nBEGIN\n{code}\nEND_FUNCTION_BLOCK\nORGANIZATION_BLOCK OB1\nBEGIN\n;\nEND_ORGANIZATION_BLOCK\n"
+        ),
+        Dialect::Tia => format!(
+            "FUNCTION_BLOCK \"Test\"\nVAR\n  {declarations}\nEND_VAR\nBEGIN\n{code}\nEND_FUNCTION_BLOCK\nORGANIZATION_BLOCK \"Main\"\nBEGIN\n;\nEND_ORGANIZATION_BLOCK\n"
+        ),
+    }
+}
+
+fn said(dialect: Dialect, text: &str) -> Vec<(Severity, &'static str, String)> {
+    let mut sources = Sources::default();
+    sources.add("row.st", text);
+    let options = Options { dialect: Some(dialect), ..Options::default() };
+    let compiled = compile(&sources, &SymbolTable::default(), &options);
+    // Whether there is an OB 1 is not what the rows are about.
+    let messages = compiled.diagnostics.into_iter().filter(|one| one.problem.code() != "P3013");
+    messages.map(|one| (one.severity(), one.problem.code(), one.message)).collect()
+}
+
+#[test]
+fn each_dialect_says_what_the_row_says() {
+    let mut failures = Vec::new();
+    for &(dialects, declarations, code, verdict) in ROWS {
+        for dialect in dialects.split(' ').map(|name| Dialect::from_name(name).expect("a row names dialects")) {
+            let said = said(dialect, &program(dialect, declarations, code));
+            let short: Vec<String> = said
+                .iter()
+                .map(|(severity, problem, _)| format!("{} {problem}", if *severity == Severity::Error { "error" } else { "warning" }))
+                .collect();
+            let fits = match verdict {
+                "ok" => short.is_empty(),
+                "error" => matches!(short.as_slice(), [one] if one.starts_with("error")),
+                exact => short == [exact],
+            };
+            if !fits {
+                failures.push(format!("{}: {declarations} | {code}\n    wanted {verdict}, got {said:?}", dialect.name()));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{} rows:\n{}", failures.len(), failures.join("\n"));
+}
