@@ -7,6 +7,8 @@
 pub mod engines;
 pub mod mutator;
 pub mod targets;
+mod tree_model;
+pub mod trees;
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{Read as _, Seek as _, SeekFrom, Write as _};

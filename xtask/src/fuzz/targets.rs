@@ -35,6 +35,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "lang-compile", fuzz: sieben_lang::project::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "cpu-run", fuzz: run, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "engines", fuzz: super::engines::fuzz, corpus: "engines", fences: &["stl"], words: stl_words },
+    Target { name: "trees", fuzz: super::trees::fuzz, corpus: "engines", fences: &[], words: no_words },
     Target { name: "cpu-retain", fuzz: retain, corpus: "retain", fences: &[], words: no_words },
     Target { name: "cpu-system", fuzz: sieben_cpu::system::fuzz, corpus: "system", fences: &[], words: no_words },
     Target { name: "lang-awlsim-project", fuzz: sieben_lang::awlsim_project::fuzz, corpus: "awlpro", fences: &[], words: project_words },

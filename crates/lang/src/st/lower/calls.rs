@@ -48,6 +48,7 @@ impl Lowering<'_> {
             Callee::Instance { block, instance } => self.call_instance(*block, instance, call),
         }
         if call.enable.is_some() {
+            self.part();
             self.leave_to(done);
             self.bind(skip);
             self.push(Inst::Constant { dst: Register::Br.into(), value: 0 });
@@ -55,7 +56,8 @@ impl Lowering<'_> {
         }
         for argument in &call.arguments {
             if let Argument::Eno { target } = argument {
-                self.store(target, Width::Bit, Register::Br.into());
+                let eno = self.compute_from(Op::Copy, &[Register::Br.into()]);
+                self.store_value(target, Width::Bit, eno);
             }
         }
         self.result = result.map(|place| place.offset);

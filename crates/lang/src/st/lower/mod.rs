@@ -115,7 +115,7 @@ impl<'a> Lowering<'a> {
     fn new(id: BlockId, interface: &Interface, body: &'a Body, known: &'a Known<'a>) -> Self {
         let start_information = if id.kind == BlockKind::OrganizationBlock { START_INFORMATION_BYTES } else { 0 };
         let variables = body.locals.iter().map(|local| local.position / 8 + bytes(&local.data_type)).max().unwrap_or(0);
-        let base = interface.local_size.max(start_information).max(variables);
+        let base = interface.local_size.max(body.local_size).max(start_information).max(variables);
         let mut hidden = Hidden::behind(base);
         let ok = body.uses_ok.then(|| hidden.scalar(Width::Bit));
         hidden.keep();

@@ -99,14 +99,19 @@ impl Lowering<'_> {
 
     fn assign(&mut self, target: &Place, value: &Value) {
         let var = self.value(value);
+        self.store_value(target, width(value.scalar), var);
+    }
+
+    /// Writes a value, which is used up, to a place whose indexes are computed after it.
+    pub(super) fn store_value(&mut self, target: &Place, width: Width, mut var: Var) {
         if self.place_breaks(target) {
-            let position = self.spill(var, width(value.scalar));
+            let position = self.spill(var, width);
             let target = self.freeze(target);
-            let var = self.load_local(position, width(value.scalar));
-            self.store(&target, width(value.scalar), var);
-            return self.release(var);
+            var = self.load_local(position, width);
+            self.store(&target, width, var);
+        } else {
+            self.store(target, width, var);
         }
-        self.store(target, width(value.scalar), var);
         self.release(var);
     }
 

@@ -56,7 +56,7 @@ impl Lowering<'_> {
                 dst
             }
             ValueKind::After(statements, value) => {
-                self.fresh();
+                self.part();
                 self.inner_statements(statements);
                 self.value(value)
             }
