@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 #![allow(clippy::print_stdout)] // A task talks to the person who started it.
 
+pub mod aarch64;
 mod compatibility;
 pub mod fuzz;
 pub mod generate;

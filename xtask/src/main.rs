@@ -4,7 +4,7 @@
 
 use std::process::ExitCode;
 
-use xtask::{fuzz, generate, soak, test, tidy};
+use xtask::{aarch64, fuzz, generate, soak, test, tidy};
 
 const USAGE: &str = "usage: cargo xtask TASK
 
@@ -16,6 +16,7 @@ const USAGE: &str = "usage: cargo xtask TASK
        [--seed N]       other inputs than the last time
   fuzz --replay TARGET FILE
                         run one target on one input
+  aarch64               all programs of the manual as machine code for aarch64, checked and not run
   soak kill [--count N] kill a running program N times (1000) and look at its retentive data
   soak run [--minutes N]
                         run a program for N minutes (60) and watch its memory
@@ -33,6 +34,7 @@ fn main() -> ExitCode {
         "tidy" => tidy::run(),
         "generate" => generate::run(),
         "fuzz" => fuzz::run(rest),
+        "aarch64" => aarch64::run(),
         "soak" => soak::run(rest),
         "help" | "--help" | "-h" => {
             println!("{USAGE}");

@@ -185,6 +185,23 @@ impl Jit {
         Ok(Arc::new(jit))
     }
 
+    /// Compiles all blocks for aarch64 in every tier, with Cranelift's checks on, and throws the code away; bytes of all tiers.
+    ///
+    /// # Errors
+    /// What Cranelift found, or why the program cannot become machine code.
+    #[cfg(feature = "aarch64")]
+    pub fn check_aarch64(program: &Program, layout: &Layout) -> Result<usize, String> {
+        let source = Source::new(program, layout, Arc::new(Interpreter::new(program, layout)))?;
+        let find = |id| source.interpreter.code(id);
+        let mut bytes = 0;
+        for (exact, optimize) in [(true, false), (false, false), (false, true)] {
+            let asks_before_writing = source.asks_before_writing;
+            let options = Options { exact, optimize, asks_before_writing, ..Options::default() };
+            bytes += translate::aarch64_bytes(&source.blocks, &find, layout, options)?;
+        }
+        Ok(bytes)
+    }
+
     /// The same with every operation called instead of written out: what the inlined ones are compared with.
     pub fn load_without_inlining(program: &Program, layout: &Layout) -> Arc<dyn Engine> {
         let interpreter = Arc::new(Interpreter::new(program, layout));

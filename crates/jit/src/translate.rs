@@ -86,8 +86,8 @@ const PROLOGUE_BYTES: usize = 16;
 /// Finds the index of a loaded block.
 type Find<'a> = &'a dyn Fn(BlockId) -> Option<u32>;
 
-/// This machine, with the given settings of Cranelift.
-fn instruction_set(level: &str, algorithm: &str) -> Result<OwnedTargetIsa, String> {
+/// The machine that code is for, with the given settings of Cranelift.
+fn instruction_set(level: &str, algorithm: &str, machine: Machine) -> Result<OwnedTargetIsa, String> {
     let mut flags = settings::builder();
     let set = |flags: &mut settings::Builder, name: &str, value: &str| flags.set(name, value).map_err(|error| error.to_string());
     set(&mut flags, "opt_level", level)?;
@@ -96,19 +96,65 @@ fn instruction_set(level: &str, algorithm: &str) -> Result<OwnedTargetIsa, Strin
     set(&mut flags, "is_pic", "false")?;
     // Frames have a limit below, so that nobody has to look for the end of the stack.
     set(&mut flags, "enable_probestack", "false")?;
-    set(&mut flags, "enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" })?;
-    cranelift_native::builder()
-        .map_err(|message| format!("this machine is not supported: {message}"))?
-        .finish(settings::Flags::new(flags))
-        .map_err(|error| error.to_string())
+    let verified = cfg!(debug_assertions) || machine != Machine::This;
+    set(&mut flags, "enable_verifier", if verified { "true" } else { "false" })?;
+    // Nobody unwinds through machine code: what it calls never panics into it.
+    set(&mut flags, "unwind_info", "false")?;
+    let builder = match machine {
+        Machine::This => cranelift_native::builder().map_err(|message| format!("this machine is not supported: {message}"))?,
+        #[cfg(feature = "aarch64")]
+        Machine::Aarch64 => {
+            cranelift_codegen::isa::lookup_by_name("aarch64-unknown-linux-gnu").map_err(|error| format!("no aarch64: {error}"))?
+        }
+    };
+    builder.finish(settings::Flags::new(flags)).map_err(|error| error.to_string())
+}
+
+/// The machine that code is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Machine {
+    /// This one.
+    This,
+    /// Another one, whose code is checked and never runs.
+    #[cfg(feature = "aarch64")]
+    Aarch64,
+}
+
+/// The code of a program before it becomes executable.
+struct Written {
+    module: JITModule,
+    functions: Functions,
+    bytes: usize,
+    frame_max: usize,
+    pinned: BTreeSet<u16>,
 }
 
 /// Compiles all blocks. The code takes the data blocks with the returned numbers to be as they were loaded.
 pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<(Generation, BTreeSet<u16>), String> {
-    let isa = instruction_set("none", if options.optimize { "backtracking" } else { "single_pass" })?;
+    let Written { mut module, functions, bytes, frame_max, mut pinned } = write(blocks, find, layout, options, Machine::This)?;
+    module.finalize_definitions().map_err(|error| error.to_string())?;
+    let levels = (STACK_BYTES / (frame_max + STACK_BYTES_OF_A_CALL)).min(LINKS);
+    // Interrupts that come on top go to the interpreter.
+    let needed = usize::from(layout.nesting_depth) + usize::from(layout.nesting_depth_error) + 2;
+    if levels < needed {
+        return Err(format!("its blocks need up to {frame_max} bytes of stack"));
+    }
+    pinned.remove(&0);
+    Ok((Generation::new(module, &functions.blocks, bytes, levels), pinned))
+}
+
+/// Compiles all blocks for aarch64 with Cranelift's checks, to see that it can be done; how many bytes of code there are.
+#[cfg(feature = "aarch64")]
+pub(crate) fn aarch64_bytes(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<usize, String> {
+    Ok(write(blocks, find, layout, options, Machine::Aarch64)?.bytes)
+}
+
+/// Writes the code of all blocks for a machine.
+fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, machine: Machine) -> Result<Written, String> {
+    let isa = instruction_set("none", if options.optimize { "backtracking" } else { "single_pass" }, machine)?;
     // Cranelift's optimizations move calculations to where their results are used: good in a loop, bad in straight bit logic, where the
     // bytes that were read wait in registers until then.
-    let for_loops = if options.optimize { Some(instruction_set("speed", "backtracking")?) } else { None };
+    let for_loops = if options.optimize { Some(instruction_set("speed", "backtracking", machine)?) } else { None };
     let mut builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
     let insts: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
     let reserve = insts.saturating_mul(RESERVED_BYTES_PER_INSTRUCTION).clamp(RESERVED_BYTES_MIN, RESERVED_BYTES_MAX);
@@ -145,15 +191,7 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
         module.clear_context(&mut context);
     }
     bytes += gates::define(&mut module, &functions, &asked, &mut context, &mut frontend).map_err(|error| error.to_string())?;
-    module.finalize_definitions().map_err(|error| error.to_string())?;
-    let levels = (STACK_BYTES / (frame_max + STACK_BYTES_OF_A_CALL)).min(LINKS);
-    // Interrupts that come on top go to the interpreter.
-    let needed = usize::from(layout.nesting_depth) + usize::from(layout.nesting_depth_error) + 2;
-    if levels < needed {
-        return Err(format!("its blocks need up to {frame_max} bytes of stack"));
-    }
-    pinned.remove(&0);
-    Ok((Generation::new(module, &functions.blocks, bytes, levels), pinned))
+    Ok(Written { module, functions, bytes, frame_max, pinned })
 }
 
 /// Compiles a function, for the instruction set of the module or another one.

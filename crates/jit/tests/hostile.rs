@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target};
 use sieben_engine::machine::Register;
 use sieben_engine::{CodeBlock, Layout, Program};
-use sieben_jit::{Jit, StatusBits};
+use sieben_jit::{Jit, StatusBits, Tier, Tiers};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
@@ -87,6 +87,38 @@ fn many_blocks() {
             bit(builder, 1);
         }),
     );
+}
+
+/// A release build needs milliseconds; here others run beside it, without optimization.
+const LOAD_LIMIT: Duration = Duration::from_secs(5);
+
+#[test]
+fn the_first_scan_waits_for_no_compiler() {
+    let network = program(1, &|builder| {
+        for number in 0..100_000 {
+            builder.begin_statement();
+            bit(builder, number);
+        }
+    });
+    let blocks = program(20_000, &|builder| {
+        builder.begin_statement();
+        bit(builder, 1);
+    });
+    for (name, program) in [("one network", network), ("30,000 labels", loops(30_000)), ("20,000 blocks", blocks)] {
+        let layout = Layout::new(&CpuType::ALL[0], &program);
+        #[allow(clippy::disallowed_methods)] // What is measured is the time until the first scan.
+        let started = Instant::now();
+        let tiers = Tiers::load(&program, &layout, StatusBits::Needed);
+        let time = started.elapsed();
+        assert!(time < LOAD_LIMIT, "{name}: loaded after {time:?}");
+        assert_eq!(tiers.tier(), Tier::Interpreter);
+        assert_eq!(tiers.engine().code_bytes(), 0);
+        // What is refused is refused at once, and says why.
+        if let Some(reason) = tiers.refusal() {
+            assert_eq!(tiers.compile(Tier::Quick), Err(reason.to_owned()), "{name}");
+            assert_eq!(tiers.tier(), Tier::Interpreter);
+        }
+    }
 }
 
 #[test]
