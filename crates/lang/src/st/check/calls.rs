@@ -48,6 +48,8 @@ impl Checker<'_> {
                 Reached::Target(target) => self.called_target(target, callee.span),
                 Reached::Other(typed) => self.not_callable(&typed, callee.span),
             },
+            // `FB10.DB20` looks like a byte of a data block.
+            ExpressionKind::DataAddress(address) => self.called_member(callee, &address.block, &address.written),
             ExpressionKind::Missing => Called::Nothing,
             ExpressionKind::This | ExpressionKind::Super => {
                 self.not_built(callee.span, "a call through THIS or SUPER");
@@ -153,9 +155,7 @@ impl Checker<'_> {
                 }
                 // The instruction that an instance of a system type belongs to: `"T1".TON(…)`.
                 let block = *block;
-                if name.is(&self.names.block_name(block))
-                    || matches!(self.names.global(&name.text), Some(Entity::Type(DataType::Instance { block: of, .. })) if of == block)
-                {
+                if self.is_instruction(block, name) {
                     return match self.judge(Construct::InstructionCall, name.span) {
                         true => Called::Instance(block, target),
                         false => Called::Nothing,
@@ -207,6 +207,18 @@ impl Checker<'_> {
             }
             Reached::Other(typed) => self.not_callable(&typed, callee.span),
         }
+    }
+
+    /// Whether a name is the instruction of a block: `TON` of TON_TIME, or of the block with that name.
+    fn is_instruction(&self, block: BlockId, name: &Name) -> bool {
+        let own = self.names.block_name(block);
+        let typed = own.get(..name.text.len()).is_some_and(|start| name.is(start)) && own[name.text.len()..].starts_with('_');
+        name.is(&own)
+            || typed
+            || match self.names.global(&name.text) {
+                Some(Entity::Block(named) | Entity::Type(DataType::Instance { block: named, .. })) => named == block,
+                _ => false,
+            }
     }
 
     /// `FB10.DB20`.

@@ -58,8 +58,14 @@ pub(crate) fn convert(value: Value, to: Scalar) -> Value {
     let last = ops.len();
     let steps = ops.into_iter().enumerate();
     let mut value = steps.fold(value, |value, (index, op)| compute(op, vec![value], if index + 1 == last { to } else { between }));
-    // Without a step the bits stay, and only their meaning changes.
-    value.scalar = to;
+    if last == 0 && from != to {
+        // The bits stay, and only their meaning changes. What is read or returned keeps the width that it has.
+        value = match value.kind {
+            ValueKind::Constant(_) | ValueKind::Compute { .. } | ValueKind::Checked { .. } => Value { scalar: to, ..value },
+            _ if from.bits() == to.bits() => Value { scalar: to, ..value },
+            _ => compute(Op::Copy, vec![value], to),
+        };
+    }
     value.span = span;
     value
 }

@@ -40,7 +40,7 @@ impl Checker<'_> {
             },
             ValueKind::Compute { op, args } | ValueKind::Checked { op, args, .. } => match (op, args.as_slice()) {
                 (Op::ExtendI8I16 | Op::ExtendI8I32 | Op::ExtendI8I64 | Op::Extend16 | Op::ExtendI16I64 | Op::ExtendI32I64, [arg])
-                | (Op::Low8 | Op::Low16 | Op::Low32, [arg]) => inner(arg),
+                | (Op::Copy | Op::Low8 | Op::Low16 | Op::Low32, [arg]) => inner(arg),
                 (Op::AddU8 | Op::AddU16 | Op::AddU32 | Op::AddU64, [a, b]) => {
                     let ((a, b), (c, d)) = (inner(a), inner(b));
                     (a + c, b + d)

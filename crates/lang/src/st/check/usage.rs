@@ -3,12 +3,14 @@
 use std::collections::BTreeSet;
 
 use sieben_model::address::Area;
+use sieben_model::block::BlockKind;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
 use super::names::{Role, Variable};
 use super::{Checker, walk};
+use crate::declarations::interface::START_INFORMATION_BYTES;
 use crate::scope::key;
 use crate::st::ast::{self, ExpressionKind};
 use crate::st::tree::{Argument, Base, Body, Call, Callee, Place, Statement, StatementKind, Text, Value, ValueKind};
@@ -37,11 +39,23 @@ impl Checker<'_> {
         self.block.actions.iter().for_each(|action| walk::expressions(&action.body, &mut see));
         for variable in self.names.declared() {
             // Views of one variable share its bytes: one of the names is enough, and declarations do not tell.
-            if variable.role == Role::Temp && !named.contains(&key(&variable.name)) && !self.overlaid(&variable) {
+            // The first bytes of an organization block are written by the CPU.
+            if variable.role == Role::Temp
+                && !self.of_start_information(&variable)
+                && !named.contains(&key(&variable.name))
+                && !self.overlaid(&variable)
+            {
                 let message = format!("`{}` is never used", variable.name);
                 self.report(Problem::P6222, variable.span, message);
             }
         }
+    }
+
+    /// Whether a variable is part of the start information of an organization block.
+    fn of_start_information(&self, variable: &Variable) -> bool {
+        self.block.id.kind == BlockKind::OrganizationBlock
+            && variable.base == Base::Area(Area::Local)
+            && variable.offset < START_INFORMATION_BYTES * 8
     }
 
     /// Whether another variable lies in the same bytes.
@@ -59,6 +73,7 @@ impl Checker<'_> {
     fn unwritten(&mut self, body: &Body) {
         let variables: Vec<Variable> =
             self.names.declared().into_iter().filter(|one| one.role == Role::Temp && one.base == Base::Area(Area::Local)).collect();
+        let variables: Vec<Variable> = variables.into_iter().filter(|one| !self.of_start_information(one)).collect();
         let has_labels = {
             let mut found = false;
             walk::statements(self.block.body, &mut |statement| found |= matches!(statement.kind, ast::StatementKind::Label(_)));

@@ -211,7 +211,9 @@ impl<'t, 'a> Resolver<'t, 'a> {
         let plain = |data_type: DataType| Some(Arc::new(Named { data_type, initial: Vec::new() }));
         if let Some(name) = path.single() {
             if name.quoting != ast::Quoting::Global {
-                if let Some(data_type) = self.word(&name.text) {
+                // `Counter` and `Timer` are usual names of function blocks, and type words of the S7.
+                let own = self.items.blocks.contains_key(&key(&name.text)) || self.items.types.contains_key(&key(&name.text));
+                if let Some(data_type) = self.word(&name.text).filter(|data_type| !(own && data_type.is_number())) {
                     return plain(data_type);
                 }
                 if let Some(id) = numbered(&name.text, self.dialect) {
