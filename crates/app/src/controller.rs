@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use serde_json::{Value, json};
-use sieben_cpu::{Cpu, Rack, Settings, StopCause};
+use sieben_cpu::{Cpu, CyclicInterrupt, Rack, Settings, StopCause};
 use sieben_jit::StatusBits;
 use sieben_model::source::Span;
 
@@ -14,11 +14,14 @@ use crate::project::Build;
 pub(crate) fn settings(build: &Build) -> Settings {
     let project = &build.project.settings;
     let usual = Settings::default();
+    // The project file has the last word about how often the tasks of a CONFIGURATION run.
+    let tasks = build.compiled.intervals.iter().map(|(&number, &interval_ms)| (number, CyclicInterrupt { interval_ms, phase_ms: 0 }));
+    let cyclic = tasks.chain(project.cyclic.iter().map(|(&number, &cyclic)| (number, cyclic))).collect();
     Settings {
         watchdog: project.watchdog.unwrap_or(usual.watchdog),
         clock_memory_byte: project.clock_memory_byte,
         retain: project.retain.areas(),
-        cyclic: project.cyclic.clone(),
+        cyclic,
         min_cycle: project.min_cycle.unwrap_or_default(),
         image_errors: project.image_errors.unwrap_or(usual.image_errors),
         ..usual

@@ -44,6 +44,8 @@ impl Checker<'_> {
                 _ => Called::Standard(name.clone()),
             },
             ExpressionKind::Member(base, name) => self.called_member(callee, base, name),
+            // `FB10.DB20`: behind another block than a data block this is no data byte.
+            ExpressionKind::DataAddress(address) if !address.percent => self.called_member(callee, &address.block, &address.written),
             ExpressionKind::Index(..) | ExpressionKind::Dereference(_) => match self.reach(callee) {
                 Reached::Target(target) => self.called_target(target, callee.span),
                 Reached::Other(typed) => self.not_callable(&typed, callee.span),

@@ -215,7 +215,12 @@ impl Items<'_> {
         let mut found = Vec::new();
         for code in self.code.values() {
             calls(&code.block.body, &mut |call, span| {
-                let ast::ExpressionKind::Member(block, data) = &call.callee.kind else { return };
+                // `DB20` behind a point could be a data byte, too.
+                let (block, data) = match &call.callee.kind {
+                    ast::ExpressionKind::Member(block, data) => (&**block, data),
+                    ast::ExpressionKind::DataAddress(address) => (&address.block, &address.written),
+                    _ => return,
+                };
                 let ast::ExpressionKind::Name(block) = &block.kind else { return };
                 let block = numbered(&block.text, code.dialect).or_else(|| self.blocks.get(&key(&block.text)).copied());
                 let data = numbered(&data.text, code.dialect).or_else(|| self.blocks.get(&key(&data.text)).copied());

@@ -96,10 +96,12 @@ impl<'t, 'a> Resolver<'t, 'a> {
             Some(DataType::DateAndTime) if long => DataType::LongDateAndTime,
             Some(DataType::String(_)) => DataType::String(self.string_length()),
             Some(DataType::WideString(_)) => DataType::WideString(u16::from(self.string_length())),
+            // Words of the S7 that elsewhere are names like others.
+            Some(data_type) if data_type.is_number() && !self.dialect.switches().numbered_blocks => return None,
             Some(data_type) => data_type,
             None if word.eq_ignore_ascii_case("BIT") => DataType::Bool,
             None if word.eq_ignore_ascii_case("VARIANT") => DataType::Any,
-            None if word.eq_ignore_ascii_case("DB_ANY") => DataType::BlockData,
+            None if word.eq_ignore_ascii_case("DB_ANY") && self.dialect.switches().numbered_blocks => DataType::BlockData,
             None => return None,
         };
         Some(data_type)
