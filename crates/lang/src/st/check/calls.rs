@@ -13,9 +13,11 @@ use super::places::Reached;
 use super::typed::{Target, Through, Typed};
 use super::types::{Implicit, Kind, implicit};
 use super::{Checker, literals, words};
+use crate::library;
 use crate::scope::nearest;
 use crate::st::ast::{self, Direction, Expression, ExpressionKind, Name, Quoting};
 use crate::st::dialect::Construct;
+use crate::st::standard;
 use crate::st::standard::operators::{Beyond, Rounding, convert as steps};
 use crate::st::tree::{Argument, Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
 
@@ -78,6 +80,13 @@ impl Checker<'_> {
             _ => local.or_else(|| self.names.global(&name.text)),
         };
         match found {
+            // That a block of the S7 library is linked changes nothing for a dialect whose function of that name is another one.
+            Some(Entity::Block(block))
+                if library::by_name(&name.text).is_some_and(|known| known.block == block)
+                    && standard::library::is_own(&name.text, self.dialect) =>
+            {
+                Called::Standard(name.clone())
+            }
             Some(Entity::Block(block)) => self.called_block(block, name.span),
             Some(Entity::Variable(variable)) => {
                 let target = Target {

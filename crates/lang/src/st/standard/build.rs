@@ -88,6 +88,10 @@ pub(crate) fn converted(value: Value, to: Scalar, rounding: Rounding, beyond: Be
 /// Operations with one operand, one after the other; all but the last one give values of the kind `between`.
 fn steps(value: Value, list: &[Op], between: Scalar, to: Scalar, span: Span) -> Value {
     let mut value = value;
+    if list.is_empty() && value.scalar.bits() != to.bits() {
+        // The bits in front are 0, and not in memory.
+        value = compute(Op::Copy, vec![value], to, span);
+    }
     for (index, &op) in list.iter().enumerate() {
         let scalar = match op {
             _ if index + 1 == list.len() => to,

@@ -34,7 +34,8 @@ const SCL: &[(&str, &[&str])] = &[
     ("DWORD", &["BOOL", "BYTE", "DINT", "REAL", "WORD"]),
     ("INT", &["CHAR", "DINT", "REAL", "WORD"]),
     ("REAL", &["DINT", "DWORD", "INT"]),
-    ("TIME", &["DINT"]),
+    ("S5TIME", &["TIME"]),
+    ("TIME", &["DINT", "S5TIME"]),
     ("TOD", &["DINT"]),
     ("WORD", &["BOOL", "BYTE", "INT", "DWORD"]),
 ];

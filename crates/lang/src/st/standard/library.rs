@@ -50,6 +50,11 @@ sources! {
     "counters_udint.st" Iec             [1 0 0 1]: CTU_UDINT CTD_UDINT CTUD_UDINT;
     "counters_ulint.st" Iec             [1 0 0 0]: CTU_ULINT CTD_ULINT CTUD_ULINT;
     "counters_codesys.st" Codesys       [0 1 0 0]: CTU CTD CTUD;
+    "util_signals.st" Codesys           [0 1 0 0]: BLINK GEN;
+    "util_analog.st" Codesys            [0 1 0 0]: HYSTERESIS LIMITALARM LIN_TRAFO RAMP_REAL RAMP_INT;
+    "util_mathematics.st" Codesys       [0 1 0 0]: DERIVATIVE INTEGRAL STATISTICS_REAL STATISTICS_INT VARIANCE;
+    "util_controllers.st" Codesys       [0 1 0 0]: PID_FIXCYCLE PID PD;
+    "util_bits.st" Codesys              [0 1 0 0]: EXTRACT PUTBIT PACK UNPACK;
     "strings_iec.st" Iec                [1 0 0 0]: IEC_DELETE IEC_REPLACE;
     "replace_tia.st" Iec                [0 0 0 1]: TIA_REPLACE;
     "strings_codesys.st" Iec            [0 1 0 0]: CODESYS_LEFT CODESYS_RIGHT CODESYS_MID CODESYS_CONCAT CODESYS_INSERT CODESYS_DELETE
@@ -59,8 +64,8 @@ sources! {
     "real_to_string.st" Iec             [1 1 0 0]: LREAL_TO_STRING REAL_TO_STRING DIGITS_OF_REAL;
     "duration_to_string.st" Iec         [1 0 0 0]: TIME_TO_STRING;
     "duration_to_string_codesys.st" Codesys [0 1 0 0]: TIME_TO_STRING;
-    "from_string.st" Iec                [1 0 0 1]: NUMBER_IN_TEXT REAL_IN_TEXT STRING_TO_SINT STRING_TO_INT STRING_TO_DINT STRING_TO_USINT STRING_TO_UINT STRING_TO_UDINT STRING_TO_ULINT STRING_TO_LINT STRING_TO_BYTE STRING_TO_WORD STRING_TO_DWORD STRING_TO_LWORD STRING_TO_REAL STRING_TO_LREAL STRING_TO_BOOL STRING_TO_CHAR;
-    "from_string_codesys.st" Iec        [0 1 0 0]: CODESYS_NUMBER_IN_TEXT CODESYS_REAL_IN_TEXT STRING_TO_SINT STRING_TO_INT STRING_TO_DINT STRING_TO_USINT STRING_TO_UINT STRING_TO_UDINT STRING_TO_ULINT STRING_TO_LINT STRING_TO_BYTE STRING_TO_WORD STRING_TO_DWORD STRING_TO_LWORD STRING_TO_REAL STRING_TO_LREAL STRING_TO_BOOL STRING_TO_CHAR;
+    "from_string.st" Iec                [1 0 0 1]: CODE_IN_TEXT NUMBER_IN_TEXT REAL_IN_TEXT STRING_TO_SINT STRING_TO_INT STRING_TO_DINT STRING_TO_USINT STRING_TO_UINT STRING_TO_UDINT STRING_TO_ULINT STRING_TO_LINT STRING_TO_BYTE STRING_TO_WORD STRING_TO_DWORD STRING_TO_LWORD STRING_TO_REAL STRING_TO_LREAL STRING_TO_BOOL STRING_TO_CHAR;
+    "from_string_codesys.st" Iec        [1 1 0 0]: CODESYS_CODE_IN_TEXT CODESYS_NUMBER_IN_TEXT CODESYS_REAL_IN_TEXT STRING_TO_SINT STRING_TO_INT STRING_TO_DINT STRING_TO_USINT STRING_TO_UINT STRING_TO_UDINT STRING_TO_ULINT STRING_TO_LINT STRING_TO_BYTE STRING_TO_WORD STRING_TO_DWORD STRING_TO_LWORD STRING_TO_REAL STRING_TO_LREAL STRING_TO_BOOL STRING_TO_CHAR;
 }
 
 /// The instances of system function blocks by name in scl.
@@ -91,6 +96,12 @@ fn source(name: &str, dialect: Dialect) -> Option<Provided> {
     })
 }
 
+/// Whether a dialect has a function of its own where the S7 library has a block with this name.
+pub fn is_own(name: &str, dialect: Dialect) -> bool {
+    matches!(source(name, dialect), Some(Provided::Source { .. }))
+        || ["MAX", "MIN", "SEL", "LIMIT", "LEN"].iter().any(|function| function.eq_ignore_ascii_case(name))
+}
+
 /// The function with this name, without regard to case.
 pub fn function(name: &str, dialect: Dialect) -> Option<Provided> {
     source(name, dialect).or_else(|| library::by_name(name).filter(|block| block.block.kind == BlockKind::Function).map(Provided::Library))
@@ -103,4 +114,33 @@ pub fn block_type(name: &str, dialect: Dialect) -> Option<Provided> {
         return system.map(|&(_, number)| Provided::System(BlockId::new(BlockKind::SystemFunctionBlock, number)));
     }
     source(name, dialect)
+}
+
+#[cfg(test)]
+mod tests {
+    use sieben_model::source::FileId;
+
+    use super::*;
+    use crate::st::ast::Item;
+    use crate::st::parser::parse;
+
+    #[test]
+    fn every_source_is_read_without_a_problem_and_has_the_blocks_of_its_row() {
+        for ((_, blocks), source) in CONTENTS.iter().zip(SOURCES) {
+            let parsed = parse(FileId::default(), source.text, source.dialect);
+            assert!(parsed.diagnostics.is_empty(), "{}: {:#?}", source.path, parsed.diagnostics);
+            let names: Vec<&str> = parsed
+                .file
+                .items
+                .iter()
+                .filter_map(|item| match item {
+                    Item::Block(block) => Some(block.name.text.as_str()),
+                    _ => None,
+                })
+                .collect();
+            for block in *blocks {
+                assert!(names.contains(block), "{} has no {block}: {names:?}", source.path);
+            }
+        }
+    }
 }
