@@ -21,6 +21,9 @@ use crate::st::standard;
 use crate::st::standard::operators::{Beyond, Rounding, convert as steps};
 use crate::st::tree::{Argument, Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
 
+/// The output of system functions that is their result.
+const RET_VAL: &str = "RET_VAL";
+
 /// What an expression in front of brackets calls.
 pub(super) enum Called {
     /// FC or SFC.
@@ -286,9 +289,23 @@ impl Checker<'_> {
                     return Typed::Poison;
                 };
                 let Some((call, before)) = self.arguments(Callee::Function(block), &interface, call, span) else { return Typed::Poison };
-                self.result_of(call, before, span)
+                match interface.variable(RET_VAL).filter(|formal| formal.section == Section::Output && call.result == DataType::Void) {
+                    Some(formal) => self.delivered_result(formal, call, before, span),
+                    None => self.result_of(call, before, span),
+                }
             }
         }
+    }
+
+    /// The result of a system function, which is an output: it goes through a place in the local data.
+    fn delivered_result(&mut self, formal: &Variable, mut call: Call, mut before: Vec<Statement>, span: Span) -> Typed {
+        let Some(kind) = Kind::of(&formal.data_type) else { return self.result_of(call, before, span) };
+        let scalar = kind.scalar(self.dialect);
+        let target = self.temporary_place(kind.bits.div_ceil(8), span);
+        let load = Value { kind: ValueKind::Load(target.clone()), scalar, span };
+        call.arguments.push(Argument::Output { parameter: formal.offset, scalar, target, convert: Vec::new(), converted: scalar });
+        before.push(Statement { kind: StatementKind::Call(call), span });
+        Typed::Scalar { value: after(before, load), data_type: formal.data_type.clone() }
     }
 
     /// The result of a call as an expression.
@@ -522,8 +539,10 @@ impl Checker<'_> {
             }
             _ => {}
         }
+        // A pointer goes in, whatever the block does with what it points to.
+        let pointer = matches!(formal.data_type, DataType::Pointer | DataType::Any);
         match formal.section {
-            Section::Output => self.output(formal, value, all),
+            Section::Output if !pointer => self.output(formal, value, all),
             Section::InOut => self.in_out(formal, value, all),
             _ => {
                 let typed = self.expression_for(value, &formal.data_type);
@@ -697,7 +716,8 @@ impl Checker<'_> {
         let mut missing = Vec::new();
         let mut inputs = true;
         for formal in &all.formals {
-            if all.given.iter().any(|(name, _)| name.eq_ignore_ascii_case(&formal.name)) {
+            let given = all.given.iter().any(|(name, _)| name.eq_ignore_ascii_case(&formal.name));
+            if given || formal.section == Section::Output && formal.name.eq_ignore_ascii_case(RET_VAL) {
                 continue;
             }
             match formal.section {
