@@ -25,6 +25,7 @@ pub(crate) const BEGIN: &str = "<!-- generated: what is done -->\n";
 const VECTORS: &str = "spec/vectors/vectors.csv";
 const LEGAL: &str = "spec/corpus/legal/";
 const BROKEN: &str = "spec/corpus/broken/";
+const STRUCTURED: &str = "spec/corpus/st/";
 /// Pages that a row names.
 const PAGES_SHOWN: usize = 3;
 
@@ -273,6 +274,19 @@ fn corpus(text: &mut String, files: &[TextFile]) {
     );
     for (name, snapshot) in legal {
         let _ = writeln!(text, "| [{name}](../{LEGAL}{name}.awl) | {} |", cell(&first_sentence(snapshot)));
+    }
+    let structured: Vec<_> = snapshots(files, STRUCTURED).collect();
+    let _ = writeln!(
+        text,
+        "\n### Sources of ST in the wild\n\n{} sources with one oddity each, by dialect: read without errors, formatted, and read again with any one of their tokens lost.\n\n| source | what is odd |\n|---|---|",
+        structured.len()
+    );
+    for (name, why) in structured {
+        let ending = files
+            .iter()
+            .find_map(|file| file.path.strip_prefix(STRUCTURED)?.strip_prefix(name)?.strip_prefix('.').filter(|ending| *ending != "txt"));
+        let ending = ending.unwrap_or(if name.starts_with("iec/") || name.starts_with("codesys/") { "st" } else { "scl" });
+        let _ = writeln!(text, "| [{name}](../{STRUCTURED}{name}.{ending}) | {} |", cell(&first_sentence(why)));
     }
     line(
         text,

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use sieben_lang::encoding::{self, Decoded, Encoding};
+use sieben_lang::language::Language;
 use sieben_lang::st::dialect::Dialect;
 use sieben_lang::{Compiled, Options, TemporaryReads};
 use sieben_model::cpu_type::CpuType;
@@ -62,6 +63,13 @@ pub(crate) struct SourceFile {
     pub(crate) decoded: Decoded,
     /// It lies inside another file, which is not ours to write.
     pub(crate) embedded: bool,
+}
+
+impl SourceFile {
+    /// The language that it is written in; `dialect` is what the user chose for sources of ST.
+    pub(crate) fn language(&self, dialect: Option<Dialect>) -> Language {
+        Language::of(&self.path.to_string_lossy(), &self.decoded.text, dialect)
+    }
 }
 
 /// Everything read and decoded, nothing compiled.

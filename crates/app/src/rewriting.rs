@@ -43,7 +43,7 @@ impl Rewriting {
     pub(crate) fn run(
         &self,
         paths: &[PathBuf],
-        rewrite: impl Fn(&Project, &str) -> Result<String, Vec<Diagnostic>>,
+        rewrite: impl Fn(&Project, &SourceFile) -> Result<String, Vec<Diagnostic>>,
     ) -> Result<Exit, Failure> {
         let mut project = Project::load(paths, self.encoding)?;
         if project.sources.len() > 1 && matches!(self.destination, Destination::Print | Destination::File(_)) {
@@ -53,7 +53,7 @@ impl Rewriting {
         let mut findings = std::mem::take(&mut project.findings);
         let mut differing = false;
         for source in &project.sources {
-            match rewrite(&project, &source.decoded.text) {
+            match rewrite(&project, source) {
                 Ok(text) => differing |= self.finish(source, &text)?,
                 Err(diagnostics) => {
                     findings.extend(diagnostics.into_iter().map(|diagnostic| Finding::program(in_file(diagnostic, source.id))))

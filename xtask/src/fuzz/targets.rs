@@ -40,6 +40,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "cpu-system", fuzz: sieben_cpu::system::fuzz, corpus: "system", fences: &[], words: no_words },
     Target { name: "lang-awlsim-project", fuzz: sieben_lang::awlsim_project::fuzz, corpus: "awlpro", fences: &[], words: project_words },
     Target { name: "lang-encoding", fuzz: encoding, corpus: "encoding", fences: &[], words: no_words },
+    Target { name: "lang-st", fuzz: sieben_lang::st::fuzz, corpus: "st", fences: &["st"], words: st_words },
     Target { name: "lang-stl", fuzz: sieben_lang::stl::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "lang-symbols", fuzz: sieben_lang::symbols::fuzz, corpus: "symbols", fences: &[], words: symbol_words },
     Target { name: "sim-scenario", fuzz: scenario, corpus: "scenario", fences: &["check"], words: scenario_words },
@@ -121,6 +122,66 @@ fn literal(data: &[u8]) {
 fn scenario(data: &[u8]) {
     // What is wrong with it is said line by line.
     let _ = Scenario::parse(&String::from_utf8_lossy(data));
+}
+
+/// Keywords and signs of ST.
+fn st_words() -> Vec<&'static str> {
+    let mut words: Vec<&str> = sieben_lang::st::parser::words().collect();
+    words.extend([
+        ":=",
+        "=>",
+        "=:",
+        ":=>",
+        "==",
+        "!=",
+        "<>",
+        "+=",
+        "?=",
+        "S=",
+        "REF=",
+        "**",
+        "..",
+        "^",
+        "(*",
+        "*)",
+        "/*",
+        "*/",
+        "//",
+        "{",
+        "}",
+        "#x",
+        "\"x\"",
+        "'x'",
+        "T#1h2m",
+        "D#2024-02-29",
+        "16#FF",
+        "INT#-5",
+        "B#(1,2)",
+        "P#M0.0",
+        "%IX0.0",
+        "%QW*",
+        ".%X3",
+        "x.3",
+        "MW[i]",
+        "DB10.DW4",
+        "M0.1",
+        "x : INT;",
+        "AT",
+        "R_EDGE",
+        "EXTENDS",
+        "REF_TO",
+        "POINTER TO",
+        "ARRAY[1..3] OF",
+        "STRING[5]",
+        "{IF defined (x)}",
+        "{ELSE}",
+        "{END_IF}",
+        "TITLE =",
+        "VERSION : 0.1",
+        "$>",
+        "$<",
+    ]);
+    words
 }
 
 fn no_words() -> Vec<&'static str> {

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use sieben_lang::language::Language;
 use sieben_lang::stl::convert::convert;
 use sieben_model::mnemonics::Mnemonics;
 
@@ -62,6 +63,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Target::De => Mnemonics::German,
     };
     let from = arguments.from.map(MnemonicsArgument::language);
-    Rewriting { destination, utf8: arguments.utf8, encoding: arguments.encoding.chosen(), done: "converted" }
-        .run(&arguments.paths, |project, text| convert(text, from.unwrap_or(project.settings.mnemonics), to))
+    Rewriting { destination, utf8: arguments.utf8, encoding: arguments.encoding.chosen(), done: "converted" }.run(
+        &arguments.paths,
+        |project, source| match source.language(None) {
+            Language::Stl => convert(&source.decoded.text, from.unwrap_or(project.settings.mnemonics), to),
+            // ST has no mnemonics.
+            Language::St(_) => Ok(source.decoded.text.clone()),
+        },
+    )
 }

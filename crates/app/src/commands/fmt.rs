@@ -3,13 +3,15 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use sieben_lang::stl::format::format;
+use sieben_lang::language::Language;
+use sieben_lang::st::dialect::Dialect;
+use sieben_lang::{st, stl};
 
-use crate::arguments::{EncodingArgument, MnemonicsArgument};
+use crate::arguments::{EncodingArgument, MnemonicsArgument, dialect_argument};
 use crate::failure::{Exit, Failure};
 use crate::rewriting::{Destination, Rewriting};
 
-/// Bring STL sources into one layout.
+/// Bring STL, ST and SCL sources into one layout.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
   sieben fmt main.awl           print the formatted source\n  \
@@ -33,6 +35,9 @@ pub(crate) struct Arguments {
     /// Mnemonic language of the sources [default: the project's, else judged over each file]
     #[arg(long, value_name = "LANGUAGE")]
     mnemonics: Option<MnemonicsArgument>,
+    /// Dialect of the sources of ST and SCL [default: the project's, else judged over each file]
+    #[arg(long, value_name = "DIALECT", value_parser = dialect_argument)]
+    dialect: Option<Dialect>,
     #[command(flatten)]
     encoding: EncodingArgument,
 }
@@ -44,7 +49,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         (_, true) => Destination::Check,
         _ => Destination::Print,
     };
-    let language = arguments.mnemonics.map(MnemonicsArgument::language);
-    Rewriting { destination, utf8: arguments.utf8, encoding: arguments.encoding.chosen(), done: "formatted" }
-        .run(&arguments.paths, |project, text| format(text, language.unwrap_or(project.settings.mnemonics)))
+    let mnemonics = arguments.mnemonics.map(MnemonicsArgument::language);
+    Rewriting { destination, utf8: arguments.utf8, encoding: arguments.encoding.chosen(), done: "formatted" }.run(
+        &arguments.paths,
+        |project, source| match source.language(arguments.dialect.or(project.settings.dialect)) {
+            Language::Stl => stl::format(&source.decoded.text, mnemonics.unwrap_or(project.settings.mnemonics)),
+            Language::St(dialect) => st::format(&source.decoded.text, dialect),
+        },
+    )
 }

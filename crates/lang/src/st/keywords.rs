@@ -131,6 +131,11 @@ impl Keyword {
         (reserved[dialect.column()] == 1).then_some(*keyword)
     }
 
+    /// All words.
+    pub(super) fn words() -> impl Iterator<Item = &'static str> {
+        ROWS.iter().map(|row| row.0)
+    }
+
     /// The word.
     pub(super) fn word(self) -> &'static str {
         ROWS[self as usize].0

@@ -4,6 +4,7 @@ pub mod ast;
 pub mod check;
 pub mod declare;
 pub mod dialect;
+pub mod format;
 mod keywords;
 mod lexer;
 mod literals;
@@ -14,4 +15,5 @@ pub mod syntax;
 pub mod tree;
 
 pub use dialect::Dialect;
-pub use parser::{Parsed, parse};
+pub use format::format;
+pub use parser::{Parsed, fuzz, parse};

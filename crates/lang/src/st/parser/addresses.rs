@@ -187,6 +187,25 @@ impl Parser<'_> {
         }
     }
 
+    /// `%DBX0.0`, `%DBW4` behind the name of a data block and its point; else the block comes back.
+    pub(super) fn percent_data_address(&mut self, block: Expression) -> Result<ExpressionKind, Expression> {
+        let token = self.token();
+        let text = &self.current()[1..];
+        let mut parts = text.split('.');
+        let first = parts.next().unwrap_or_default();
+        let read = split(first).and_then(|(letters, digits)| {
+            let width = data_width(&letters).filter(|_| letters.starts_with("DB") && !digits.is_empty())?;
+            let mut numbers = vec![number(digits)];
+            numbers.extend(parts.map(number));
+            (numbers.len() == if width == AddressWidth::Bit { 2 } else { 1 }).then_some((width, numbers))
+        });
+        let Some((width, numbers)) = read else { return Err(block) };
+        self.judge(Construct::PercentAddress, token.start, token.end);
+        let written = Name { text: first.to_owned(), quoting: Quoting::Bare, span: self.span(token.start, token.end) };
+        self.bump(SyntaxKind::Address);
+        Ok(ExpressionKind::DataAddress(Box::new(DataAddress { block, width, position: Position::Fixed(numbers), percent: true, written })))
+    }
+
     /// `%X3`, `%B1` behind the point; the current token is [`Raw::Percent`].
     pub(super) fn slice_of(&mut self, left: Expression) -> ExpressionKind {
         let token = self.token();

@@ -53,8 +53,68 @@ impl Parser<'_> {
                 None if token.raw == Raw::Semicolon => {
                     self.bump(SyntaxKind::Semicolon);
                 }
-                _ => self.implicit(&mut items),
+                _ => match self.lost_beginning() {
+                    Some(Keyword::Type) => self.types(&mut items),
+                    Some(Keyword::DataBlock) => {
+                        let block = self.data_block();
+                        items.push(Item::DataBlock(Box::new(block)));
+                    }
+                    Some(Keyword::Configuration) => {
+                        let configuration = self.configuration();
+                        items.push(Item::Configuration(Box::new(configuration)));
+                    }
+                    Some(Keyword::Program) => self.block(&mut items, BlockKind::Program),
+                    Some(Keyword::Function) => self.block(&mut items, BlockKind::Function),
+                    Some(Keyword::FunctionBlock) => self.block(&mut items, BlockKind::FunctionBlock),
+                    Some(Keyword::Class) => self.block(&mut items, BlockKind::Class),
+                    Some(_) => self.block(&mut items, BlockKind::OrganizationBlock),
+                    None => self.implicit(&mut items),
+                },
             }
+        }
+    }
+
+    /// The first keyword of a block that is missing before the current name: its end comes before the beginning of another one.
+    fn lost_beginning(&mut self) -> Option<Keyword> {
+        if !self.at_name() || matches!(self.next_raw(), Raw::Becomes | Raw::ParenOpen | Raw::Point | Raw::BracketOpen | Raw::Semicolon) {
+            return None;
+        }
+        let mut found = None;
+        for index in self.at..self.tokens.len() {
+            found = match self.tokens[index].keyword {
+                // A program in a resource: `PROGRAM p WITH t : Main;`.
+                Some(Keyword::Program) if self.tokens[self.behind(self.behind(index))].raw == Raw::Colon => continue,
+                Some(Keyword::Program) if self.is_with(self.behind(self.behind(index))) => continue,
+                Some(Keyword::EndProgram) => Some(Keyword::Program),
+                Some(Keyword::EndFunction) => Some(Keyword::Function),
+                Some(Keyword::EndFunctionBlock) => Some(Keyword::FunctionBlock),
+                Some(Keyword::EndClass) => Some(Keyword::Class),
+                Some(Keyword::EndOrganizationBlock) => Some(Keyword::OrganizationBlock),
+                Some(Keyword::EndDataBlock) => Some(Keyword::DataBlock),
+                Some(Keyword::EndType) => Some(Keyword::Type),
+                Some(Keyword::EndConfiguration) => Some(Keyword::Configuration),
+                Some(keyword) if keyword.begins_block() => None,
+                _ => continue,
+            };
+            break;
+        }
+        let word = found?.word();
+        let token = self.token();
+        let at = self.span(token.start, token.start);
+        let span = self.span(token.start, token.end);
+        let message = format!("`{word}` is missing before {}", self.shown());
+        self.report(Diagnostic::new(Problem::P6056, span, message).fix(at, format!("{word} "), format!("write `{word}`")));
+        found
+    }
+
+    fn is_with(&self, index: usize) -> bool {
+        self.slice(self.tokens[index]).eq_ignore_ascii_case("WITH")
+    }
+
+    /// Takes the first keyword of a block; where it is missing, that was said already.
+    pub(super) fn first_keyword(&mut self) {
+        if self.keyword().is_some() {
+            self.bump(SyntaxKind::Keyword);
         }
     }
 
@@ -109,7 +169,7 @@ impl Parser<'_> {
             self.judge(construct, token.start, token.end);
         }
         self.start(SyntaxKind::Block);
-        self.bump(SyntaxKind::Keyword);
+        self.first_keyword();
         let modifiers = self.modifiers();
         let name = self.block_name(what);
         let mut block = self.new_block(kind, name, token.start);
@@ -124,7 +184,7 @@ impl Parser<'_> {
         if self.at_word("IMPLEMENTS") {
             block.implements = self.bases();
         }
-        if self.raw() == Raw::Colon {
+        if self.raw() == Raw::Colon && (kind == BlockKind::Function || !self.on_new_line()) {
             self.bump(SyntaxKind::Punctuation);
             block.result = self.result_type();
             if kind != BlockKind::Function {
@@ -137,6 +197,7 @@ impl Parser<'_> {
             block.result = self.result_type();
         }
         block.header = self.header();
+        self.lost_header(&mut block.header);
         self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
         // TIA Portal writes attributes before the header, some write them behind it.
         let attributes = self.take_attributes_before(self.here());
@@ -169,7 +230,7 @@ impl Parser<'_> {
         }
         let message = format!("a name is missing behind {what}");
         let at = self.span(self.previous, self.previous);
-        let place = self.span(self.previous.saturating_sub(1), self.previous);
+        let place = self.last_character();
         self.report(Diagnostic::new(Problem::P2010, place, message).help(format!("write `{what} Name`")));
         Name { span: at, ..Name::default() }
     }
@@ -188,6 +249,7 @@ impl Parser<'_> {
     /// Declarations, members and statements of a block up to its end.
     fn block_parts(&mut self, block: &mut Block, end: Option<Keyword>) {
         let mut begun = false;
+        let mut late = false;
         loop {
             let token = self.token();
             match token.keyword {
@@ -196,7 +258,8 @@ impl Parser<'_> {
                 Some(Keyword::Label) => self.label_section(&mut block.labels),
                 Some(Keyword::VarGlobal | Keyword::VarConfig | Keyword::VarAccess) if end.is_none() => return,
                 Some(keyword) if keyword.begins_section() => {
-                    if !block.body.is_empty() {
+                    // One message for all of them.
+                    if !block.body.is_empty() && !std::mem::replace(&mut late, true) {
                         let shown = self.shown();
                         let message = format!("{shown} stands behind statements; declarations stand before the first one");
                         self.error(Problem::P2019, token.start, token.end, message);
@@ -218,6 +281,7 @@ impl Parser<'_> {
                     block.usings.extend(path);
                 }
                 Some(Keyword::Method | Keyword::Property | Keyword::Action) if end.is_some() => self.member(block),
+                Some(Keyword::Method | Keyword::Property | Keyword::Action) => return,
                 Some(keyword) if keyword.begins_block() => return,
                 Some(keyword) if keyword.is_end() && !keyword.ends_statement() => {
                     // The end of another kind of block; END_VAR and the like belong to nobody.
@@ -365,11 +429,12 @@ impl Parser<'_> {
         let token = self.token();
         self.judge(Construct::ControllerBlock, token.start, token.end);
         self.start(SyntaxKind::Block);
-        self.bump(SyntaxKind::Keyword);
+        self.first_keyword();
         self.declared.clear();
         self.awaited.clear();
         let name = self.block_name("DATA_BLOCK");
-        let header = self.header();
+        let mut header = self.header();
+        self.lost_header(&mut header);
         attributes.extend(self.take_attributes_before(self.here()));
         let missing = TypeSpec { kind: TypeKind::Missing, span: self.since(self.previous) };
         let mut block = DataBlock {
@@ -381,9 +446,19 @@ impl Parser<'_> {
             assignments: Vec::new(),
             span: self.since(token.start),
         };
-        if self.keyword() == Some(Keyword::Struct) || self.at_name() {
+        if self.at_name() && self.next_raw() == Raw::Colon {
+            let start = self.here();
+            let at = self.span(start, start);
+            let span = self.span(start, self.token().end);
+            let message = "`STRUCT` is missing before the first field";
+            self.report(Diagnostic::new(Problem::P2210, span, message).fix(at, "STRUCT ", "write `STRUCT`"));
+            block.data_type = self.lost_structure(start);
+            self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+        } else if self.keyword() == Some(Keyword::Struct) || self.at_name() {
             block.data_type = self.type_spec();
             self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+            // Some write the flags behind the type.
+            block.header.flags.extend(self.header().flags);
         }
         while self.keyword().is_some_and(|keyword| keyword.begins_section()) {
             let section = self.section();

@@ -15,7 +15,7 @@ impl Parser<'_> {
         self.judge(Construct::Configuration, token.start, token.end);
         self.take_attributes();
         self.start(SyntaxKind::Block);
-        self.bump(SyntaxKind::Keyword);
+        self.first_keyword();
         self.declared.clear();
         let name = self.block_name("CONFIGURATION");
         let mut configuration = Configuration { name, sections: Vec::new(), resources: Vec::new(), span: self.since(token.start) };
@@ -31,6 +31,7 @@ impl Parser<'_> {
                     configuration.resources.push(resource);
                 }
                 _ if self.resource_part(&mut unnamed) => {}
+                _ if self.foreign_part(Keyword::EndConfiguration) => {}
                 _ => break,
             }
         }
@@ -58,6 +59,7 @@ impl Parser<'_> {
                     resource.sections.push(section);
                 }
                 _ if self.resource_part(&mut resource) => {}
+                _ if self.foreign_part(Keyword::EndResource) => {}
                 _ => break,
             }
         }
@@ -65,6 +67,26 @@ impl Parser<'_> {
         resource.span = self.since(start);
         self.finish();
         resource
+    }
+
+    /// Skips what does not belong into a configuration or resource that ends with this keyword; `false` if something ends here.
+    fn foreign_part(&mut self, end: Keyword) -> bool {
+        let ends = match self.keyword() {
+            Some(Keyword::EndVar | Keyword::EndResource) => self.at_keyword(end),
+            Some(keyword) => keyword.is_end() || keyword.begins_block(),
+            None => self.raw() == Raw::End,
+        };
+        if ends {
+            return false;
+        }
+        let shown = self.shown();
+        self.unexpected(Problem::P2019, format!("{shown} begins neither a TASK nor a PROGRAM nor declarations"));
+        let end = self.keyword().is_some_and(|keyword| keyword.is_end());
+        self.bump_unexpected();
+        if !end {
+            self.skip_declaration();
+        }
+        true
     }
 
     /// A task, a program, or `;`; `false` if none begins here.

@@ -133,7 +133,7 @@ impl Parser<'_> {
         }
         let begun = self.span(start, start);
         let shown = self.shown();
-        let place = self.span(self.previous.saturating_sub(1), self.previous);
+        let place = self.last_character();
         let message = format!("`{word}` is missing before {shown}");
         let at = self.span(self.previous, self.previous);
         self.report(Diagnostic::new(Problem::P2023, place, message).related(begun, "the declarations begin here").fix(
@@ -176,7 +176,7 @@ impl Parser<'_> {
                 || keyword.begins_block()
                 || keyword.begins_section()
                 || keyword.begins_statement()
-                || matches!(keyword, Keyword::Begin | Keyword::Method | Keyword::Property | Keyword::Action);
+                || matches!(keyword, Keyword::Begin | Keyword::Method | Keyword::Property | Keyword::Action | Keyword::Resource);
         }
         // Statements begin: the end of the section is missing.
         let constant = matches!(place, Place::Section(SectionKind::Const));
@@ -189,6 +189,8 @@ impl Parser<'_> {
         let next = self.behind(self.at);
         match self.tokens[next].raw {
             Raw::ParenOpen => true,
+            // `x S= y`.
+            Raw::Word => self.tokens.get(next + 1).is_some_and(|token| token.raw == Raw::Equal),
             Raw::Becomes | Raw::BracketOpen | Raw::Point => {
                 // `x := INT;` is a slip of a declaration, as `x. : INT` is.
                 let mut index = next;
@@ -335,6 +337,11 @@ impl Parser<'_> {
 
     /// `:= value`.
     pub(super) fn initial(&mut self) -> Option<Initializer> {
+        self.initial_sign().then(|| self.initializer())
+    }
+
+    /// Takes `:=`, or a slip for it.
+    fn initial_sign(&mut self) -> bool {
         match self.raw() {
             Raw::Becomes => {}
             Raw::Equal => {
@@ -350,10 +357,10 @@ impl Parser<'_> {
                     self.bump(SyntaxKind::Operator);
                 }
             }
-            _ => return None,
+            _ => return false,
         }
         self.bump(SyntaxKind::Operator);
-        Some(self.initializer())
+        true
     }
 
     /// An initial value, also several without brackets.
@@ -441,9 +448,12 @@ impl Parser<'_> {
         let mut fields: Vec<(Name, Initializer)> = Vec::new();
         while self.at_name() {
             let name = self.name(SyntaxKind::Name);
-            match self.initial() {
-                Some(value) => fields.push((name, value)),
-                None => self.missing(Problem::P2024, " :=", format!("`:=` is missing behind {}", self.previous_text())),
+            match self.initial_sign() {
+                true => {
+                    let value = self.initial_element();
+                    fields.push((name, value));
+                }
+                false => self.missing(Problem::P2024, " :=", format!("`:=` is missing behind {}", self.previous_text())),
             }
             if !self.eat(Raw::Comma, SyntaxKind::Punctuation) {
                 break;

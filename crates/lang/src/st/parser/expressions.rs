@@ -54,7 +54,7 @@ impl<'t> Parser<'t> {
             Raw::Foreign if self.current() == "!=" => (Operator::NotEqual, 4),
             Raw::Foreign => (Operator::Equal, 4),
             Raw::Ampersand => (Operator::And, 3),
-            Raw::Unknown if self.current() == "|" && self.joined_with(Raw::Unknown) => (Operator::Or, 1),
+            Raw::Unknown if self.text[self.here() as usize..].starts_with("||") => (Operator::Or, 1),
             Raw::Delivers => (Operator::GreaterEqual, 5),
             Raw::Word => {
                 // Words that are operators in other dialects cannot be anything else here.
@@ -254,7 +254,10 @@ impl<'t> Parser<'t> {
             }
             Raw::Percent => {
                 self.bump(SyntaxKind::Punctuation);
-                Ok(self.slice_of(left))
+                match self.percent_data_address(left) {
+                    Ok(kind) => Ok(kind),
+                    Err(left) => Ok(self.slice_of(left)),
+                }
             }
             Raw::Word | Raw::Quoted | Raw::Local | Raw::Backquoted => {
                 self.bump(SyntaxKind::Punctuation);

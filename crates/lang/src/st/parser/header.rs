@@ -1,5 +1,7 @@
 //! What stands between the name of a block and its declarations in scl and tia: TITLE, AUTHOR, VERSION, flags.
 
+use sieben_model::problems::Problem;
+
 use super::super::ast::{Header, Name, Quoting};
 use super::super::lexer::Raw;
 use super::{Parser, SyntaxKind};
@@ -9,6 +11,22 @@ const FLAGS: &[&str] =
     &["KNOW_HOW_PROTECT", "UNLINKED", "READ_ONLY", "NON_RETAIN", "STANDARD", "CODE_VERSION1", "RETAIN", "DB_SPECIFIC", "NOT_RETAIN"];
 
 impl Parser<'_> {
+    /// Lines of a header whose first word is missing.
+    pub(super) fn lost_header(&mut self, header: &mut Header) {
+        while matches!(self.raw(), Raw::Colon | Raw::Equal) {
+            let shown = self.shown();
+            self.unexpected(
+                Problem::P2014,
+                format!("{shown} begins no line of a header, which is written `AUTHOR : name` or `TITLE = text`"),
+            );
+            let from = self.here();
+            self.rest_of_line(from);
+            let more = self.header();
+            header.flags.extend(more.flags);
+            header.version = header.version.take().or(more.version);
+        }
+    }
+
     /// The lines of a header, none if there are none.
     pub(super) fn header(&mut self) -> Header {
         let mut header = Header::default();
@@ -28,10 +46,16 @@ impl Parser<'_> {
                 continue;
             }
             let line = ["AUTHOR", "FAMILY", "NAME", "VERSION"].into_iter().position(|word| self.at_word(word));
-            if let Some(line) = line.filter(|_| matches!(next, Raw::Colon | Raw::Equal)) {
+            let value = matches!(next, Raw::Number | Raw::Characters);
+            if let Some(line) = line.filter(|_| value || matches!(next, Raw::Colon | Raw::Equal)) {
                 self.start(SyntaxKind::HeaderLine);
                 self.bump(SyntaxKind::Keyword);
-                self.bump(SyntaxKind::Punctuation);
+                match value {
+                    true => self.missing(Problem::P2014, " :", format!("`:` is missing behind {}", self.previous_text())),
+                    false => {
+                        self.bump(SyntaxKind::Punctuation);
+                    }
+                }
                 let from = self.here();
                 let mut text = String::new();
                 while !self.on_new_line() && !matches!(self.raw(), Raw::End | Raw::Semicolon) {

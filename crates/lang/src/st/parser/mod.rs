@@ -130,6 +130,36 @@ pub fn parse(file: FileId, text: &str, dialect: Dialect) -> Parsed {
     Parsed { file: ast::File { items }, diagnostics, tokens: parser.tokens, events: parser.events, wraps: parser.wraps }
 }
 
+/// The reserved words of all dialects.
+pub fn words() -> impl Iterator<Item = &'static str> {
+    Keyword::words()
+}
+
+/// Survives any bytes: parses them in every dialect, formats them twice, and checks what must always hold.
+pub fn fuzz(data: &[u8]) {
+    let text = String::from_utf8_lossy(data);
+    for dialect in Dialect::ALL {
+        let parsed = parse(FileId::default(), &text, dialect);
+        assert!(parsed.syntax(&text).text() == text.as_ref(), "the tree holds every byte of the source");
+        for diagnostic in &parsed.diagnostics {
+            let places = [Some(diagnostic.span), diagnostic.fix.as_ref().map(|fix| fix.span)];
+            for span in places.into_iter().flatten() {
+                assert!(text.get(span.start as usize..span.end as usize).is_some(), "a place lies in the text: {diagnostic:?}");
+            }
+        }
+        let Ok(once) = super::format::format(&text, dialect) else { continue };
+        assert_eq!(significant(&once, dialect), significant(&text, dialect), "formatting changes blanks and line ends only");
+        let twice = super::format::format(&once, dialect);
+        assert_eq!(twice.as_deref(), Ok(once.as_str()), "formatting a formatted source changes nothing");
+    }
+}
+
+/// The texts of all tokens but blanks and line ends.
+fn significant(text: &str, dialect: Dialect) -> Vec<String> {
+    let tokens = tokens(text, dialect).into_iter().filter(|token| !matches!(token.raw, Raw::Blank | Raw::Newline));
+    tokens.map(|token| text[token.start as usize..token.end as usize].trim_end().to_owned()).collect()
+}
+
 struct Parser<'t> {
     text: &'t str,
     file: FileId,
@@ -344,6 +374,12 @@ impl<'t> Parser<'t> {
     fn since(&self, start: u32) -> Span {
         self.span(start, self.previous.max(start))
     }
+    /// The last character that was taken: it shows a place better than an empty span.
+    fn last_character(&self) -> Span {
+        let before = &self.text[..self.previous as usize];
+        let start = before.char_indices().next_back().map_or(0, |(at, _)| at as u32);
+        self.span(start, self.previous)
+    }
     fn here(&self) -> u32 {
         self.token().start
     }
@@ -390,10 +426,7 @@ impl<'t> Parser<'t> {
     /// Something is missing behind the last token; `text` would mend it.
     fn missing(&mut self, problem: Problem, text: &str, message: impl Into<String>) {
         let at = self.span(self.previous, self.previous);
-        // The last character shows the place better than an empty span.
-        let shown = self.span(self.previous.saturating_sub(1), self.previous);
-        let shown = if self.text.is_char_boundary(shown.start as usize) { shown } else { at };
-        self.report(Diagnostic::new(problem, shown, message).fix(at, text, format!("write `{}`", text.trim())));
+        self.report(Diagnostic::new(problem, self.last_character(), message).fix(at, text, format!("write `{}`", text.trim())));
     }
 
     /// What the dialect says to a construct: nothing, a note, or an error.

@@ -524,9 +524,7 @@ impl Parser<'_> {
         }
         let begun = self.span(start, start);
         let shown = self.shown();
-        let at = self.span(self.previous, self.previous);
-        let place = self.span(self.previous.saturating_sub(1), self.previous);
-        let place = if self.text.is_char_boundary(place.start as usize) { place } else { at };
+        let place = self.last_character();
         let message = format!("`{word}` is missing before {shown}");
         self.report(
             Diagnostic::new(Problem::P6057, place, message)

@@ -232,7 +232,7 @@ impl Parser<'_> {
             self.missing(Problem::P2021, " [0..1]", message);
             dimensions.push(Dimension::Open);
             // Bounds without their bracket.
-            while matches!(self.raw(), Raw::Number | Raw::Range | Raw::Comma | Raw::BracketClose | Raw::Minus) {
+            while !matches!(self.raw(), Raw::End | Raw::Semicolon) && self.keyword().is_none() && !self.on_new_line() {
                 self.bump_unexpected();
             }
         }
@@ -288,17 +288,34 @@ impl Parser<'_> {
         }
     }
 
+    /// The fields of a structure whose STRUCT is missing.
+    pub(super) fn lost_structure(&mut self, start: u32) -> TypeSpec {
+        self.start(SyntaxKind::Struct);
+        let mut fields = Vec::new();
+        self.declarations(&mut fields, Place::Struct);
+        self.section_end(Keyword::EndStruct, start);
+        self.finish();
+        TypeSpec { kind: TypeKind::Struct { fields, overlap: false }, span: self.since(start) }
+    }
+
     /// `TYPE … END_TYPE`; the current token is TYPE.
     pub(super) fn types(&mut self, items: &mut Vec<Item>) {
         let begun = self.token();
         let mut attributes = self.take_attributes();
         self.start(SyntaxKind::Section);
-        self.bump(SyntaxKind::Keyword);
+        self.first_keyword();
         let mut first = true;
         loop {
             attributes.extend(self.take_attributes());
             if self.raw() == Raw::End {
                 break;
+            }
+            if matches!(self.keyword(), Some(Keyword::EndStruct | Keyword::EndUnion)) {
+                let shown = self.shown();
+                self.unexpected(Problem::P6059, format!("{shown} ends declarations that did not begin"));
+                self.bump_unexpected();
+                self.skip_declaration();
+                continue;
             }
             if let Some(keyword) = self.keyword()
                 && (keyword.is_end() || keyword.begins_section() || keyword.begins_block() && self.next_raw() != Raw::Colon)
@@ -337,7 +354,10 @@ impl Parser<'_> {
                 modifiers = Modifiers { access: Some(access), span: self.bump(SyntaxKind::Keyword), ..modifiers };
             }
         }
-        let name = self.declared_name("the name of a type")?;
+        let name = match self.raw() == Raw::Colon || self.at_keyword(Keyword::Struct) {
+            true => self.block_name("TYPE"),
+            false => self.declared_name("the name of a type")?,
+        };
         let header: Header = self.header();
         let extends = match self.eat_word("EXTENDS") {
             true if self.at_name() => Some(self.path(SyntaxKind::TypeWord)),
