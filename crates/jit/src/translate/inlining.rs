@@ -136,7 +136,9 @@ impl Translator<'_> {
     pub(super) fn inlines(&self, code: usize) -> bool {
         let own = self.outer.first().map_or(self.index, |outermost| outermost.index);
         let most = (self.blocks[own].code.insts.len() * GROWTH + GROWTH_MIN).min(GROWTH_MAX);
-        self.options.inline && self.plans[code].inlined.is_some_and(|size| self.grown + size <= most)
+        // Code that has to be there at once is for the time until better code is there.
+        let quick = !self.options.optimize && !self.options.exact;
+        self.options.inline && !quick && self.plans[code].inlined.is_some_and(|size| self.grown + size <= most)
     }
 
     /// Looks at the beginning of a function whether all that it calls itself has room: mostly, and then no call has to look again.
