@@ -50,6 +50,8 @@ impl DiagnosticEntry {
     fn detail(&self) -> Option<String> {
         let StartInformation { event, data_id, info_1, info_2, .. } = self.fields;
         Some(match event {
+            // No bit of the peripheral is ever accessed: this is an array index that was looked at before the access.
+            0x2522 | 0x2523 if data_id & 0xFF == 0 => format!("index {} is outside its array", info_1 as i16),
             0x2522 | 0x2523 | 0x2528 | 0x2529 => {
                 let area = match data_id & 0xF {
                     0 => "peripheral",
@@ -147,5 +149,15 @@ mod tests {
             buffer.push(DiagnosticEntry { fields, time: DateAndTime::DEFAULT, place: None });
         }
         assert_eq!(buffer.entries().map(DiagnosticEntry::event).collect::<Vec<_>>(), [5, 4, 3]);
+    }
+
+    #[test]
+    fn an_index_that_was_looked_at_is_told_from_an_access() {
+        let text = |data_id| {
+            let fields = StartInformation { event: 0x2522, data_id, info_1: 0xFFFE, ..StartInformation::default() };
+            DiagnosticEntry { fields, time: DateAndTime::DEFAULT, place: None }.text()
+        };
+        assert!(text(0).ends_with("index -2 is outside its array"), "{}", text(0));
+        assert!(text(0x24).ends_with("DB word at byte 65534"), "{}", text(0x24));
     }
 }
