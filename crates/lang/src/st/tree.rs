@@ -181,6 +181,8 @@ pub enum ValueKind {
     Eno,
     /// The pointer to a place: data block number (0 = none) in bits 32 to 47, area-crossing pointer in bits 0 to 31.
     AddressOf(Place),
+    /// The number that a parameter of a function holds which is a timer, a counter or a block, by its index, as U16.
+    NumberParameter(u16),
     /// Milliseconds since the start of the CPU at the beginning of the scan, as U32: what timers count with.
     ScanClock,
     /// Several steps before the value, which belong to it (a function written out).

@@ -82,7 +82,12 @@ impl Checker<'_> {
                 Typed::Text(Text::Place { place: target.place, capacity })
             }
             number if number.is_number() => {
-                Typed::Number { data_type: number, value: Value { kind: ValueKind::Load(target.place), scalar: Scalar::U16, span } }
+                // A function gets the number itself, an instance keeps it in a word.
+                let kind = match target.place.base {
+                    Base::Parameter(index) | Base::ComplexParameter(index) => ValueKind::NumberParameter(index),
+                    _ => ValueKind::Load(target.place),
+                };
+                Typed::Number { data_type: number, value: Value { kind, scalar: Scalar::U16, span } }
             }
             DataType::WideString(_) => self.not_built(span, "a WSTRING in an expression"),
             _ => Typed::Aggregate(target),

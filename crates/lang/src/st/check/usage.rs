@@ -298,7 +298,7 @@ impl Walk<'_> {
                 self.statements(statements);
                 self.value(value);
             }
-            ValueKind::Constant(_) | ValueKind::Ok | ValueKind::Eno | ValueKind::ScanClock => {}
+            ValueKind::Constant(_) | ValueKind::NumberParameter(_) | ValueKind::Ok | ValueKind::Eno | ValueKind::ScanClock => {}
         }
     }
 

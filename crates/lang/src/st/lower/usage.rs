@@ -98,7 +98,7 @@ impl Counter {
 
     fn value(&mut self, value: &Value) {
         match &value.kind {
-            ValueKind::Constant(_) | ValueKind::Ok | ValueKind::Eno | ValueKind::ScanClock => {}
+            ValueKind::Constant(_) | ValueKind::NumberParameter(_) | ValueKind::Ok | ValueKind::Eno | ValueKind::ScanClock => {}
             ValueKind::Load(place) => self.place(place, Use::Read),
             ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } => args.iter().for_each(|arg| self.value(arg)),
             ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => [a, b].into_iter().for_each(|value| self.value(value)),

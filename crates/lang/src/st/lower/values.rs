@@ -50,6 +50,10 @@ impl Lowering<'_> {
             },
             ValueKind::Eno => self.compute_from(Op::Copy, &[Register::Br.into()]),
             ValueKind::AddressOf(place) => self.address_of(place, false),
+            ValueKind::NumberParameter(index) => {
+                let number = self.parameter(*index);
+                self.compute(Op::Low16, &[number])
+            }
             ValueKind::ScanClock => {
                 let dst = self.temporary();
                 self.push(Inst::Intrinsic { dst, intrinsic: Intrinsic::Clock, args: arguments(&[]) });
@@ -217,7 +221,7 @@ impl Lowering<'_> {
     /// Whether computing a value may begin a new IR statement, at which temporaries end.
     pub(super) fn breaks(&self, value: &Value) -> bool {
         match &value.kind {
-            ValueKind::Constant(_) | ValueKind::Ok | ValueKind::Eno | ValueKind::ScanClock => false,
+            ValueKind::Constant(_) | ValueKind::NumberParameter(_) | ValueKind::Ok | ValueKind::Eno | ValueKind::ScanClock => false,
             ValueKind::Load(place) | ValueKind::AddressOf(place) => self.place_breaks(place),
             ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } => args.iter().any(|arg| self.breaks(arg)),
             ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => self.breaks(a) || !self.is_simple(b),
