@@ -391,7 +391,10 @@ impl fmt::Display for DataType {
                 write!(f, "ARRAY[{}] OF {element}", bounds.join(", "))
             }
             Self::Struct(structure) => f.write_str(structure.name.as_deref().unwrap_or("STRUCT")),
-            Self::Instance { block, .. } => block.fmt(f),
+            Self::Instance { block, structure } => match &structure.name {
+                Some(name) => f.write_str(name),
+                None => block.fmt(f),
+            },
             Self::WideString(length) => write!(f, "WSTRING[{length}]"),
             Self::Enumeration(enumeration) => f.write_str(enumeration.name.as_deref().unwrap_or("this enumeration")),
             Self::Subrange(subrange) => match &subrange.name {

@@ -71,11 +71,15 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
     let Sections { resolver, pending, views, located, .. } = sections;
     let unplaced: Vec<Unplaced> = pending.iter().filter_map(Pending::unplaced).collect();
     let laid_out = lay_out(id, unplaced);
-    let Some(block) = laid_out else {
+    let Some(mut block) = laid_out else {
         let message = format!("the variables of `{id}` need more than {BLOCK_BYTES_MAX} bytes (4 for each parameter of a function)");
         types.report(Problem::P5002, code.block.name.span, message);
         return None;
     };
+    if let Some(name) = items.names.get(&id) {
+        // Messages call an instance by the name of its block.
+        Arc::make_mut(&mut block.instance).name = Some(name.clone());
+    }
     let mut declared = Declared { names: resolver.names, ..Declared::default() };
     let kept = kept_structure(&pending);
     if let (Some(structure), Some(&number)) = (kept.clone(), items.kept.get(&id)) {
