@@ -635,10 +635,10 @@ impl Checker<'_> {
         if operator == BinaryOperator::Power {
             return self.power((a, left), (b, right), sign);
         }
-        if operator == BinaryOperator::IntegerDivide || operator == BinaryOperator::Modulo {
-            if let Some(kind) = [x, y].into_iter().flatten().find(|kind| kind.class == Class::Real) {
-                return self.no_operand(operator.sign(), &kind.data_type(), sign);
-            }
+        if matches!(operator, BinaryOperator::IntegerDivide | BinaryOperator::Modulo)
+            && let Some(kind) = [x, y].into_iter().flatten().find(|kind| kind.class == Class::Real)
+        {
+            return self.no_operand(operator.sign(), &kind.data_type(), sign);
         }
         let Some((kind, a, b)) = self.meet(operator, sign, (a, left), (b, right)) else { return Typed::Poison };
         let bits = kind.class == Class::Bits
