@@ -9,6 +9,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
+use sieben_lang::Compiled;
+use sieben_lang::st::dialect::Dialect;
 use sieben_lang::stl::ast::Operand;
 use sieben_lang::stl::instructions::Instruction;
 use sieben_lang::stl::operands::OperandClass;
@@ -26,8 +28,12 @@ use sieben_sim::scenario::Scenario;
 struct Section {
     heading: String,
     line: usize,
-    /// All `stl` fences, one project.
+    /// All `stl` fences, one project with those of `st`.
     stl: String,
+    /// All `st` fences.
+    st: String,
+    /// The dialects that the first of them names: `st iec codesys`.
+    dialects: Vec<Dialect>,
     /// `check` fences with the page's line before their first one.
     checks: Vec<(usize, String)>,
 }
@@ -74,6 +80,16 @@ fn sections(page: &str) -> Vec<Section> {
             Event::Text(text) if fence.is_some() => content.push_str(&text),
             Event::End(TagEnd::CodeBlock) => match fence.take() {
                 Some((info, _)) if info == "stl" => section.stl.push_str(&content),
+                Some((info, line)) if info.split(' ').next() == Some("st") => {
+                    section.st.push_str(&content);
+                    let words = info.split_whitespace().skip(1);
+                    let dialects: Vec<Dialect> =
+                        words.map(|word| Dialect::from_name(word).unwrap_or_else(|| panic!("line {line}: no dialect `{word}`"))).collect();
+                    assert!(!dialects.is_empty(), "line {line}: an `st` fence names its dialects");
+                    if section.dialects.is_empty() {
+                        section.dialects = dialects;
+                    }
+                }
                 Some((info, line)) if info == "check" => section.checks.push((line, content.clone())),
                 _ => {}
             },
@@ -87,8 +103,8 @@ fn sections(page: &str) -> Vec<Section> {
 fn failures(page: &str, section: &Section) -> Vec<String> {
     let mut out = Vec::new();
     let place = |line: usize| format!("{page}:{line} ({})", section.heading);
-    if section.stl.is_empty() != section.checks.is_empty() {
-        out.push(format!("{}: `stl` and `check` belong together", place(section.line)));
+    if (section.stl.is_empty() && section.st.is_empty()) != section.checks.is_empty() {
+        out.push(format!("{}: a program and a `check` belong together", place(section.line)));
     }
     for (line, text) in &section.checks {
         let scenario = match Scenario::parse(text) {
@@ -111,25 +127,50 @@ fn failures(page: &str, section: &Section) -> Vec<String> {
     out
 }
 
-/// Runs a scenario in both languages on all engines; lines of the check with what went wrong there.
+/// A form of the program of a section: what it is called, and what came of compiling it.
+type Variant = (String, Result<Compiled, String>);
+
+/// The program of a section in both mnemonic languages and in each dialect that it names.
+fn variants(section: &Section, cpu_type: &'static CpuType) -> Result<Vec<Variant>, String> {
+    let st = [("page.st", section.st.as_str())];
+    if section.stl.is_empty() {
+        let compiled = |&dialect: &Dialect| (dialect.name().to_owned(), program::compile_sources(&st, None, Some(dialect), cpu_type));
+        return Ok(section.dialects.iter().map(compiled).collect());
+    }
+    let mut out = Vec::new();
+    for (language, mnemonics, text) in &program::both_languages(&section.stl)? {
+        let stl = ("page.awl", text.as_str());
+        if section.dialects.is_empty() {
+            let compiled = program::compile(text, *mnemonics, cpu_type).map_err(|message| format!("{message}\n{text}"));
+            out.push(((*language).to_owned(), compiled));
+        }
+        for &dialect in &section.dialects {
+            let compiled = program::compile_sources(&[stl, st[0]], Some(*mnemonics), Some(dialect), cpu_type);
+            out.push((format!("{language}, {}", dialect.name()), compiled));
+        }
+    }
+    Ok(out)
+}
+
+/// Runs a scenario in all languages, all dialects and on all engines; lines of the check with what went wrong there.
 fn run(section: &Section, scenario: &Scenario) -> Vec<(usize, String)> {
     let cpu_type = scenario.cpu.unwrap_or(&CpuType::ALL[0]);
-    let languages = match program::both_languages(&section.stl) {
-        Ok(languages) => languages,
+    let variants = match variants(section, cpu_type) {
+        Ok(variants) => variants,
         Err(message) => return vec![(0, message)],
     };
     let mut out = Vec::new();
-    for (language, mnemonics, text) in &languages {
-        let compiled = match program::compile(text, *mnemonics, cpu_type) {
+    for (variant, compiled) in variants {
+        let compiled = match compiled {
             Ok(compiled) => Arc::new(compiled.program),
             Err(message) => {
-                out.push((0, format!("[{language}] {message}\n{text}")));
+                out.push((0, format!("[{variant}] {message}")));
                 continue;
             }
         };
         for (engine, load) in program::ENGINES {
             let failed = scenario.run(&SymbolTable::default(), &mut || program::cpu(&compiled, cpu_type, *load, scenario.modules.clone()));
-            out.extend(failed.into_iter().map(|failure| (failure.line, format!("[{language}, {engine}] {}", failure.message))));
+            out.extend(failed.into_iter().map(|failure| (failure.line, format!("[{variant}, {engine}] {}", failure.message))));
         }
     }
     out
@@ -147,7 +188,7 @@ fn run_folder(folder: &str) {
             let found = failures(&name, section);
             if !found.is_empty() {
                 let _ = writeln!(report, "{}", found.join("\n"));
-                let _ = writeln!(report, "    {}\n", section.stl.trim_end().replace('\n', "\n    "));
+                let _ = writeln!(report, "    {}\n", format!("{}{}", section.stl, section.st).trim_end().replace('\n', "\n    "));
             }
         }
     }
@@ -190,6 +231,7 @@ fn every_example_of_the_courses_has_a_section() {
     let ids = (1..=28)
         .map(|n| format!("S0-{n:02}"))
         .chain((1..=11).map(|n| format!("S1-{n:02}")))
+        .chain((1..=17).map(|n| format!("S2-{n:02}")))
         .chain((1..=9).map(|n| format!("S3-{n:02}")))
         .chain((1..=15).map(|n| format!("S4-{n:02}")));
     let missing: Vec<String> = ids.filter(|id| !headings.iter().any(|heading| heading.starts_with(id.as_str()))).collect();

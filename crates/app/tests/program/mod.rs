@@ -5,6 +5,7 @@ use std::sync::Arc;
 use sieben_cpu::{Cpu, IoModule, Rack, Settings, SimulatedModule};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
 use sieben_jit::{Jit, StatusBits};
+use sieben_lang::st::dialect::Dialect;
 use sieben_lang::{Compiled, Options};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
@@ -39,17 +40,30 @@ fn convert(text: &str, from: Mnemonics, to: Mnemonics) -> Result<String, String>
     })
 }
 
-/// Compiles a text for a CPU type.
+/// Compiles an STL text for a CPU type.
+#[allow(dead_code)] // Not every test that shares this file has programs in STL alone.
 pub(crate) fn compile(text: &str, mnemonics: Mnemonics, cpu: &'static CpuType) -> Result<Compiled, String> {
+    compile_sources(&[("page.awl", text)], Some(mnemonics), None, cpu)
+}
+
+/// Compiles the sources of one project, named `*.awl` or `*.st`, for a CPU type.
+pub(crate) fn compile_sources(
+    texts: &[(&str, &str)],
+    mnemonics: Option<Mnemonics>,
+    dialect: Option<Dialect>,
+    cpu: &'static CpuType,
+) -> Result<Compiled, String> {
     let mut sources = Sources::default();
-    sources.add("page.awl", text);
+    for (name, text) in texts {
+        sources.add(*name, *text);
+    }
     // Pages about extension words are extended programs.
-    let extended = text.contains("__");
+    let extended = texts.iter().any(|(name, text)| name.ends_with(".awl") && text.contains("__"));
     let mut system_blocks = sieben_cpu::system::interfaces();
     if extended {
         system_blocks.extend(sieben_cpu::system::extension_interfaces());
     }
-    let options = Options { cpu: Some(cpu), mnemonics: Some(mnemonics), extended, system_blocks, ..Options::default() };
+    let options = Options { cpu: Some(cpu), mnemonics, dialect, extended, system_blocks, ..Options::default() };
     let compiled = sieben_lang::compile(&sources, &SymbolTable::default(), &options);
     let errors: Vec<String> = compiled
         .diagnostics

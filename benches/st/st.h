@@ -1,0 +1,8 @@
+/* What the programs beside the ones in Structured Text share. */
+#include <stdint.h>
+
+extern uint64_t now_us;
+extern int32_t check;
+
+/* One scan of the program. */
+void scan(void);
