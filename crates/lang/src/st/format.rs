@@ -22,8 +22,16 @@ pub fn format(text: &str, dialect: Dialect) -> Result<String, Vec<Diagnostic>> {
     if !errors.is_empty() {
         return Err(errors);
     }
-    let mut formatter = Formatter::new(text);
-    for event in parsed.syntax(text).preorder_with_tokens() {
+    let tree = parsed.syntax(text);
+    // Line ends inside comments do not count: they stay what they are.
+    let line_end = tree.descendants_with_tokens().filter_map(NodeOrToken::into_token).find(|token| token.kind() == SyntaxKind::Newline);
+    let newline = match line_end.as_ref().map(SyntaxToken::text) {
+        Some("\r\n") => "\r\n",
+        Some("\r") => "\r",
+        _ => "\n",
+    };
+    let mut formatter = Formatter::new(text, newline);
+    for event in tree.preorder_with_tokens() {
         match event {
             WalkEvent::Enter(NodeOrToken::Node(node)) => formatter.enter(node.kind()),
             WalkEvent::Leave(NodeOrToken::Node(node)) => formatter.leave(node.kind()),
@@ -69,12 +77,7 @@ struct Formatter {
 }
 
 impl Formatter {
-    fn new(text: &str) -> Self {
-        let newline = match text.find(['\r', '\n']) {
-            Some(at) if text[at..].starts_with("\r\n") => "\r\n",
-            Some(at) if text[at..].starts_with('\r') => "\r",
-            _ => "\n",
-        };
+    fn new(text: &str, newline: &'static str) -> Self {
         let mut out = String::with_capacity(text.len() + text.len() / 4);
         if text.starts_with('\u{feff}') {
             out.push('\u{feff}');
@@ -301,6 +304,12 @@ mod tests {
         let formatted = format(text, Dialect::Codesys).unwrap_or_else(|errors| panic!("{errors:?}"));
         assert_eq!(formatted, once);
         assert_eq!(format(&formatted, Dialect::Codesys).as_deref(), Ok(formatted.as_str()));
+    }
+
+    #[test]
+    fn line_ends_are_those_of_the_code_and_not_of_a_comment() {
+        let text = "\r\n(* a\rb *)\r\nx := 1;\r\n";
+        assert_eq!(format(text, Dialect::Iec).as_deref(), Ok("(* a\rb *)\r\nx := 1;\r\n"));
     }
 
     #[test]

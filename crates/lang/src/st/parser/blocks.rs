@@ -350,7 +350,9 @@ impl Parser<'_> {
             return;
         }
         let word = wanted.word();
-        let begun = self.span(start, start + what.len() as u32);
+        // The first token of the block; what began it may be missing.
+        let first = self.tokens.binary_search_by_key(&start, |token| token.start).map_or(start, |index| self.tokens[index].end);
+        let begun = self.span(start, first);
         if let Some(keyword) = self.keyword().filter(|keyword| keyword.is_end()) {
             let token = self.token();
             let span = self.span(token.start, token.end);

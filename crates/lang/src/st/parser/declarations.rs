@@ -373,7 +373,9 @@ impl Parser<'_> {
             self.finish();
             return first;
         }
-        self.judge(Construct::BareList, start, self.previous);
+        if self.previous > start {
+            self.judge(Construct::BareList, start, self.previous);
+        }
         let mut elements = vec![first];
         while self.eat(Raw::Comma, SyntaxKind::Punctuation) {
             elements.push(self.initial_element());

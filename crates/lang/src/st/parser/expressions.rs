@@ -332,7 +332,7 @@ impl<'t> Parser<'t> {
             Raw::Percent => return (self.percent_address(), 0),
             Raw::EnumValue => self.enum_value(),
             Raw::ParenOpen => return self.parenthesized(),
-            Raw::Point if self.is_name(self.behind(self.at)) && !self.on_new_line() => {
+            Raw::Point if self.is_name(self.behind(self.at)) => {
                 self.bump(SyntaxKind::Punctuation);
                 ExpressionKind::Global(self.name(SyntaxKind::Name))
             }

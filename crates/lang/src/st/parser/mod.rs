@@ -368,7 +368,7 @@ impl<'t> Parser<'t> {
     // Places.
 
     fn span(&self, start: u32, end: u32) -> Span {
-        Span::new(self.file, start, end)
+        Span::new(self.file, start, end.max(start))
     }
     /// From a byte to the end of the last token that was taken.
     fn since(&self, start: u32) -> Span {

@@ -145,6 +145,9 @@ fn a_slip_gives_one_message_at_its_place() {
         ("IF a THEN x := 1;", "P6057 ;"),
         ("x := a b;", "P6054 b"),
         ("x := 5 § 3;", "P1001 §"),
+        ("f VAR_INPUT a : INT; END_VAR f := a; END_FUNCTION", "P6056 f -> FUNCTION "),
+        ("TYPE t : ARRAY[1..3] OF INT := ,2; END_TYPE", "P6055 ,"),
+        ("PROGRAM p .x ; END_PROGRAM", "P6054 .x"),
     ] {
         let mut found = messages(text, Dialect::Iec);
         // What is missing at the end of the text is missing in every message about it.
