@@ -86,13 +86,16 @@ const CODESYS: Dialect = Dialect::Codesys;
 const SCL: Dialect = Dialect::Scl;
 const TIA: Dialect = Dialect::Tia;
 
+/// Dialects, function, arguments, the bits of the result, and whether it is out of range.
+type Row<'a> = (&'a [Dialect], &'a str, &'a [Arg], u64, bool);
+
 #[test]
 fn functions_of_constants_give_what_the_dialect_says() {
     let real = |value: f32| u64::from(value.to_bits());
     let int = |value: i16| u64::from(value as u16);
     let word = |value| Of(T::Word, value);
     #[rustfmt::skip] // A table.
-    let rows: &[(&[Dialect], &str, &[Arg], u64, bool)] = &[
+    let rows: &[Row] = &[
         (&[IEC, CODESYS, SCL, TIA], "ABS", &[Int(-7)], 7, false),
         (&[IEC], "ABS", &[Of(T::Int, 0x8000)], 0x8000, true),
         (&[IEC, CODESYS, SCL, TIA], "SQRT", &[Real(16.0)], real(4.0), false),
