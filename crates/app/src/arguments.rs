@@ -16,8 +16,9 @@ use sieben_model::profile::Profile;
 
 use crate::document::Document;
 use crate::failure::Failure;
+use crate::panics::Trouble;
 use crate::project::{Overrides, Project};
-use crate::{files, output, settings};
+use crate::{files, output, panics, settings};
 
 /// What every verb that compiles a program takes.
 #[derive(Args, Clone, Debug)]
@@ -206,17 +207,19 @@ impl EngineArgument {
                 }
                 let engine = tiers.engine();
                 // Without a thread the program stays in the interpreter, which is slower but right.
-                let _ = std::thread::Builder::new().name("compiler".to_owned()).spawn(move || compile(&tiers));
+                let _ = std::thread::Builder::new().name("compiler".to_owned()).spawn(move || {
+                    compile(|| Arc::strong_count(&tiers) > 1, |tier| tiers.compile(tier), &|| tiers.tier(), &mut output::message);
+                });
                 engine
             }
-            Self::Jit => Jit::compiled(program, layout, status).unwrap_or_else(|reason| {
-                output::message(&stays_interpreted(&reason));
+            Self::Jit => panics::survive(|| Jit::compiled(program, layout, status)).unwrap_or_else(|trouble| {
+                output::message(&stays_interpreted(&trouble.reason()));
                 Interpreter::load(program, layout)
             }),
             Self::Quick => {
                 let tiers = Tiers::load(program, layout, status);
-                if let Err(reason) = tiers.compile(Tier::Quick) {
-                    output::message(&stays_interpreted(&reason));
+                if let Err(trouble) = panics::survive(|| tiers.compile(Tier::Quick)) {
+                    output::message(&stays_interpreted(&trouble.reason()));
                 }
                 tiers.engine()
             }
@@ -229,18 +232,53 @@ pub(crate) fn stays_interpreted(reason: &str) -> String {
     format!("the program runs in the interpreter: {reason}\n")
 }
 
-/// Compiles one tier after the other, as long as some CPU runs the program.
-fn compile(tiers: &Arc<Tiers>) {
+/// Compiles one tier after the other, as long as some CPU runs the program. A mistake of ours is told once, and ends no run.
+fn compile(
+    mut wanted: impl FnMut() -> bool,
+    mut attempt: impl FnMut(Tier) -> Result<(), String>,
+    reached: &dyn Fn() -> Tier,
+    tell: &mut dyn FnMut(&str),
+) {
+    let mut mistake = None;
     for tier in [Tier::Quick, Tier::Optimized] {
-        if Arc::strong_count(tiers) == 1 {
-            return;
+        if !wanted() {
+            break;
         }
         // What cannot be compiled in one way may be in the other, and stays as it is if in none.
-        let _ = tiers.compile(tier);
+        match panics::survive(|| attempt(tier)) {
+            Ok(()) | Err(Trouble::Refused(_)) => {}
+            Err(trouble) => mistake = Some(trouble),
+        }
+    }
+    if let Some(trouble) = mistake {
+        match reached() {
+            Tier::Interpreter => tell(&stays_interpreted(&trouble.reason())),
+            _ => tell(&format!("the program runs as slower machine code than it could: {}\n", trouble.reason())),
+        }
     }
 }
 
 /// Reads a duration argument.
 pub(crate) fn duration_argument(text: &str) -> Result<Duration, String> {
     sieben_sim::duration::parse(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(reached: Tier, attempt: impl FnMut(Tier) -> Result<(), String>) -> Vec<String> {
+        let mut told = Vec::new();
+        compile(|| true, attempt, &|| reached, &mut |text| told.push(text.to_owned()));
+        told
+    }
+
+    #[test]
+    fn a_mistake_of_the_compiler_is_told_once_and_leaves_the_program_running() {
+        let both = told(Tier::Interpreter, |_| panic!("no register left"));
+        assert!(both.len() == 1 && both[0].starts_with("the program runs in the interpreter: its machine code"), "{both:?}");
+        let second = told(Tier::Quick, |tier| if tier == Tier::Optimized { panic!("no register left") } else { Ok(()) });
+        assert!(second.len() == 1 && second[0].starts_with("the program runs as slower machine code"), "{second:?}");
+        assert!(told(Tier::Quick, |_| Err("it is too large".to_owned())).is_empty());
+    }
 }
