@@ -221,6 +221,11 @@ fn the_library_pages_come_true() {
 }
 
 #[test]
+fn the_st_pages_come_true() {
+    run_folder("st");
+}
+
+#[test]
 fn the_awlsim_pages_come_true() {
     run_folder("awlsim");
 }

@@ -176,7 +176,7 @@ impl Generator<'_> {
             arguments.push(Argument::Eno { target: self.place(Scalar::Bool) });
         }
         let result = if result { DataType::DoubleInt } else { DataType::Void };
-        Call { callee: Callee::Function(BlockId::fc(1)), arguments, enable, result, span: Span::default() }
+        Call { callee: Callee::Function(BlockId::fc(1)), arguments, enable, result, clears_ok: self.choose(2) == 0, span: Span::default() }
     }
 
     fn place_in_data(&mut self) -> Place {
@@ -196,6 +196,7 @@ impl Generator<'_> {
             arguments,
             enable,
             result: DataType::Void,
+            clears_ok: self.choose(2) == 0,
             span: Span::default(),
         }
     }

@@ -3,6 +3,7 @@
 //! All names are resolved, every conversion is written out, every operation is an [`Op`] of the engine. A scalar is a value of at
 //! most 64 bits as a variable of the IR holds it (an integer zero-extended from its width, a BOOL as 0 or 1, a REAL as its bits).
 
+use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::Op;
 use sieben_model::address::Area;
 use sieben_model::block::BlockId;
@@ -108,6 +109,8 @@ pub enum StatementKind {
     Goto(u32),
     /// ENO/OK of this block := value.
     SetOk(Value),
+    /// A function over the machine that delivers nothing: starts a timer, counts.
+    Intrinsic { intrinsic: Intrinsic, args: Vec<Value> },
     /// Statements that share a place in the source but no scope of their own.
     Block(Vec<Statement>),
 }
@@ -183,8 +186,8 @@ pub enum ValueKind {
     AddressOf(Place),
     /// The number that a parameter of a function holds which is a timer, a counter or a block, by its index, as U16.
     NumberParameter(u16),
-    /// Milliseconds since the start of the CPU at the beginning of the scan, as U32: what timers count with.
-    ScanClock,
+    /// What a function over the machine delivers: a timer, a counter, or the clock that timers count with.
+    Intrinsic { intrinsic: Intrinsic, args: Vec<Value> },
     /// Several steps before the value, which belong to it (a function written out).
     After(Vec<Statement>, Box<Value>),
 }
@@ -276,6 +279,8 @@ pub struct Call {
     pub enable: Option<Value>,
     /// Type of the result; `DataType::Void` if there is none.
     pub result: DataType,
+    /// Whether ENO/OK of this block is cleared if the called one fails (leaves BR = 0).
+    pub clears_ok: bool,
     /// Where it is written.
     pub span: Span,
 }

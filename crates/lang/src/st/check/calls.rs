@@ -475,7 +475,8 @@ impl Checker<'_> {
             .find(|variable| variable.section == Section::Return)
             .map_or(DataType::Void, |result| result.data_type.clone());
         let Arguments { arguments, enable, before, .. } = all;
-        sound.then_some((Call { callee, arguments, enable, result, span }, before))
+        let clears_ok = self.reads_ok && matches!(callee, Callee::Function(block) if self.names.is_of_library(block));
+        sound.then_some((Call { callee, arguments, enable, result, clears_ok, span }, before))
     }
 
     fn callee_name(&self, callee: &Callee) -> String {

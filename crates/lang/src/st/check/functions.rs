@@ -12,14 +12,23 @@ use super::typed::{Target, Typed};
 use super::{Checker, literals, operators};
 use crate::st::ast::{self, Direction, Name};
 use crate::st::dialect::Construct;
+use crate::st::standard::s5::S5Function;
 use crate::st::standard::{self, Building, Given, GivenKind, Meaning, Refusal, Resolved};
-use crate::st::tree::{Base, Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
+use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
 
 impl Checker<'_> {
     /// A call of a standard function.
     pub(super) fn standard(&mut self, name: &Name, call: &ast::Call, span: Span) -> Typed {
         if let Some(typed) = self.built_in(name, call, span) {
             return typed;
+        }
+        if let Some(function) = S5Function::find(&name.text, self.dialect) {
+            return match self.s5_function(function, name, call, span) {
+                Some((before, value)) => {
+                    Typed::Scalar { value: super::calls::after(before, value), data_type: function.device.result.0.clone() }
+                }
+                None => Typed::Poison,
+            };
         }
         let before = self.diagnostics.len();
         let arguments: Vec<(Typed, Span)> = call
@@ -55,6 +64,9 @@ impl Checker<'_> {
 
     /// A call of a standard function whose result nobody uses.
     pub(super) fn standard_statement(&mut self, name: &Name, call: &ast::Call, span: Span) -> Option<StatementKind> {
+        if let Some(function) = S5Function::find(&name.text, self.dialect) {
+            return self.s5_function(function, name, call, span).map(|(statements, _)| StatementKind::Block(statements));
+        }
         match self.standard(name, call, span) {
             Typed::Poison => None,
             Typed::Scalar { value, .. } => Some(match value.kind {
@@ -105,9 +117,7 @@ impl Checker<'_> {
             Meaning::Build(build) => {
                 let mut rest: Vec<Option<(Typed, Span)>> = arguments.into_iter().map(Some).collect();
                 let mut values = Vec::with_capacity(resolved.parameters.len());
-                for (index, parameter) in resolved.parameters.iter().enumerate() {
-                    let named = |argument: &ast::Argument| argument.name.as_ref().is_some_and(|name| name.is(&parameter.name));
-                    let index = call.arguments.iter().position(named).unwrap_or(index);
+                for (index, parameter) in order_of(&resolved.parameters, call).into_iter().zip(&resolved.parameters) {
                     let Some((typed, place)) = rest.get_mut(index).and_then(Option::take) else { continue };
                     match self.coerce(typed, place, &parameter.data_type) {
                         Some(value) => values.push(value),
@@ -122,6 +132,28 @@ impl Checker<'_> {
                 let mut temporary = |scalar: Scalar| locals.place(scalar.bits().div_ceil(8), span);
                 let value = build(values, &mut Building { span, checked, temporary: &mut temporary });
                 Typed::Scalar { value: Value { span, ..value }, data_type: resolved.result }
+            }
+            Meaning::Fold(provided) => {
+                let Some(block) = self.names.provided(&provided) else {
+                    return self.not_built(span, "this function");
+                };
+                let Some(interface) = self.interface(block, call.callee.span) else { return Typed::Poison };
+                let order = order_of(&resolved.parameters, call);
+                let mut arguments: Vec<Option<(Typed, Span)>> = arguments.into_iter().map(Some).collect();
+                let mut texts = order.into_iter().filter_map(|index| arguments.get_mut(index).and_then(Option::take));
+                let Some((mut folded, mut place)) = texts.next() else { return Typed::Poison };
+                let inputs: Vec<&Variable> = interface.parameters().filter(|formal| formal.section == Section::Input).collect();
+                for (next, next_place) in texts {
+                    let (mut passed, mut before) = (Vec::new(), Vec::new());
+                    for (formal, (typed, place)) in inputs.iter().zip([(folded, place), (next, next_place)]) {
+                        if !self.input(formal, typed, place, &mut passed, &mut before) {
+                            return Typed::Poison;
+                        }
+                    }
+                    folded = self.result_of_function(Callee::Function(block), &interface, passed, before, span);
+                    place = span;
+                }
+                folded
             }
             Meaning::Block(provided) => {
                 let Some(block) = self.names.provided(&provided) else {
@@ -161,9 +193,20 @@ impl Checker<'_> {
                 return Typed::Poison;
             }
         }
+        self.result_of_function(callee, interface, passed, before, span)
+    }
+
+    fn result_of_function(
+        &mut self,
+        callee: Callee,
+        interface: &Interface,
+        passed: Vec<Argument>,
+        before: Vec<Statement>,
+        span: Span,
+    ) -> Typed {
         let result = interface.variables.iter().find(|variable| variable.section == Section::Return);
         let result = result.map_or(DataType::Void, |result| result.data_type.clone());
-        self.result_of(Call { callee, arguments: passed, enable: None, result, span }, before, span)
+        self.result_of(Call { callee, arguments: passed, enable: None, result, clears_ok: self.reads_ok, span }, before, span)
     }
 
     /// Functions of variables and types instead of values: REF, ADR, SIZEOF, WORD_TO_BLOCK_DB.
@@ -249,6 +292,15 @@ impl Checker<'_> {
         let load = Value { kind: ValueKind::Load(place.clone()), scalar, span };
         (Statement { kind: StatementKind::Assign { target: place, value }, span }, load)
     }
+}
+
+/// Which argument each parameter gets: by its name, else by its position.
+fn order_of(parameters: &[standard::Parameter], call: &ast::Call) -> Vec<usize> {
+    let position = |(index, parameter): (usize, &standard::Parameter)| {
+        let named = |argument: &ast::Argument| argument.name.as_ref().is_some_and(|name| name.is(&parameter.name));
+        call.arguments.iter().position(named).unwrap_or(index)
+    };
+    parameters.iter().enumerate().map(position).collect()
 }
 
 /// What an argument is for the choice of a standard function.

@@ -10,6 +10,7 @@ pub mod names;
 mod operators;
 mod places;
 mod ranges;
+mod s5;
 mod statements;
 mod typed;
 mod types;

@@ -119,6 +119,8 @@ pub trait Names {
     fn locals(&self) -> Vec<Local>;
     /// The number of a block that comes with Sieben and does a standard function; the program has it from now on.
     fn provided(&self, block: &Provided) -> Option<BlockId>;
+    /// Whether a block comes with Sieben: as part of the language it tells its caller's ENO/OK that it failed.
+    fn is_of_library(&self, block: BlockId) -> bool;
     /// Bytes of the declared variables in the local data.
     fn local_size(&self) -> u32;
     /// The variables that the block declares, in order: for warnings about those that nothing uses.

@@ -143,7 +143,7 @@ fn sets(statements: &[Statement], result: &(Base, u32, u32), before: bool, retur
             StatementKind::Exit { .. } | StatementKind::Continue { .. } | StatementKind::Goto(_) => return None,
             // Where a jump leads to is not followed: it may come from behind an assignment.
             StatementKind::Label(_) => set = true,
-            StatementKind::SetOk(_) => {}
+            StatementKind::SetOk(_) | StatementKind::Intrinsic { .. } => {}
         }
     }
     Some(set)
@@ -268,6 +268,7 @@ impl Walk<'_> {
                 }
                 StatementKind::Block(body) => self.statements(body),
                 StatementKind::SetOk(value) => self.value(value),
+                StatementKind::Intrinsic { args, .. } => args.iter().for_each(|arg| self.value(arg)),
                 StatementKind::Exit { .. }
                 | StatementKind::Continue { .. }
                 | StatementKind::Return
@@ -282,7 +283,9 @@ impl Walk<'_> {
             ValueKind::Load(place) => self.read(place),
             // From here on it may be written in ways that no one sees.
             ValueKind::AddressOf(place) => self.write(place),
-            ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } => args.iter().for_each(|arg| self.value(arg)),
+            ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } | ValueKind::Intrinsic { args, .. } => {
+                args.iter().for_each(|arg| self.value(arg));
+            }
             ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => {
                 self.value(a);
                 self.value(b);
@@ -298,7 +301,7 @@ impl Walk<'_> {
                 self.statements(statements);
                 self.value(value);
             }
-            ValueKind::Constant(_) | ValueKind::NumberParameter(_) | ValueKind::Ok | ValueKind::Eno | ValueKind::ScanClock => {}
+            ValueKind::Constant(_) | ValueKind::NumberParameter(_) | ValueKind::Ok | ValueKind::Eno => {}
         }
     }
 

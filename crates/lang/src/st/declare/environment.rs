@@ -16,6 +16,7 @@ use super::items::{Items, numbered};
 use super::{Declared, Demand, Known, Named};
 use crate::declarations::data_block::DataLayout;
 use crate::declarations::types::{BlockInterface, State};
+use crate::library::{ALL, LibraryBlock};
 use crate::scope::{Scope, key};
 use crate::st::check::names::{DataBlockView, Entity, Names, Role, Variable};
 use crate::st::dialect::Dialect;
@@ -258,6 +259,12 @@ impl Names for BlockNames<'_, '_> {
             environment.demands.borrow_mut().push(demand);
         }
         found
+    }
+
+    fn is_of_library(&self, block: BlockId) -> bool {
+        let environment = self.environment;
+        let of_stl = |known: &LibraryBlock| environment.scope.block(known.name) == Some(block);
+        environment.items.library.values().any(|&known| known == block) || ALL.iter().any(of_stl)
     }
 
     fn local_size(&self) -> u32 {

@@ -47,6 +47,11 @@ impl Lowering<'_> {
             Callee::Function(block) => self.call_function(*block, call, result.as_ref()),
             Callee::Instance { block, instance } => self.call_instance(*block, instance, call),
         }
+        if call.clears_ok && self.ok.is_some() {
+            let failed = self.compute_from(Op::Not, &[Register::Br.into()]);
+            self.clear_ok_if(failed);
+            self.release(failed);
+        }
         if call.enable.is_some() {
             self.part();
             self.leave_to(done);

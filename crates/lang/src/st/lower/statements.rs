@@ -80,6 +80,10 @@ impl Lowering<'_> {
                     None => self.release(value),
                 }
             }
+            StatementKind::Intrinsic { intrinsic, args } => {
+                let nothing = self.intrinsic(*intrinsic, args);
+                self.release(nothing);
+            }
             StatementKind::Block(_) => {}
         }
         let behind = self.behind;

@@ -89,6 +89,7 @@ impl Counter {
                 this.statements(body);
             }),
             StatementKind::SetOk(value) => self.value(value),
+            StatementKind::Intrinsic { args, .. } => args.iter().for_each(|arg| self.value(arg)),
             // A jump back makes a loop of what lies between.
             StatementKind::Label(_) => self.weight = 2,
             StatementKind::Block(statements) => self.statements(statements),
@@ -98,9 +99,11 @@ impl Counter {
 
     fn value(&mut self, value: &Value) {
         match &value.kind {
-            ValueKind::Constant(_) | ValueKind::NumberParameter(_) | ValueKind::Ok | ValueKind::Eno | ValueKind::ScanClock => {}
+            ValueKind::Constant(_) | ValueKind::NumberParameter(_) | ValueKind::Ok | ValueKind::Eno => {}
             ValueKind::Load(place) => self.place(place, Use::Read),
-            ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } => args.iter().for_each(|arg| self.value(arg)),
+            ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } | ValueKind::Intrinsic { args, .. } => {
+                args.iter().for_each(|arg| self.value(arg));
+            }
             ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => [a, b].into_iter().for_each(|value| self.value(value)),
             ValueKind::Choose { condition, a, b } => [condition, a, b].into_iter().for_each(|value| self.value(value)),
             ValueKind::Call(call) => self.call(call),

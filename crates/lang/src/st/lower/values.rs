@@ -54,17 +54,25 @@ impl Lowering<'_> {
                 let number = self.parameter(*index);
                 self.compute(Op::Low16, &[number])
             }
-            ValueKind::ScanClock => {
-                let dst = self.temporary();
-                self.push(Inst::Intrinsic { dst, intrinsic: Intrinsic::Clock, args: arguments(&[]) });
-                dst
-            }
+            ValueKind::Intrinsic { intrinsic, args } => self.intrinsic(*intrinsic, args),
             ValueKind::After(statements, value) => {
                 self.part();
                 self.inner_statements(statements);
                 self.value(value)
             }
         }
+    }
+
+    /// A function over the machine. One with a number (a timer, a counter) is a fault if the CPU does not have it.
+    pub(super) fn intrinsic(&mut self, intrinsic: Intrinsic, args: &[Value]) -> Var {
+        let args = self.values(&args.iter().collect::<Vec<_>>());
+        self.fallible |= intrinsic.arity() > 0;
+        for &arg in &args {
+            self.release(arg);
+        }
+        let dst = self.temporary();
+        self.push(Inst::Intrinsic { dst, intrinsic, args: arguments(&args) });
+        dst
     }
 
     /// Several values, computed from left to right, all of them in temporaries at the end.
@@ -221,9 +229,11 @@ impl Lowering<'_> {
     /// Whether computing a value may begin a new IR statement, at which temporaries end.
     pub(super) fn breaks(&self, value: &Value) -> bool {
         match &value.kind {
-            ValueKind::Constant(_) | ValueKind::NumberParameter(_) | ValueKind::Ok | ValueKind::Eno | ValueKind::ScanClock => false,
+            ValueKind::Constant(_) | ValueKind::NumberParameter(_) | ValueKind::Ok | ValueKind::Eno => false,
             ValueKind::Load(place) | ValueKind::AddressOf(place) => self.place_breaks(place),
-            ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } => args.iter().any(|arg| self.breaks(arg)),
+            ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } | ValueKind::Intrinsic { args, .. } => {
+                args.iter().any(|arg| self.breaks(arg))
+            }
             ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => self.breaks(a) || !self.is_simple(b),
             ValueKind::Choose { condition, a, b } => self.breaks(condition) || !self.is_simple(a) || !self.is_simple(b),
             ValueKind::Call(_) | ValueKind::After(..) => true,

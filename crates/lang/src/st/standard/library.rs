@@ -99,7 +99,7 @@ fn source(name: &str, dialect: Dialect) -> Option<Provided> {
 /// Whether a dialect has a function of its own where the S7 library has a block with this name.
 pub fn is_own(name: &str, dialect: Dialect) -> bool {
     matches!(source(name, dialect), Some(Provided::Source { .. }))
-        || ["MAX", "MIN", "SEL", "LIMIT", "LEN"].iter().any(|function| function.eq_ignore_ascii_case(name))
+        || ["MAX", "MIN", "SEL", "LIMIT", "LEN", "CONCAT"].iter().any(|function| function.eq_ignore_ascii_case(name))
 }
 
 /// The function with this name, without regard to case.

@@ -10,6 +10,7 @@ mod generic;
 pub mod library;
 mod numeric;
 pub mod operators;
+pub mod s5;
 mod selection;
 mod time;
 
@@ -84,6 +85,8 @@ pub enum Meaning {
     CompareTexts(Operation),
     /// By a block.
     Block(Provided),
+    /// By a block of two texts: of the first two, then of what comes out and the next one, and so on.
+    Fold(Provided),
 }
 
 /// Composes the value of a function from those of its arguments.
@@ -152,6 +155,9 @@ pub fn resolve(name: &str, dialect: Dialect, arguments: &[Given<'_>]) -> Option<
 fn blocks(call: &Call<'_>) -> Option<Result<Resolved, Refusal>> {
     if call.name == "LEN" {
         return Some(call.bind(&["IN"]).map(|_| Resolved { parameters: Vec::new(), result: DataType::Int, meaning: Meaning::Length }));
+    }
+    if let Some(answer) = selection::concat(call) {
+        return Some(answer);
     }
     let block = library::function(call.name, call.dialect)?;
     Some(Ok(Resolved { parameters: Vec::new(), result: DataType::Void, meaning: Meaning::Block(block) }))

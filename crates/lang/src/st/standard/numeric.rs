@@ -8,7 +8,7 @@ use super::call::{Answer, Call, built, built_list};
 use super::generic::{Group, scalar_of};
 use super::operators::{Beyond, Operation, Rounding, is_real};
 use super::{Building, Refusal, Resolved};
-use crate::st::tree::{Scalar, Value};
+use crate::st::tree::{Scalar, Statement, Value};
 
 /// Functions of one REAL, with the operation and the dialects by column: iec, codesys, scl, tia.
 const REAL_FUNCTIONS: &[(&str, Operation, [bool; 4])] = &[
@@ -39,6 +39,7 @@ pub(super) fn resolve(call: &Call<'_>) -> Answer {
         "FRAC" | "NEG" => [false, false, false, true],
         "ATAN2" => [true, false, false, false],
         "IS_VALID" => [true, false, false, false],
+        "NORM_X" | "SCALE_X" => [false, false, false, true],
         _ => return None,
     };
     dialects[column].then(|| match call.name {
@@ -65,6 +66,8 @@ pub(super) fn resolve(call: &Call<'_>) -> Answer {
             let whole = converted(whole, scalar, Rounding::Zero, Beyond::Nearest, at);
             after(before, operation(Operation::Subtract, vec![value, whole], at))
         }),
+        "NORM_X" => norm_x(call),
+        "SCALE_X" => scale_x(call),
         "ATAN2" => {
             let given = call.bind(&["Y", "X"])?;
             let data_type = call.real(&given)?;
@@ -143,4 +146,58 @@ fn power(call: &Call<'_>) -> Result<Resolved, Refusal> {
         let lost = if scalar == Scalar::F32 { Op::OverflowsF32 } else { Op::OverflowsF64 };
         fail_if(compute(op, vec![base, exponent], scalar, at.span), lost, Vec::new(), at)
     })
+}
+
+/// (VALUE − MIN) / (MAX − MIN) as REAL, of LREAL as LREAL.
+fn norm_x(call: &Call<'_>) -> Result<Resolved, Refusal> {
+    let given = call.bind(&["MIN", "VALUE", "MAX"])?;
+    let data_type = call.common(&given, Group::Numbers)?;
+    let result = if call.scalar(&data_type) == Scalar::F64 { DataType::LongReal } else { DataType::Real };
+    let scalar = call.scalar(&result);
+    let parameters = ["MIN", "VALUE", "MAX"].map(|name| (name, data_type.clone())).to_vec();
+    built(parameters, result, move |args, at| {
+        let mut before = Vec::new();
+        let [least, value, most] = wide(args, &mut before, at);
+        let part = operation(Operation::Subtract, vec![value, least.clone()], at);
+        let whole = operation(Operation::Subtract, vec![most.clone(), least.clone()], at);
+        let value = operation(Operation::Divide, vec![part, whole], at);
+        let value = converted(value, scalar, Rounding::HalfEven, Beyond::Nearest, at);
+        after(before, in_order(value, least, most, at))
+    })
+}
+
+/// VALUE · (MAX − MIN) + MIN in the type of MIN and MAX, rounded.
+fn scale_x(call: &Call<'_>) -> Result<Resolved, Refusal> {
+    let given = call.bind(&["MIN", "VALUE", "MAX"])?;
+    let data_type = call.common(&[given[0], given[2]], Group::Numbers)?;
+    let value_type = call.real(&[given[1]])?;
+    let scalar = call.scalar(&data_type);
+    built(vec![("MIN", data_type.clone()), ("VALUE", value_type), ("MAX", data_type.clone())], data_type, move |args, at| {
+        let mut before = Vec::new();
+        let [least, value, most] = wide(args, &mut before, at);
+        let whole = operation(Operation::Subtract, vec![most.clone(), least.clone()], at);
+        let part = operation(Operation::Multiply, vec![value, whole], at);
+        let value = operation(Operation::Add, vec![part, least.clone()], at);
+        let value = converted(value, scalar, Rounding::HalfEven, Beyond::Nearest, at);
+        after(before, in_order(value, least, most, at))
+    })
+}
+
+/// Three numbers as LREAL, each computed once.
+fn wide(args: Vec<Value>, before: &mut Vec<Statement>, at: &mut Building<'_>) -> [Value; 3] {
+    let mut args = args.into_iter();
+    std::array::from_fn(|_| {
+        let value = args.next().unwrap_or_else(|| constant(0, Scalar::F64, at.span));
+        let value = converted(value, Scalar::F64, Rounding::HalfEven, Beyond::Nearest, at);
+        shared(value, before, at)
+    })
+}
+
+/// The value; ENO is FALSE if MIN is not below MAX.
+fn in_order(value: Value, least: Value, most: Value, at: &Building<'_>) -> Value {
+    if !at.checked {
+        return value;
+    }
+    let ordered = operation(Operation::Less, vec![least, most], at);
+    fail_if(value, Op::DivisorIsZero, vec![ordered], at)
 }

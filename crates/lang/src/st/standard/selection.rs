@@ -7,11 +7,14 @@ use super::build::{after, compute, constant, fail_if, operation, shared};
 use super::call::{Answer, Call, built, built_list};
 use super::generic::{Group, is_text};
 use super::operators::Operation;
-use super::{Building, Given, Meaning, Parameter, Refusal, Resolved, library};
+use super::{Building, Given, Meaning, Parameter, Provided, Refusal, Resolved, library};
 use crate::st::tree::{Scalar, Value, ValueKind};
 
 /// Whether SEL and MUX compute only what they choose, by column: iec, codesys, scl, tia.
 const LAZY: [bool; 4] = [false, true, false, false];
+
+/// Texts that a function takes at most: each result between two of them needs 256 bytes of local data.
+const TEXTS_MAX: usize = 32;
 
 /// What MUX gives for a number without an input.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -87,7 +90,7 @@ fn extreme(call: &Call<'_>, function: Operation) -> Result<Resolved, Refusal> {
     let given: Vec<_> = bound.iter().map(|(_, given)| *given).collect();
     if given.iter().any(|given| is_text(given)) {
         let block = if function == Operation::Maximum { "MAX_STRING" } else { "MIN_STRING" };
-        return text_block(call, block, &["IN1", "IN2"]);
+        return folded(call, block, &bound);
     }
     let data_type = call.common(&given, Group::Elementary)?;
     let names = bound.into_iter().map(|(name, _)| name).collect();
@@ -191,17 +194,32 @@ fn neighbours(call: &Call<'_>, function: Operation) -> Result<Resolved, Refusal>
     })
 }
 
+/// CONCAT of more than two texts; `None` for two of them, and where it takes no more.
+pub(super) fn concat(call: &Call<'_>) -> Answer {
+    let many = [true, false, false, true][call.dialect.column()] && call.name == "CONCAT" && call.arguments.len() > 2;
+    many.then(|| {
+        let bound = call.bind_list(&[], "IN", 1, 2)?;
+        folded(call, "CONCAT", &bound)
+    })
+}
+
+/// A function of two or more texts, which is a block of the library for two.
+fn folded(call: &Call<'_>, block: &'static str, bound: &[(String, &Given<'_>)]) -> Result<Resolved, Refusal> {
+    let given: Vec<&Given<'_>> = bound.iter().map(|(_, given)| *given).collect();
+    if given.len() > TEXTS_MAX {
+        let message = format!("`{}` takes at most {TEXTS_MAX} texts, not {}", call.name, given.len());
+        return Err(call.refuse(sieben_model::problems::Problem::P3009, Some(TEXTS_MAX), message, "call it for a part of them first"));
+    }
+    let folded = texts(call, &given, Meaning::Fold(string_block(call, block)?))?;
+    let string = DataType::String(sieben_model::types::STRING_LENGTH_MAX);
+    let parameters = bound.iter().map(|(name, _)| Parameter { name: name.clone(), data_type: string.clone() }).collect();
+    Ok(Resolved { parameters, ..folded })
+}
+
 /// A function of texts, which is a block of the library.
 fn text_block(call: &Call<'_>, name: &'static str, names: &[&str]) -> Result<Resolved, Refusal> {
     call.bind(names)?;
-    let Some(block) = library::function(name, call.dialect) else {
-        return Err(call.refuse(
-            sieben_model::problems::Problem::P4011,
-            None,
-            format!("`{}` takes no STRING", call.name),
-            "compare and assign the texts with IF",
-        ));
-    };
+    let block = string_block(call, name)?;
     let parameters = names
         .iter()
         .map(|name| Parameter {
@@ -210,4 +228,11 @@ fn text_block(call: &Call<'_>, name: &'static str, names: &[&str]) -> Result<Res
         })
         .collect();
     Ok(Resolved { parameters, result: DataType::String(sieben_model::types::STRING_LENGTH_MAX), meaning: Meaning::Block(block) })
+}
+
+fn string_block(call: &Call<'_>, name: &'static str) -> Result<Provided, Refusal> {
+    library::function(name, call.dialect).ok_or_else(|| {
+        let message = format!("`{}` takes no STRING", call.name);
+        call.refuse(sieben_model::problems::Problem::P4011, None, message, "compare and assign the texts with IF")
+    })
 }

@@ -1,5 +1,6 @@
 //! Times and dates by name, and the clock.
 
+use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::Op;
 use sieben_model::types::DataType;
 
@@ -75,7 +76,10 @@ pub(super) fn resolve(call: &Call<'_>) -> Answer {
 fn clock(call: &Call<'_>, data_type: DataType) -> Result<Resolved, Refusal> {
     call.bind(&[])?;
     let scalar = call.scalar(&data_type);
-    built(Vec::new(), data_type, move |_, at| Value { kind: ValueKind::ScanClock, scalar, span: at.span })
+    built(Vec::new(), data_type, move |_, at| {
+        let kind = ValueKind::Intrinsic { intrinsic: Intrinsic::Clock, args: Vec::new() };
+        Value { kind, scalar, span: at.span }
+    })
 }
 
 fn sum(call: &Call<'_>, function: Operation, words: [&str; 3]) -> Result<Resolved, Refusal> {
