@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use sieben_ide::cross_reference::Reference;
-use sieben_ide::target::Target;
+use sieben_ide::target::{Memory, Target};
 use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::{FileId, Span};
@@ -55,15 +55,49 @@ impl<'a> Places<'a> {
         text.lines().next().unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
+    /// The statement of a reference, in ST the line that it stands on.
+    pub(crate) fn statement(&self, reference: &Reference) -> String {
+        let span = reference.span;
+        if reference.instruction.is_some() {
+            return self.text(span);
+        }
+        let text = &self.build.project.texts.program.file(span.file).text;
+        let line = text.lines().nth(self.line(span) - 1).unwrap_or_default();
+        line.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
     /// The symbol of a target, or nothing.
     ///
     /// A function of the CPU or block of the library that has no symbol has its own name.
     pub(crate) fn symbol(&self, target: &Target) -> String {
         let symbol = target.symbol(&self.build.project.symbols, &self.build.compiled.program.data);
-        symbol.unwrap_or_else(|| match target {
-            Target::Block(block) => self.other_names.get(block).copied().unwrap_or_default().to_owned(),
-            _ => String::new(),
-        })
+        let names = &self.build.compiled.block_names;
+        match (target, symbol) {
+            // A data block of ST has its name from the source.
+            (Target::Memory(Memory { db: Some(db), .. }), Some(symbol)) => {
+                let name = names.get(&BlockId::db(*db));
+                let path = symbol.strip_prefix(&format!("DB{db}")).filter(|path| path.is_empty() || path.starts_with('.'));
+                name.zip(path).map_or(symbol.clone(), |(name, path)| format!("{name}{path}"))
+            }
+            (_, Some(symbol)) => symbol,
+            (Target::Block(block), None) => {
+                let name = self.other_names.get(block).copied().or_else(|| names.get(block).map(String::as_str));
+                name.unwrap_or_default().to_owned()
+            }
+            (target, None) => {
+                let operand = target.operand();
+                let located = &self.build.compiled.program.names.located;
+                let found = located.iter().filter(|(_, (place, _))| Some(*place) == operand).map(|(name, _)| name).min();
+                found.cloned().unwrap_or_default()
+            }
+        }
+    }
+
+    /// What the variables of programs and global lists of ST are called without the name of their data block.
+    pub(crate) fn plain_name(&self, target: &Target) -> Option<String> {
+        let Target::Memory(Memory { db: Some(db), .. }) = target else { return None };
+        let open = self.build.compiled.program.names.open.contains(db);
+        open.then(|| self.symbol(target)).and_then(|name| name.split_once('.').map(|(_, path)| path.to_owned()))
     }
 
     /// The symbol of a block, or nothing.
@@ -88,8 +122,8 @@ impl<'a> Places<'a> {
             "file": self.file(reference.span),
             "line": self.line(reference.span),
             "type": reference.usage.word(),
-            "instruction": reference.instruction.mnemonic(self.mnemonics),
-            "text": self.text(reference.span),
+            "instruction": reference.instruction.map(|instruction| instruction.mnemonic(self.mnemonics)),
+            "text": self.statement(reference),
         });
         if let Some(parameter) = &reference.parameter {
             value["parameter"] = serde_json::Value::from(parameter.as_str());

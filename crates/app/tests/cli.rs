@@ -288,6 +288,63 @@ fn variables_of_data_blocks_have_their_types() {
 }
 
 #[test]
+fn a_new_project_has_the_language_that_is_wanted_and_no_tests() {
+    let folder = Folder::new();
+    for language in ["stl", "st", "scl"] {
+        folder.run(&["new", language, "--language", language]).code(0).stdout("src/main.");
+        folder.run(&["check", language]).code(0).stdout("no errors, no warnings.");
+        folder.run(&["fmt", "--check", language]).code(0);
+        for engine in ["interpreter", "auto"] {
+            let run = folder.run(&[
+                "exec",
+                language,
+                "--engine",
+                engine,
+                "--set",
+                "Stop=1",
+                "--set",
+                "Start=1",
+                "--for",
+                "5s",
+                "--show",
+                "Motor,Lamp",
+            ]);
+            assert_eq!(run.code(0).stdout, "Motor = 1\nLamp  = 1\n");
+        }
+        folder.run(&["test", language]).code(0).stdout("No tests found.");
+        folder.run(&["test", language, "--json"]).code(0);
+    }
+}
+
+#[test]
+fn reference_data_shows_st_beside_stl() {
+    let folder = Folder::with(&[
+        (
+            "main.st",
+            "VAR_GLOBAL g : INT; a : ARRAY[0..9] OF INT; out AT %QW4 : INT; END_VAR\n\
+             FUNCTION Twice : INT VAR_INPUT v : INT; END_VAR Twice := v * 2; END_FUNCTION\n\
+             PROGRAM Main VAR i : INT; t : TON; END_VAR\n\
+             FOR i := 0 TO 9 DO a[i] := Twice(v := g); END_FOR;\n\
+             t(IN := %I0.0, PT := T#1S);\n\
+             IF t.Q THEN out := a[3]; END_IF;\n\
+             END_PROGRAM\n",
+        ),
+        ("more.awl", "FUNCTION FC 5 : VOID\nBEGIN\nL MW 2\nT QW 4\nEND_FUNCTION\n"),
+    ]);
+    let files = |verb: &'static str| [verb, "main.st", "more.awl"];
+    let refs = folder.run(&files("refs"));
+    let refs = refs.code(0).stdout("DB16000.DBW 0").stdout("Globals.g").stdout("P#DB16000.DBX 2.0 BYTE 20").stdout("main.st:4");
+    let refs = refs.stdout("I 0.0").stdout("more.awl:4");
+    assert!(refs.stdout.contains("FC 7999"), "{}", refs.stdout);
+    folder.run(&["refs", "main.st", "more.awl", "out"]).code(0).stdout("main.st:6").stdout("more.awl:4");
+    folder.run(&["refs", "main.st", "g"]).code(0).stdout("Globals.g");
+    folder.run(&["refs", "main.st", "Twice"]).code(0).stdout("call");
+    folder.run(&["refs", "main.st", "--local"]).code(0).stdout("#t.Q").stdout("#v");
+    folder.run(&files("structure")).code(0).stdout("    FC 7999").stdout("#t").stdout("library").stdout("x FC 5");
+    folder.run(&files("assignments")).code(0).stdout("IB 0").stdout("QB 4").stdout("MB 2");
+}
+
+#[test]
 fn a_new_project_checks_runs_and_is_not_overwritten() {
     let folder = Folder::new();
     folder.run(&["new", "pump"]).code(0).stdout("sieben check pump");

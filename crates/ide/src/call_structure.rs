@@ -9,12 +9,13 @@ use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::source::Span;
 
 use crate::cross_reference::{Reference, Usage, references_of};
+use crate::structured_text;
 use crate::target::{Indirect, Target};
 
 /// How a block is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum CallKind {
-    /// `CALL`.
+    /// `CALL`, or a call in ST.
     Call,
     /// `UC`.
     Unconditional,
@@ -23,10 +24,10 @@ pub enum CallKind {
 }
 
 impl CallKind {
-    fn of(instruction: Instruction) -> Self {
+    fn of(instruction: Option<Instruction>) -> Self {
         match instruction {
-            Instruction::CallUnconditional => Self::Unconditional,
-            Instruction::CallConditional => Self::Conditional,
+            Some(Instruction::CallUnconditional) => Self::Unconditional,
+            Some(Instruction::CallConditional) => Self::Conditional,
             _ => Self::Call,
         }
     }
@@ -131,10 +132,14 @@ impl CallStructure {
             let local_data = compiled.program.code.get(&id).map_or(0, |code| code.local_size);
             blocks.insert(id, Caller { local_data, calls: calls(&references_of(block)), ..Caller::default() });
         }
+        for &id in compiled.typed.keys() {
+            let local_data = compiled.program.code.get(&id).map_or(0, |code| code.local_size);
+            blocks.insert(id, Caller { local_data, calls: calls(&structured_text::references_of(compiled, id)), ..Caller::default() });
+        }
         let mut structure = Self { blocks, ..Self::default() };
         structure.measure();
         structure.roots = structure.blocks.keys().copied().filter(|id| id.kind == BlockKind::OrganizationBlock).collect();
-        structure.not_called = structure.unreached();
+        structure.not_called = structure.unreached(compiled);
         structure
     }
 
@@ -219,11 +224,11 @@ impl CallStructure {
         }
     }
 
-    /// The first blocks of the trees that no organization block reaches.
-    fn unreached(&self) -> Vec<BlockId> {
+    /// The first blocks of the trees that no organization block reaches; not those that came with others from the library.
+    fn unreached(&self, compiled: &Compiled) -> Vec<BlockId> {
         let mut reached = BTreeSet::new();
         self.reach(&self.roots, &mut reached);
-        let rest: Vec<BlockId> = self.blocks.keys().copied().filter(|id| !reached.contains(id)).collect();
+        let rest: Vec<BlockId> = self.blocks.keys().copied().filter(|id| !reached.contains(id) && !compiled.is_of_library(*id)).collect();
         let called: BTreeSet<BlockId> =
             rest.iter().flat_map(|&id| self.callees(id).into_iter().filter(move |&callee| callee != id)).collect();
         let mut first: Vec<BlockId> = rest.iter().copied().filter(|id| !called.contains(id)).collect();

@@ -14,6 +14,7 @@ use sieben_model::literal::{Value, any_type_code};
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
+use crate::structured_text;
 use crate::target::{Extent, Indirect, Memory, Pointer, Reach, Target};
 use crate::variables::{self, Among, Wanted, among_of};
 
@@ -54,14 +55,14 @@ pub struct Reference {
     pub target: Target,
     /// In which block.
     pub block: BlockId,
-    /// Its network, from 1.
+    /// Its network, from 1; 0 in a block of ST, which has none.
     pub network: u32,
     /// The statement of the block, from 1.
     pub statement: usize,
     /// The place: the statement, or the argument of a call.
     pub span: Span,
-    /// The instruction.
-    pub instruction: Instruction,
+    /// The instruction; `None` in ST.
+    pub instruction: Option<Instruction>,
     /// How it is used.
     pub usage: Usage,
     /// The parameter of the called block that it is given to.
@@ -82,6 +83,9 @@ impl CrossReference {
         // What a block of the library does inside is no more a matter of the program than the inside of a system function.
         for block in compiled.blocks.values().filter(|block| !compiled.is_of_library(block.id)) {
             references.extend(references_of(block));
+        }
+        for &id in compiled.typed.keys().filter(|&&id| !compiled.is_of_library(id)) {
+            references.extend(structured_text::references_of(compiled, id));
         }
         references.sort_by(|a, b| (&a.target, a.block, a.statement, a.span).cmp(&(&b.target, b.block, b.statement, b.span)));
         Self { references }
@@ -168,7 +172,7 @@ impl Collector<'_> {
             network: statement.network,
             statement: index + 1,
             span: part.span,
-            instruction: statement.instruction,
+            instruction: Some(statement.instruction),
             usage,
             parameter: part.parameter.map(str::to_owned),
         });
@@ -349,7 +353,7 @@ impl Collector<'_> {
     }
 }
 
-fn width(extent: Extent) -> Width {
+pub(crate) fn width(extent: Extent) -> Width {
     match extent {
         Extent::Width(width) => width,
         Extent::Bits(_) | Extent::Unknown => Width::Byte,
@@ -363,7 +367,7 @@ fn is_parameter(interface: &Interface, kind: BlockKind, location: &Location) -> 
     variable.data_type.is_number()
 }
 
-fn block_kind(data_type: &DataType) -> BlockKind {
+pub(crate) fn block_kind(data_type: &DataType) -> BlockKind {
     match data_type {
         DataType::BlockFunction => BlockKind::Function,
         DataType::BlockFunctionBlock => BlockKind::FunctionBlock,

@@ -181,8 +181,9 @@ fn check(compiled: &Compiled, symbols: &SymbolTable) {
         count += references.len();
         for (index, statement) in block.statements.iter().enumerate() {
             let found = references.iter().filter(|reference| reference.statement == index + 1);
-            let found = found
-                .inspect(|reference| assert_eq!((reference.instruction, reference.network), (statement.instruction, statement.network)));
+            let found = found.inspect(|reference| {
+                assert_eq!((reference.instruction, reference.network), (Some(statement.instruction), statement.network))
+            });
             assert!(found.count() >= expected(&statement.operand), "{} statement {}: {statement:?}", block.id, index + 1);
         }
     }

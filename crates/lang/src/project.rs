@@ -23,6 +23,7 @@ use crate::st;
 use crate::st::declare::{Demand, Items, Needed, StFile, collect};
 use crate::st::dialect::Dialect;
 use crate::st::standard::Source;
+use crate::st::tree::TypedBlock;
 use crate::stl::ast;
 use crate::stl::check;
 use crate::stl::extension;
@@ -68,6 +69,8 @@ pub struct Compiled {
     pub mnemonics: BTreeMap<FileId, Mnemonics>,
     /// The statements of every code block of the program with all names resolved, for reference data and editors.
     pub blocks: BTreeMap<BlockId, ResolvedBlock>,
+    /// The statements of every code block of ST with all names resolved, and of the organization blocks that run programs.
+    pub typed: BTreeMap<BlockId, TypedBlock>,
     /// Symbols of blocks and their comments, for display: `FC 1` → `Dosing`.
     pub block_names: BTreeMap<BlockId, String>,
     /// The blocks of the library that belong to the program because something there names them.
@@ -343,6 +346,7 @@ fn attempt(
     compiled.program.code.append(&mut bodies.code);
     compiled.intervals = bodies.intervals;
     compiled.calls = bodies.calls;
+    compiled.typed = bodies.typed;
     diagnostics.extend(bodies.diagnostics.into_iter().filter(|diagnostic| compiled.is_of_user(diagnostic.span.file)));
     compiled.program.names = environment.program_names();
     let has_main = blocks.contains_key(&BlockId::ob(1)) || compiled.program.code.contains_key(&BlockId::ob(1)) || bodies.failed;

@@ -119,12 +119,12 @@ fn tens(letter: &str, used: &BTreeSet<u16>) -> Section {
 
 fn notes(places: &Places<'_>, indirect: &[Reference]) -> Vec<String> {
     let line = |reference: &Reference| {
+        let network = if reference.network == 0 { String::new() } else { format!(", network {}", reference.network) };
         format!(
-            "* {}  {}  {}, network {}, statement {} ({})",
+            "* {}  {}  {}{network}, statement {} ({})",
             reference.target.spell(places.mnemonics),
             reference.usage.word(),
             places.block(reference.block),
-            reference.network,
             reference.statement,
             places.place(reference.span)
         )

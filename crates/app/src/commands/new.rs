@@ -3,33 +3,58 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use sieben_model::problems::Problem;
 
 use crate::failure::{Exit, Failure};
 use crate::{files, output};
 
-/// The files of a new project. `{name}` stands for its name.
+/// The files of a new project besides its source. `{name}` stands for its name, `{extension}` for the ending of its sources.
 const TEMPLATE: &[(&str, &str)] = &[
     ("sieben.toml", include_str!("../../templates/basic/sieben.toml")),
-    ("src/main.awl", include_str!("../../templates/basic/src/main.awl")),
     ("symbols.csv", include_str!("../../templates/basic/symbols.csv")),
     (".gitattributes", include_str!("../../templates/basic/gitattributes")),
     ("README.md", include_str!("../../templates/basic/README.md")),
 ];
+
+/// The language of the program of a new project.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum ProgramLanguage {
+    /// Statement list.
+    Stl,
+    /// Structured text of IEC 61131-3.
+    St,
+    /// SCL of the S7-300/400.
+    Scl,
+}
+
+impl ProgramLanguage {
+    /// The ending of its sources, and the program.
+    fn source(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Stl => ("awl", include_str!("../../templates/basic/src/main.awl")),
+            Self::St => ("st", include_str!("../../templates/st/src/main.st")),
+            Self::Scl => ("scl", include_str!("../../templates/scl/src/main.scl")),
+        }
+    }
+}
 
 /// Longest name: leaves room for the folders around it on every system.
 const NAME_LENGTH_MAX: usize = 64;
 
 /// Make a project that runs and checks at once.
 #[derive(Args)]
-#[command(after_help = "Example:\n  \
-  sieben new pump && cd pump && sieben check && sieben run --for 5s\n\n\
+#[command(after_help = "Examples:\n  \
+  sieben new pump && cd pump && sieben check && sieben run --for 5s\n  \
+  sieben new pump --language st   the program in structured text\n\n\
 Nothing that exists is overwritten.")]
 pub(crate) struct Arguments {
     /// The folder to make; its last name is the name of the project
     #[arg(value_name = "NAME")]
     folder: PathBuf,
+    /// The language of its program
+    #[arg(long, value_name = "LANGUAGE", default_value = "stl")]
+    language: ProgramLanguage,
 }
 
 /// Makes the project.
@@ -42,11 +67,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             return Err(Failure::usage(Problem::P6014, format!("`{}` exists already", folder.display())));
         }
     }
-    for (path, content) in TEMPLATE {
+    let (extension, program) = arguments.language.source();
+    let source = format!("src/main.{extension}");
+    for (path, content) in TEMPLATE.iter().copied().chain([(source.as_str(), program)]) {
         let path = folder.join(path);
         let parent = path.parent().unwrap_or(Path::new("."));
         fs::create_dir_all(parent).map_err(|error| files::unwritable(parent, &error))?;
-        files::write_whole(&path, content.replace("{name}", name).as_bytes())?;
+        files::write_whole(&path, content.replace("{name}", name).replace("{extension}", extension).as_bytes())?;
     }
     let shown = folder.display();
     output::print(&format!(
@@ -55,7 +82,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
          sieben exec {shown} --set Stop=1 --set Start=1 --show Motor\n  \
          sieben run {shown} --for 5s\n\n\
          The program is in {}.\n",
-        folder.join("src/main.awl").display(),
+        folder.join(&source).display(),
     ))?;
     Ok(Exit::Success)
 }

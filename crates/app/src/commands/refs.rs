@@ -144,10 +144,13 @@ impl<'a> Chosen<'a> {
                             let in_block = memory.db.is_some_and(|db| wanted == Some(Target::Block(BlockId::db(db))));
                             in_block
                                 || shared.contains(memory)
-                                || (wanted.is_none() && !plain.is_empty() && unquoted(&places.symbol(target)))
+                                || (wanted.is_none()
+                                    && !plain.is_empty()
+                                    && (unquoted(&places.symbol(target)) || places.plain_name(target).is_some_and(|name| unquoted(&name))))
                         }
                         Target::Local { name, .. } => wanted.is_none() && (same(name) || name.strip_prefix('#').is_some_and(same)),
                         Target::Indirect(_) => wanted.is_none() && same(&target.spell(places.mnemonics)),
+                        Target::Block(_) => wanted.is_none() && !plain.is_empty() && unquoted(&places.symbol(target)),
                         _ => false,
                     }
             })
@@ -196,10 +199,10 @@ fn document(places: &Places<'_>, shown: &[Entry<'_>], overlaps: bool) -> Documen
                 symbol,
                 reference.usage.word().to_owned(),
                 places.block(reference.block),
-                reference.network.to_string(),
+                if reference.network == 0 { String::new() } else { reference.network.to_string() },
                 reference.statement.to_string(),
                 places.place(reference.span),
-                places.text(reference.span),
+                places.statement(reference),
             ];
             if overlaps {
                 row.push(shared);

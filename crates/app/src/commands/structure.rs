@@ -103,6 +103,7 @@ fn row(build: &Build, places: &Places<'_>, line: &Line<'_>, mark: &str) -> Vec<S
         instance = site.instance.as_ref().map(|target| instance_name(places, target)).unwrap_or_default();
         let mut numbers: Vec<u32> = site.places.iter().map(|(network, ..)| *network).collect();
         numbers.dedup();
+        numbers.retain(|&network| network != 0);
         networks = numbers.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
         place = site.places.first().map(|(.., span)| places.place(*span)).unwrap_or_default();
     }

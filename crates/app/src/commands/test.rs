@@ -10,7 +10,7 @@ use sieben_model::problems::Problem;
 
 use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
-use crate::testing::{self, Conditions, discovery, report};
+use crate::testing::{self, Conditions, Verdict, discovery, report};
 use crate::{files, output};
 
 /// Run programs that check themselves.
@@ -23,6 +23,7 @@ use crate::{files, output};
   sieben test checks --junit result.xml  for a build server\n\n\
 A program has passed when it calls SFC 46, and failed when one of its assertions\n\
 (`__ASSERT== MW 10, 5`) is false, when the CPU goes to STOP, or when it does not end.\n\
+A program in a folder that has neither is no test.\n\
 Time is virtual, and the extension words need no `--extended`.\n\n\
 Exit codes: 0 all passed, 1 one failed, 2 usage, 3 one does not compile.")]
 pub(crate) struct Arguments {
@@ -91,7 +92,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let threads = arguments.jobs.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
     let begun = Instant::now();
     let bar = bar(cases.len());
-    let finished = testing::run_all(&cases, &conditions, threads, &|done| {
+    let mut finished = testing::run_all(&cases, &conditions, threads, &|done| {
         if let Some(bar) = &bar {
             bar.set_position(done as u64);
         }
@@ -100,15 +101,27 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         bar.finish_and_clear();
     }
     let took = begun.elapsed();
+    let programs = finished.len();
+    finished.retain(|test| !matches!(test.outcome.verdict, Verdict::NoTest));
     // A file that cannot be written does not keep the results from the screen.
     let written = arguments.junit.as_ref().map_or(Ok(()), |path| files::write_whole(path, report::junit(&finished, took).as_bytes()));
     match (arguments.json, arguments.tap) {
         (true, _) => output::print_json(&report::to_json(&finished, took), true)?,
         (_, true) => output::print(&report::tap(&finished))?,
+        _ if finished.is_empty() => output::print(&no_tests(programs))?,
         _ => output::print(&report::text(&finished))?,
     }
     written?;
     Ok(report::exit(&finished))
+}
+
+/// What is said when no program checks itself.
+fn no_tests(programs: usize) -> String {
+    let looked = if programs == 1 { "The program has".to_owned() } else { format!("{programs} programs have") };
+    format!(
+        "No tests found. {looked} neither an assertion (`__ASSERT== MW 10, 5`) nor an end (`CALL SFC 46`);\n\
+         name test files in `[project] tests` of sieben.toml or with `--tests`.\n"
+    )
 }
 
 /// A bar while the tests run, if someone looks.

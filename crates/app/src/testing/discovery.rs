@@ -33,7 +33,7 @@ pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf]) -> Result<Vec<Case>, F
         } else {
             let (projects, files) = below(&path)?;
             for file in files {
-                cases.push(case(project::shown(&file), with_tables(file), None));
+                cases.push(unnamed(project::shown(&file), with_tables(file)));
             }
             for project in projects {
                 cases.extend(of_project(&project)?);
@@ -44,7 +44,12 @@ pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf]) -> Result<Vec<Case>, F
 }
 
 fn case(name: String, program: Vec<PathBuf>, test: Option<PathBuf>) -> Case {
-    Case { name, run: Box::new(move |conditions| self_checking::run(&program, test.as_ref(), conditions)) }
+    Case { name, run: Box::new(move |conditions| self_checking::run(&program, test.as_ref(), true, conditions)) }
+}
+
+/// A program that was found in a folder: it is a test if it checks itself.
+fn unnamed(name: String, program: Vec<PathBuf>) -> Case {
+    Case { name, run: Box::new(move |conditions| self_checking::run(&program, None, false, conditions)) }
 }
 
 /// The tests that `sieben.toml` names; a project without any is one test itself.
@@ -53,7 +58,7 @@ fn of_project(folder: &Path) -> Result<Vec<Case>, Failure> {
     let project = Project::load(&program, None)?;
     if project.tests.is_empty() {
         let name = project.settings.name.unwrap_or_else(|| project::shown(folder));
-        return Ok(vec![case(name, program, None)]);
+        return Ok(vec![unnamed(name, program)]);
     }
     Ok(project.tests.into_iter().map(|test| case(project::shown(&test), program.clone(), Some(test))).collect())
 }

@@ -57,6 +57,8 @@ pub(crate) struct Outcome {
 pub(crate) enum Verdict {
     /// It ended as it should.
     Passed,
+    /// It has no words to check itself and nobody named it as a test: it was not run.
+    NoTest,
     /// It ran and found something wrong, or did not end.
     Failed(Box<Wrong>),
     /// It does not compile; the diagnostics as text.

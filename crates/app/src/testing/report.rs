@@ -27,6 +27,7 @@ impl Tally {
         for test in finished {
             *match test.outcome.verdict {
                 Verdict::Passed => &mut tally.passed,
+                Verdict::NoTest => continue,
                 Verdict::Failed(_) => &mut tally.failed,
                 Verdict::DoesNotCompile(_) | Verdict::Unreadable(_) => &mut tally.broken,
             } += 1;
@@ -49,7 +50,7 @@ pub(crate) fn exit(finished: &[Finished]) -> Exit {
 /// Why a test did not pass: a headline and the lines below it.
 fn why(verdict: &Verdict) -> Option<(String, Vec<String>)> {
     match verdict {
-        Verdict::Passed => None,
+        Verdict::Passed | Verdict::NoTest => None,
         Verdict::Failed(wrong) => {
             let headline = match &wrong.place {
                 Some((file, line)) => format!("{file}:{line}: {}", wrong.message),
@@ -103,6 +104,7 @@ pub(crate) fn to_json(finished: &[Finished], took: Duration) -> Value {
 fn one_to_json(test: &Finished, seconds: f64) -> Value {
     let verdict = match &test.outcome.verdict {
         Verdict::Passed => "passed",
+        Verdict::NoTest => "no-test",
         Verdict::Failed(_) => "failed",
         Verdict::DoesNotCompile(_) => "does-not-compile",
         Verdict::Unreadable(_) => "unreadable",
@@ -113,7 +115,7 @@ fn one_to_json(test: &Finished, seconds: f64) -> Value {
         _ => &nothing,
     };
     let message = match &test.outcome.verdict {
-        Verdict::Passed => None,
+        Verdict::Passed | Verdict::NoTest => None,
         Verdict::Failed(wrong) => Some(wrong.message.as_str()),
         Verdict::DoesNotCompile(findings) => Some(findings.as_str()),
         Verdict::Unreadable(failure) => Some(failure.message.as_str()),

@@ -7,6 +7,12 @@ use sieben_cpu::diagnostic_buffer::place_text;
 use sieben_cpu::{Cpu, OperatingMode, Restart, StopCause};
 use sieben_jit::StatusBits;
 
+use sieben_ide::cross_reference::CrossReference;
+use sieben_ide::target::Target;
+use sieben_lang::stl::extension::Extension;
+use sieben_lang::stl::operands::Operand;
+use sieben_model::block::{BlockId, BlockKind};
+
 use super::{Conditions, Outcome, Verdict, Wrong};
 use crate::project::{Build, Overrides, Project};
 use crate::{controller, duration, report};
@@ -14,8 +20,8 @@ use crate::{controller, duration, report};
 /// STOP by the program: the end of a program that checks itself.
 const STOP_BY_PROGRAM: u16 = 0x457F;
 
-/// Runs a program until it ends. The blocks of `test`, if there is one, take the place of those of the program.
-pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, conditions: &Conditions) -> Outcome {
+/// Runs a program until it ends; one that is not `named` as a test must have words to check itself. The blocks of `test`, if there is one, take the place of those of the program.
+pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, conditions: &Conditions) -> Outcome {
     let nothing_ran = |verdict| Outcome { verdict, scans: 0, simulated: Duration::ZERO };
     let mut all: Vec<PathBuf> = test.into_iter().cloned().collect();
     all.extend(paths.iter().cloned());
@@ -28,6 +34,9 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, conditions: &Condit
     let build = project.compile(overrides, false);
     if report::has_errors(&build.findings) {
         return nothing_ran(Verdict::DoesNotCompile(report::render(&build.findings, &build.project.texts, false)));
+    }
+    if !named && !checks_itself(&build) {
+        return nothing_ran(Verdict::NoTest);
     }
     let mut cpu = controller::load(&build, conditions.engine, StatusBits::All, controller::settings(&build));
     let cycle = conditions.cycle.or(build.project.settings.cycle).filter(|cycle| !cycle.is_zero()).unwrap_or(Duration::from_millis(10));
@@ -60,6 +69,15 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, conditions: &Condit
         None => cpu.stop_cause().map_or(Verdict::Passed, |cause| verdict(&build, &cpu, cause)),
     };
     Outcome { verdict, scans, simulated }
+}
+
+/// Whether a program has an assertion or an end: nothing else makes it a test.
+fn checks_itself(build: &Build) -> bool {
+    let stp = Target::Block(BlockId::new(BlockKind::SystemFunction, 46));
+    let mut statements = build.compiled.blocks.values().flat_map(|block| &block.statements);
+    statements
+        .any(|statement| matches!(&statement.operand, Operand::Extension(extension) if matches!(**extension, Extension::Assert { .. })))
+        || CrossReference::new(&build.compiled).references.iter().any(|reference| reference.target == stp)
 }
 
 /// What the STOP of the CPU means.

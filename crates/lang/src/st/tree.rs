@@ -3,10 +3,13 @@
 //! All names are resolved, every conversion is written out, every operation is an [`Op`] of the engine. A scalar is a value of at
 //! most 64 bits as a variable of the IR holds it (an integer zero-extended from its width, a BOOL as 0 or 1, a REAL as its bits).
 
-use sieben_engine::intrinsics::Intrinsic;
+use std::sync::Arc;
+
+pub use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::Op;
 use sieben_model::address::Area;
 use sieben_model::block::BlockId;
+use sieben_model::interface::Interface;
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
@@ -38,6 +41,15 @@ impl Scalar {
             Self::U64 | Self::I64 | Self::F64 => 64,
         }
     }
+}
+
+/// A block of ST whose names are resolved, for reference data and editors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TypedBlock {
+    /// Its parameters and variables.
+    pub interface: Arc<Interface>,
+    /// Its statements as they are written.
+    pub body: Body,
 }
 
 /// The body of a block.

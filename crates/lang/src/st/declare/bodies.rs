@@ -20,12 +20,13 @@ use crate::scope::key;
 use crate::st::check::names::{Entity, Variable};
 use crate::st::check::{Block, check};
 use crate::st::lower::lower;
-use crate::st::tree::Base;
+use crate::st::tree::{Base, TypedBlock};
 
 /// What became of the statements.
 #[derive(Default)]
 pub(crate) struct Bodies {
     pub(crate) code: BTreeMap<BlockId, CodeBlock>,
+    pub(crate) typed: BTreeMap<BlockId, TypedBlock>,
     pub(crate) calls: BTreeMap<BlockId, BTreeSet<BlockId>>,
     pub(crate) intervals: BTreeMap<u16, u16>,
     pub(crate) diagnostics: Vec<Diagnostic>,
@@ -50,6 +51,7 @@ impl Environment<'_> {
             });
             bodies.calls.insert(id, calls.collect());
             bodies.code.insert(id, lower(id, &block.interface, &generated.body, &|block| self.interface_of(block)));
+            bodies.typed.insert(id, TypedBlock { interface: block.interface, body: generated.body });
             bodies.intervals.extend(generated.interval_ms.map(|interval| (id.number, interval)));
         }
         bodies
@@ -95,6 +97,7 @@ impl Environment<'_> {
             bodies.failed = true;
             return;
         };
+        bodies.typed.insert(id, TypedBlock { interface: Arc::clone(&interface), body: body.clone() });
         let mut starting = names.starting_statements(code.block.name.span);
         starting.append(&mut body.statements);
         body.statements = starting;

@@ -1,0 +1,358 @@
+//! What the statements of a block of ST refer to.
+
+use sieben_lang::Compiled;
+use sieben_lang::st::tree::{
+    Argument, Base, Call, Callee, Index, Intrinsic, Place, Statement, StatementKind, Text, TypedBlock, Value, ValueKind,
+};
+use sieben_lang::stl::operands::Direction;
+use sieben_model::address::{Area, Width};
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::interface::{Interface, Section, Variable};
+use sieben_model::source::Span;
+use sieben_model::types::DataType;
+
+use crate::cross_reference::{Reference, Usage, block_kind, width};
+use crate::target::{Extent, Indirect, Memory, Pointer, Reach, Target};
+use crate::variables::{self, Among, Wanted};
+
+const READ: Usage = Usage::Access(Direction::Read);
+const WRITE: Usage = Usage::Access(Direction::Write);
+
+/// The references of one block of ST, statement by statement; none if there is no such block.
+pub(crate) fn references_of(compiled: &Compiled, id: BlockId) -> Vec<Reference> {
+    let Some(block) = compiled.typed.get(&id) else { return Vec::new() };
+    let mut collector = Collector { compiled, id, block, statement: 0, parameter: None, references: Vec::new() };
+    collector.statements(&block.body.statements);
+    collector.references
+}
+
+struct Collector<'a> {
+    compiled: &'a Compiled,
+    id: BlockId,
+    block: &'a TypedBlock,
+    /// How many statements have begun.
+    statement: usize,
+    /// The parameter whose argument is looked at.
+    parameter: Option<String>,
+    references: Vec<Reference>,
+}
+
+impl Collector<'_> {
+    fn add(&mut self, target: Target, usage: Usage, span: Span) {
+        let parameter = self.parameter.clone();
+        let (block, statement) = (self.id, self.statement);
+        self.references.push(Reference { target, block, network: 0, statement, span, instruction: None, usage, parameter });
+    }
+
+    fn statements(&mut self, statements: &[Statement]) {
+        for statement in statements {
+            self.statement += 1;
+            self.one(statement);
+        }
+    }
+
+    fn one(&mut self, statement: &Statement) {
+        match &statement.kind {
+            StatementKind::Assign { target, value } => {
+                self.value(value);
+                self.place(target, scalar_extent(value.scalar.bits()), WRITE);
+            }
+            StatementKind::Copy { target, source, bytes } => {
+                let extent = Extent::Bits(bytes.saturating_mul(8));
+                self.place(source, extent, READ);
+                self.place(target, extent, WRITE);
+            }
+            StatementKind::AssignString { target, capacity, source } => {
+                self.text(source);
+                self.place(target, text_extent(*capacity), WRITE);
+            }
+            StatementKind::Call(call) => self.call(call),
+            StatementKind::If { branches, otherwise } => {
+                for (condition, body) in branches {
+                    self.value(condition);
+                    self.statements(body);
+                }
+                self.statements(otherwise);
+            }
+            StatementKind::Case { selector, branches, otherwise } => {
+                self.value(selector);
+                branches.iter().for_each(|branch| self.statements(&branch.body));
+                self.statements(otherwise);
+            }
+            StatementKind::For(one) => {
+                [&one.from, &one.to, &one.by].into_iter().for_each(|value| self.value(value));
+                self.place(&one.variable, scalar_extent(one.scalar.bits()), Usage::Access(Direction::ReadWrite));
+                self.statements(&one.body);
+            }
+            StatementKind::While { condition, body } => {
+                self.value(condition);
+                self.statements(body);
+            }
+            StatementKind::Repeat { body, until } => {
+                self.statements(body);
+                self.value(until);
+            }
+            StatementKind::SetOk(value) => self.value(value),
+            StatementKind::Intrinsic { intrinsic, args } => self.intrinsic(*intrinsic, args, statement.span, WRITE),
+            StatementKind::Block(body) => self.statements(body),
+            StatementKind::Exit { .. }
+            | StatementKind::Continue { .. }
+            | StatementKind::Return
+            | StatementKind::Label(_)
+            | StatementKind::Goto(_) => {}
+        }
+    }
+
+    fn value(&mut self, value: &Value) {
+        match &value.kind {
+            ValueKind::Load(place) => self.place(place, scalar_extent(value.scalar.bits()), READ),
+            ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } => args.iter().for_each(|value| self.value(value)),
+            ValueKind::Intrinsic { intrinsic, args } => self.intrinsic(*intrinsic, args, value.span, READ),
+            ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => [a, b].into_iter().for_each(|value| self.value(value)),
+            ValueKind::Choose { condition, a, b } => [condition, a, b].into_iter().for_each(|value| self.value(value)),
+            ValueKind::Call(call) => self.call(call),
+            ValueKind::CompareTexts(a, b) => [a, b].into_iter().for_each(|text| self.text(text)),
+            ValueKind::Length(text) => self.text(text),
+            ValueKind::AddressOf(place) => self.place(place, Extent::Unknown, Usage::Address),
+            ValueKind::NumberParameter(index) => {
+                if let Some(target) = self.local(Among::Parameter, u32::from(*index), 0, Extent::Unknown) {
+                    self.add(target, READ, value.span);
+                }
+            }
+            ValueKind::After(before, value) => {
+                before.iter().for_each(|statement| self.one(statement));
+                self.value(value);
+            }
+            ValueKind::Constant(_) | ValueKind::Ok | ValueKind::Eno => {}
+        }
+    }
+
+    /// A function over the timers and counters: the number of the one that it is about is its first argument.
+    fn intrinsic(&mut self, intrinsic: Intrinsic, args: &[Value], span: Span, usage: Usage) {
+        let target: Option<fn(u16) -> Target> = match intrinsic {
+            Intrinsic::TimerStart(_)
+            | Intrinsic::TimerReset
+            | Intrinsic::TimerEnable
+            | Intrinsic::TimerStatus
+            | Intrinsic::TimerValue
+            | Intrinsic::TimerBcd => Some(Target::Timer),
+            Intrinsic::CounterUp
+            | Intrinsic::CounterDown
+            | Intrinsic::CounterSet
+            | Intrinsic::CounterReset
+            | Intrinsic::CounterEnable
+            | Intrinsic::CounterStatus
+            | Intrinsic::CounterValue
+            | Intrinsic::CounterBcd => Some(Target::Counter),
+            _ => None,
+        };
+        if let (Some(target), Some(Value { kind: ValueKind::Constant(number), .. })) = (target, args.first())
+            && let Ok(number) = u16::try_from(*number)
+        {
+            self.add(target(number), usage, span);
+        }
+        args.iter().for_each(|value| self.value(value));
+    }
+
+    fn text(&mut self, text: &Text) {
+        match text {
+            Text::Constant(_) => {}
+            Text::Place { place, capacity } => self.place(place, text_extent(*capacity), READ),
+            Text::Character(value) => self.value(value),
+            Text::Call { call, .. } => self.call(call),
+        }
+    }
+
+    /// An access to a place, and what its indexes and pointers read.
+    fn place(&mut self, place: &Place, extent: Extent, usage: Usage) {
+        match &place.base {
+            Base::ComputedDataBlock(value) | Base::Reference(value) => self.value(value),
+            _ => {}
+        }
+        place.indexes.iter().for_each(|index| self.value(&index.value));
+        if let Some(target) = self.target(place, extent) {
+            self.add(target, usage, place.span);
+        }
+    }
+
+    /// What a place is; an element with a computed index is all elements. `None` for what the compiler keeps for itself.
+    fn target(&self, place: &Place, extent: Extent) -> Option<Target> {
+        let whole = elements(&place.indexes, extent);
+        let memory = |area, db| {
+            // Where it ends is not known: the index is like a pointer.
+            if place.indexes.iter().any(|index| index.count == 0)
+                && let Some(pointer) = place.indexes.iter().find_map(|index| self.source(&index.value))
+            {
+                return Target::Indirect(Indirect {
+                    reach: Reach::Memory(Some(area), width(extent)),
+                    pointer: Pointer::In(Box::new(pointer)),
+                });
+            }
+            Target::Memory(Memory { area, db, position: place.offset, extent: whole })
+        };
+        Some(match &place.base {
+            Base::Area(Area::Local) => self.local(Among::Temporary, place.offset, 0, whole)?,
+            Base::Area(area) => memory(*area, None),
+            Base::DataBlock(number) => memory(Area::SharedData, Some(*number)),
+            Base::Instance => self.local(Among::Instance, place.offset, 0, whole)?,
+            Base::Parameter(index) | Base::ComplexParameter(index) => {
+                self.local(Among::Parameter, u32::from(*index), place.offset, whole)?
+            }
+            Base::InstancePointer(position) => self.local(Among::Instance, *position, place.offset, whole)?,
+            Base::ComputedDataBlock(value) => {
+                let reach = Reach::Memory(Some(Area::SharedData), width(extent));
+                Target::Indirect(Indirect { reach, pointer: Pointer::In(Box::new(self.source(value)?)) })
+            }
+            Base::Reference(value) => {
+                let reach = Reach::Memory(None, width(extent));
+                Target::Indirect(Indirect { reach, pointer: Pointer::In(Box::new(self.source(value)?)) })
+            }
+        })
+    }
+
+    /// The first variable that a value is computed from.
+    fn source(&self, value: &Value) -> Option<Target> {
+        match &value.kind {
+            ValueKind::Load(place) => self.target(place, scalar_extent(value.scalar.bits())),
+            ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } => args.iter().find_map(|value| self.source(value)),
+            ValueKind::After(_, value) => self.source(value),
+            _ => None,
+        }
+    }
+
+    /// A declared variable of the block, as far inside as it has a name.
+    fn local(&self, among: Among, position: u32, offset: u32, extent: Extent) -> Option<Target> {
+        let interface = &self.block.interface;
+        let ways = [extent.into(), Wanted::Elementary, Wanted::Outermost];
+        let path = ways.into_iter().find_map(|wanted| variables::name(interface, among, position, offset, wanted));
+        let whole = || variables::variable(interface, among, position).map(|(variable, _)| format!("#{}", variable.name));
+        Some(Target::Local { block: self.id, name: path.or_else(whole)? })
+    }
+
+    fn interface(&self, block: BlockId) -> Option<&Interface> {
+        let typed = self.compiled.typed.get(&block).map(|typed| &*typed.interface);
+        typed.or_else(|| self.compiled.blocks.get(&block).map(|block| &block.interface))
+    }
+
+    fn call(&mut self, call: &Call) {
+        let outside = self.parameter.take();
+        let (callee, instance) = match &call.callee {
+            Callee::Function(block) => (*block, None),
+            Callee::Instance { block, instance } => (*block, Some(instance)),
+        };
+        call.enable.iter().for_each(|value| self.value(value));
+        self.add(Target::Block(callee), Usage::Call, call.span);
+        if let Some(instance) = instance {
+            if let Some(target) = self.instance(callee, instance) {
+                self.add(target, Usage::Instance, instance.span);
+            }
+            instance.indexes.iter().for_each(|index| self.value(&index.value));
+        }
+        for argument in &call.arguments {
+            let (parameter, is_number) = self
+                .formal(callee, argument)
+                .map_or((None, None), |formal| (Some(formal.name.clone()), formal.data_type.is_number().then(|| formal.data_type.clone())));
+            self.parameter = parameter;
+            match (argument, is_number) {
+                (Argument::Value { value, .. } | Argument::Number { value, .. }, Some(data_type)) => self.number(value, &data_type),
+                (argument, _) => self.argument(argument),
+            }
+        }
+        self.parameter = outside;
+    }
+
+    /// The data block or variable that a call uses.
+    fn instance(&self, callee: BlockId, place: &Place) -> Option<Target> {
+        let extent = self.interface(callee).map_or(Extent::Unknown, |interface| Extent::Bits(interface.instance_size.saturating_mul(8)));
+        if let Base::DataBlock(number) = place.base {
+            let data = self.compiled.program.data.get(&number);
+            if place.offset == 0 && data.is_some_and(|data| data.based_on == Some(callee)) {
+                return Some(Target::Block(BlockId::db(number)));
+            }
+        }
+        if place.base == Base::Instance
+            && let Some(name) = variables::name(&self.block.interface, Among::Instance, place.offset, 0, Wanted::Instance(callee))
+        {
+            return Some(Target::Local { block: self.id, name });
+        }
+        self.target(place, extent)
+    }
+
+    /// The parameter that an argument is given to.
+    fn formal(&self, callee: BlockId, argument: &Argument) -> Option<&Variable> {
+        let position = match argument {
+            Argument::Value { parameter, .. }
+            | Argument::Text { parameter, .. }
+            | Argument::Aggregate { parameter, .. }
+            | Argument::Output { parameter, .. }
+            | Argument::OutputText { parameter, .. }
+            | Argument::OutputAggregate { parameter, .. }
+            | Argument::InOut { parameter, .. }
+            | Argument::Number { parameter, .. }
+            | Argument::Pointer { parameter, .. } => *parameter,
+            Argument::Eno { .. } => return None,
+        };
+        let interface = self.interface(callee)?;
+        match callee.kind {
+            BlockKind::Function | BlockKind::SystemFunction => interface.parameters().nth(position as usize),
+            _ => interface.variables.iter().find(|variable| variable.section != Section::Temp && variable.offset == position),
+        }
+    }
+
+    /// The number of a timer, a counter or a block as argument.
+    fn number(&mut self, value: &Value, data_type: &DataType) {
+        let ValueKind::Constant(bits) = value.kind else { return self.value(value) };
+        let Ok(number) = u16::try_from(bits) else { return };
+        let target = match data_type {
+            DataType::Timer => Target::Timer(number),
+            DataType::Counter => Target::Counter(number),
+            other => Target::Block(BlockId::new(block_kind(other), number)),
+        };
+        self.add(target, Usage::Address, value.span);
+    }
+
+    fn argument(&mut self, argument: &Argument) {
+        match argument {
+            Argument::Value { value, .. } | Argument::Number { value, .. } => self.value(value),
+            Argument::Text { text, .. } => self.text(text),
+            Argument::Aggregate { source, data_type, .. } => self.place(source, type_extent(data_type), READ),
+            Argument::Output { target, converted, .. } => self.place(target, scalar_extent(converted.bits()), WRITE),
+            Argument::OutputText { target, target_capacity, .. } => self.place(target, text_extent(*target_capacity), WRITE),
+            Argument::OutputAggregate { target, data_type, .. } => self.place(target, type_extent(data_type), WRITE),
+            Argument::InOut { place, data_type, .. } => self.place(place, type_extent(data_type), Usage::Access(Direction::ReadWrite)),
+            Argument::Pointer { place, data_type, .. } => self.place(place, type_extent(data_type), Usage::Address),
+            Argument::Eno { target } => self.place(target, Extent::Width(Width::Bit), WRITE),
+        }
+    }
+}
+
+fn scalar_extent(bits: u32) -> Extent {
+    let widths = [Width::Bit, Width::Byte, Width::Word, Width::DoubleWord, Width::QuadWord];
+    widths.into_iter().find(|width| width.bits() == bits).map_or(Extent::Bits(bits), Extent::Width)
+}
+
+fn type_extent(data_type: &DataType) -> Extent {
+    data_type.width().map_or_else(|| Extent::Bits(u32::try_from(data_type.bits()).unwrap_or(u32::MAX)), Extent::Width)
+}
+
+/// A text with its two bytes of lengths; where it ends is not known of a parameter.
+fn text_extent(capacity: u8) -> Extent {
+    if capacity == 0 { Extent::Unknown } else { Extent::Bits((u32::from(capacity) + 2) * 8) }
+}
+
+/// What all elements take that the indexes may choose.
+fn elements(indexes: &[Index], extent: Extent) -> Extent {
+    if indexes.is_empty() {
+        return extent;
+    }
+    let one = match extent {
+        Extent::Width(width) => width.bits(),
+        Extent::Bits(bits) => bits,
+        Extent::Unknown => return Extent::Unknown,
+    };
+    let more = indexes.iter().try_fold(0_u64, |bits, index| {
+        let steps = index.count.checked_sub(1)?;
+        Some(bits.saturating_add(steps.saturating_mul(u64::from(index.step))))
+    });
+    more.map_or(Extent::Unknown, |more| Extent::Bits(u32::try_from(more.saturating_add(u64::from(one))).unwrap_or(u32::MAX)))
+}
