@@ -75,7 +75,7 @@ enum Verb {
     Test(commands::test::Arguments),
     /// Explain an instruction, a problem code, a CPU type, a system function or an event
     Explain(commands::explain::Arguments),
-    /// Bring STL sources into one layout
+    /// Bring sources of STL, ST and SCL into one layout
     Fmt(commands::fmt::Arguments),
     /// Change STL sources from one mnemonic language to the other
     Convert(commands::convert::Arguments),

@@ -100,6 +100,7 @@ const ROWS: &[Row] = &[
     ("iec codesys scl tia", "x : INT; r : INT;", "CASE x OF 9..5: r := 1; END_CASE;", "error P6209"),
     ("iec codesys scl tia", "x : INT; r : INT;", "CASE x OF r: r := 1; END_CASE;", "error P6229"),
     ("iec codesys scl tia", "x : REAL; r : INT;", "CASE x OF 1: r := 1; END_CASE;", "error P6233"),
+    ("scl", "x : WORD; r : INT;", "CASE x OF 1: r := 1; 2, 3..5: r := 2; END_CASE;", "error P6050"),
     ("iec codesys scl tia", "x : INT; r : INT;", "CASE x OF 1, 3: r := 1; 2: r := 2; ELSE r := 3; END_CASE;", "ok"),
     ("iec", "", "GOTO l1;", "error"),
     ("iec codesys scl tia", "", "EXIT;", "error P6213"),
@@ -185,4 +186,20 @@ fn each_dialect_says_what_the_row_says() {
         }
     }
     assert!(failures.is_empty(), "{} rows:\n{}", failures.len(), failures.join("\n"));
+}
+
+#[test]
+fn functions_that_call_themselves_are_told_once_for_each_circle() {
+    let declare = |name: &str, called: &str| {
+        format!("FUNCTION {name} : INT\nVAR_INPUT n : INT; END_VAR\nIF n > 0 THEN {name} := {called}(n - 1); END_IF;\nEND_FUNCTION\n")
+    };
+    let main = "PROGRAM Main\nVAR x : INT; END_VAR\nx := A(1) + S(2);\nEND_PROGRAM\n";
+    let text = [declare("A", "B"), declare("B", "A"), declare("S", "S"), main.to_owned()].concat();
+    for (dialect, problem) in [(Dialect::Iec, "P6050"), (Dialect::Codesys, "P6051")] {
+        let said = said(dialect, &text);
+        let codes: Vec<&str> = said.iter().map(|(_, problem, _)| *problem).collect();
+        assert_eq!(codes, [problem; 2], "{said:?}");
+    }
+    let straight = [declare("A", "B"), declare("B", "ABS"), main.replace("S(2)", "B(2)")].concat();
+    assert!(said(Dialect::Iec, &straight).is_empty());
 }

@@ -164,6 +164,7 @@ constructs! {
     ControllerBlock "ORGANIZATION_BLOCK and DATA_BLOCK"            Reject Reject Accept Accept "write PROGRAM, and global variables";
     Begin "BEGIN"                                                  Reject Reject Accept Accept "remove it";
     PeekPoke "PEEK and POKE"                                       Reject Reject Reject Accept "use an address";
+    CaseOfBits "CASE of a bit string"                              Accept Accept Reject Accept "convert it with a function such as `WORD_TO_INT`";
     Recursion "a function that calls itself"                       Reject Note   Note   Note   "write a loop";
     ForeignInternal "an internal variable of another instance"     Reject Reject Note   Note   "make it an output";
     WrittenInput "a write to an own input"                         Reject Note   Note   Note   "copy it to a variable first";

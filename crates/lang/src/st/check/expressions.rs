@@ -100,7 +100,9 @@ impl Checker<'_> {
                 self.report(Problem::P4001, span, message);
                 Typed::Poison
             }
-            (LiteralKind::WideCharacters(_), None | Some(DataType::WideString(_))) => self.not_built(span, "a WSTRING"),
+            (LiteralKind::WideCharacters(_), None | Some(DataType::WideString(_))) => {
+                self.not_built(span, "a text in `\"`, which is a WSTRING (a STRING is written `'text'`),")
+            }
             (LiteralKind::Null, _) => Typed::Null,
             (LiteralKind::Pointer(value), _) => Typed::Pointer(value.clone()),
             (LiteralKind::DateAndTime { nanoseconds, .. }, Some(DataType::DateAndTime)) => match literals::date_and_time(*nanoseconds) {

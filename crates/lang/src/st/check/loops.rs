@@ -163,6 +163,9 @@ impl Checker<'_> {
         };
         let found = found.and_then(|(value, data_type)| {
             let kind = Kind::of(&data_type)?;
+            if kind.class == Class::Bits && kind != Kind::BOOL && !self.judge(Construct::CaseOfBits, selector.span) {
+                return None;
+            }
             if kind.is_integer() || kind.class == Class::Bits && kind != Kind::BOOL || kind.class == Class::Character {
                 return Some((value, data_type));
             }

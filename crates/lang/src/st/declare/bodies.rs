@@ -1,6 +1,6 @@
 //! The statements of all blocks of ST: checked, lowered, and the organization blocks that run the programs.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
 
 use sieben_engine::CodeBlock;
@@ -19,6 +19,7 @@ use crate::declarations::interface::lay_out;
 use crate::scope::key;
 use crate::st::check::names::{Entity, Variable};
 use crate::st::check::{Block, check};
+use crate::st::dialect::{Construct, Judgement};
 use crate::st::lower::lower;
 use crate::st::tree::{Base, TypedBlock};
 
@@ -41,6 +42,7 @@ impl Environment<'_> {
         for (&id, &code) in &self.items.code {
             self.block(id, code, cpu, &mut bodies);
         }
+        self.recursion(&mut bodies);
         for (id, generated) in organization_blocks(self.items, exists, &mut bodies.diagnostics) {
             let Some(block) = lay_out(id, Vec::new()) else { continue };
             let calls = generated.body.statements.iter().filter_map(|statement| match &statement.kind {
@@ -55,6 +57,34 @@ impl Environment<'_> {
             bodies.intervals.extend(generated.interval_ms.map(|interval| (id.number, interval)));
         }
         bodies
+    }
+
+    /// Says which functions call themselves, directly or through others: one message for each circle.
+    fn recursion(&self, bodies: &mut Bodies) {
+        let mut told = BTreeSet::new();
+        for (&id, &code) in &self.items.code {
+            if id.kind != BlockKind::Function || told.contains(&id) {
+                continue;
+            }
+            let Some(circle) = circle(id, &bodies.calls) else { continue };
+            told.extend(circle.iter().copied());
+            let row = Construct::Recursion.row();
+            let title = code.dialect.title();
+            let (problem, message) = match code.dialect.judge(Construct::Recursion) {
+                Judgement::Accept => continue,
+                Judgement::Note => (Problem::P6051, format!("{} is not usual in {title}", row.title)),
+                Judgement::Reject => (Problem::P6050, format!("{title} does not have {}", row.title)),
+            };
+            let shown = |id: &BlockId| self.items.names.get(id).cloned().unwrap_or_else(|| id.to_string());
+            let path: Vec<String> = circle.iter().chain([&id]).map(|id| format!("`{}`", shown(id))).collect();
+            let help = format!(
+                "{} calls {}: write a loop, or mind that each call takes local data and a level of nesting.",
+                path[0],
+                path[1..].join(" calls ")
+            );
+            bodies.failed |= problem == Problem::P6050;
+            bodies.diagnostics.push(Diagnostic::new(problem, code.block.name.span, message).help(help));
+        }
     }
 
     fn interface_of(&self, block: BlockId) -> Option<Arc<Interface>> {
@@ -126,6 +156,29 @@ impl Environment<'_> {
         }
         names
     }
+}
+
+/// The shortest way from a block through its calls back to it, without its end; `None` if there is none.
+fn circle(start: BlockId, calls: &BTreeMap<BlockId, BTreeSet<BlockId>>) -> Option<Vec<BlockId>> {
+    let mut before = BTreeMap::new();
+    let mut queue = VecDeque::from([start]);
+    while let Some(caller) = queue.pop_front() {
+        for &called in calls.get(&caller).into_iter().flatten() {
+            if called == start {
+                let mut path = vec![caller];
+                while let Some(&earlier) = before.get(path.last()?) {
+                    path.push(earlier);
+                }
+                path.reverse();
+                return Some(path);
+            }
+            before.entry(called).or_insert_with(|| {
+                queue.push_back(called);
+                caller
+            });
+        }
+    }
+    None
 }
 
 /// Takes in the name of a variable with an address.

@@ -60,7 +60,11 @@ impl Parser<'_> {
     /// An address without `%`, where the dialect has it and the block declares no such name.
     pub(super) fn bare_address(&mut self) -> Option<Expression> {
         let token = self.token();
-        if token.raw != Raw::Word || token.end - token.start > 12 || self.dialect.judge(Construct::BareAddress) == Judgement::Reject {
+        if self.only_names
+            || token.raw != Raw::Word
+            || token.end - token.start > 12
+            || self.dialect.judge(Construct::BareAddress) == Judgement::Reject
+        {
             return None;
         }
         let text = self.current();
@@ -94,6 +98,47 @@ impl Parser<'_> {
         let span = self.since(token.start);
         let address = Address { area, width, position, percent: false, written, span };
         Some(Expression { kind: ExpressionKind::Address(address), span })
+    }
+
+    /// `MW 10` and `FC 5` as STL writes them: in ST the number belongs to the word. What was read before the blank went wrong.
+    pub(super) fn address_with_blank(&mut self) -> Option<Expression> {
+        let token = self.token();
+        let next = self.tokens[self.behind(self.at)];
+        let line = &self.text[token.end as usize..next.start as usize];
+        if self.only_names || token.raw != Raw::Word || next.raw != Raw::Number || line.contains('\n') {
+            return None;
+        }
+        let (letters, digits) = split(self.current())?;
+        let block = matches!(letters.as_str(), "DB" | "FB" | "FC" | "SFB" | "SFC");
+        let area = located(&letters);
+        if !digits.is_empty() || !(block || area.is_some()) || self.declared.contains(&letters) {
+            return None;
+        }
+        let position = self.slice(next).to_owned();
+        if !position.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.') {
+            return None;
+        }
+        let bare = block || self.dialect.judge(Construct::BareAddress) != Judgement::Reject;
+        let right = format!("{}{}{position}", if bare { "" } else { "%" }, self.current());
+        let start = token.start;
+        self.bump(SyntaxKind::Address);
+        self.bump(SyntaxKind::Address);
+        let span = self.since(start);
+        self.slip(
+            Problem::P2005,
+            span,
+            &right,
+            format!("`{} {position}` is written without a blank", &self.text[start as usize..token.end as usize]),
+        );
+        let written = Name { text: right, quoting: Quoting::Bare, span };
+        let kind = match area {
+            Some((area, width)) => {
+                let position = Position::Fixed(position.split('.').map(number).collect());
+                ExpressionKind::Address(Address { area, width, position, percent: !bare, written, span })
+            }
+            None => ExpressionKind::Name(written),
+        };
+        Some(Expression { kind, span })
     }
 
     /// The number behind the point of a bit.

@@ -216,14 +216,8 @@ impl Parser<'_> {
     pub(super) fn block_name(&mut self, what: &str) -> Name {
         let line = self.on_new_line();
         if self.at_name() && !(line && matches!(self.next_raw(), Raw::Colon | Raw::Becomes)) {
-            let mut name = self.name(SyntaxKind::Declared);
-            // `FC 10` instead of `FC10`.
-            if self.raw() == Raw::Number && !self.on_new_line() {
-                name.text.push_str(self.current());
-                let number = self.bump(SyntaxKind::Declared);
-                name.span = name.span.to(number);
-            }
-            return name;
+            let name = self.name(SyntaxKind::Declared);
+            return self.with_number(name, SyntaxKind::Declared);
         }
         if self.keyword().is_some_and(|keyword| !keyword.begins_section() && !keyword.is_end()) && !line {
             return self.declared_name("the name of a block").unwrap_or_default();
@@ -233,6 +227,16 @@ impl Parser<'_> {
         let place = self.last_character();
         self.report(Diagnostic::new(Problem::P2010, place, message).help(format!("write `{what} Name`")));
         Name { span: at, ..Name::default() }
+    }
+
+    /// `FC 10` as STL writes it instead of `FC10`: the name and the number behind it in one.
+    pub(super) fn with_number(&mut self, mut name: Name, kind: SyntaxKind) -> Name {
+        if self.raw() == Raw::Number && !self.on_new_line() {
+            name.text.push_str(self.current());
+            let number = self.bump(kind);
+            name.span = name.span.to(number);
+        }
+        name
     }
 
     /// The type behind `:`; VOID is none.
@@ -471,6 +475,7 @@ impl Parser<'_> {
             self.unexpected(Problem::P2210, message);
         }
         self.eat_keyword(Keyword::Begin);
+        self.only_names = true;
         while !self.at_body_end() {
             let before = self.at;
             self.start(SyntaxKind::Statement);
@@ -493,6 +498,7 @@ impl Parser<'_> {
                 self.unexpected_here();
             }
         }
+        self.only_names = false;
         self.block_end(Keyword::EndDataBlock, token.start, "DATA_BLOCK");
         block.span = self.since(token.start);
         self.finish();

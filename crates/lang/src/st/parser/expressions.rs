@@ -363,7 +363,7 @@ impl<'t> Parser<'t> {
                 }
                 _ => return self.no_operand(),
             },
-            Raw::Word | Raw::Local | Raw::Backquoted | Raw::Quoted => match self.bare_address() {
+            Raw::Word | Raw::Local | Raw::Backquoted | Raw::Quoted => match self.bare_address().or_else(|| self.address_with_blank()) {
                 Some(address) => return (address, 1),
                 None => ExpressionKind::Name(self.name(SyntaxKind::Name)),
             },
@@ -389,8 +389,7 @@ impl<'t> Parser<'t> {
     /// The last token that was taken, for messages.
     pub(super) fn previous_text(&self) -> String {
         let before = &self.text[..self.previous as usize];
-        let start = before.rfind(|c: char| c.is_whitespace()).map_or(0, |at| at + 1);
-        let short: Vec<char> = before[start..].chars().rev().take(20).collect();
+        let short: Vec<char> = before.chars().rev().take_while(|c| !c.is_whitespace()).take(20).collect();
         format!("`{}`", short.iter().rev().collect::<String>())
     }
 

@@ -101,6 +101,7 @@ pub fn parse(file: FileId, text: &str, dialect: Dialect) -> Parsed {
     let mut tokens = tokens(text, dialect);
     let mut diagnostics = Vec::new();
     pragmas::switch_off(text, &mut tokens);
+    ends_without_underline(file, text, &mut tokens, dialect, &mut diagnostics);
     let mut parser = Parser {
         text,
         file,
@@ -115,6 +116,7 @@ pub fn parse(file: FileId, text: &str, dialect: Dialect) -> Parsed {
         reported: usize::MAX,
         noted: HashSet::new(),
         declared: HashSet::new(),
+        only_names: false,
         labels: HashSet::new(),
         pragmas: Vec::new(),
         awaited: Vec::new(),
@@ -128,6 +130,33 @@ pub fn parse(file: FileId, text: &str, dialect: Dialect) -> Parsed {
     let mut diagnostics = parser.diagnostics;
     diagnostics.sort_by_key(|diagnostic| (diagnostic.problem == Problem::P2199, diagnostic.span.start));
     Parsed { file: ast::File { items }, diagnostics, tokens: parser.tokens, events: parser.events, wraps: parser.wraps }
+}
+
+/// Reads `ENDIF;` as `END_IF;`, with a message, where no name could stand alone.
+fn ends_without_underline(file: FileId, text: &str, tokens: &mut [Token], dialect: Dialect, diagnostics: &mut Vec<Diagnostic>) {
+    let mut before = None;
+    for index in 0..tokens.len() {
+        let token = tokens[index];
+        if token.raw.is_trivia() {
+            continue;
+        }
+        let begins = before.is_some_and(|before: Token| before.raw == Raw::Semicolon || before.keyword.is_some());
+        before = Some(token);
+        let word = &text[token.start as usize..token.end as usize];
+        let alone = || tokens[index + 1..].iter().find(|next| !next.raw.is_trivia()).is_some_and(|next| next.raw == Raw::Semicolon);
+        if !begins || token.raw != Raw::Word || token.keyword.is_some() || word.len() > 9 || !alone() {
+            continue;
+        }
+        let right = match word.split_at_checked(3) {
+            Some((end, rest)) if end.eq_ignore_ascii_case("END") => format!("END_{}", rest.to_ascii_uppercase()),
+            _ => continue,
+        };
+        let Some(keyword) = Keyword::of(&right, dialect).filter(|keyword| keyword.ends_statement()) else { continue };
+        tokens[index].keyword = Some(keyword);
+        let span = Span::new(file, token.start, token.end);
+        let message = format!("`{word}` ends nothing: did you mean `{right}`?");
+        diagnostics.push(Diagnostic::new(Problem::P6058, span, message).fix(span, &right, format!("write `{right}`")));
+    }
 }
 
 /// The reserved words of all dialects.
@@ -180,6 +209,8 @@ struct Parser<'t> {
     noted: HashSet<u32>,
     /// Upper-case names that the current block declares.
     declared: HashSet<String>,
+    /// Fields of a data block stand here, such as `m`, and no addresses, such as `M[1, 2]`.
+    only_names: bool,
     /// Upper-case names of its LABEL sections.
     labels: HashSet<String>,
     /// Pragmas that were passed and belong to nothing yet, by token.

@@ -103,6 +103,8 @@ fn a_slip_gives_one_message_at_its_place() {
     let mut failures = Vec::new();
     for (text, expected) in [
         ("x =: 5;", "P2007 =: -> :="),
+        ("IF a THEN x := 1; ENDIF;", "P6058 ENDIF -> END_IF"),
+        ("WHILE a DO x := 1; endwhile;", "P6058 endwhile -> END_WHILE"),
         ("x :=> 5;", "P2007 :=> -> :="),
         ("x = 5;", "P2007 = -> :="),
         ("x == 5;", "P2007 == -> :="),
@@ -178,4 +180,27 @@ fn depth_gives_a_message_and_no_overflow() {
     clean(&format!("x := {chain};"), Dialect::Iec);
     let fields = "STRUCT a : ".repeat(10_000);
     assert!(!parsed(&format!("TYPE t : {fields}"), Dialect::Iec).diagnostics.is_empty());
+}
+
+#[test]
+fn numbers_with_a_blank_as_stl_writes_them() {
+    clean("TYPE UDT 1\nSTRUCT a : INT; END_STRUCT\nEND_TYPE\nDATA_BLOCK DB 2 UDT 1\nBEGIN\nEND_DATA_BLOCK", Dialect::Scl);
+    clean("DATA_BLOCK DB 20 FB 20\nBEGIN\nEND_DATA_BLOCK", Dialect::Scl);
+    let text = |line: &str| format!("FUNCTION FC1 : VOID\nBEGIN\n{line}\nEND_FUNCTION");
+    assert_eq!(messages(&text("MW 10 := IW 2;"), Dialect::Scl), ["P2005 MW 10 -> MW10", "P2005 IW 2 -> IW2"]);
+    assert_eq!(messages(&text("IF M 0.1 THEN FC 5(); END_IF;"), Dialect::Scl), ["P2005 M 0.1 -> M0.1", "P2005 FC 5 -> FC5"]);
+    assert_eq!(messages("VAR x : INT; END_VAR\nx := MW 4;", Dialect::Iec), ["P2005 MW 4 -> %MW4"]);
+}
+
+#[test]
+fn fields_of_data_blocks_may_be_called_like_areas() {
+    let text = "DATA_BLOCK DB1\nSTRUCT m : ARRAY [1..4] OF INT; i : INT; END_STRUCT\nBEGIN\nm[2] := 7;\ni := 1;\nEND_DATA_BLOCK";
+    let Some(Item::DataBlock(block)) = clean(text, Dialect::Scl).items.into_iter().next() else { panic!("a data block") };
+    assert!(matches!(&block.assignments[0].0.kind, ExpressionKind::Index(base, _) if matches!(base.kind, ExpressionKind::Name(_))));
+}
+
+#[test]
+fn blanks_of_several_bytes_do_not_split_letters() {
+    assert!(!messages("x := 1\u{2000}+\u{2000}", Dialect::Iec).is_empty());
+    assert!(!messages("x := a b\u{3000}c\u{a0}= IF", Dialect::Iec).is_empty());
 }

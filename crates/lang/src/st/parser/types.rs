@@ -114,7 +114,13 @@ impl Parser<'_> {
                 self.judge(Construct::S5Time, token.start, token.end);
             }
         }
-        let path = self.path(SyntaxKind::TypeWord);
+        let numbered = ["UDT", "FB", "SFB"].iter().any(|word| self.at_word(word));
+        let mut path = self.path(SyntaxKind::TypeWord);
+        if let ([_], true) = (path.names.as_slice(), numbered) {
+            let name = path.names.remove(0);
+            let name = self.with_number(name, SyntaxKind::TypeWord);
+            path = Path { span: name.span, names: vec![name] };
+        }
         match self.raw() {
             Raw::ParenOpen => self.behind_base(path),
             // Attributes and types such as `REAL[0..10]` are unknown to every dialect.
@@ -356,7 +362,10 @@ impl Parser<'_> {
         }
         let name = match self.raw() == Raw::Colon || self.at_keyword(Keyword::Struct) {
             true => self.block_name("TYPE"),
-            false => self.declared_name("the name of a type")?,
+            false => {
+                let name = self.declared_name("the name of a type")?;
+                if name.is("UDT") { self.with_number(name, SyntaxKind::Declared) } else { name }
+            }
         };
         let header: Header = self.header();
         let extends = match self.eat_word("EXTENDS") {
