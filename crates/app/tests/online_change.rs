@@ -268,6 +268,10 @@ done: OPN DB [MW 6]; L DBW 2; INC 1; T DBW 2;";
         assert_eq!(done.losses.iter().map(|loss| (loss.data_block, loss.reason)).collect::<Vec<_>>(), [(16, LossReason::NumberTaken)]);
         run(&mut cpu, 3);
         assert_eq!((word(&cpu, &dbw(17, 2)), word(&cpu, &dbw(16, 0))), (4, 5), "{engine}");
+        // Also in a program that makes none, which has no room for them of its own.
+        change(&mut cpu, &format!("{}{}", block(3), ob1("OPN DB 17; L DBW 2; L 10; +I; T DBW 2;")), load);
+        run(&mut cpu, 3);
+        assert_eq!(word(&cpu, &dbw(17, 2)), 14, "{engine}");
     }
 }
 

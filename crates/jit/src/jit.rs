@@ -224,7 +224,8 @@ impl Jit {
             let _ = self.known_layout.set(Arc::clone(&memory.layout));
         }
         (known || *memory.layout == self.layout)
-            && arena == self.layout.size
+            // Data blocks that another program created may lie behind what this one knows.
+            && arena >= self.layout.size
             && machine.timers.len() == usize::from(self.layout.timers)
             && machine.counters.len() == usize::from(self.layout.counters)
             && self.compiled.fits(memory)

@@ -78,6 +78,7 @@ fn program(blocks: Blocks<'_>) -> Program {
 /// A layout in which data block 1 has 16 bytes.
 fn layout(program: &Program) -> Layout {
     let mut layout = Layout::new(CpuType::by_name("315-2PN/DP").expect("a CPU type"), program);
+    layout.size += 64;
     layout.data_blocks.insert(1, layout.size - 64..layout.size - 48);
     layout
 }

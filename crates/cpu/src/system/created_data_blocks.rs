@@ -1,7 +1,6 @@
 //! Data blocks that the program makes (SFC 22 to 25 and 85): room for them, where they are open, and how they outlive a power failure.
 
 use std::collections::BTreeSet;
-use std::ops::Range;
 
 use sieben_engine::Machine;
 use sieben_engine::machine::memory::DataBlockEntry;
@@ -62,18 +61,12 @@ impl Call<'_, '_> {
     }
 }
 
-/// The bytes that the arena keeps for data blocks made at run time.
-pub(super) fn reserve(machine: &Machine) -> Range<usize> {
-    let end = machine.memory.layout.size.min(machine.memory.arena.len());
-    end.saturating_sub(RESERVE)..end
-}
-
 /// What created data blocks take of the reserve, in the order of their places.
 pub(super) fn taken(machine: &Machine) -> Vec<(usize, u16)> {
     if machine.memory.data_blocks.is_as_laid_out() {
         return Vec::new();
     }
-    let reserve = reserve(machine);
+    let reserve = machine.memory.reserve();
     let mut taken: Vec<(usize, u16)> = machine
         .memory
         .data_blocks
@@ -93,7 +86,7 @@ pub(super) fn room(bytes: u32) -> usize {
 
 /// The first gap that is large enough, or the error code.
 fn place(machine: &Machine, bytes: usize) -> Result<usize, u16> {
-    let reserve = reserve(machine);
+    let reserve = machine.memory.reserve();
     let mut cursor = reserve.start;
     let mut free = reserve.len();
     let mut found = None;
@@ -182,8 +175,9 @@ pub(crate) fn fit(machine: &Machine, blocks: impl Iterator<Item = (u16, usize)>)
     true
 }
 
-/// Makes a data block with these values; one that [`fit`] found to fit among those before it.
+/// Makes a data block with these values, between two scans; one that [`fit`] found to fit among those before it.
 pub(crate) fn create(machine: &mut Machine, number: u16, values: &[u8], read_only: bool) {
+    machine.memory.add_reserve();
     let length = values.len() as u32;
     let base = place(machine, room(length)).expect("blocks that fit together find their places one behind the other");
     insert(machine, number, base, length, read_only);

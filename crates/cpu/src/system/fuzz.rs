@@ -84,6 +84,7 @@ pub(super) fn with_host(cpu_type: &'static CpuType, memory: &[u8], parameters: &
     let layout = Layout::new(cpu_type, &program);
     let engine = Interpreter::load(&program, &layout);
     let mut machine = Machine::new(Arc::new(layout));
+    machine.memory.add_reserve();
     for (byte, &value) in machine.memory.arena.iter_mut().zip(memory.iter().cycle()) {
         *byte = value;
     }

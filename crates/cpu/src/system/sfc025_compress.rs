@@ -3,7 +3,7 @@
 use sieben_model::address::Width;
 use sieben_model::types::DataType;
 
-use super::created_data_blocks::{for_each_open, reserve, room, taken};
+use super::created_data_blocks::{for_each_open, room, taken};
 use super::parameters::Answer;
 use super::{Call, Parameter, Row, Run, output, ret_val, sfc};
 
@@ -12,7 +12,7 @@ pub(super) const ROW: Row = sfc(25, "COMPRESS", PARAMETERS, Run::Value(run));
 const PARAMETERS: &[Parameter] = &[ret_val(), output("BUSY", DataType::Bool), output("DONE", DataType::Bool)];
 
 fn run(call: &mut Call<'_, '_>) -> Answer {
-    let mut cursor = reserve(call.machine).start;
+    let mut cursor = call.machine.memory.reserve().start;
     for (base, number) in taken(call.machine) {
         let Some(Some(entry)) = call.machine.memory.data_blocks.get_mut(usize::from(number)) else { continue };
         entry.base = cursor as u32;

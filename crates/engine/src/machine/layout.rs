@@ -7,10 +7,14 @@ use sieben_model::address::Area;
 use sieben_model::block::BlockKind;
 use sieben_model::cpu_type::CpuType;
 
+use crate::ir::{Callee, Inst};
 use crate::program::Program;
 
-/// Bytes kept free behind the data blocks for blocks created at run time.
+/// Bytes for data blocks created at run time.
 pub const RESERVE: usize = 64 * 1024;
+
+/// Numbers of the system functions that create data blocks: CREAT_DB and CREA_DB.
+pub const CREATE_DATA_BLOCKS: [u16; 2] = [22, 85];
 
 /// Priority classes of the largest CPU, 0 to 28.
 const PRIORITY_CLASSES: usize = 29;
@@ -32,7 +36,9 @@ pub struct Layout {
     pub data_blocks: BTreeMap<u16, Range<usize>>,
     /// Data blocks that the program may not write.
     pub read_only: Vec<u16>,
-    /// Bytes of the whole arena.
+    /// Where data blocks created at run time begin, behind all others: [`RESERVE`] bytes if the program calls what creates them, else none.
+    pub reserve: usize,
+    /// Bytes of the whole arena, at least.
     pub size: usize,
     /// Number of timers.
     pub timers: u16,
@@ -68,7 +74,7 @@ impl Layout {
         let classes = if cpu.local_data_shared { 1 } else { blocks.clamp(1, PRIORITY_CLASSES) };
         let local = take(local_class * classes);
         let data_blocks = program.data.iter().filter(|(_, db)| !db.unlinked).map(|(&number, db)| (number, take(db.image.len()))).collect();
-        take(RESERVE);
+        let reserve = take(if creates_data_blocks(program) { RESERVE } else { 0 }).start;
         let read_only = program.data.values().filter(|db| db.read_only).map(|db| db.number).collect();
         Self {
             read_only,
@@ -78,6 +84,7 @@ impl Layout {
             local,
             local_class,
             data_blocks,
+            reserve,
             size,
             timers: cpu.timers,
             counters: cpu.counters,
@@ -97,5 +104,42 @@ impl Layout {
             Area::BitMemory => Some(self.bit_memory.clone()),
             _ => None,
         }
+    }
+}
+
+/// Whether a block of the program calls a system function that creates data blocks.
+fn creates_data_blocks(program: &Program) -> bool {
+    let creates = |inst: &Inst| match inst {
+        Inst::Call { callee: Callee::Block(id), .. } => id.kind == BlockKind::SystemFunction && CREATE_DATA_BLOCKS.contains(&id.number),
+        Inst::Call { callee: Callee::Number(kind, _), .. } => *kind == BlockKind::SystemFunction,
+        _ => false,
+    };
+    program.code.values().any(|block| block.code.insts.iter().any(creates))
+}
+
+#[cfg(test)]
+mod tests {
+    use sieben_model::block::BlockId;
+
+    use super::*;
+    use crate::ir::Builder;
+    use crate::program::CodeBlock;
+
+    #[test]
+    fn only_a_program_that_creates_data_blocks_has_room_for_them() {
+        let reserve = |callee| {
+            let mut builder = Builder::default();
+            builder.begin_statement();
+            builder.push(Inst::Call { callee, parameters: 0 });
+            let block = CodeBlock { code: builder.finish(), ..CodeBlock::default() };
+            let program = Program { code: [(BlockId::ob(1), block)].into(), ..Program::default() };
+            let layout = Layout::new(&CpuType::ALL[0], &program);
+            layout.size - layout.reserve
+        };
+        for number in CREATE_DATA_BLOCKS {
+            assert_eq!(reserve(Callee::Block(BlockId::new(BlockKind::SystemFunction, number))), RESERVE);
+            assert_eq!(reserve(Callee::Block(BlockId::fc(number))), 0);
+        }
+        assert_eq!(reserve(Callee::Block(BlockId::new(BlockKind::SystemFunction, 20))), 0);
     }
 }

@@ -1,11 +1,12 @@
 //! The arena: all areas and data blocks in one piece, big endian as in the S7.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use sieben_model::address::{Address, Area, Operand, Width};
 
 use super::data_block_table::DataBlockTable;
-use super::layout::Layout;
+use super::layout::{Layout, RESERVE};
 
 /// All data memory of a CPU.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,6 +48,18 @@ impl Memory {
     /// The loaded data block with this number.
     pub fn data_block(&self, number: u64) -> Option<DataBlockEntry> {
         self.data_blocks.get(usize::try_from(number).ok()?).copied().flatten()
+    }
+
+    /// The bytes for data blocks created at run time.
+    pub fn reserve(&self) -> Range<usize> {
+        self.layout.reserve.min(self.arena.len())..self.arena.len()
+    }
+
+    /// Makes room for data blocks created at run time although the program creates none: those of another program come over.
+    /// Only between two scans, because the arena may move.
+    pub fn add_reserve(&mut self) {
+        let size = self.arena.len().max(self.layout.reserve + RESERVE);
+        self.arena.resize(size, 0);
     }
 
     /// Reads `width` at arena offset `at` (bit `bit` of that byte for a bit); of a quad word the low half.
