@@ -1,0 +1,82 @@
+//! Structured Text beside C: `cargo bench -p sieben-app --bench structured_text [NAME]`.
+//!
+//! The same programs in Structured Text and, by hand, in C, compiled by the system's `cc -O3`, take turns in one run. Both run the same
+//! number of scans, 10 ms of their clock apart, and have to end with the same value of `check`. A figure is the best of all turns, as CPU
+//! time of the thread, because other work on the machine only ever adds time.
+#![allow(clippy::print_stdout)] // A measurement prints its figures.
+
+use std::env;
+use std::path::Path;
+use std::process::Command;
+use std::sync::Arc;
+
+use programs::{CHECKED_SCANS, check};
+use side_by_side::{TURNS, c_program, compiled, load, now_ns};
+use sieben_engine::{Engine, Interpreter, Layout, Program};
+use sieben_jit::{Jit, StatusBits};
+
+#[path = "structured_text/programs.rs"]
+mod programs;
+mod side_by_side;
+
+/// Scans of a turn: enough for timers to run out many times, few enough for sums to stay in a DINT.
+const SCANS: u64 = 2000;
+/// Scans of the interpreter, which is compared with nothing but itself.
+const INTERPRETED_SCANS: u64 = 40;
+/// C rounds each operation to REAL, as a CPU does.
+const C_FLAGS: &[&str] = &["-ffp-contract=off"];
+
+/// Nanoseconds of a scan, and `check` behind the last one.
+fn c_turn(program: &Path, scans: u64) -> (f64, i32) {
+    let output = Command::new(program).arg(scans.to_string()).output().expect("the C program runs");
+    let text = String::from_utf8_lossy(&output.stdout);
+    let (ns, check) = text.trim().split_once(' ').expect("two figures");
+    (ns.parse().expect("nanoseconds"), check.parse().expect("a number"))
+}
+
+/// The same of an engine.
+fn turn(program: &Program, engine: impl FnOnce(&Program, &Layout) -> Arc<dyn Engine>, scans: u64) -> (f64, i32) {
+    let mut loaded = load(program, engine);
+    let start = now_ns();
+    (0..scans).for_each(|_| loaded.scan(None));
+    ((now_ns() - start) / scans as f64, check(program, &loaded))
+}
+
+fn main() {
+    println!("{:<12} {:>11} {:>11} {:>11} {:>7} {:>11} {:>9}", "ns a scan", "interp.", "machine", "cc -O3", "ratio", "compile ms", "bytes");
+    let wanted = env::args().nth(1).filter(|word| !word.starts_with('-')).unwrap_or_default();
+    let mut ratios = Vec::new();
+    for (index, case) in programs::all().iter().enumerate().filter(|(_, case)| case.name.contains(&wanted)) {
+        let program = compiled("bench.st", &case.st);
+        let c = c_program(case.name, &case.c, "st/main.c", C_FLAGS, index);
+        assert_eq!(c_turn(&c, CHECKED_SCANS).1, case.check, "{}: what the test of the programs compares with", case.name);
+        let mut engine = None;
+        let start = now_ns();
+        let first = turn(
+            &program,
+            |program, layout| engine.insert(Jit::compiled(program, layout, StatusBits::Needed).expect("machine code")).clone(),
+            0,
+        );
+        let compile_ms = (now_ns() - start) / 1e6;
+        assert_eq!(first.1, 0, "{}: `check` begins with 0", case.name);
+        let engine = engine.expect("an engine was loaded");
+        let (mut machine_best, mut c_best) = (f64::INFINITY, f64::INFINITY);
+        for _ in 0..TURNS {
+            let (machine_ns, machine_check) = turn(&program, |_, _| engine.clone(), SCANS);
+            let (c_ns, c_check) = c_turn(&c, SCANS);
+            assert_eq!(machine_check, c_check, "{}: `check` of machine code and of C", case.name);
+            machine_best = machine_best.min(machine_ns);
+            c_best = c_best.min(c_ns);
+        }
+        let interpreted = turn(&program, Interpreter::load, INTERPRETED_SCANS).0;
+        ratios.push(machine_best / c_best);
+        println!(
+            "{:<12} {interpreted:>11.0} {machine_best:>11.0} {c_best:>11.0} {:>7.2} {compile_ms:>11.1} {:>9}",
+            case.name,
+            machine_best / c_best,
+            engine.code_bytes()
+        );
+    }
+    let mean = ratios.iter().product::<f64>().powf(1.0 / ratios.len() as f64);
+    println!("geometric mean of the ratios: {mean:.2}");
+}
