@@ -66,6 +66,10 @@ impl Lowering<'_> {
         let first_value = self.value(&for_loop.from);
         self.store(&variable, width(scalar), first_value);
         self.release(first_value);
+        // Without its first value the loop is left out.
+        if self.fallible {
+            self.part();
+        }
 
         let [first, next, test] = [self.label(), self.label(), self.label()];
         if each_pass && (to.is_none() || by.is_none()) {
