@@ -239,3 +239,13 @@ fn tia_quotes_names() {
                 ORGANIZATION_BLOCK \"Main\"\nVERSION : 0.1\nBEGIN\n  \"Motor_DB\"(on := TRUE);\nEND_ORGANIZATION_BLOCK\n";
     run(&[("m.scl", text)], 3, &[("Motor_DB.n", "9")]);
 }
+
+#[test]
+fn results_that_are_arrays_and_structures_begin_with_their_initial_values() {
+    let source = "TYPE Pt : STRUCT x : INT; y : INT := 5; END_STRUCT END_TYPE\n\
+        FUNCTION Mk : Pt VAR_INPUT v : INT; END_VAR IF v > 5 THEN Mk.x := v; END_IF; END_FUNCTION\n\
+        FUNCTION Arr : ARRAY[0..6] OF INT VAR_INPUT v : INT; END_VAR Arr[1] := v; END_FUNCTION\n\
+        PROGRAM Main VAR q : Pt := (x := 1, y := 9); a : ARRAY[0..6] OF INT := [7(8)]; END_VAR\n\
+        q := Mk(v := 7); a := Arr(v := 2); END_PROGRAM";
+    run(&[("main.st", source)], 2, &[("q.x", "7"), ("q.y", "5"), ("a[0]", "0"), ("a[1]", "2"), ("a[6]", "0")]);
+}

@@ -290,11 +290,43 @@ impl BlockNames<'_, '_> {
     /// Statements that give the result and the outputs of a function what they hold at the start.
     pub(super) fn starting_statements(&self, span: Span) -> Vec<Statement> {
         let starting = self.declared.result.iter().chain(&self.declared.outputs);
-        starting.filter_map(|(variable, initial)| starting_statement(variable, initial, span)).collect()
+        let one = |(variable, initial): &(Variable, Vec<Value>)| match starting_statement(variable, initial, span) {
+            Some(statement) => vec![statement],
+            None => starting_bytes(variable, initial, span),
+        };
+        starting.flat_map(one).collect()
     }
 }
 
-/// `variable := initial;`; `None` for arrays and structures, which keep what they have.
+/// Largest array or structure that a function gives its initial value, in bytes; a larger one keeps what the caller has there.
+const STARTING_BYTES_MAX: usize = 2048;
+
+/// Statements that write the bytes of an array, a structure or a date, eight at a time.
+fn starting_bytes(variable: &Variable, initial: &[Value], span: Span) -> Vec<Statement> {
+    if variable.data_type.bits().div_ceil(8) > STARTING_BYTES_MAX as u64 {
+        return Vec::new();
+    }
+    let image = bytes(&variable.data_type, initial);
+    let mut statements = Vec::new();
+    let mut done = 0;
+    while done < image.len() {
+        let (length, scalar) = match image.len() - done {
+            8.. => (8, Scalar::U64),
+            4.. => (4, Scalar::U32),
+            2.. => (2, Scalar::U16),
+            _ => (1, Scalar::U8),
+        };
+        let bits = image[done..done + length].iter().fold(0, |bits: u64, &byte| bits << 8 | u64::from(byte));
+        let offset = variable.offset + (done as u32) * 8;
+        let target = Place { base: variable.base.clone(), offset, indexes: Vec::new(), span };
+        let value = tree::Value { kind: ValueKind::Constant(bits), scalar, span };
+        statements.push(Statement { kind: StatementKind::Assign { target, value }, span });
+        done += length;
+    }
+    statements
+}
+
+/// `variable := initial;`; `None` for what is no elementary value and no text.
 fn starting_statement(variable: &Variable, initial: &[Value], span: Span) -> Option<Statement> {
     let target = Place { base: variable.base.clone(), offset: variable.offset, indexes: Vec::new(), span };
     let data_type = &variable.data_type;
