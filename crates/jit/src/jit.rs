@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
 use sieben_engine::access;
-use sieben_engine::ir::{Callee, Code, Inst, Target};
+use sieben_engine::ir::{Callee, Code, Inst, Place, Target};
 use sieben_engine::machine::memory::DataBlockEntry;
 use sieben_engine::machine::{Memory, Registers};
 use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
@@ -28,6 +28,9 @@ const LOOPS_MAX: usize = 1_000;
 const OPTIMIZED_STATEMENTS_MAX: usize = 50_000;
 /// Blocks with more loops too: a hundred of them in one another take Cranelift a second, eight hundred a minute.
 const OPTIMIZED_LOOPS_MAX: usize = 32;
+/// Blocks with more accesses by computed addresses too: each may ask, and the time to share out the registers of a function grows with
+/// the square of their number (12,000 of them take minutes).
+const OPTIMIZED_ACCESSES_MAX: usize = 2_000;
 
 /// A block as machine code needs it.
 #[derive(Debug)]
@@ -91,7 +94,8 @@ impl Source {
     pub(crate) fn may_optimize(&self) -> bool {
         let statements: usize = self.blocks.iter().map(|block| block.code.statement_count()).sum();
         let loops = self.blocks.iter().map(|block| loop_heads(&block.code).len()).max().unwrap_or(0);
-        statements <= OPTIMIZED_STATEMENTS_MAX && loops <= OPTIMIZED_LOOPS_MAX
+        let accesses = self.blocks.iter().map(|block| computed_accesses(&block.code)).max().unwrap_or(0);
+        statements <= OPTIMIZED_STATEMENTS_MAX && loops <= OPTIMIZED_LOOPS_MAX && accesses <= OPTIMIZED_ACCESSES_MAX
     }
 
     /// Compiles all blocks.
@@ -326,6 +330,17 @@ pub(crate) fn loop_heads(code: &Code) -> BTreeSet<u32> {
         }
     }
     heads
+}
+
+/// How many loads and stores of a block compute their address.
+fn computed_accesses(code: &Code) -> usize {
+    let computed = |place: &Place| !matches!(place, Place::Fixed { .. });
+    let accesses = |inst: &Inst| match inst {
+        Inst::Load { place, .. } | Inst::Store { place, .. } => usize::from(computed(place)),
+        Inst::Move { from, to, .. } => usize::from(computed(from)) + usize::from(computed(to)),
+        _ => 0,
+    };
+    code.insts.iter().map(accesses).sum()
 }
 
 /// Checks the limits of machine code; the greatest number of parameters that a statement passes.

@@ -59,6 +59,26 @@ fn one_long_network() {
 }
 
 /// Each statement of the second half jumps back to a label of its own, the last to the first.
+/// What a long block of Structured Text consists of: bits of an instance.
+#[test]
+fn many_computed_addresses() {
+    in_time(
+        "12,000 bits at computed addresses",
+        &program(1, &|builder| {
+            for number in 0..3_000 {
+                builder.begin_statement();
+                let place = |bit: u32| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: bit % 600 };
+                let mut sum = builder.load(place(number), Width::Bit, OnFault::SkipStatement);
+                for step in 1..3 {
+                    let bit = builder.load(place(number * 7 + step * 50), Width::Bit, OnFault::SkipStatement);
+                    sum = builder.compute(Op::Xor, &[sum, bit]);
+                }
+                builder.store(place(number + 1), Width::Bit, sum);
+            }
+        }),
+    );
+}
+
 fn loops(labels: u32) -> Program {
     program(1, &|builder| {
         for number in 0..2 * labels {
