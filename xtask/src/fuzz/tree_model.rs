@@ -282,6 +282,7 @@ impl<'a> Model<'a> {
                 _ => self.store(frame, &place, Scalar::I32, inner.parameters[3])?,
             }
         }
+        frame.ok &= self.br || !call.clears_ok;
         self.eno(frame, call)?;
         Ok(if call.result == DataType::Void { 0 } else { inner.parameters[4] })
     }
