@@ -168,6 +168,8 @@ impl Lowering<'_> {
         match &condition.kind {
             ValueKind::Constant(bits) => {
                 if (bits & 1 != 0) == when {
+                    // What failed before leaves out the rest of its source statement, the jump too.
+                    self.part_if_fallible();
                     self.leave_to(to);
                 }
             }
