@@ -58,6 +58,7 @@ pub(super) fn globals<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: &mu
                 Some(initializer) => resolver.initial(initializer, &data_type),
                 None => named,
             };
+            initial_of_located(&mut resolver, declaration);
             for declared in &declaration.names {
                 let name = &declared.name;
                 let (base, offset) = match &declaration.location {
@@ -103,6 +104,13 @@ fn add(globals: &mut Globals, items: &Items<'_>, list: &str, name: &ast::Name, e
     globals.insert(key(&format!("{list}.{}", name.text)), entity.clone());
     if items.globals.contains_key(&key(&name.text)) {
         globals.entry(key(&name.text)).or_insert(entity);
+    }
+}
+
+/// `x AT %MW0 : INT := 5`: the areas of the CPU have no initial values yet, which is told.
+pub(super) fn initial_of_located(resolver: &mut Resolver<'_, '_>, declaration: &ast::Declaration) {
+    if let (Some(initializer), Some(ast::Location::Address(_))) = (&declaration.initial, &declaration.location) {
+        resolver.not_built(initializer.span, "an initial value of a variable with an address");
     }
 }
 

@@ -353,6 +353,7 @@ impl<'a> Sections<'_, 'a> {
             Some(initializer) => self.resolver.initial(initializer, &data_type),
             None => named,
         };
+        globals::initial_of_located(&mut self.resolver, declaration);
         for declared in &declaration.names {
             let name = &declared.name;
             if !self.is_first(name) {
