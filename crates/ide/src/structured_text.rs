@@ -280,18 +280,7 @@ impl Collector<'_> {
 
     /// The parameter that an argument is given to.
     fn formal(&self, callee: BlockId, argument: &Argument) -> Option<&Variable> {
-        let position = match argument {
-            Argument::Value { parameter, .. }
-            | Argument::Text { parameter, .. }
-            | Argument::Aggregate { parameter, .. }
-            | Argument::Output { parameter, .. }
-            | Argument::OutputText { parameter, .. }
-            | Argument::OutputAggregate { parameter, .. }
-            | Argument::InOut { parameter, .. }
-            | Argument::Number { parameter, .. }
-            | Argument::Pointer { parameter, .. } => *parameter,
-            Argument::Eno { .. } => return None,
-        };
+        let position = argument.parameter()?;
         let interface = self.interface(callee)?;
         match callee.kind {
             BlockKind::Function | BlockKind::SystemFunction => interface.parameters().nth(position as usize),

@@ -7,6 +7,7 @@ pub mod encoding;
 pub mod language;
 pub mod library;
 pub mod project;
+mod scan;
 mod scope;
 pub mod st;
 pub mod stl;

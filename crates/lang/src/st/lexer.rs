@@ -1,9 +1,9 @@
 //! Cuts ST text into tokens.
 
-use sieben_model::literal::any_type_code;
-
 use super::dialect::{Construct, Dialect, Judgement};
 use super::keywords::Keyword;
+pub(super) use crate::scan::in_word;
+use crate::scan::{ends_in_escape, is_blank, pointer, while_in};
 
 /// What a token looks like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,16 +109,6 @@ pub(super) fn tokens(text: &str, dialect: Dialect) -> Vec<Token> {
     }
 }
 
-/// Whether a character can stand inside a word.
-pub(super) fn in_word(character: char) -> bool {
-    character == '_' || character.is_ascii_alphanumeric() || (!character.is_ascii() && character.is_alphanumeric())
-}
-
-fn is_blank(character: char) -> bool {
-    // The last one is the end mark of DOS, which old tools still write.
-    matches!(character, ' ' | '\t' | '\u{feff}' | '\u{a0}' | '\u{1a}')
-}
-
 /// The token that begins at byte `start`: its look and the byte behind it.
 fn token(text: &str, start: usize, dialect: Dialect) -> (Raw, usize) {
     let rest = &text[start..];
@@ -208,15 +198,6 @@ pub(super) fn is_terminated(raw: Raw, text: &str) -> bool {
         },
         _ => true,
     }
-}
-
-fn ends_in_escape(text: &str) -> bool {
-    text[1..text.len() - 1].bytes().rev().take_while(|&byte| byte == b'$').count() % 2 == 1
-}
-
-fn while_in(text: &str, start: usize, belongs: impl Fn(char) -> bool) -> usize {
-    let rest = &text[start..];
-    start + rest.find(|character| !belongs(character)).unwrap_or(rest.len())
 }
 
 /// The byte behind a comment; comments inside it count if they may be nested.
@@ -424,31 +405,4 @@ fn word(text: &str, start: usize, dialect: Dialect) -> (Raw, usize) {
         end if end > behind => (Raw::Literal, end),
         end => (Raw::Word, end - 1),
     }
-}
-
-/// `P#1.0`, `P#M 1.0`, `P#DB10.DBX 12.0 REAL 20`; `start` is behind the `#`.
-fn pointer(text: &str, start: usize) -> usize {
-    let bytes = text.as_bytes();
-    let blanks = |at: usize| while_in(text, at, |c| matches!(c, ' ' | '\t'));
-    let mut end = start;
-    let mut at = blanks(start);
-    loop {
-        let run = while_in(text, at, |c| in_word(c) || c == '.');
-        if run == at {
-            return end;
-        }
-        end = run;
-        at = blanks(end);
-        let complete = bytes[end - 1].is_ascii_digit();
-        if complete || !bytes.get(at).is_some_and(u8::is_ascii_digit) {
-            break;
-        }
-    }
-    let type_end = while_in(text, at, in_word);
-    let count = blanks(type_end);
-    let known = any_type_code(&text[at..type_end]).is_some();
-    if known && count > type_end && bytes.get(count).is_some_and(u8::is_ascii_digit) {
-        end = while_in(text, count, |c| c.is_ascii_digit());
-    }
-    end
 }

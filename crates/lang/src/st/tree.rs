@@ -332,3 +332,21 @@ pub enum Argument {
     /// ENO: after the call the place gets BR.
     Eno { target: Place },
 }
+
+impl Argument {
+    /// The parameter that it is for; `None` for ENO.
+    pub fn parameter(&self) -> Option<u32> {
+        match self {
+            Self::Value { parameter, .. }
+            | Self::Text { parameter, .. }
+            | Self::Aggregate { parameter, .. }
+            | Self::Output { parameter, .. }
+            | Self::OutputText { parameter, .. }
+            | Self::OutputAggregate { parameter, .. }
+            | Self::InOut { parameter, .. }
+            | Self::Number { parameter, .. }
+            | Self::Pointer { parameter, .. } => Some(*parameter),
+            Self::Eno { .. } => None,
+        }
+    }
+}

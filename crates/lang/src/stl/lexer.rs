@@ -3,7 +3,8 @@
 //! The parser asks for the token at a byte and may take less of it (`I0` is letters and a number)
 //! or several at once (`=`, `=` and `I` are one instruction).
 
-use sieben_model::literal::any_type_code;
+pub(super) use crate::scan::in_word;
+use crate::scan::{self, ends_in_escape, is_blank, while_in};
 
 /// What a token looks like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,16 +51,6 @@ pub(super) enum Raw {
     Sign,
     /// A character that begins nothing.
     Unknown,
-}
-
-/// Whether a character can stand inside a word.
-pub(super) fn in_word(character: char) -> bool {
-    character == '_' || character.is_alphanumeric()
-}
-
-fn is_blank(character: char) -> bool {
-    // The last one is the end mark of DOS, which old tools still write.
-    matches!(character, ' ' | '\t' | '\u{feff}' | '\u{a0}' | '\u{1a}')
 }
 
 /// The text without the blanks at its end.
@@ -117,16 +108,6 @@ pub(super) fn is_terminated(raw: Raw, text: &str) -> bool {
         Raw::BlockComment => text.len() > 3 && text.ends_with("*)"),
         _ => true,
     }
-}
-
-fn ends_in_escape(text: &str) -> bool {
-    let inner = &text[1..text.len() - 1];
-    inner.bytes().rev().take_while(|&byte| byte == b'$').count() % 2 == 1
-}
-
-fn while_in(text: &str, start: usize, belongs: impl Fn(char) -> bool) -> usize {
-    let rest = &text[start..];
-    start + rest.find(|character| !belongs(character)).unwrap_or(rest.len())
 }
 
 /// The byte behind the closing quote, or the end of the line.
@@ -200,26 +181,5 @@ fn pointer(text: &str, start: usize) -> (Raw, usize) {
             _ => (Raw::AddressOf, while_in(text, start + 1, in_word)),
         };
     }
-    let blanks = |at: usize| while_in(text, at, |c| matches!(c, ' ' | '\t'));
-    let mut end = start;
-    let mut at = blanks(start);
-    loop {
-        let run = while_in(text, at, |c| in_word(c) || c == '.');
-        if run == at {
-            return (Raw::Literal, end);
-        }
-        end = run;
-        at = blanks(end);
-        let complete = bytes[end - 1].is_ascii_digit();
-        if complete || !bytes.get(at).is_some_and(u8::is_ascii_digit) {
-            break;
-        }
-    }
-    let type_end = while_in(text, at, in_word);
-    let count = blanks(type_end);
-    let known = any_type_code(&text[at..type_end]).is_some();
-    if known && count > type_end && bytes.get(count).is_some_and(u8::is_ascii_digit) {
-        end = while_in(text, count, |c| c.is_ascii_digit());
-    }
-    (Raw::Literal, end)
+    (Raw::Literal, scan::pointer(text, start))
 }

@@ -98,7 +98,9 @@ impl Lowering<'_> {
         let mut passed: Vec<Option<Pass>> = vec![None; formals.len()];
         let mut behind = Vec::new();
         for argument in &call.arguments {
-            let Some((index, formal)) = parameter_of(argument).and_then(|index| Some((index, *formals.get(index)?))) else { continue };
+            let Some((index, formal)) = argument.parameter().and_then(|index| Some((index as usize, *formals.get(index as usize)?))) else {
+                continue;
+            };
             passed[index] = Some(self.pass(argument, formal, &mut behind));
         }
         for (index, formal) in formals.iter().enumerate() {
@@ -293,8 +295,8 @@ impl Lowering<'_> {
             self.copy_value(&place, &inside, width);
         }
         for argument in behind {
-            let Some(position) = parameter_of(argument) else { continue };
-            self.take_out(&at(&instance, position as u32), argument);
+            let Some(position) = argument.parameter() else { continue };
+            self.take_out(&at(&instance, position), argument);
         }
     }
 
@@ -360,22 +362,6 @@ impl Lowering<'_> {
         self.release(number);
         self.copy_var(ar2, pointer);
         self.release(pointer);
-    }
-}
-
-/// The parameter that an argument is for: its index or its position.
-fn parameter_of(argument: &Argument) -> Option<usize> {
-    match argument {
-        Argument::Value { parameter, .. }
-        | Argument::Text { parameter, .. }
-        | Argument::Aggregate { parameter, .. }
-        | Argument::Output { parameter, .. }
-        | Argument::OutputText { parameter, .. }
-        | Argument::OutputAggregate { parameter, .. }
-        | Argument::InOut { parameter, .. }
-        | Argument::Number { parameter, .. }
-        | Argument::Pointer { parameter, .. } => Some(*parameter as usize),
-        Argument::Eno { .. } => None,
     }
 }
 
