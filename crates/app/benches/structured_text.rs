@@ -1,4 +1,5 @@
-//! Structured Text beside C: `cargo bench -p sieben-app --bench structured_text [NAME]`.
+//! Structured Text beside C: `cargo bench -p sieben-app --bench structured_text [NAME [listing]]`; with `listing` the machine code
+//! of these programs is printed instead.
 //!
 //! The same programs in Structured Text and, by hand, in C, compiled by the system's `cc -O3`, take turns in one run. Both run the same
 //! number of scans, 10 ms of their clock apart, and have to end with the same value of `check`. A figure is the best of all turns, as CPU
@@ -48,6 +49,10 @@ fn main() {
     let mut ratios = Vec::new();
     for (index, case) in programs::all().iter().enumerate().filter(|(_, case)| case.name.contains(&wanted)) {
         let program = compiled("bench.st", &case.st);
+        if env::args().nth(2).is_some_and(|word| word == "listing") {
+            println!("{}", Jit::listing(&program, &load(&program, Interpreter::load).machine.memory.layout).expect("machine code"));
+            continue;
+        }
         let c = c_program(case.name, &case.c, "st/main.c", C_FLAGS, index);
         assert_eq!(c_turn(&c, CHECKED_SCANS).1, case.check, "{}: what the test of the programs compares with", case.name);
         let mut engine = None;

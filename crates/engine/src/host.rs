@@ -37,6 +37,8 @@ pub enum Exit {
     Stopped(StopReason),
     /// The Host suspended the run; `resume` goes on.
     Suspended,
+    /// The tracer paused the run between two statements; `go_on` goes on as if nothing had happened.
+    Paused,
 }
 
 /// Why the CPU stops: the event of the diagnostic buffer.
@@ -97,6 +99,8 @@ pub trait Engine: Send + Sync {
     fn run(&self, context: &mut Context<'_>, entry: &Entry) -> Exit;
     /// Goes on with the frames of the machine, after [`Exit::Suspended`] and [`Exit::Stopped`]. The place where it goes on is a safe point.
     fn resume(&self, context: &mut Context<'_>) -> Exit;
+    /// Goes on after [`Exit::Paused`], with the statement before which the run paused: nothing is asked that the run had asked already.
+    fn go_on(&self, context: &mut Context<'_>) -> Exit;
     /// Whether this block is loaded.
     fn has_block(&self, block: BlockId) -> bool;
     /// Bytes of machine code; 0 if the program is interpreted.

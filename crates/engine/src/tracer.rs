@@ -50,6 +50,11 @@ pub enum LocalAccess {
 pub trait Tracer {
     /// A statement was executed.
     fn statement(&mut self, machine: &Machine, event: &StatementEvent);
+    /// Asked before every statement whether the run pauses there ([`crate::Exit::Paused`]); the event of the statement before it has been told.
+    fn pauses_before(&mut self, machine: &Machine, place: Place) -> bool {
+        let _ = (machine, place);
+        false
+    }
     /// A statement does something to the local data. What a system function does there is not told: what it is given counts as written.
     fn local_data(&mut self, machine: &Machine, place: Place, access: LocalAccess) {
         let _ = (machine, place, access);

@@ -70,10 +70,10 @@ asks! {
     Failed = failed(link, site);
     /// A condition of a statement does not hold.
     Unmet = unmet(link, site, register);
-    /// A call finds no room for the callee.
-    NoRoom = no_room(link, site);
     /// The budget is used up before this statement.
     SafePoint = safe_point(link, code, statement);
+    /// Lets the interpreter go on with a statement: memory is not as the code relies on.
+    Interpret = interpret(link, code, statement);
     /// Calls a block that is not known beforehand, or a system block.
     CallOther = call_other(link, site, number, passed);
 }
@@ -500,10 +500,6 @@ extern "C" fn unmet(run: &mut Run<'_, '_>, link: u64, site: u64, register: u64) 
     run.ask_fault(link, site, &fault)
 }
 
-extern "C" fn no_room(run: &mut Run<'_, '_>, link: u64, site: u64) -> u64 {
-    run.ask_no_room(link, site)
-}
-
 extern "C" fn safe_point(run: &mut Run<'_, '_>, link: u64, code: u64, statement: u64) -> u64 {
     let block = run.block(code as usize);
     let place = FaultPlace { block: block.id, statement: statement as u32 };
@@ -512,6 +508,12 @@ extern "C" fn safe_point(run: &mut Run<'_, '_>, link: u64, code: u64, statement:
     run.take_back();
     let resume = run.compiled.interpreter.resume_at(code as u32, statement as u32);
     run.react(link, resume, place, reaction, None)
+}
+
+extern "C" fn interpret(run: &mut Run<'_, '_>, link: u64, code: u64, statement: u64) -> u64 {
+    run.show(run.depth(link), 0);
+    let resume = run.compiled.interpreter.resume_at(code as u32, statement as u32);
+    run.interpret(resume)
 }
 
 extern "C" fn call_other(run: &mut Run<'_, '_>, link: u64, site: u64, number: u64, passed: u64) -> u64 {

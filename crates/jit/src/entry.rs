@@ -16,7 +16,8 @@ type Function = extern "C" fn(&mut Run<'_, '_>, *mut u8, usize, usize) -> u64;
 pub(crate) struct Generation {
     /// Taken only when the generation is dropped.
     module: Option<JITModule>,
-    functions: Vec<Function>,
+    /// By block; `None` = nobody enters it but calls that know which version they call.
+    functions: Vec<Option<Function>>,
     bytes: usize,
     levels: usize,
 }
@@ -28,14 +29,14 @@ unsafe impl Sync for Generation {}
 
 impl Generation {
     /// The finished functions of a module, by block. All of them have the signature of [`Function`]: the translator declares no other.
-    pub(crate) fn new(module: JITModule, blocks: &[FuncId], bytes: usize, levels: usize) -> Self {
+    pub(crate) fn new(module: JITModule, blocks: &[Option<FuncId>], bytes: usize, levels: usize) -> Self {
         let functions = blocks
             .iter()
             .map(|&block| {
-                let address = module.get_finalized_function(block);
+                let address = module.get_finalized_function(block?);
                 // SAFETY: the address is that of a finished function which `translate` declared with exactly this signature, and the
                 // module that owns it lives as long as `self`, who alone hands it out.
-                unsafe { std::mem::transmute::<*const u8, Function>(address) }
+                Some(unsafe { std::mem::transmute::<*const u8, Function>(address) })
             })
             .collect();
         Self { module: Some(module), functions, bytes, levels }
@@ -55,9 +56,14 @@ impl Generation {
     ///
     /// `local` is the address of its local data, which lie inside the arena, and `link` that of its entry in the list of links: the
     /// callers in `ask.rs` check both against the limits of the run.
+    ///
+    /// # Panics
+    /// If nobody but other machine code was to enter the block: organization blocks, and those that are called by a computed number, are
+    /// always there.
     pub(crate) fn call(&self, code: usize, run: &mut Run<'_, '_>, local: usize, link: usize) -> bool {
         let arena = run.arena();
-        self.functions[code](run, arena, local, link) != 0
+        let function = self.functions[code].expect("a block that is entered from outside has a general version");
+        function(run, arena, local, link) != 0
     }
 }
 

@@ -8,6 +8,7 @@ use sieben_engine::ir::{Callee, Code, Inst, Place, Target};
 use sieben_engine::machine::memory::DataBlockEntry;
 use sieben_engine::machine::{Memory, Registers};
 use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
+use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
 
 use crate::entry::Generation;
@@ -38,6 +39,8 @@ pub(crate) struct Native {
     pub(crate) id: BlockId,
     pub(crate) local_size: u32,
     pub(crate) code: Code,
+    /// Values in the local data that only their constant address reaches, in order: position in bits and width.
+    pub(crate) private: Vec<(u32, Width)>,
 }
 
 impl Native {
@@ -83,7 +86,9 @@ impl Source {
             if code.insts.is_empty() {
                 code = sieben_engine::ir::Builder::default().finish();
             }
-            Native { id, local_size: block.local_size, code }
+            let mut private = block.private.clone();
+            private.sort_unstable();
+            Native { id, local_size: block.local_size, code, private }
         };
         let blocks: Arc<[Native]> = program.code.iter().map(native).collect();
         let asks_before_writing = !layout.read_only.is_empty() || makes_protected_blocks(&blocks);
@@ -115,6 +120,7 @@ impl Source {
             asks_before_writing: self.asks_before_writing,
             parameters_max: self.parameters_max,
             areas: areas(&self.layout),
+            any_registers: options.exact,
         };
         Ok(Jit { compiled, layout: self.layout.clone(), known_layout: OnceLock::new() })
     }
@@ -132,6 +138,8 @@ pub(crate) struct Compiled {
     asks_before_writing: bool,
     pub(crate) parameters_max: usize,
     pub(crate) areas: Areas,
+    /// Whether organization blocks begin with the registers that they are given; otherwise with fresh ones.
+    any_registers: bool,
 }
 
 impl Compiled {
@@ -187,6 +195,16 @@ impl Jit {
             other => other?,
         };
         Ok(Arc::new(jit))
+    }
+
+    /// All blocks as text, for people: the IR, Cranelift's IR of the optimized tier and the instructions of this machine.
+    ///
+    /// # Errors
+    /// Why the program cannot become machine code, as the end of a sentence.
+    pub fn listing(program: &Program, layout: &Layout) -> Result<String, String> {
+        let source = Source::new(program, layout, Arc::new(Interpreter::new(program, layout)))?;
+        let options = Options { exact: false, optimize: true, asks_before_writing: source.asks_before_writing, ..Options::default() };
+        translate::listing(&source.blocks, &|id| source.interpreter.code(id), &source.layout, options)
     }
 
     /// Compiles all blocks for aarch64 in every tier, with Cranelift's checks on, and throws the code away; bytes of all tiers.
@@ -278,8 +296,10 @@ impl Engine for Jit {
         context.machine.parameters.clear();
         context.machine.registers = entry.registers.clone().unwrap_or_else(Registers::fresh);
         // The code of other blocks relies on a caller.
+        let others = !self.compiled.any_registers && context.machine.registers != Registers::fresh();
         let called_only = entry.block.kind != BlockKind::OrganizationBlock;
         if called_only
+            || others
             || context.tracer.is_some()
             || local_size > self.layout.local_class.min(self.layout.local.len())
             || !self.fits(context.machine)
@@ -292,6 +312,10 @@ impl Engine for Jit {
     fn resume(&self, context: &mut Context<'_>) -> Exit {
         // A suspended run has all its frames in the machine, as the interpreter keeps them.
         self.compiled.interpreter.resume(context)
+    }
+
+    fn go_on(&self, context: &mut Context<'_>) -> Exit {
+        self.compiled.interpreter.go_on(context)
     }
 
     fn has_block(&self, block: BlockId) -> bool {

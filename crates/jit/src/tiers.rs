@@ -118,6 +118,9 @@ impl Engine for Generation {
         // All generations show frames in the same way.
         self.engine.resume(context)
     }
+    fn go_on(&self, context: &mut Context<'_>) -> Exit {
+        self.engine.go_on(context)
+    }
     fn has_block(&self, block: BlockId) -> bool {
         self.engine.has_block(block)
     }

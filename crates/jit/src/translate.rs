@@ -3,7 +3,7 @@
 //! Registers of the CPU are variables while the block runs; they are stored where somebody else reads them: at calls, at the end
 //! and where the Host is asked. A path on which something failed is cold code behind the function.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::mem::offset_of;
 
 use cranelift_codegen::Context;
@@ -20,7 +20,7 @@ use sieben_engine::Layout;
 use sieben_engine::access::data_registers;
 use sieben_engine::interpreter::weight;
 use sieben_engine::ir::{DataRegister, Inst, Op, Place, Target, Var};
-use sieben_engine::machine::Register;
+use sieben_engine::machine::{Register, Registers};
 use sieben_model::address::Area;
 use sieben_model::block::{BlockId, BlockKind};
 
@@ -35,19 +35,30 @@ mod calls;
 mod gates;
 mod inline;
 mod inlining;
+mod inside;
+mod instance;
+mod instance_pointer;
 mod intrinsics;
 mod loops;
 mod memory;
 mod promote;
+mod ranges;
 mod sized;
 mod value;
+mod versions;
+mod words;
 
 use analysis::{SPARED, Summary, open_blocks, set_by_calls};
 use bytes::Bytes;
 use inlining::{Outer, Plan};
+use instance::Instance;
+use instance_pointer::InstancePointer;
 use loops::Loop;
-use promote::Promoted;
+use promote::{Base, Promoted};
+use ranges::Ranges;
 use value::{Lazy, Val};
+use versions::{Known, Versions};
+use words::Words;
 
 /// How a program is compiled.
 #[derive(Clone, Copy, Debug)]
@@ -60,11 +71,13 @@ pub(crate) struct Options {
     pub(crate) optimize: bool,
     /// Whether a data block that is not known beforehand may be protected when it is written.
     pub(crate) asks_before_writing: bool,
+    /// Whether the code is kept as text, for people.
+    pub(crate) lists: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { inline: true, exact: true, optimize: false, asks_before_writing: false }
+        Self { inline: true, exact: true, optimize: false, asks_before_writing: false, lists: false }
     }
 }
 
@@ -123,15 +136,23 @@ enum Machine {
 /// The code of a program before it becomes executable.
 struct Written {
     module: JITModule,
-    functions: Functions,
+    /// The general version of each block, if somebody may enter it.
+    blocks: Vec<Option<FuncId>>,
     bytes: usize,
     frame_max: usize,
     pinned: BTreeSet<u16>,
+    /// Each block in Cranelift's IR and as instructions of the machine, if somebody wants to read it.
+    listing: String,
+}
+
+/// Compiles all blocks, to be read and not to be run: as text.
+pub(crate) fn listing(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<String, String> {
+    Ok(write(blocks, find, layout, Options { lists: true, ..options }, Machine::This)?.listing)
 }
 
 /// Compiles all blocks. The code takes the data blocks with the returned numbers to be as they were loaded.
 pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<(Generation, BTreeSet<u16>), String> {
-    let Written { mut module, functions, bytes, frame_max, mut pinned } = write(blocks, find, layout, options, Machine::This)?;
+    let Written { mut module, blocks, bytes, frame_max, mut pinned, .. } = write(blocks, find, layout, options, Machine::This)?;
     module.finalize_definitions().map_err(|error| error.to_string())?;
     let levels = (STACK_BYTES / (frame_max + STACK_BYTES_OF_A_CALL)).min(LINKS);
     // Interrupts that come on top go to the interpreter.
@@ -140,7 +161,7 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
         return Err(format!("its blocks need up to {frame_max} bytes of stack"));
     }
     pinned.remove(&0);
-    Ok((Generation::new(module, &functions.blocks, bytes, levels), pinned))
+    Ok((Generation::new(module, &blocks, bytes, levels), pinned))
 }
 
 /// Compiles all blocks for aarch64 with Cranelift's checks, to see that it can be done; how many bytes of code there are.
@@ -167,31 +188,50 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
         builder.symbol(ask.name, ask.address);
     }
     let mut module = JITModule::new(builder);
-    let functions = declare(&mut module, blocks).map_err(|error| error.to_string())?;
+    let functions = declare(&mut module).map_err(|error| error.to_string())?;
+    let mut versions = Versions::new(&mut module, blocks, find, options.optimize).map_err(|error| error.to_string())?;
+    let pointers = instance_pointer::follow(blocks, find);
     let summaries = analysis::summaries(blocks, find, options.exact);
     let plans = inlining::plan(blocks, find);
     let mut context = module.make_context();
     let mut frontend = FunctionBuilderContext::new();
+    context.set_disasm(options.lists);
+    let mut listing = String::new();
     let (mut bytes, mut frame_max) = (0, 0);
     let (mut pinned, mut asked) = (BTreeSet::new(), BTreeSet::new());
-    for (index, block) in blocks.iter().enumerate() {
+    while let Some((index, known, function)) = versions.next() {
         context.func.signature = block_signature(&module);
         let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
         let target = module.target_config();
         let for_loops = for_loops.as_ref().filter(|_| plans[index].loops);
         let joins = for_loops.is_none();
-        let program = Program { functions: &functions, blocks, summaries: &summaries, plans: &plans, find, layout, options, joins };
-        let mut found = Translator::new(builder, &mut module, program, index).run(target);
+        let program = Program {
+            functions: &functions,
+            blocks,
+            summaries: &summaries,
+            plans: &plans,
+            pointers: &pointers,
+            find,
+            layout,
+            options,
+            joins,
+        };
+        let mut found = Translator::new(builder, &mut module, &mut versions, program, index).run(known, target);
         pinned.append(&mut found.pinned);
         asked.append(&mut found.asked);
-        define(&mut module, functions.blocks[index], &mut context, for_loops).map_err(|error| format!("{}: {error}", block.id))?;
+        if options.lists {
+            listing += &format!("{}\n{}\n{}\n", blocks[index].id, blocks[index].code, context.func.display());
+        }
+        define(&mut module, function, &mut context, for_loops).map_err(|error| format!("{}: {error}", blocks[index].id))?;
+        listing += context.compiled_code().and_then(|code| code.vcode.as_deref()).unwrap_or_default();
         let code = context.compiled_code().map_or(&[][..], |code| code.code_buffer());
         bytes += code.len();
         frame_max = frame_max.max(frame_bytes(code));
         module.clear_context(&mut context);
     }
     bytes += gates::define(&mut module, &functions, &asked, &mut context, &mut frontend).map_err(|error| error.to_string())?;
-    Ok(Written { module, functions, bytes, frame_max, pinned })
+    let blocks = (0..blocks.len()).map(|index| versions.general(index)).collect();
+    Ok(Written { module, blocks, bytes, frame_max, pinned, listing })
 }
 
 /// Compiles a function, for the instruction set of the module or another one.
@@ -223,9 +263,8 @@ fn frame_bytes(code: &[u8]) -> usize {
     long.or(short).unwrap_or(0)
 }
 
-/// All functions that code refers to.
+/// All functions that code refers to, beside those of blocks.
 struct Functions {
-    blocks: Vec<FuncId>,
     ops: HashMap<Op, FuncId>,
     questions: HashMap<Question, FuncId>,
     /// The same for cold code: see `gates`.
@@ -243,11 +282,7 @@ fn words_signature(module: &JITModule, arguments: usize) -> clif::Signature {
     signature
 }
 
-fn declare(module: &mut JITModule, blocks: &[Native]) -> Result<Functions, Box<ModuleError>> {
-    let signature = block_signature(module);
-    let blocks = (0..blocks.len())
-        .map(|index| module.declare_function(&format!("block_{index}"), Linkage::Local, &signature).map_err(Box::new))
-        .collect::<Result<_, _>>()?;
+fn declare(module: &mut JITModule) -> Result<Functions, Box<ModuleError>> {
     let mut ops = HashMap::new();
     for &op in Op::ALL {
         let signature = words_signature(module, op.arity());
@@ -260,7 +295,7 @@ fn declare(module: &mut JITModule, blocks: &[Native]) -> Result<Functions, Box<M
         questions.insert(question, module.declare_function(ask.name, Linkage::Import, &signature)?);
     }
     let gates = gates::declare(module)?;
-    Ok(Functions { blocks, ops, questions, gates })
+    Ok(Functions { ops, questions, gates })
 }
 
 /// Whether a register holds one bit.
@@ -322,6 +357,7 @@ struct Program<'a> {
     blocks: &'a [Native],
     summaries: &'a [Summary],
     plans: &'a [Plan],
+    pointers: &'a [InstancePointer],
     find: Find<'a>,
     layout: &'a Layout,
     options: Options,
@@ -344,6 +380,8 @@ struct Translator<'a> {
     blocks: &'a [Native],
     summaries: &'a [Summary],
     plans: &'a [Plan],
+    pointers: &'a [InstancePointer],
+    versions: &'a mut Versions,
     index: usize,
     find: Find<'a>,
     layout: &'a Layout,
@@ -366,13 +404,30 @@ struct Translator<'a> {
     temporaries: Vec<Option<Val>>,
     /// What is known of memory in the running piece of code.
     bytes: Bytes,
+    words: Words,
     loops: Vec<Loop>,
     /// Memory for which registers stand, in the loops met so far.
     promoted: Vec<Promoted>,
+    /// What is known of the values of the present block.
+    ranges: Ranges,
+    /// Ranges of values in the running statement.
+    bounds: HashMap<Value, (u32, u32)>,
+    /// Values in the running statement that the smallest loop around it does not change.
+    fixed: HashSet<Value>,
+    /// What loops write, by their block and first statement.
+    writes: HashMap<(usize, u32), BTreeSet<(Base, i32)>>,
+    /// Blocks in which memory is compared with what the code relies on, by the block in front of which they stand.
+    verifying: HashMap<clif::Block, clif::Block>,
+    /// Those that are still to be written, and for which statement.
+    verify_later: Vec<(clif::Block, u32, clif::Block)>,
     /// Values whose bits above so many are 0.
     narrow: HashMap<Value, u32>,
     /// All registers that the block may change.
     written: u32,
+    /// What AR2 held when the present block was entered.
+    instance: Val,
+    /// Where the instance of the present block lies, if it is inside its data block whatever AR2 holds.
+    in_range: Option<Instance>,
     arrivals: HashMap<u32, Arrival>,
     statement: u32,
     /// Parameters passed and not yet taken.
@@ -387,8 +442,6 @@ struct Translator<'a> {
     parameters_end: usize,
     /// IR instructions of inlined blocks so far.
     grown: usize,
-    /// Whether some call of this function may find no room; `None` = there is none.
-    no_room: Option<Value>,
     /// Safe points on ways back that are still to be written: the block, the statement, where it begins.
     ways: Vec<(clif::Block, u32, clif::Block)>,
     /// The running statement has not begun yet.
@@ -409,8 +462,8 @@ fn register_offset(register: Register) -> i32 {
 }
 
 impl<'a> Translator<'a> {
-    fn new(mut b: FunctionBuilder<'a>, module: &'a mut JITModule, program: Program<'a>, index: usize) -> Self {
-        let Program { functions, blocks, summaries, plans, find, layout, options, joins } = program;
+    fn new(mut b: FunctionBuilder<'a>, module: &'a mut JITModule, versions: &'a mut Versions, program: Program<'a>, index: usize) -> Self {
+        let Program { functions, blocks, summaries, plans, pointers, find, layout, options, joins } = program;
         let entry = b.create_block();
         b.append_block_params_for_function_params(entry);
         b.switch_to_block(entry);
@@ -426,6 +479,8 @@ impl<'a> Translator<'a> {
             blocks,
             summaries,
             plans,
+            pointers,
+            versions,
             index,
             find,
             layout,
@@ -441,10 +496,19 @@ impl<'a> Translator<'a> {
             dirty: 0,
             temporaries: Vec::new(),
             bytes: Bytes::new(joins),
+            words: Words::default(),
             loops: loops::find(&blocks[index].code),
             promoted: Vec::new(),
+            ranges: Ranges::default(),
+            bounds: HashMap::new(),
+            fixed: HashSet::new(),
+            writes: HashMap::new(),
+            verifying: HashMap::new(),
+            verify_later: Vec::new(),
             narrow: HashMap::new(),
             written: 0,
+            instance: Val::Const(0),
+            in_range: None,
             arrivals: HashMap::new(),
             statement: 0,
             passed: Vec::new(),
@@ -453,7 +517,6 @@ impl<'a> Translator<'a> {
             local_offset: 0,
             parameters_end: 0,
             grown: 0,
-            no_room: None,
             ways: Vec::new(),
             arriving: false,
             ended: false,
@@ -475,10 +538,12 @@ impl<'a> Translator<'a> {
     }
 
     /// Writes the function.
-    fn run(mut self, target: cranelift_codegen::isa::TargetFrontendConfig) -> Found {
-        self.find_registers_and_loops();
-        self.look_for_room();
+    fn run(mut self, known: Known, target: cranelift_codegen::isa::TargetFrontendConfig) -> Found {
+        self.find_registers_and_loops(known);
+        self.ranges = self.find_ranges();
+        self.keep_budget();
         self.enter_block();
+        self.look_for_room();
         self.statements();
         debug_assert!(self.ended, "a block ends with a return");
         self.b.switch_to_block(self.leave);
@@ -502,6 +567,8 @@ impl<'a> Translator<'a> {
                 continue;
             }
             self.temporaries.clear();
+            self.bounds.clear();
+            self.fixed.clear();
             self.passed.clear();
             let first = code.statements[statement];
             for (index, inst) in (first..).zip(code.statement(statement)) {
@@ -514,7 +581,7 @@ impl<'a> Translator<'a> {
     }
 
     /// Which registers the block mentions, and where it jumps back to.
-    fn find_registers_and_loops(&mut self) {
+    fn find_registers_and_loops(&mut self, known: Known) {
         let code = &self.native().code;
         let mut mentioned = 0;
         let mut back = Vec::new();
@@ -528,6 +595,7 @@ impl<'a> Translator<'a> {
                 }
                 let register = |var: Var| var.register().map_or(0, bit_of);
                 let written = loops::written(inst);
+                let written = if matches!(inst, Inst::Call { .. }) { analysis::ALL } else { written };
                 self.written |= written;
                 mentioned |= written | sieben_engine::ir::verify::reads(inst).into_iter().map(register).fold(0, |all, bit| all | bit);
             }
@@ -537,22 +605,31 @@ impl<'a> Translator<'a> {
         }
         if self.called_only() {
             // What is known there is not in memory.
-            self.written |= AT_CALL.iter().fold(0, |all, &(register, _)| all | bit_of(register));
+            self.written |= AT_CALL.iter().fold(known.registers(), |all, &(register, _)| all | bit_of(register));
         }
-        let known = if self.called_only() { AT_CALL } else { &[] };
+        let at_call = if self.called_only() { AT_CALL } else { &[] };
+        let mut known: Vec<(Register, u64)> = at_call.iter().copied().chain(known.iter()).collect();
+        // An organization block begins with fresh registers, which are in memory.
+        let begins = !self.called_only() && !self.options.exact;
+        if begins {
+            known = Register::ALL.iter().copied().zip(Registers::fresh().to_words()).collect();
+        }
         for &register in Register::ALL {
             if let Some(&(_, value)) = known.iter().find(|&&(known, _)| known == register) {
                 let ty = if is_bit(register) { I32 } else { I64 };
                 let constant = self.b.ins().iconst(ty, value as i64);
                 self.b.def_var(self.variables[register as usize], constant);
                 self.current[register as usize] = Some(Val::Const(value));
-                self.dirty |= bit_of(register);
+                if !begins {
+                    self.dirty |= bit_of(register);
+                }
             } else if mentioned & bit_of(register) != 0 {
                 let ty = if is_bit(register) { I32 } else { I64 };
                 let value = self.b.ins().load(ty, TRUSTED, self.run, register_offset(register));
                 self.b.def_var(self.variables[register as usize], value);
             }
         }
+        self.instance = self.register(Register::Ar2);
     }
 
     /// Notes that a later statement jumps back to one.
@@ -585,19 +662,10 @@ impl<'a> Translator<'a> {
 
     /// Takes the weight of a safe point from the budget, asks the Host if it is used up, and goes on at `go_on`.
     fn count_down(&mut self, weight: u16, statement: u32, go_on: clif::Block) {
-        let offset = offset_of!(Run<'_, '_>, budget) as i32;
-        let promoted = self.promoted_budget();
-        let budget = match promoted {
-            Some(variable) => self.b.use_var(variable),
-            None => self.b.ins().load(I64, TRUSTED, self.run, offset),
-        };
+        let variable = self.budget();
+        let budget = self.b.use_var(variable);
         let left = self.b.ins().iadd_imm_s(budget, -i64::from(weight));
-        match promoted {
-            Some(variable) => self.b.def_var(variable, left),
-            None => {
-                self.b.ins().store(TRUSTED, left, self.run, offset);
-            }
-        }
+        self.b.def_var(variable, left);
         let used_up = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, left, 0);
         let ask = self.cold_block();
         self.b.ins().brif(used_up, ask, &[], go_on, &[]);
@@ -606,12 +674,15 @@ impl<'a> Translator<'a> {
         let before = self.cold.replace(ask);
         self.spill(self.dirty);
         let code = self.b.ins().iconst(I64, self.index as i64);
+        let statement_of_head = statement;
         // The interpreter names the first statement that does something.
         let statement = self.first_with_code(statement);
         let statement = self.b.ins().iconst(I64, i64::from(statement));
         let answer = self.ask(Question::SafePoint, &[self.link, code, statement]);
         self.cold = before;
+        let go_on = self.verified(statement_of_head, go_on);
         self.b.ins().brif(answer, self.leave, &[], go_on, &[]);
+        self.write_verifications();
     }
 
     fn first_with_code(&self, statement: u32) -> u32 {
@@ -642,11 +713,13 @@ impl<'a> Translator<'a> {
         let arrival = self.arrival(statement);
         let (block, known, dirty, again) = (arrival.block, arrival.known.unwrap_or_default(), arrival.dirty, arrival.again);
         self.b.switch_to_block(block);
+        self.words.forget_all();
         self.changed = 0;
         self.current = known.map(|value| value.map(Val::Const));
         self.dirty = dirty;
         self.ended = false;
         if !self.arrivals[&statement].backward {
+            self.know_instance_again();
             self.b.seal_block(block);
             return;
         }
@@ -659,6 +732,7 @@ impl<'a> Translator<'a> {
                 self.current[register as usize] = None;
             }
         }
+        self.know_instance_again();
         // What is entered in the middle may be reached by a way on which less was stored.
         let changed = if again.is_some() { written & self.written } else { self.written };
         self.dirty |= changed & !self.dead_at(statement);
@@ -759,6 +833,34 @@ impl<'a> Translator<'a> {
         }
     }
 
+    /// AR2 at a statement where ways meet, if it is there what it was at the beginning of the block.
+    fn know_instance_again(&mut self) {
+        let Some(added) = self.pointers[self.index].at(self.statement) else { return };
+        if added == 0 || self.instance.constant().is_some() {
+            self.current[Register::Ar2 as usize] = Some(self.instance_and(added));
+        }
+    }
+
+    /// So much more than AR2 held when the present block was entered.
+    fn instance_and(&mut self, added: u32) -> Val {
+        match self.instance {
+            Val::Const(pointer) => Val::Const(u64::from((pointer as u32).wrapping_add(added))),
+            pointer if added == 0 => pointer,
+            pointer => {
+                let pointer = self.int(pointer);
+                Val::Int(self.b.ins().iadd_imm_u(pointer, i64::from(added)))
+            }
+        }
+    }
+
+    /// What is known of AR2 behind an instruction that wrote it.
+    pub(super) fn know_instance_behind(&mut self, inst: u32) {
+        if let Some(added) = self.pointers[self.index].after(inst) {
+            let pointer = self.instance_and(added);
+            self.set_register(Register::Ar2, pointer);
+        }
+    }
+
     fn set_register(&mut self, register: Register, value: Val) {
         self.current[register as usize] = Some(value);
         self.changed |= bit_of(register);
@@ -836,7 +938,9 @@ impl<'a> Translator<'a> {
                 let changed = self.changed;
                 self.leave_loops(self.statement + 1);
                 let next = self.edge(self.statement + 1);
+                let next = self.verified(self.statement + 1, next);
                 self.b.ins().brif(answer, self.leave, &[], next, &[]);
+                self.write_verifications();
                 self.changed = changed;
             }
         }
@@ -844,18 +948,40 @@ impl<'a> Translator<'a> {
     }
 
     fn inst(&mut self, index: u32, inst: &Inst) {
+        self.write_inst(index, inst);
+        self.forget_words_behind(inst);
+        if sieben_engine::ir::verify::writes(inst) == Some(Register::Ar2.into()) {
+            self.know_instance_behind(index);
+        }
+    }
+
+    fn write_inst(&mut self, index: u32, inst: &Inst) {
         if !matches!(inst, Inst::Constant { .. } | Inst::Compute { .. } | Inst::Load { .. } | Inst::Store { .. }) {
             // What follows may have ways of its own, on which nothing may wait.
             self.settle_bytes();
         }
         match *inst {
             Inst::Constant { dst, value } => self.set(dst, Val::Const(value)),
+            Inst::Compute { dst, .. }
+                if let Some((least, most)) = self.ranges.result(index)
+                    && least == most =>
+            {
+                self.set(dst, Val::Const(u64::from(least)));
+            }
             Inst::Compute { op, dst, args } => {
                 let result = self.compute(op, dst, args);
+                self.note_range(index, result);
                 self.set(dst, result);
             }
+            Inst::Load { dst, .. } if self.pointers[self.index].loaded(index).is_some() => {
+                let added = self.pointers[self.index].loaded(index).unwrap_or_default();
+                let pointer = self.instance_and(added);
+                self.set(dst, pointer);
+            }
+            Inst::Load { .. } | Inst::Store { .. } if self.access_instance(inst) => {}
             Inst::Load { dst, place, width, on_fault } => self.load(index, dst, place, width, on_fault),
             Inst::Store { place, width, src } => self.store(index, place, width, src),
+            Inst::Move { from, to, bytes } if self.move_inside(index, (from, to, bytes)) => {}
             Inst::Move { from, to, .. } => {
                 let pointers = [self.pointer(from), self.pointer(to)];
                 self.store_open_blocks();
@@ -875,6 +1001,7 @@ impl<'a> Translator<'a> {
             Inst::Parameter { dst, index } => self.parameter(dst, index),
             Inst::PassParameter { src } => self.pass_parameter(src),
             Inst::Intrinsic { dst, intrinsic, args } => self.intrinsic(index, dst, intrinsic, args),
+            Inst::Require { .. } if self.ranges.is_met(index) => {}
             Inst::Require { condition, register, .. } => self.require(index, condition, Some(register), After::NextStatement),
             Inst::RequireStack { condition, .. } => self.require(index, condition, None, After::Never),
             Inst::Open { register, number } => {

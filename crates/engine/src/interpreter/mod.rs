@@ -74,6 +74,9 @@ impl Engine for Interpreter {
     fn resume(&self, context: &mut Context<'_>) -> Exit {
         self.resume(context)
     }
+    fn go_on(&self, context: &mut Context<'_>) -> Exit {
+        self.go_on(context)
+    }
     fn has_block(&self, block: BlockId) -> bool {
         self.index.contains_key(&block)
     }

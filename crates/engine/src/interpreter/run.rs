@@ -106,7 +106,12 @@ impl Interpreter {
                     match self.safe_point(context, &mut file, block, 0) {
                         Next::At(_) => {}
                         Next::Frame => continue 'block,
-                        Next::Leave(exit) => return exit,
+                        Next::Leave(exit) => {
+                            if WATCHED {
+                                self.finish_event(context, &file, &mut watched);
+                            }
+                            return exit;
+                        }
                     }
                 }
             }
@@ -137,7 +142,15 @@ impl Interpreter {
                 if WATCHED && block.statements.binary_search(&(at as u32)).is_ok() {
                     self.finish_event(context, &file, &mut watched);
                     let statement = block.statements.partition_point(|&first| first as usize <= at) - 1;
-                    watched = Some(Watched { place: Place { block: block.id, statement: statement as u32 }, before: registers(&file) });
+                    let place = Place { block: block.id, statement: statement as u32 };
+                    if let Some(tracer) = context.tracer.as_deref_mut()
+                        && tracer.pauses_before(context.machine, place)
+                    {
+                        interrupt_at(context.machine, at);
+                        store_file(context.machine, &file);
+                        return Exit::Paused;
+                    }
+                    watched = Some(Watched { place, before: registers(&file) });
                 }
                 match steps[at] {
                     Step::Compute { op, dst, args } => {

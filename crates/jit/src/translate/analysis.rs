@@ -25,9 +25,12 @@ pub(super) const SPARED: u32 = bit_of(Register::Fc)
 
 /// What a call restores or sets, whatever the block did.
 pub(super) fn set_by_calls() -> u32 {
-    let restored = OPEN_BLOCKS.into_iter().chain([Register::Ma, Register::Nesting]);
-    let set = AFTER_CALL.iter().map(|&(register, _)| register);
-    restored.chain(set).fold(0, |all, register| all | bit_of(register))
+    AFTER_CALL.iter().fold(restored(), |all, &(register, _)| all | bit_of(register))
+}
+
+/// What a call restores, whatever the block did.
+pub(super) fn restored() -> u32 {
+    super::inlining::RESTORED.iter().fold(0, |all, &register| all | bit_of(register))
 }
 
 /// The data block registers.

@@ -62,8 +62,13 @@ impl Translator<'_> {
         }
         let Address { base, offset, bit } = address;
         let (Width::Bit, Bit::Number(number)) = (width, bit) else {
+            if let Some(value) = self.known_word(address, width) {
+                return value;
+            }
             self.store_waiting_in(base, offset, width);
-            return self.read(address, width);
+            let value = self.read(address, width);
+            self.remember_word(address, width, value);
+            return value;
         };
         if let Some(waiting) = self.bytes.waiting.iter().find(|waiting| waiting.is_at(base, offset))
             && waiting.mask & 1 << number != 0
@@ -83,6 +88,7 @@ impl Translator<'_> {
         if self.write_promoted(address, width, value) {
             return;
         }
+        self.forget_word(address, width);
         if self.store_touched_at(address, width) {
             self.settle_bytes();
             self.write(address, width, value);
@@ -95,6 +101,7 @@ impl Translator<'_> {
             let end = offset + width.bytes() as i32;
             self.bytes.known.retain(|&(other, at, _)| other != base || !(offset..end).contains(&at));
             self.write(address, width, value);
+            self.remember_word(address, width, value);
             return;
         };
         let value = self.force(value);
@@ -178,5 +185,6 @@ impl Translator<'_> {
             self.store_bits(waiting);
         }
         self.bytes.known.clear();
+        self.forget_words_behind_block();
     }
 }

@@ -76,6 +76,7 @@ impl Translator<'_> {
 
     fn call_other(&mut self, index: u32, number: Option<Value>) {
         self.store_passed();
+        self.words.forget_all();
         self.spill(self.dirty);
         self.dirty = 0;
         let site = self.site(index);
@@ -102,8 +103,10 @@ impl Translator<'_> {
     }
 
     fn call_loaded(&mut self, index: u32, code: usize, parameters: u16) {
-        self.make_sure_of_room(index, code);
         self.settle_bytes();
+        if self.pointers[code].writes_outwards {
+            self.words.forget_all();
+        }
         self.store_passed();
         let own = self.shown_link();
         let link = self.b.ins().iadd_imm_u(own, size_of::<Link>() as i64);
@@ -123,25 +126,32 @@ impl Translator<'_> {
         put(self, local, offset_of!(Link, local));
         put(self, first, offset_of!(Link, parameters));
         put(self, last, offset_of!(Link, parameters_end));
+        let instance = self.register(Register::Ar2);
         let values = RESTORED.map(|register| self.register(register));
         for (&value, offset) in values.iter().zip(KEPT_IN) {
             let value = self.word(value);
             put(self, value, offset);
         }
         // The callee knows what a call sets, and does not read it.
+        let (function, known) = self.version(code);
         let callee = &self.summaries[code];
         let handed = self.dirty & !set_by_calls() & !(SPARED & !callee.live_in()) | self.dirty & open_blocks();
+        let handed = handed & !known.registers();
         let written = callee.written;
+        let instance_kept = written & bit_of(Register::Ar2) != 0 && self.pointers[code].kept;
         self.spill(handed);
         self.dirty &= !handed;
-        let left = self.call(self.functions.blocks[code], &[self.run, self.arena, local, link]);
+        // The budget: a loop that calls keeps nothing else in a register.
+        self.store_promoted();
+        let left = self.call(function, &[self.run, self.arena, local, link]);
         let go_on = self.b.create_block();
         self.b.ins().brif(left, self.leave, &[], go_on, &[]);
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
+        self.take_promoted();
         for &register in Register::ALL {
             let needed = SPARED & bit_of(register) == 0 || self.options.exact || callee.live_out & bit_of(register) != 0;
-            if written & !set_by_calls() & bit_of(register) != 0 && needed {
+            if written & !set_by_calls() & bit_of(register) != 0 && needed && !(instance_kept && register == Register::Ar2) {
                 self.reload(register);
             }
         }
@@ -155,6 +165,9 @@ impl Translator<'_> {
         }
         for (register, value) in AFTER_CALL {
             self.set_register(register, Val::Const(value));
+        }
+        if instance_kept {
+            self.set_register(Register::Ar2, instance);
         }
     }
 }

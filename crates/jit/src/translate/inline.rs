@@ -170,7 +170,7 @@ impl Translator<'_> {
             }
             Op::NegF32 => { let a = self.int(a); Val::Int(self.b.ins().bxor_imm_u(a, 0x8000_0000)) }
             Op::AbsF32 => { let a = self.int(a); Val::Int(self.b.ins().band_imm_u(a, 0x7FFF_FFFF)) }
-            Op::I32ToF32 => { let a = self.int(a); let real = self.b.ins().fcvt_from_sint(F32, a); self.bits(real) }
+            Op::I32ToF32 => { let a = self.int(a); let real = self.b.ins().fcvt_from_sint(F32, a); Val::Real { real, bits: self.b.ins().bitcast(I32, MemFlagsData::new(), real) } }
             Op::Swap16 => {
                 let a = self.int(a);
                 let low = self.b.ins().ireduce(I16, a);
@@ -359,7 +359,7 @@ impl Translator<'_> {
     pub(super) fn is_32_bits(&self, value: Val) -> bool {
         match value {
             Val::Const(value) => u32::try_from(value).is_ok(),
-            Val::Int(_) | Val::Bit { .. } | Val::At { .. } => true,
+            Val::Int(_) | Val::Bit { .. } | Val::At { .. } | Val::Real { .. } => true,
             Val::Word(_) | Val::Lazy(_) => false,
         }
     }
@@ -425,20 +425,19 @@ impl Translator<'_> {
     }
 
     pub(super) fn f32(&mut self, value: Val) -> Value {
-        let value = self.int(value);
+        let value = match self.force(value) {
+            Val::Real { real, .. } => return real,
+            value => self.int(value),
+        };
         self.b.ins().bitcast(F32, MemFlagsData::new(), value)
     }
 
-    fn bits(&mut self, real: Value) -> Val {
-        Val::Int(self.b.ins().bitcast(I32, MemFlagsData::new(), real))
-    }
-
-    /// The one NaN that the project shows.
+    /// A result; what is no number becomes the one NaN that the project shows.
     pub(super) fn quiet(&mut self, real: Value) -> Val {
         let none = self.b.ins().fcmp(FloatCC::Unordered, real, real);
         let bits = self.b.ins().bitcast(I32, MemFlagsData::new(), real);
         let nan = self.b.ins().iconst(I32, i64::from(f32::NAN.to_bits()));
-        Val::Int(self.b.ins().select(none, nan, bits))
+        Val::Real { real, bits: self.b.ins().select(none, nan, bits) }
     }
 
     fn merge(&mut self, high: Val, low: Val, mask: u32) -> Val {

@@ -10,13 +10,17 @@ use std::mem::offset_of;
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, Value};
-use sieben_engine::ir::{Callee, Inst};
+use sieben_engine::ir::Inst;
 use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
 use sieben_model::address::Width;
 
+use super::analysis::ALL;
+use super::instance::Instance;
 use super::loops::{self, Loop};
 use super::promote::Promoted;
+use super::ranges::Ranges;
 use super::value::Val;
+use super::versions::callees;
 use super::{AFTER_CALL, AT_CALL, After, Arrival, Find, OPEN_BLOCKS, TRUSTED, Translator, bit_of};
 use crate::ask::Question;
 use crate::jit::{Native, loop_heads};
@@ -65,16 +69,7 @@ pub(super) struct Plan {
 
 /// Decides for all blocks. A block that calls itself, however far around, is never inlined.
 pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
-    let callees: Vec<Vec<usize>> = blocks
-        .iter()
-        .map(|block| {
-            let callee = |inst: &Inst| match inst {
-                Inst::Call { callee: Callee::Block(id), .. } => find(*id).map(|code| code as usize),
-                _ => None,
-            };
-            block.code.insts.iter().filter_map(callee).collect()
-        })
-        .collect();
+    let callees = callees(blocks, find);
     let mut plans = vec![Plan::default(); blocks.len()];
     let mut decided = vec![false; blocks.len()];
     for _ in 0..DEPTH_MAX {
@@ -121,12 +116,16 @@ pub(super) struct Outer {
     /// The call.
     inst: u32,
     arrivals: HashMap<u32, Arrival>,
-    /// A loop that calls a block keeps nothing in registers for it.
+    /// A loop that calls a block keeps nothing in registers for it but the budget.
     loops: Vec<Loop>,
     promoted: Vec<Promoted>,
+    ranges: Ranges,
     passed: Vec<Val>,
     given: Vec<Val>,
     restored: [Val; RESTORED.len()],
+    instance: Val,
+    written: u32,
+    in_range: Option<Instance>,
     local_offset: i32,
     parameters_end: usize,
 }
@@ -141,46 +140,25 @@ impl Translator<'_> {
         self.options.inline && !quick && self.plans[code].inlined.is_some_and(|size| self.grown + size <= most)
     }
 
-    /// Looks at the beginning of a function whether all that it calls itself has room: mostly, and then no call has to look again.
+    /// Looks at the beginning of a function whether all that it calls itself has room. If not, the interpreter goes on, which looks at
+    /// each call.
     pub(super) fn look_for_room(&mut self) {
         let Plan { depth, local, .. } = self.plans[self.index];
         if depth == 0 {
             return;
         }
-        let (no_room, _) = self.lacks_room(depth, (self.native().local_size as usize + local) as i64);
-        self.no_room = Some(no_room);
-    }
-
-    /// Whether so many activations below the outermost one of this function, or so many bytes of local data from its own, are too many.
-    fn lacks_room(&mut self, depth: usize, bytes: i64) -> (Value, Value) {
         let link = self.b.ins().iadd_imm_u(self.link, (depth * size_of::<Link>()) as i64);
-        let end = self.b.ins().iadd_imm_u(self.local, bytes);
+        let local = self.native().local_size as usize + local;
+        let end = self.b.ins().iadd_imm_u(self.local, local as i64);
         let link_max = self.load_run(offset_of!(Run<'_, '_>, link_max));
         let local_end = self.load_run(offset_of!(Run<'_, '_>, local_end));
         let too_deep = self.b.ins().icmp(IntCC::UnsignedGreaterThan, link, link_max);
         let too_long = self.b.ins().icmp(IntCC::UnsignedGreaterThan, end, local_end);
-        (self.b.ins().bor(too_deep, too_long), link)
-    }
-
-    /// Makes sure that there is room for a block that is called now.
-    pub(super) fn make_sure_of_room(&mut self, index: u32, code: usize) {
-        let [look, go_on] = [self.cold_block(), self.b.create_block()];
-        match self.no_room {
-            Some(no_room) => self.b.ins().brif(no_room, look, &[], go_on, &[]),
-            None => self.b.ins().jump(look, &[]),
-        };
-        self.b.switch_to_block(look);
-        self.b.seal_block(look);
-        let bytes = self.local_behind() + i64::from(self.blocks[code].local_size);
-        let (no_room, _) = self.lacks_room(self.outer.len() + 1, bytes);
-        let site = self.site(index);
-        let cold = self.cold_block();
-        self.b.ins().brif(no_room, cold, &[], go_on, &[]);
-        let before = self.cold.replace(look);
-        self.cold_path(cold, Question::NoRoom, &[self.link, site], After::Never);
-        self.cold = before;
-        self.b.switch_to_block(go_on);
-        self.b.seal_block(go_on);
+        let no_room = self.b.ins().bor(too_deep, too_long);
+        let code = self.b.ins().iconst(I64, self.index as i64);
+        let statement = self.first_with_code(0);
+        let statement = self.b.ins().iconst(I64, i64::from(statement));
+        self.unless_failed(no_room, Question::Interpret, &[self.link, code, statement], After::Never);
     }
 
     /// Where the local data of a block that is called now begin, from those of the outermost block of this function, in bytes.
@@ -196,7 +174,6 @@ impl Translator<'_> {
 
     /// Writes the code of a called block in place of the call.
     pub(super) fn call_inlined(&mut self, index: u32, code: usize, parameters: usize) {
-        self.make_sure_of_room(index, code);
         self.grown += self.blocks[code].code.insts.len();
         let restored = RESTORED.map(|register| {
             let value = self.register(register);
@@ -205,34 +182,45 @@ impl Translator<'_> {
         for &(register, value) in AT_CALL {
             self.set_register(register, Val::Const(value));
         }
+        let instance = self.register(Register::Ar2);
         let parameters_end = self.parameters_end + self.passed.len();
         let given = self.passed.split_off(self.passed.len().saturating_sub(parameters));
         let local_offset = self.local_behind() as i32;
+        let promoted = self.take_all_but_budget();
         self.outer.push(Outer {
             index: self.index,
             statement: self.statement,
             inst: index,
             arrivals: std::mem::take(&mut self.arrivals),
             loops: std::mem::replace(&mut self.loops, loops::find(&self.blocks[code].code)),
-            promoted: std::mem::take(&mut self.promoted),
+            promoted,
+            ranges: std::mem::take(&mut self.ranges),
             passed: std::mem::take(&mut self.passed),
             given: std::mem::replace(&mut self.given, given),
             restored,
+            instance: self.instance,
+            written: self.written,
+            in_range: self.in_range,
             local_offset: self.local_offset,
             parameters_end: self.parameters_end,
         });
         (self.index, self.local_offset, self.parameters_end) = (code, local_offset, parameters_end);
+        self.instance = instance;
+        self.written = self.written_in_block();
+        self.in_range = self.instance_in_range();
         self.statement = 0;
         for to in loop_heads(&self.native().code) {
             self.expect_way_back(to);
         }
+        self.ranges = self.find_ranges();
         self.enter_block();
         self.statements();
         let Some(outer) = self.outer.pop() else { unreachable!("it was pushed above") };
         let written = self.summaries[code].written;
         (self.index, self.statement, self.arrivals) = (outer.index, outer.statement, outer.arrivals);
-        (self.loops, self.promoted) = (outer.loops, outer.promoted);
+        (self.loops, self.promoted, self.ranges) = (outer.loops, outer.promoted, outer.ranges);
         (self.passed, self.given) = (outer.passed, outer.given);
+        (self.instance, self.in_range, self.written) = (outer.instance, outer.in_range, outer.written);
         (self.local_offset, self.parameters_end) = (outer.local_offset, outer.parameters_end);
         for (register, value) in RESTORED.into_iter().zip(outer.restored) {
             if !OPEN_BLOCKS.contains(&register) || written & bit_of(register) != 0 {
@@ -242,6 +230,15 @@ impl Translator<'_> {
         for (register, value) in AFTER_CALL {
             self.set_register(register, Val::Const(value));
         }
+        if written & bit_of(Register::Ar2) != 0 && self.pointers[code].kept {
+            self.set_register(Register::Ar2, instance);
+        }
+    }
+
+    /// All registers that the present block may change.
+    fn written_in_block(&self) -> u32 {
+        let written = |inst: &Inst| if matches!(inst, Inst::Call { .. }) { ALL } else { loops::written(inst) };
+        self.native().code.insts.iter().fold(0, |all, inst| all | written(inst))
     }
 
     /// The link of the block that is written now, for somebody who looks: those of inlined blocks are written first.

@@ -24,6 +24,9 @@ use crate::run::Run;
 /// half of a product with it is exactly the quotient.
 static BASES: [[u64; 2]; 4] = [numbers(0), numbers(1), numbers(2), numbers(3)];
 
+/// 2⁶⁸ / 125, rounded up: the upper half of a product with a number below 2⁶¹, divided by 16, is exactly its 125th.
+const INVERSE_OF_125: u64 = 0x20C4_9BA5_E353_F7CF;
+
 const fn numbers(base: usize) -> [u64; 2] {
     [BASE_US[base], u64::MAX / BASE_US[base] + 1]
 }
@@ -69,6 +72,17 @@ impl Translator<'_> {
         self.set(dst, result);
     }
 
+    /// The clock in milliseconds, 32 bits.
+    fn clock_ms(&mut self) -> Val {
+        let clock = self.b.ins().load(I64, TRUSTED, self.run, offset_of!(Run<'_, '_>, clock_us) as i32);
+        // A division by 1000 = 8 × 125, exact for all 64 bits.
+        let eighth = self.b.ins().ushr_imm_u(clock, 3);
+        let inverse = self.b.ins().iconst(I64, INVERSE_OF_125 as i64);
+        let high = self.b.ins().umulhi(eighth, inverse);
+        let ms = self.b.ins().ushr_imm_u(high, 4);
+        Val::Int(self.b.ins().ireduce(I32, ms))
+    }
+
     fn ask_intrinsic(&mut self, index: u32, args: [Val; 3]) -> Value {
         let [a, b, c] = args.map(|arg| self.word(arg));
         let site = self.site(index);
@@ -80,7 +94,10 @@ impl Translator<'_> {
     /// The code of an intrinsic, and its result; `None` where Rust code is always asked.
     fn written_out(&mut self, intrinsic: Intrinsic, [number, rlo, word]: [Val; 3], slow: &mut Slow) -> Option<Val> {
         use Intrinsic as I;
-        if matches!(intrinsic, I::TimerBcd | I::CounterBcd | I::Clock) {
+        if intrinsic == I::Clock {
+            return Some(self.clock_ms());
+        }
+        if matches!(intrinsic, I::TimerBcd | I::CounterBcd) {
             return None;
         }
         let is_timer = matches!(intrinsic, I::TimerStart(_) | I::TimerReset | I::TimerEnable | I::TimerStatus | I::TimerValue);

@@ -1,8 +1,9 @@
 //! Where a block loops: statements that are entered at their first one only and jump back to it.
 
-use sieben_engine::ir::{Code, Inst, Target, Var};
+use sieben_engine::ir::{Callee, Code, Inst, Target, Var};
+use sieben_model::block::BlockKind;
 
-use super::analysis::{ALL, open_blocks};
+use super::analysis::{ALL, open_blocks, restored};
 use super::bit_of;
 
 /// Blocks with more loops get no analysis of them: it takes time that grows with the number of loops times that of jumps.
@@ -40,11 +41,14 @@ pub(super) fn targets<'a>(code: &'a Code, inst: &Inst) -> impl Iterator<Item = u
     one.into_iter().chain(table.iter().copied()).map(|Target(to)| to)
 }
 
-/// Registers that an instruction may change.
+/// Registers that an instruction may change. What a block changes that a call restores is as before behind it.
 pub(super) fn written(inst: &Inst) -> u32 {
     let register = |var: Var| var.register().map_or(0, bit_of);
     sieben_engine::ir::verify::writes(inst).map_or(0, register)
         | match inst {
+            Inst::Call { callee: Callee::Block(id), .. } if matches!(id.kind, BlockKind::Function | BlockKind::FunctionBlock) => {
+                ALL & !restored()
+            }
             Inst::Call { .. } => ALL,
             Inst::Open { .. } => open_blocks(),
             _ => 0,
@@ -72,7 +76,7 @@ pub(super) fn find(code: &Code) -> Vec<Loop> {
     for it in &mut loops {
         for inst in (it.first..=it.last).flat_map(|statement| code.statement(statement as usize)) {
             it.written |= written(inst);
-            it.calls_nothing &= !matches!(inst, Inst::Call { .. } | Inst::Intrinsic { .. } | Inst::Move { .. } | Inst::Text { .. });
+            it.calls_nothing &= !matches!(inst, Inst::Call { .. } | Inst::Intrinsic { .. } | Inst::Text { .. });
         }
     }
     loops

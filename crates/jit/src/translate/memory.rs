@@ -2,6 +2,7 @@
 //! fails, is asked for.
 
 use std::mem::offset_of;
+use std::ops::Range;
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I16, I32, I64};
@@ -11,6 +12,7 @@ use sieben_engine::ir::{DataRegister, OnFault, Place, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
+use super::promote::Base;
 use super::value::Val;
 use super::{After, Translator};
 use crate::ask::Question;
@@ -41,6 +43,8 @@ pub(super) struct Address {
 enum Way {
     /// It is there.
     Direct(Address),
+    /// It is there, among these bytes.
+    Inside(Address, (Base, Range<i64>)),
     /// It is there if the condition holds.
     Checked(Value, Address),
     /// By Rust code.
@@ -49,9 +53,14 @@ enum Way {
 
 impl Translator<'_> {
     pub(super) fn load(&mut self, index: u32, dst: Var, place: Place, width: Width, on_fault: OnFault) {
-        let way = self.way(place, width, on_fault == OnFault::SkipWrite);
-        if let Way::Direct(address) = way {
-            let value = self.read_known(address, width);
+        let way = self.way(index, place, width, on_fault == OnFault::SkipWrite);
+        let value = match &way {
+            Way::Direct(address) => Some(self.read_known(*address, width)),
+            Way::Inside(address, touched) => Some(self.read_inside(*address, touched, width)),
+            _ => None,
+        };
+        if let Some(value) = value {
+            self.note_range(index, value);
             self.set(dst, value);
             return;
         }
@@ -79,7 +88,7 @@ impl Translator<'_> {
                 self.b.ins().jump(go_on, &[BlockArg::Value(value)]);
                 slow
             }
-            Way::Direct(_) | Way::Asked => {
+            Way::Direct(_) | Way::Inside(..) | Way::Asked => {
                 let slow = self.b.create_block();
                 self.b.ins().jump(slow, &[]);
                 slow
@@ -112,9 +121,13 @@ impl Translator<'_> {
     pub(super) fn store(&mut self, index: u32, place: Place, width: Width, src: Var) {
         let value = self.get(src);
         let go_on;
-        let slow = match self.way(place, width, true) {
+        let slow = match self.way(index, place, width, true) {
             Way::Direct(address) => {
                 self.write_known(address, width, value);
+                return;
+            }
+            Way::Inside(address, touched) => {
+                self.write_inside(address, &touched, width, value);
                 return;
             }
             Way::Checked(condition, address) => {
@@ -155,7 +168,7 @@ impl Translator<'_> {
     }
 
     /// How a place is reached.
-    fn way(&mut self, place: Place, width: Width, write: bool) -> Way {
+    fn way(&mut self, index: u32, place: Place, width: Width, write: bool) -> Way {
         match place {
             Place::Fixed { area, position } => self.way_to_constant(area, position, width, write),
             Place::Indirect { area, pointer, offset } => {
@@ -163,7 +176,7 @@ impl Translator<'_> {
                 let pointer = self.force(pointer);
                 match pointer.constant() {
                     Some(pointer) => self.way_to_constant(area, moved(pointer, offset), width, write),
-                    None => self.way_to_pointer(area, pointer, offset, width, write),
+                    None => self.way_to_pointer(index, area, (pointer, offset), width, write),
                 }
             }
             Place::Crossing { pointer, offset } => {
@@ -209,6 +222,17 @@ impl Translator<'_> {
         (!(write && protected)).then_some((base, length))
     }
 
+    /// First byte and number of bytes of an area, or of an open data block that is known beforehand and may be accessed.
+    pub(super) fn known_area(&mut self, area: Area, write: bool) -> Option<(Value, i32, u64)> {
+        if let Some((base, start, length)) = self.area(area) {
+            return Some((base, start, length as u64));
+        }
+        match self.open_block(area, write)? {
+            (Val::Const(base), Val::Const(length)) => Some((self.arena, i32::try_from(base).ok()?, length)),
+            _ => None,
+        }
+    }
+
     fn way_to_constant(&mut self, area: Area, position: u32, width: Width, write: bool) -> Way {
         let (byte, bit) = (position / 8, (position % 8) as u8);
         if width != Width::Bit && bit != 0 {
@@ -235,7 +259,7 @@ impl Translator<'_> {
         Way::Checked(inside, Address { base, offset, bit: Bit::Number(bit) })
     }
 
-    fn way_to_pointer(&mut self, area: Area, pointer: Val, offset: u32, width: Width, write: bool) -> Way {
+    fn way_to_pointer(&mut self, index: u32, area: Area, (pointer, offset): (Val, u32), width: Width, write: bool) -> Way {
         let (base, start, length) = if let Some((base, start, length)) = self.area(area) {
             (base, start, Val::Const(length as u64))
         } else if let Some((base, length)) = self.open_block(area, write) {
@@ -249,6 +273,9 @@ impl Translator<'_> {
         } else {
             return Way::Asked;
         };
+        if let (Val::Const(length), Some(touched)) = (length, self.ranges.inside(index)) {
+            return Way::Inside(self.address_inside((base, start, length), pointer, offset, (width, width.bytes())), touched);
+        }
         self.way_in(base, start, length, pointer, offset, width)
     }
 

@@ -4,15 +4,15 @@
 //! Which ones are kept is a matter of cost only. Every access asks here first: one to exactly these bytes goes to the register, one
 //! that may touch some of them finds memory as the program left it.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::mem::offset_of;
 use std::ops::Range;
 
-use cranelift_codegen::ir::types::{I32, I64};
-use cranelift_codegen::ir::{InstBuilder, Value};
+use cranelift_codegen::ir::types::{F32, I32, I64};
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
 use cranelift_frontend::Variable;
 use sieben_engine::access::data_registers;
-use sieben_engine::ir::{DataRegister, Inst, Place, Var};
+use sieben_engine::ir::{DataRegister, Inst, Op, Place, Var};
 use sieben_model::address::{Area, Width};
 
 use super::loops::Loop;
@@ -28,8 +28,8 @@ const WEIGHT_OF_A_LOOP: u64 = 8;
 const WEIGHED_LOOPS_MAX: usize = 4;
 
 /// What an address is counted from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Base {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) enum Base {
     /// The first byte of the arena.
     Arena,
     /// The first byte of the local data of the function's outermost block.
@@ -47,6 +47,8 @@ pub(super) struct Promoted {
     /// Whether they lie in a data block.
     in_data_block: bool,
     variable: Variable,
+    /// The same as a REAL, if the loop computes with it.
+    real: Option<Variable>,
     /// Whether the loop writes them.
     written: bool,
     /// First and last statement of the loop.
@@ -87,6 +89,13 @@ struct Candidate {
     in_data_block: bool,
     written: bool,
     weight: u64,
+    /// Whether the loop computes with it as a REAL.
+    real: bool,
+}
+
+/// Whether an operation works on REALs as such; only the cost depends on it.
+fn computes_reals(op: Op) -> bool {
+    matches!(op, Op::AddF32 | Op::SubF32 | Op::MulF32 | Op::DivF32 | Op::SqrF32 | Op::LtF32 | Op::LeF32 | Op::GtF32 | Op::GeF32)
 }
 
 impl Translator<'_> {
@@ -100,10 +109,6 @@ impl Translator<'_> {
         if !it.calls_nothing {
             return;
         }
-        if !self.kept().iter().any(|kept| kept.base == Base::Run) {
-            let budget = offset_of!(Run<'_, '_>, budget) as i32;
-            self.keep(Base::Run, budget, &Candidate { width: Width::QuadWord, in_data_block: false, written: true, weight: 0 }, it);
-        }
         let mut candidates: Vec<_> = self.candidates(it).into_iter().collect();
         candidates.sort_by_key(|(place, candidate)| (std::cmp::Reverse((candidate.written, candidate.weight)), *place));
         for ((base, offset), candidate) in candidates {
@@ -115,10 +120,36 @@ impl Translator<'_> {
         }
     }
 
+    /// Keeps the budget in a register as long as the function runs.
+    pub(super) fn keep_budget(&mut self) {
+        let offset = offset_of!(Run<'_, '_>, budget) as i32;
+        let (width, variable) = (Width::QuadWord, self.b.declare_var(I64));
+        let budget = Promoted {
+            base: Base::Run,
+            offset,
+            width,
+            in_data_block: false,
+            variable,
+            real: None,
+            written: true,
+            first: 0,
+            last: u32::MAX,
+        };
+        self.take(budget);
+        self.promoted.push(budget);
+    }
+
+    /// What is kept in registers, which is forgotten but for the budget.
+    pub(super) fn take_all_but_budget(&mut self) -> Vec<Promoted> {
+        let budget = self.promoted.iter().copied().find(|kept| kept.base == Base::Run);
+        std::mem::replace(&mut self.promoted, budget.into_iter().collect())
+    }
+
     fn keep(&mut self, base: Base, offset: i32, candidate: &Candidate, it: &Loop) {
-        let &Candidate { width, in_data_block, written, .. } = candidate;
+        let &Candidate { width, in_data_block, written, real, .. } = candidate;
+        let real = (real && width == Width::DoubleWord).then(|| self.b.declare_var(F32));
         let variable = self.b.declare_var(if width == Width::QuadWord { I64 } else { I32 });
-        let promoted = Promoted { base, offset, width, in_data_block, variable, written, first: it.first, last: it.last };
+        let promoted = Promoted { base, offset, width, in_data_block, variable, real, written, first: it.first, last: it.last };
         self.take(promoted);
         self.promoted.push(promoted);
     }
@@ -132,21 +163,49 @@ impl Translator<'_> {
         for statement in it.first..=it.last {
             let depth = self.loops.iter().filter(|inner| it.contains(inner.first) && inner.contains(statement)).count();
             let weight = WEIGHT_OF_A_LOOP.pow(depth.min(WEIGHED_LOOPS_MAX) as u32);
-            for inst in code.statement(statement as usize) {
+            let mut loaded: BTreeMap<u8, (Base, i32)> = BTreeMap::new();
+            let mut results = BTreeSet::new();
+            for (index, inst) in (code.statements[statement as usize]..).zip(code.statement(statement as usize)) {
                 let (place, width, written) = match *inst {
                     Inst::Load { place, width, .. } => (place, width, false),
                     Inst::Store { place, width, .. } => (place, width, true),
+                    Inst::Compute { op: Op::I32ToF32, dst, .. } => {
+                        results.insert(dst.0);
+                        continue;
+                    }
+                    Inst::Compute { op, dst, args } if computes_reals(op) => {
+                        for place in args[..op.arity()].iter().filter_map(|arg| loaded.get(&arg.0)) {
+                            candidates.entry(*place).and_modify(|candidate| candidate.real = true);
+                        }
+                        results.insert(dst.0);
+                        continue;
+                    }
+                    Inst::Move { .. } => {
+                        match self.ranges.moved(index) {
+                            Some(both) => others.extend(both.map(|(base, bytes)| Touched::Bytes(base, bytes))),
+                            None => others.push(Touched::Anything),
+                        }
+                        continue;
+                    }
                     _ => continue,
                 };
                 let Some((base, offset)) = self.constant_address(place, width) else {
-                    others.push(self.touched(place));
+                    others.push(match self.ranges.inside(index) {
+                        Some((base, bytes)) => Touched::Bytes(base, bytes),
+                        None => self.touched(place),
+                    });
                     continue;
                 };
                 let width = if width == Width::Bit { Width::Byte } else { width };
                 let in_data_block = self.in_data_block(place);
-                let known = candidates.entry((base, offset)).or_insert(Candidate { width, in_data_block, written, weight: 0 });
+                let known = candidates.entry((base, offset)).or_insert(Candidate { width, in_data_block, written, weight: 0, real: false });
                 known.written |= written;
                 known.weight += weight;
+                match *inst {
+                    Inst::Load { dst, .. } => drop(loaded.insert(dst.0, (base, offset))),
+                    Inst::Store { src, .. } => known.real |= results.contains(&src.0),
+                    _ => {}
+                }
                 if known.width != width {
                     let longer = known.width.bytes().max(width.bytes());
                     others.push(Touched::Bytes(base, i64::from(offset)..i64::from(offset) + i64::from(longer)));
@@ -160,6 +219,8 @@ impl Translator<'_> {
                 others.push(Touched::Bytes(base, start..next + next_length));
             }
         }
+        let writes = candidates.iter().filter(|(_, candidate)| candidate.written).map(|(&place, _)| place).collect();
+        self.writes.insert((self.index, it.first), writes);
         let kept = self.kept();
         candidates.retain(|&(base, offset), it| {
             let range = i64::from(offset)..i64::from(offset) + i64::from(it.width.bytes());
@@ -169,6 +230,7 @@ impl Translator<'_> {
                 width: it.width,
                 in_data_block: it.in_data_block,
                 variable: Variable::from_u32(0),
+                real: None,
                 written: false,
                 first: 0,
                 last: 0,
@@ -267,6 +329,12 @@ impl Translator<'_> {
     pub(super) fn read_promoted(&mut self, address: Address, width: Width) -> Option<Val> {
         let promoted = self.promoted_at(address, width)?;
         let value = self.b.use_var(promoted.variable);
+        if !self.changes_in_innermost_loop(&promoted) {
+            self.fixed.insert(value);
+        }
+        if let Some(real) = promoted.real {
+            return Some(Val::Real { real: self.b.use_var(real), bits: value });
+        }
         Some(match (width, address.bit) {
             (Width::Bit, Bit::Number(number)) => Self::bit_value(value, number, false),
             (Width::Bit, Bit::Computed(number)) => Val::Bit { value: self.b.ins().ushr(value, number), clean: false },
@@ -278,9 +346,21 @@ impl Translator<'_> {
         })
     }
 
+    /// Whether the smallest loop around the running statement writes what a register stands for.
+    fn changes_in_innermost_loop(&self, promoted: &Promoted) -> bool {
+        let innermost = self.loops.iter().filter(|it| it.contains(self.statement)).min_by_key(|it| it.last - it.first);
+        innermost.is_none_or(|it| {
+            self.writes.get(&(self.index, it.first)).is_none_or(|writes| writes.contains(&(promoted.base, promoted.offset)))
+        })
+    }
+
     /// Writes to an address that a register stands for; whether one does.
     pub(super) fn write_promoted(&mut self, address: Address, width: Width, value: Val) -> bool {
         let Some(promoted) = self.promoted_at(address, width) else { return false };
+        if let Some(variable) = promoted.real {
+            let real = self.f32(value);
+            self.b.def_var(variable, real);
+        }
         let value = match (width, address.bit) {
             (Width::Bit, Bit::Number(number)) => {
                 let old = self.b.use_var(promoted.variable);
@@ -299,7 +379,7 @@ impl Translator<'_> {
     }
 
     /// The low bits of a value, in 32 bits.
-    fn low_bits(&mut self, value: Val, width: Width) -> Value {
+    pub(super) fn low_bits(&mut self, value: Val, width: Width) -> Value {
         let bits = width.bytes() * 8;
         let value = self.int(value);
         if self.narrow.get(&value).is_some_and(|&known| known <= bits) {
@@ -341,6 +421,16 @@ impl Translator<'_> {
         self.take_overlapping(&touched);
     }
 
+    /// Stores what an access to some of these bytes may touch.
+    pub(super) fn store_promoted_in(&mut self, (base, bytes): &(Base, Range<i64>)) {
+        self.store_overlapping(&Touched::Bytes(*base, bytes.clone()));
+    }
+
+    /// Takes again what a write to some of these bytes may have changed.
+    pub(super) fn take_promoted_in(&mut self, (base, bytes): &(Base, Range<i64>)) {
+        self.take_overlapping(&Touched::Bytes(*base, bytes.clone()));
+    }
+
     fn store_overlapping(&mut self, touched: &Touched) -> bool {
         let overlapping: Vec<_> = self.kept().into_iter().filter(|it| it.overlaps(touched)).collect();
         overlapping.iter().for_each(|&it| self.give_back(it));
@@ -371,9 +461,10 @@ impl Translator<'_> {
         self.kept().into_iter().filter(|it| !it.is_in(to)).for_each(|it| self.give_back(it));
     }
 
-    /// The budget, if a register stands for it.
-    pub(super) fn promoted_budget(&self) -> Option<Variable> {
-        self.promoted.iter().find(|it| it.base == Base::Run && it.is_in(self.statement)).map(|it| it.variable)
+    /// The budget.
+    pub(super) fn budget(&self) -> Variable {
+        let kept = self.promoted.iter().find(|kept| kept.base == Base::Run);
+        kept.expect("the budget is kept from the beginning of the function").variable
     }
 
     fn take(&mut self, promoted: Promoted) {
@@ -385,6 +476,10 @@ impl Translator<'_> {
             }
         };
         self.b.def_var(promoted.variable, value);
+        if let Some(variable) = promoted.real {
+            let real = self.b.ins().bitcast(F32, MemFlagsData::new(), value);
+            self.b.def_var(variable, real);
+        }
     }
 
     fn give_back(&mut self, promoted: Promoted) {

@@ -1,7 +1,7 @@
 //! Operations on numbers of every size as machine code: a second part of the list of `inline.rs`, under the same comparison.
 
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
-use cranelift_codegen::ir::types::{F32, F64, I8, I32, I64};
+use cranelift_codegen::ir::types::{F32, F64, I8, I16, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value};
 use sieben_engine::ir::Op;
 
@@ -222,6 +222,17 @@ impl Translator<'_> {
     }
 
     fn wrapped(&mut self, two: Two, bits: u32, a: Val, b: Val) -> Val {
+        if bits == 16 {
+            // In 16 bits a chain of operations cuts nothing off in between.
+            let [a, b] = [a, b].map(|value| {
+                let value = self.int(value);
+                self.b.ins().ireduce(I16, value)
+            });
+            let result = self.two(two, a, b);
+            let result = self.b.ins().uextend(I32, result);
+            self.narrow.insert(result, 16);
+            return Val::Int(result);
+        }
         let (a, b) = if bits == 64 { (self.word(a), self.word(b)) } else { (self.int(a), self.int(b)) };
         let result = self.two(two, a, b);
         self.cut(bits, result)

@@ -19,6 +19,8 @@ pub(super) enum Val {
     Bit { value: Value, clean: bool },
     /// Bit `at` of 32, with anything around it: a bit of a byte that nobody has moved yet.
     At { value: Value, at: u8 },
+    /// A REAL and its bits in 32. Where it is no number, the bits alone tell which one.
+    Real { real: Value, bits: Value },
     /// An operation that is written where its result is needed first, if it ever is; by its number.
     Lazy(u32),
 }
@@ -84,6 +86,7 @@ impl Translator<'_> {
             Val::Const(value) => self.b.ins().iconst(I64, value as i64),
             Val::Word(value) => value,
             Val::Int(value) => self.b.ins().uextend(I64, value),
+            Val::Real { bits, .. } => self.b.ins().uextend(I64, bits),
             value => {
                 let flag = self.flag(value);
                 self.b.ins().uextend(I64, flag)
@@ -97,6 +100,7 @@ impl Translator<'_> {
             Val::Const(value) => self.b.ins().iconst(I32, i64::from(value as u32)),
             Val::Word(value) => self.b.ins().ireduce(I32, value),
             Val::Int(value) => value,
+            Val::Real { bits, .. } => bits,
             value => self.flag(value),
         }
     }
@@ -108,6 +112,7 @@ impl Translator<'_> {
             Val::Word(value) => self.b.ins().ireduce(I32, value),
             Val::Int(value) | Val::Bit { value, .. } => value,
             Val::At { value, at } => self.b.ins().ushr_imm_u(value, i64::from(at)),
+            Val::Real { bits, .. } => bits,
             Val::Lazy(_) => unreachable!("it was written"),
         }
     }

@@ -1,0 +1,348 @@
+//! Access by computed addresses that are known to stay inside their area, and the facts on which that rests.
+
+use std::ops::Range;
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{I8, I8X16, I16, I32, I64};
+use cranelift_codegen::ir::{self as clif, InstBuilder, InstructionData, Opcode, Value, ValueDef};
+use sieben_engine::ir::{Callee, Inst, Place};
+use sieben_engine::machine::Register;
+use sieben_model::address::Width;
+
+use super::analysis::{open_blocks, set_by_calls};
+use super::memory::{Address, Bit, data};
+use super::promote::Base;
+use super::ranges::{self, Fact, Interval, Ranges, Surroundings};
+use super::value::Val;
+use super::{Translator, loops};
+use crate::ask::Question;
+
+/// Values that a computed address may be a sum of.
+const TERMS_MAX: usize = 6;
+/// How deep the calculation of an address is followed.
+const DEPTH_MAX: usize = 12;
+
+/// Longer moves are left to Rust code, which takes little time for each byte.
+const MOVED_BYTES_MAX: u32 = 256;
+
+/// An address as a sum: of values times constants, and a constant; modulo 2^32.
+#[derive(Default)]
+struct Sum {
+    terms: Vec<(Value, u32)>,
+    constant: u32,
+}
+
+impl Translator<'_> {
+    /// Looks at the ranges of the values of the present block, whose known registers and parameters are current.
+    pub(super) fn find_ranges(&self) -> Ranges {
+        // Code that has to be there at once is for the time until better code is there.
+        if !self.options.optimize && !self.options.exact {
+            return Ranges::default();
+        }
+        let constants = |value: &Option<Val>| value.and_then(Val::constant);
+        let mut registers = [None; Register::COUNT];
+        for (register, value) in registers.iter_mut().zip(&self.current) {
+            *register = constants(value);
+        }
+        let written = |inst: &Inst| self.written_by_call(inst);
+        let (pointers, instance) = (&self.pointers[self.index], self.instance.constant());
+        let added = |added: Option<u32>| Some(u64::from((instance? as u32).wrapping_add(added?)));
+        let surroundings = Surroundings {
+            layout: self.layout,
+            registers,
+            parameters: self.given.iter().map(|given| given.constant()).collect(),
+            local: (self.local_offset, self.native().local_size),
+            asks_before_writing: self.options.asks_before_writing,
+            written: &written,
+            instance: [&|statement| added(pointers.at(statement)), &|inst| added(pointers.after(inst))],
+        };
+        ranges::find(&self.native().code, &surroundings)
+    }
+
+    /// Registers that are not known any more behind a call.
+    fn written_by_call(&self, inst: &Inst) -> u32 {
+        let Inst::Call { callee: Callee::Block(id), .. } = inst else { return loops::written(inst) };
+        match (self.find)(*id) {
+            // A call restores the data block registers.
+            Some(code) => (self.summaries[code as usize].written | set_by_calls()) & !open_blocks(),
+            None => loops::written(inst),
+        }
+    }
+
+    /// Notes the range of a value that an instruction has computed.
+    pub(super) fn note_range(&mut self, index: u32, value: Val) {
+        if let Val::Int(value) = value
+            && let Some(range) = self.ranges.result(index)
+        {
+            self.bounds.insert(value, range);
+        }
+    }
+
+    /// The address of an access that is known to stay inside its area, which begins at a byte behind a base and has so many.
+    pub(super) fn address_inside(
+        &mut self,
+        (base, start, length): (Value, i32, u64),
+        pointer: Val,
+        offset: u32,
+        (width, bytes): (Width, u32),
+    ) -> Address {
+        let pointer = self.int(pointer);
+        let mut sum = Sum { terms: Vec::new(), constant: offset };
+        if self.decompose(pointer, 1, &mut sum, 0)
+            && let Some(address) = self.address_of_sum((base, start, length), &mut sum, (width, bytes))
+        {
+            return address;
+        }
+        let pointer = if offset == 0 { pointer } else { self.b.ins().iadd_imm_u(pointer, i64::from(offset)) };
+        let position = self.b.ins().band_imm_u(pointer, 0x00FF_FFFF);
+        let bit = match width {
+            Width::Bit => Bit::Computed(self.b.ins().band_imm_u(position, 7)),
+            _ => Bit::Number(0),
+        };
+        let byte = self.b.ins().ushr_imm_u(position, 3);
+        let byte = self.b.ins().uextend(I64, byte);
+        Address { base: self.b.ins().iadd(base, byte), offset: start, bit }
+    }
+
+    /// Takes a value apart; whether the sum is short enough.
+    fn decompose(&self, value: Value, times: u32, sum: &mut Sum, depth: usize) -> bool {
+        let dfg = &self.b.func.dfg;
+        let value = dfg.resolve_aliases(value);
+        let ValueDef::Result(inst, 0) = dfg.value_def(value) else { return self.term(value, times, sum) };
+        if depth == DEPTH_MAX
+            || self.bounds.contains_key(&value)
+                && !matches!(dfg.insts[inst].opcode(), Opcode::Iadd | Opcode::Isub | Opcode::Ishl | Opcode::Imul | Opcode::Iconst)
+        {
+            return self.term(value, times, sum);
+        }
+        match dfg.insts[inst] {
+            InstructionData::UnaryImm { opcode: Opcode::Iconst, imm } => {
+                sum.constant = sum.constant.wrapping_add((imm.bits() as u32).wrapping_mul(times));
+                true
+            }
+            InstructionData::Binary { opcode: Opcode::Iadd, args: [a, b] } => {
+                self.decompose(a, times, sum, depth + 1) && self.decompose(b, times, sum, depth + 1)
+            }
+            InstructionData::Binary { opcode: Opcode::Isub, args: [a, b] } => {
+                self.decompose(a, times, sum, depth + 1) && self.decompose(b, times.wrapping_neg(), sum, depth + 1)
+            }
+            InstructionData::Binary { opcode: Opcode::Ishl, args: [a, b] } if self.iconst(b).is_some_and(|count| count < 32) => {
+                let count = self.iconst(b).unwrap_or(0);
+                self.decompose(a, times << count, sum, depth + 1)
+            }
+            InstructionData::Binary { opcode: Opcode::Imul, args: [a, b] } if self.iconst(b).is_some() => {
+                let factor = self.iconst(b).unwrap_or(0);
+                self.decompose(a, times.wrapping_mul(factor), sum, depth + 1)
+            }
+            _ => self.term(value, times, sum),
+        }
+    }
+
+    fn term(&self, value: Value, times: u32, sum: &mut Sum) -> bool {
+        match sum.terms.iter_mut().find(|(other, _)| *other == value) {
+            Some((_, known)) => *known = known.wrapping_add(times),
+            None => sum.terms.push((value, times)),
+        }
+        sum.terms.len() <= TERMS_MAX
+    }
+
+    fn iconst(&self, value: Value) -> Option<u32> {
+        let dfg = &self.b.func.dfg;
+        let ValueDef::Result(inst, 0) = dfg.value_def(dfg.resolve_aliases(value)) else { return None };
+        match dfg.insts[inst] {
+            InstructionData::UnaryImm { opcode: Opcode::Iconst, imm } => u32::try_from(imm.bits() & 0xFFFF_FFFF).ok(),
+            _ => None,
+        }
+    }
+
+    /// The address of a sum in which nothing turns over: its values are added in the form that addresses have in machine code. `None`
+    /// if that cannot be shown.
+    fn address_of_sum(&mut self, (base, start, length): (Value, i32, u64), sum: &mut Sum, (width, bytes): (Width, u32)) -> Option<Address> {
+        sum.terms.retain(|&(_, times)| times != 0);
+        let (mut least, mut most) = (0_u64, 0_u64);
+        for &(value, times) in &sum.terms {
+            let &(low, high) = self.bounds.get(&value)?;
+            least = least.checked_add(u64::from(low) * u64::from(times))?;
+            most = most.checked_add(u64::from(high) * u64::from(times))?;
+        }
+        if most >= 1 << 31 {
+            return None;
+        }
+        // What is taken off the address for the lowest index makes the constant negative.
+        let constant = i64::from(sum.constant & 0x00FF_FFFF);
+        let constant = [constant, constant - 0x0100_0000].into_iter().find(|constant| {
+            let (first, last) = (least as i64 + constant, most as i64 + constant);
+            first >= 0 && last / 8 + i64::from(bytes) <= length as i64
+        })?;
+        let (whole, bits): (Vec<_>, Vec<_>) = sum.terms.iter().copied().partition(|(_, times)| times % 8 == 0);
+        if constant % 8 != 0 {
+            return None;
+        }
+        let bit_index = match bits[..] {
+            [] => None,
+            [(value, 1)] if width == Width::Bit => Some(value),
+            _ => return None,
+        };
+        let offset = i32::try_from(i64::from(start) + constant / 8).ok()?;
+        // What the loop does not change comes first: it is added once, in front of the loop.
+        let mut terms = whole;
+        terms.sort_by_key(|(value, _)| !self.fixed.contains(value));
+        let mut address = base;
+        for (value, times) in terms {
+            let value = self.b.ins().uextend(I64, value);
+            let bytes = times / 8;
+            let part = match bytes {
+                1 => value,
+                _ if bytes.is_power_of_two() => self.b.ins().ishl_imm_u(value, i64::from(bytes.trailing_zeros())),
+                _ => self.b.ins().imul_imm_u(value, i64::from(bytes)),
+            };
+            address = self.b.ins().iadd(address, part);
+        }
+        let mut bit = Bit::Number(0);
+        if let Some(index) = bit_index {
+            bit = Bit::Computed(self.b.ins().band_imm_u(index, 7));
+            let byte = self.b.ins().ushr_imm_u(index, 3);
+            let byte = self.b.ins().uextend(I64, byte);
+            address = self.b.ins().iadd(address, byte);
+        }
+        Some(Address { base: address, offset, bit })
+    }
+
+    /// Reads where an access is known to stay inside its area.
+    pub(super) fn read_inside(&mut self, address: Address, touched: &(Base, Range<i64>), width: Width) -> Val {
+        self.settle_bytes();
+        self.store_promoted_in(touched);
+        self.read(address, width)
+    }
+
+    /// Writes where an access is known to stay inside its area.
+    pub(super) fn write_inside(&mut self, address: Address, touched: &(Base, Range<i64>), width: Width, value: Val) {
+        self.settle_bytes();
+        self.store_promoted_in(touched);
+        self.write(address, width, value);
+        self.take_promoted_in(touched);
+    }
+
+    /// Moves bytes that are known to stay inside their areas, as if through a temporary; whether it could be written.
+    pub(super) fn move_inside(&mut self, index: u32, (from, to, bytes): (Place, Place, u32)) -> bool {
+        let Some([read, write]) = self.ranges.moved(index) else { return false };
+        if bytes > MOVED_BYTES_MAX {
+            return false;
+        }
+        let (Some(from), Some(to)) = (self.span(from, bytes, false), self.span(to, bytes, true)) else { return false };
+        self.settle_bytes();
+        self.store_promoted_in(&read);
+        self.store_promoted_in(&write);
+        let mut pieces = Vec::new();
+        let mut at = 0;
+        while at < bytes as i32 {
+            let left = bytes as i32 - at;
+            let ty = [(16, I8X16), (8, I64), (4, I32), (2, I16)].into_iter().find(|&(size, _)| size <= left).map_or(I8, |(_, ty)| ty);
+            pieces.push((at, self.b.ins().load(ty, data(), from.base, from.offset + at)));
+            at += ty.bytes() as i32;
+        }
+        for (at, piece) in pieces {
+            self.b.ins().store(data(), piece, to.base, to.offset + at);
+        }
+        self.take_promoted_in(&write);
+        true
+    }
+
+    /// Where bytes begin that are known to lie inside their area.
+    fn span(&mut self, place: Place, bytes: u32, write: bool) -> Option<Address> {
+        let (area, pointer, offset) = match place {
+            Place::Fixed { area, position } => (area, Val::Const(0), position),
+            Place::Indirect { area, pointer, offset } => (area, self.get(pointer), offset),
+            Place::Crossing { .. } => return None,
+        };
+        let pointer = self.force(pointer);
+        let (base, start, length) = self.known_area(area, write)?;
+        let end = u64::from(bytes);
+        match pointer.constant() {
+            Some(pointer) => {
+                let byte = u64::from(super::memory::moved(pointer, offset) / 8);
+                let offset = i32::try_from(start as i64 + byte as i64).ok()?;
+                (byte + end <= length).then_some(Address { base, offset, bit: Bit::Number(0) })
+            }
+            None => Some(self.address_inside((base, start, length), pointer, offset, (Width::Byte, bytes))),
+        }
+    }
+
+    /// What the code relies on from a statement on, if that can have changed while somebody was asked.
+    pub(super) fn relies_on_memory(&self, statement: u32) -> bool {
+        !self.ranges.facts(statement).is_empty()
+    }
+
+    /// A block in which memory is compared with what the code relies on from a statement on, in front of the block where it begins. The
+    /// interpreter takes over if it is not so. Called where somebody was asked: all registers are stored.
+    pub(super) fn verified(&mut self, statement: u32, next: clif::Block) -> clif::Block {
+        if !self.relies_on_memory(statement) {
+            return next;
+        }
+        if let Some(&verify) = self.verifying.get(&next) {
+            return verify;
+        }
+        let verify = self.b.create_block();
+        self.b.set_cold_block(verify);
+        self.verifying.insert(next, verify);
+        self.verify_later.push((verify, statement, next));
+        verify
+    }
+
+    /// Writes the comparisons that are still to be written. The block before ended.
+    pub(super) fn write_verifications(&mut self) {
+        for (verify, statement, next) in std::mem::take(&mut self.verify_later) {
+            self.b.switch_to_block(verify);
+            let before = self.cold.replace(verify);
+            let facts = self.ranges.facts(statement).to_vec();
+            let mut holds: Option<Value> = None;
+            for fact in facts {
+                let this = self.holds(fact);
+                holds = Some(match holds {
+                    Some(holds) => self.b.ins().band(holds, this),
+                    None => this,
+                });
+            }
+            let give_up = self.b.create_block();
+            self.b.set_cold_block(give_up);
+            match holds {
+                Some(holds) => self.b.ins().brif(holds, next, &[], give_up, &[]),
+                None => self.b.ins().jump(next, &[]),
+            };
+            self.b.switch_to_block(give_up);
+            self.b.seal_block(give_up);
+            let code = self.b.ins().iconst(I64, self.index as i64);
+            let statement = self.first_with_code(statement);
+            let statement = self.b.ins().iconst(I64, i64::from(statement));
+            let link = self.shown_link();
+            let arguments = [self.run, link, code, statement];
+            self.ask_at_gate(Question::Interpret, &arguments);
+            self.b.ins().jump(self.leave, &[]);
+            self.cold = before;
+        }
+    }
+
+    /// Whether a variable in memory is in its range.
+    fn holds(&mut self, Fact { cell: (base, offset, width), range }: Fact) -> Value {
+        let base = if base == Base::Local { self.local } else { self.arena };
+        let value = self.read(Address { base, offset, bit: Bit::Number(0) }, width);
+        let value = self.int(value);
+        let Interval { least, most, zeros, bits } = range;
+        let distance = self.b.ins().iadd_imm_s(value, i64::from((least as i32).wrapping_neg()));
+        let distance = if bits < 32 { self.b.ins().band_imm_u(distance, (1 << bits) - 1) } else { distance };
+        let mut holds = match u32::try_from(most.saturating_sub(least)) {
+            Ok(reach) => self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, distance, i64::from(reach)),
+            Err(_) => self.b.ins().icmp(IntCC::Equal, distance, distance),
+        };
+        if bits < width.bits() {
+            let small = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, value, 1 << bits);
+            holds = self.b.ins().band(holds, small);
+        }
+        if zeros > 0 {
+            let low = self.b.ins().band_imm_u(value, (1_i64 << zeros.min(31)) - 1);
+            let none = self.b.ins().icmp_imm_u(IntCC::Equal, low, 0);
+            holds = self.b.ins().band(holds, none);
+        }
+        holds
+    }
+}

@@ -1,0 +1,217 @@
+//! Instances at computed places: an element of an array of function blocks, mostly. Where the code that computes AR2 shows that the
+//! instance lies inside its data block, the address is computed once for the whole call, and access to the instance is not checked.
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::{InstBuilder, InstructionData, Opcode, Value, ValueDef};
+use sieben_engine::ir::{Inst, OnFault, Place};
+use sieben_engine::machine::Register;
+use sieben_model::address::{Area, Width};
+
+use super::memory::{Address, Bit};
+use super::value::Val;
+use super::{OPEN_BLOCKS, Translator};
+
+/// How far the computation of a value is followed back.
+const DEPTH_MAX: usize = 12;
+
+/// Where the instance of a block lies, if that is known to be inside its data block.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Instance {
+    /// AR2.
+    pointer: Val,
+    /// The address to which it points.
+    address: Value,
+    /// Bytes that are there, whatever AR2 holds.
+    bytes: u64,
+    /// The data block: number, base, length.
+    block: [u64; 3],
+    /// Whether it may be written.
+    written: bool,
+}
+
+/// What is known of an unsigned number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Bounds {
+    least: u64,
+    most: u64,
+    /// So many low bits are 0.
+    zeros: u32,
+}
+
+impl Bounds {
+    fn constant(value: u64) -> Self {
+        Self { least: value, most: value, zeros: value.trailing_zeros() }
+    }
+
+    fn either(self, other: Self) -> Self {
+        Self { least: self.least.min(other.least), most: self.most.max(other.most), zeros: self.zeros.min(other.zeros) }
+    }
+}
+
+impl Translator<'_> {
+    /// Where the instance of the block that begins now lies, from what AR2 and DI hold.
+    pub(super) fn instance_in_range(&mut self) -> Option<Instance> {
+        let pointer = self.register(Register::Ar2);
+        let value = match pointer {
+            Val::Int(value) | Val::Word(value) => value,
+            _ => return None,
+        };
+        let block = self.instance_block()?;
+        let [number, base, length] = block;
+        let Bounds { least, most, zeros } = self.bounds(value, DEPTH_MAX)?;
+        // The area in the pointer does not count.
+        if zeros < 3 || least >> 24 != most >> 24 {
+            return None;
+        }
+        let bytes = length.checked_sub((most & 0x00FF_FFFF) / 8).filter(|&bytes| bytes > 0)?;
+        let written = !self.layout.read_only.iter().any(|&protected| u64::from(protected) == number);
+        let position = self.word(pointer);
+        let position = self.b.ins().band_imm_u(position, 0x00FF_FFFF);
+        let byte = self.b.ins().ushr_imm_u(position, 3);
+        let start = self.b.ins().iadd_imm_u(self.arena, i64::try_from(base).ok()?);
+        let address = self.b.ins().iadd(start, byte);
+        Some(Instance { pointer, address, bytes, block, written })
+    }
+
+    /// Number, base and length of the open instance data block, if they are constants.
+    fn instance_block(&self) -> Option<[u64; 3]> {
+        let mut block = [0; 3];
+        for (register, value) in OPEN_BLOCKS[3..].iter().zip(&mut block) {
+            *value = self.current[*register as usize].and_then(Val::constant)?;
+        }
+        Some(block)
+    }
+
+    /// Reads or writes a variable of the instance, if the instruction does and the variable is known to be there; whether it was.
+    pub(super) fn access_instance(&mut self, inst: &Inst) -> bool {
+        let (place, width, writes) = match *inst {
+            Inst::Load { place, width, on_fault, .. } => (place, width, on_fault == OnFault::SkipWrite),
+            Inst::Store { place, width, .. } => (place, width, true),
+            _ => return false,
+        };
+        let Place::Indirect { area: Area::InstanceData, pointer, offset } = place else { return false };
+        let Some(instance) = self.in_range else { return false };
+        let (byte, bit) = (u64::from(offset / 8), (offset % 8) as u8);
+        let there = pointer.register() == Some(Register::Ar2)
+            && self.current[Register::Ar2 as usize] == Some(instance.pointer)
+            && self.instance_block() == Some(instance.block)
+            && (instance.written || !writes)
+            && (width == Width::Bit || bit == 0)
+            && byte + u64::from(width.bytes()) <= instance.bytes;
+        let Ok(offset) = i32::try_from(byte) else { return false };
+        if !there {
+            return false;
+        }
+        let address = Address { base: instance.address, offset, bit: Bit::Number(bit) };
+        // Other bytes of the same block may be the same bytes.
+        self.settle_bytes();
+        self.store_touched(place);
+        match *inst {
+            Inst::Load { dst, .. } => {
+                let value = self.read(address, width);
+                self.set(dst, value);
+            }
+            Inst::Store { src, .. } => {
+                let value = self.get(src);
+                self.write(address, width, value);
+                self.take_touched(place);
+            }
+            _ => {}
+        }
+        true
+    }
+
+    /// What is known of a value from how it is computed.
+    fn bounds(&self, value: Value, depth: usize) -> Option<Bounds> {
+        let dfg = &self.b.func.dfg;
+        let depth = depth.checked_sub(1)?;
+        let bits = dfg.value_type(value).bits();
+        let limit = if bits >= 64 { u64::MAX } else { (1 << bits) - 1 };
+        let (inst, data) = self.definition(value)?;
+        let below = |bounds: Bounds| (bounds.most <= limit).then_some(bounds);
+        match data {
+            InstructionData::UnaryImm { opcode: Opcode::Iconst, imm } => Some(Bounds::constant(imm.bits() as u64 & limit)),
+            InstructionData::Unary { opcode: Opcode::Uextend, arg } => self.bounds(arg, depth),
+            InstructionData::Unary { opcode: Opcode::Ireduce, arg } => below(self.bounds(arg, depth)?),
+            InstructionData::Binary { opcode, args: [a, b] } => {
+                let (a, b) = (self.bounds(a, depth), self.bounds(b, depth));
+                if opcode == Opcode::Band {
+                    let mask = b?.most;
+                    let zeros = a.map_or(0, |a| a.zeros).max(b?.zeros);
+                    let most = a.map_or(mask, |a| a.most.min(mask));
+                    return Some(Bounds { least: 0, most, zeros });
+                }
+                let (a, b) = (a?, b?);
+                match opcode {
+                    Opcode::Iadd => below(Bounds {
+                        least: a.least.checked_add(b.least)?,
+                        most: a.most.checked_add(b.most)?,
+                        zeros: a.zeros.min(b.zeros),
+                    }),
+                    Opcode::Imul => below(Bounds {
+                        least: a.least.checked_mul(b.least)?,
+                        most: a.most.checked_mul(b.most)?,
+                        zeros: a.zeros.saturating_add(b.zeros),
+                    }),
+                    Opcode::Ishl if b.least == b.most && b.most < 32 => below(Bounds {
+                        least: a.least.checked_mul(1 << b.most)?,
+                        most: a.most.checked_mul(1 << b.most)?,
+                        zeros: a.zeros.saturating_add(b.most as u32),
+                    }),
+                    _ => None,
+                }
+            }
+            InstructionData::Ternary { opcode: Opcode::Select, .. } => {
+                let &[condition, a, b] = dfg.inst_args(inst) else { return None };
+                let b = self.bounds(b, depth)?;
+                let chosen = match self.most_if(condition, a) {
+                    Some(most) => {
+                        let a = self.bounds(a, depth).unwrap_or(Bounds { least: 0, most: limit, zeros: 0 });
+                        Bounds { least: a.least.min(most), most: a.most.min(most), ..a }
+                    }
+                    None => self.bounds(a, depth)?,
+                };
+                Some(chosen.either(b))
+            }
+            _ => None,
+        }
+    }
+
+    /// The instruction that computes a value.
+    fn definition(&self, value: Value) -> Option<(cranelift_codegen::ir::Inst, InstructionData)> {
+        let dfg = &self.b.func.dfg;
+        match dfg.value_def(dfg.resolve_aliases(value)) {
+            ValueDef::Result(inst, 0) => Some((inst, dfg.insts[inst])),
+            _ => None,
+        }
+    }
+
+    /// The greatest number that a value is if a condition holds which compares it with a constant.
+    fn most_if(&self, condition: Value, value: Value) -> Option<u64> {
+        let (_, data) = self.definition(condition)?;
+        match data {
+            InstructionData::Unary { opcode: Opcode::Uextend, arg } => self.most_if(arg, value),
+            InstructionData::IntCompare { opcode: Opcode::Icmp, args: [a, b], cond } => {
+                let same = self.same(a, value);
+                let limit = self.bounds(b, 1).filter(|b| b.least == b.most)?.most;
+                match cond {
+                    IntCC::UnsignedLessThan if same => limit.checked_sub(1),
+                    IntCC::UnsignedLessThanOrEqual if same => Some(limit),
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether two values are the same number: one value, or the low half of one.
+    fn same(&self, a: Value, b: Value) -> bool {
+        let dfg = &self.b.func.dfg;
+        let [a, b] = [a, b].map(|value| dfg.resolve_aliases(value));
+        let low_half = |value: Value| match self.definition(value) {
+            Some((_, InstructionData::Unary { opcode: Opcode::Ireduce, arg })) => Some(dfg.resolve_aliases(arg)),
+            _ => None,
+        };
+        a == b || low_half(a).is_some_and(|whole| low_half(b) == Some(whole))
+    }
+}

@@ -1,0 +1,441 @@
+//! Ranges of the values that a block computes addresses from: which accesses can be shown to stay inside their area, so that nobody
+//! has to look when the program runs.
+//!
+//! What is known at a statement are *facts*: ranges of registers and of variables in memory. They hold on every way through the
+//! machine code. Who is asked on a cold path may change memory: behind it the facts of the statement where the program goes on are
+//! looked at, and the interpreter takes over if one does not hold any more.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::ops::Range;
+
+use sieben_engine::Layout;
+use sieben_engine::ir::{Code, Inst, Place};
+use sieben_engine::machine::Register;
+use sieben_model::address::Width;
+
+use super::loops;
+use super::promote::Base;
+
+mod access;
+mod interval;
+mod places;
+mod statements;
+
+pub(super) use interval::Interval;
+use interval::{Number, Relation};
+
+/// Blocks with more instructions are not looked at: it takes time that grows faster than they do.
+const INSTRUCTIONS_MAX: usize = 6_000;
+/// Variables in memory whose ranges are followed in a block.
+const PLACES_MAX: usize = 48;
+/// Passes over a block until nothing changes any more; behind them nothing is known.
+const PASSES_MAX: usize = 24;
+/// Passes in which what grew too far comes back.
+const NARROWING_PASSES: usize = 3;
+/// Where a range that grows in a loop stops, beside the constants that the block compares with: the greatest number whose square is a
+/// DINT, and the limits of the types.
+const STOPS: [i64; 9] = [-0x8000_0000, -0x8000, -1, 0, 46_340, 0x7FFF, 0xFFFF, 0x7FFF_FFFF, 0xFFFF_FFFF];
+/// Constants that count for that.
+const CONSTANTS_MAX: usize = 24;
+
+/// A variable in memory: where it begins and its width.
+pub(super) type Cell = (Base, i32, Width);
+
+/// A variable in memory and its range.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fact {
+    pub(super) cell: Cell,
+    pub(super) range: Interval,
+}
+
+/// What is known of a block.
+#[derive(Debug, Default)]
+pub(super) struct Ranges {
+    /// Accesses by computed addresses that stay inside their areas, by their instructions: the bytes that they may touch.
+    inside: HashMap<u32, (Base, Range<i64>)>,
+    /// Moves of bytes that stay inside their areas: what they may read and what they may write.
+    moves: HashMap<u32, [(Base, Range<i64>); 2]>,
+    /// Conditions that always hold.
+    met: HashSet<u32>,
+    /// Ranges of results, of numbers without sign.
+    results: HashMap<u32, (u32, u32)>,
+    /// For each statement what its code relies on.
+    facts: Vec<Vec<Fact>>,
+}
+
+impl Ranges {
+    /// The bytes that an access by a computed address may touch, if they are known to lie inside its area.
+    pub(super) fn inside(&self, inst: u32) -> Option<(Base, Range<i64>)> {
+        self.inside.get(&inst).cloned()
+    }
+
+    /// The bytes that a move may read and write, if they are known to lie inside their areas.
+    pub(super) fn moved(&self, inst: u32) -> Option<[(Base, Range<i64>); 2]> {
+        self.moves.get(&inst).cloned()
+    }
+
+    /// Whether the condition of an instruction always holds.
+    pub(super) fn is_met(&self, inst: u32) -> bool {
+        self.met.contains(&inst)
+    }
+
+    /// The least and the greatest result of an instruction.
+    pub(super) fn result(&self, inst: u32) -> Option<(u32, u32)> {
+        self.results.get(&inst).copied()
+    }
+
+    /// What the code relies on from a statement on.
+    pub(super) fn facts(&self, statement: u32) -> &[Fact] {
+        self.facts.get(statement as usize).map_or(&[], Vec::as_slice)
+    }
+}
+
+/// What a block is known to begin with, and where its data lie.
+pub(super) struct Surroundings<'a> {
+    pub(super) layout: &'a Layout,
+    /// Registers that hold a constant.
+    pub(super) registers: [Option<u64>; Register::COUNT],
+    /// Parameters, those that are constants.
+    pub(super) parameters: Vec<Option<u64>>,
+    /// Where the local data begin behind those of the function's outermost block, and how many bytes they are.
+    pub(super) local: (i32, u32),
+    /// Whether a data block that is not known beforehand may be protected.
+    pub(super) asks_before_writing: bool,
+    /// Registers that an instruction may change, over calls.
+    pub(super) written: &'a dyn Fn(&Inst) -> u32,
+    /// What AR2 is known to hold at a statement, and behind an instruction that writes it.
+    pub(super) instance: [&'a dyn Fn(u32) -> Option<u64>; 2],
+}
+
+/// A value: what is known of it, and which one it is.
+#[derive(Clone, Copy, Debug)]
+struct Known {
+    range: Interval,
+    number: u32,
+}
+
+/// How a value came about, as far as a branch may tell something about its arguments.
+#[derive(Clone, Copy, Debug)]
+enum Origin {
+    Comparison(Number, Relation, Known, Known),
+    Not(u32),
+    /// The first holds and the second does not.
+    AndNot(u32, u32),
+    And(u32, u32),
+    Or(u32, u32),
+    /// A square.
+    Square(Known),
+    Other,
+}
+
+/// What is known at a place of the code.
+#[derive(Clone, Debug, Default)]
+struct State {
+    registers: BTreeMap<u8, Known>,
+    cells: BTreeMap<Cell, Known>,
+}
+
+/// What an access reaches.
+enum Reach {
+    /// Exactly this variable.
+    Cell(Base, i32),
+    /// Some of these bytes, all of them inside the area.
+    Inside(Base, Range<i64>),
+    /// Some of these bytes, or the access fails.
+    Bytes(Base, Range<i64>),
+    /// Anything, and the access may fail.
+    Anything,
+}
+
+impl Reach {
+    /// The bytes, if the access does not fail.
+    fn bytes(&self, count: u32) -> Option<(Base, Range<i64>)> {
+        match self {
+            Self::Cell(base, offset) => Some((*base, i64::from(*offset)..i64::from(*offset) + i64::from(count))),
+            Self::Inside(base, range) => Some((*base, range.clone())),
+            Self::Bytes(..) | Self::Anything => None,
+        }
+    }
+}
+
+/// How much an access touches.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Span {
+    Width(Width),
+    Bytes(u32),
+}
+
+impl Span {
+    fn bytes(self) -> u32 {
+        match self {
+            Self::Width(width) => width.bytes(),
+            Self::Bytes(bytes) => bytes,
+        }
+    }
+}
+
+struct Analysis<'a> {
+    code: &'a Code,
+    around: &'a Surroundings<'a>,
+    /// Places whose ranges matter.
+    relevant: HashSet<Place>,
+    /// Statements to which a later one jumps back.
+    heads: BTreeSet<u32>,
+    /// Where ranges that grow stop.
+    stops: BTreeSet<i64>,
+    origins: Vec<Origin>,
+    /// What arrives at each statement from in front of it.
+    arriving: Vec<Option<State>>,
+    /// What arrived at heads from behind them, in the pass before.
+    back: BTreeMap<u32, State>,
+    found: Ranges,
+}
+
+/// Looks at a block. Nothing is known where that would not pay.
+pub(super) fn find(code: &Code, around: &Surroundings<'_>) -> Ranges {
+    if code.insts.len() > INSTRUCTIONS_MAX {
+        return Ranges::default();
+    }
+    let relevant = places::relevant(code);
+    if relevant.len() > PLACES_MAX {
+        return Ranges::default();
+    }
+    let mut heads = BTreeSet::new();
+    for statement in 0..code.statement_count() as u32 {
+        let targets = code.statement(statement as usize).iter().flat_map(|inst| loops::targets(code, inst));
+        heads.extend(targets.filter(|&to| to <= statement));
+    }
+    let count = code.statement_count() + 1;
+    let analysis = Analysis {
+        code,
+        around,
+        relevant,
+        heads,
+        stops: places::stops(code),
+        origins: Vec::new(),
+        arriving: vec![None; count],
+        back: BTreeMap::new(),
+        found: Ranges::default(),
+    };
+    analysis.run().unwrap_or_default()
+}
+
+impl State {
+    /// Forgets variables that overlap some bytes.
+    fn forget(&mut self, base: Base, bytes: &Range<i64>) {
+        self.cells.retain(|&(other, offset, width), _| {
+            let start = i64::from(offset);
+            other != base || start >= bytes.end || start + i64::from(width.bytes()) <= bytes.start
+        });
+    }
+
+    fn is_within(&self, other: &Self) -> bool {
+        let registers = other
+            .registers
+            .iter()
+            .all(|(register, known)| self.registers.get(register).map_or(Interval::any(64), |own| own.range).is_within(&known.range));
+        let cells = other.cells.iter().all(|(cell, known)| {
+            says_nothing(cell.2, &known.range) || self.cells.get(cell).is_some_and(|own| own.range.is_within(&known.range))
+        });
+        registers && cells
+    }
+}
+
+impl<'a> Analysis<'a> {
+    /// Passes over the block until nothing grows, then some that take back what grew too far. The last one makes sure that what is
+    /// known at the beginning of each statement leads to what is known behind it.
+    fn run(mut self) -> Option<Ranges> {
+        let mut before: Option<Vec<Option<State>>> = None;
+        let mut passes = 0;
+        loop {
+            let states = self.pass(before.as_deref(), passes > 0);
+            let stable = before.as_ref().is_some_and(|before| {
+                self.heads.iter().all(|&head| match (&states[head as usize], &before[head as usize]) {
+                    (Some(now), Some(before)) => now.is_within(before),
+                    (None, _) => true,
+                    (Some(_), None) => false,
+                })
+            });
+            before = Some(states);
+            passes += 1;
+            if stable {
+                break;
+            }
+            if passes == PASSES_MAX {
+                return None;
+            }
+        }
+        let mut best = before?;
+        for _ in 0..NARROWING_PASSES {
+            best = self.pass(None, false);
+        }
+        self.check(&best).then_some(self.found)
+    }
+
+    /// One pass; what is known at the beginning of each statement. With `widens` a range that grew since the pass before grows at once
+    /// to where it may stay.
+    fn pass(&mut self, before: Option<&[Option<State>]>, widens: bool) -> Vec<Option<State>> {
+        self.origins.clear();
+        self.arriving.iter_mut().for_each(|state| *state = None);
+        let back = std::mem::take(&mut self.back);
+        let mut states = vec![None; self.arriving.len()];
+        let first = self.beginning();
+        self.arrive(0, &first, None);
+        for statement in 0..self.code.statement_count() as u32 {
+            let mut state = self.arriving[statement as usize].take();
+            if let Some(again) = back.get(&statement) {
+                state = Some(match state {
+                    Some(state) => self.joined(&state, again),
+                    None => self.renumbered(again),
+                });
+            }
+            if widens
+                && self.heads.contains(&statement)
+                && let (Some(now), Some(Some(before))) = (&mut state, before.map(|before| &before[statement as usize]))
+            {
+                widen(now, before, &self.stops);
+            }
+            let Some(state) = state else { continue };
+            states[statement as usize] = Some(state.clone());
+            self.statement(statement, state, false);
+        }
+        states
+    }
+
+    /// Goes through each statement with what is said to be known there. Whether all that follows is what is said, too; notes what
+    /// machine code may rely on.
+    fn check(&mut self, states: &[Option<State>]) -> bool {
+        self.arriving.iter_mut().for_each(|state| *state = None);
+        self.back.clear();
+        let first = self.beginning();
+        self.arrive(0, &first, None);
+        for (statement, state) in states.iter().enumerate() {
+            let facts = state.as_ref().map_or(Vec::new(), |state| {
+                let facts = state.cells.iter().filter(|((.., width), known)| !says_nothing(*width, &known.range));
+                facts.map(|(&cell, known)| Fact { cell, range: known.range }).collect()
+            });
+            self.found.facts.push(facts);
+            if let Some(state) = state
+                && statement < self.code.statement_count()
+            {
+                self.statement(statement as u32, state.clone(), true);
+            }
+        }
+        let arriving = std::mem::take(&mut self.arriving);
+        let back = std::mem::take(&mut self.back);
+        let all = (0_u32..).zip(arriving).filter_map(|(statement, state)| state.map(|state| (statement, state))).chain(back);
+        for (statement, state) in all {
+            let said = states.get(statement as usize).and_then(Option::as_ref);
+            // Behind the last statement nothing follows.
+            if statement as usize + 1 < states.len() && !said.is_some_and(|said| state.is_within(said)) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// What is known where the block begins.
+    fn beginning(&mut self) -> State {
+        let mut state = State::default();
+        for (register, value) in (0..).zip(self.around.registers) {
+            if let Some(value) = value {
+                state.registers.insert(register, self.value(Interval::constant(value)));
+            }
+        }
+        state
+    }
+
+    fn value(&mut self, range: Interval) -> Known {
+        self.value_from(range, Origin::Other)
+    }
+
+    fn value_from(&mut self, range: Interval, origin: Origin) -> Known {
+        let number = self.origins.len() as u32;
+        self.origins.push(origin);
+        Known { range, number }
+    }
+
+    fn renumbered(&mut self, state: &State) -> State {
+        let mut state = state.clone();
+        let values = state.registers.values_mut().chain(state.cells.values_mut());
+        for known in values {
+            *known = self.value(known.range);
+        }
+        state
+    }
+
+    /// What is known where two ways meet.
+    fn joined(&mut self, a: &State, b: &State) -> State {
+        let mut state = State::default();
+        let join = |this: &mut Self, a: &Known, b: &Known| {
+            let range = a.range.joined(&b.range);
+            if a.number == b.number { Known { range, ..*a } } else { this.value(range) }
+        };
+        for (&register, known) in &a.registers {
+            if let Some(other) = b.registers.get(&register) {
+                let joined = join(self, known, other);
+                state.registers.insert(register, joined);
+            }
+        }
+        for (&cell, known) in &a.cells {
+            if let Some(other) = b.cells.get(&cell) {
+                let joined = join(self, known, other);
+                state.cells.insert(cell, joined);
+            }
+        }
+        state
+    }
+
+    /// Notes what is known on a way to a statement.
+    fn arrive(&mut self, to: u32, state: &State, from: Option<u32>) {
+        let mut state = state.clone();
+        if let Some(pointer) = (self.around.instance[0])(to) {
+            let known = self.value(Interval::constant(pointer));
+            state.registers.insert(Register::Ar2 as u8, known);
+        }
+        if from.is_some_and(|from| to <= from) {
+            let joined = match self.back.get(&to).cloned() {
+                Some(before) => self.joined(&before, &state),
+                None => state,
+            };
+            self.back.insert(to, joined);
+        } else if let Some(before) = self.arriving.get_mut(to as usize) {
+            let joined = match before.take() {
+                Some(before) => self.joined(&before, &state),
+                None => state,
+            };
+            self.arriving[to as usize] = Some(joined);
+        }
+    }
+}
+
+/// Whether a range is what every variable of a width is in.
+fn says_nothing(width: Width, range: &Interval) -> bool {
+    range.bits == width.bits() && range.is_any()
+}
+
+/// Lets ranges that grew since the pass before grow to where they may stay.
+fn widen(now: &mut State, before: &State, stops: &BTreeSet<i64>) {
+    let all = |known: &mut Known, before: &Known| {
+        let (range, before) = (&mut known.range, &before.range);
+        if before.bits != range.bits {
+            *range = Interval::any(before.bits.max(range.bits));
+            return;
+        }
+        if range.least < before.least {
+            range.least = stops.range(..=range.least).next_back().copied().unwrap_or(i64::MIN >> 20);
+        }
+        if range.most > before.most {
+            range.most = stops.range(range.most..).next().copied().unwrap_or(i64::MAX >> 20);
+        }
+        if range.bits < 64 && range.most.saturating_sub(range.least) >= 1 << range.bits {
+            *range = Interval { zeros: range.zeros, ..Interval::any(range.bits) };
+        }
+    };
+    for (register, known) in &mut now.registers {
+        before.registers.get(register).into_iter().for_each(|before| all(known, before));
+    }
+    for (cell, known) in &mut now.cells {
+        before.cells.get(cell).into_iter().for_each(|before| all(known, before));
+    }
+}

@@ -1,0 +1,180 @@
+//! What an access to memory reaches, and what is known behind it.
+
+use std::collections::BTreeMap;
+
+use sieben_engine::access::{data_registers, pointed_area};
+use sieben_engine::ir::{DataRegister, OnFault, Op, Place, Var};
+use sieben_model::address::{Area, Width};
+
+use super::interval::{self, Interval};
+use super::{Analysis, Known, Reach, Span, State};
+use crate::translate::promote::Base;
+
+impl Analysis<'_> {
+    /// What an access to a place reaches.
+    pub(super) fn reach(&mut self, state: &State, temporaries: &BTreeMap<u8, Known>, place: Place, span: Span, write: bool) -> Reach {
+        let (area, position) = match place {
+            Place::Fixed { area, position } => (area, Interval::constant(u64::from(position))),
+            Place::Indirect { area, pointer, offset } => (area, self.moved(state, temporaries, pointer, offset)),
+            Place::Crossing { pointer, offset } => {
+                // The area is known if all that the pointer may be is in one.
+                let (least, most) = self.get(state, temporaries, pointer).range.unsigned(64);
+                let far = least >> 32 != 0 && matches!(span, Span::Bytes(_));
+                match pointed_area(least as u64, write) {
+                    Ok(area) if least >> 24 == most >> 24 && !far && area != Area::CallerLocal => {
+                        (area, self.moved(state, temporaries, pointer, offset))
+                    }
+                    _ => return Reach::Anything,
+                }
+            }
+        };
+        let Some((base, start, length, protected)) = self.area(state, area) else { return Reach::Anything };
+        let whole = Reach::Bytes(base, start..start + length);
+        let (least, most) = position.unsigned(24);
+        let (first, end) = ((least / 8) as i64, (most / 8) as i64 + i64::from(span.bytes()));
+        let aligned = span == Span::Width(Width::Bit) || position.zeros >= 3 || position.exact().is_some_and(|position| position % 8 == 0);
+        if !aligned || end > length || write && protected {
+            return whole;
+        }
+        match i32::try_from(start + first) {
+            Ok(offset) if least == most => Reach::Cell(base, offset),
+            _ => Reach::Inside(base, start + first..start + end),
+        }
+    }
+
+    /// A pointer moved by an offset.
+    pub(super) fn moved(&mut self, state: &State, temporaries: &BTreeMap<u8, Known>, pointer: Var, offset: u32) -> Interval {
+        let pointer = self.get(state, temporaries, pointer).range;
+        interval::result(Op::AddU32, [pointer, Interval::constant(u64::from(offset)), pointer])
+    }
+
+    /// Base, first byte and length of an area, and whether it may not be written.
+    pub(super) fn area(&self, state: &State, area: Area) -> Option<(Base, i64, i64, bool)> {
+        let register = match area {
+            Area::SharedData => DataRegister::Shared,
+            Area::InstanceData => DataRegister::Instance,
+            Area::Local => {
+                let (start, length) = self.around.local;
+                return Some((Base::Local, i64::from(start), i64::from(length), false));
+            }
+            _ => {
+                let range = self.around.layout.area(area)?;
+                return Some((Base::Arena, range.start as i64, range.len() as i64, false));
+            }
+        };
+        let [number, base, length] =
+            data_registers(register).map(|register| state.registers.get(&(register as u8)).and_then(|known| known.range.exact()));
+        let protected = match number {
+            Some(number) => self.around.layout.read_only.iter().any(|&protected| u64::from(protected) == number),
+            None => self.around.asks_before_writing,
+        };
+        Some((Base::Arena, base? as i64, length? as i64, protected))
+    }
+
+    pub(super) fn load(
+        &mut self,
+        state: &mut State,
+        temporaries: &BTreeMap<u8, Known>,
+        (place, width): (Place, Width),
+        on_fault: OnFault,
+        fails: &mut bool,
+        notes: Option<u32>,
+    ) -> Known {
+        let any = if width == Width::Bit { Interval { most: 1, ..Interval::any(8) } } else { Interval::any(width.bits()) };
+        match self.reach(state, temporaries, place, Span::Width(width), on_fault == OnFault::SkipWrite) {
+            Reach::Cell(base, offset) => {
+                let cell = (base, offset, width);
+                if let Some(known) = state.cells.get(&cell) {
+                    return *known;
+                }
+                let known = self.value(any);
+                // The same variable again is the same value.
+                if !matches!(width, Width::Bit | Width::QuadWord) && self.relevant.contains(&place) {
+                    state.cells.insert(cell, known);
+                }
+                return known;
+            }
+            Reach::Inside(base, range) => {
+                if let Some(index) = notes {
+                    self.found.inside.insert(index, (base, range));
+                }
+            }
+            Reach::Bytes(..) => *fails = true,
+            Reach::Anything => {
+                *fails = true;
+                // Somebody may be asked in the middle of the statement.
+                state.cells.clear();
+            }
+        }
+        if *fails && on_fault == OnFault::DeliverZero {
+            state.cells.clear();
+        }
+        self.value(any)
+    }
+
+    pub(super) fn store(
+        &mut self,
+        state: &mut State,
+        reach: Reach,
+        (place, width): (Place, Width),
+        value: Known,
+        fails: &mut bool,
+        notes: Option<u32>,
+    ) {
+        match reach {
+            Reach::Cell(base, offset) => {
+                let start = i64::from(offset);
+                state.forget(base, &(start..start + i64::from(width.bytes())));
+                if !matches!(width, Width::Bit | Width::QuadWord) && self.relevant.contains(&place) {
+                    let bits = width.bits();
+                    let range = if value.range.bits <= bits {
+                        // Memory has no form of its own: what is read again has all bits of the variable.
+                        value.range
+                    } else {
+                        match bits {
+                            8 => interval::result(Op::Low8, [value.range; 3]),
+                            16 => interval::result(Op::Low16, [value.range; 3]),
+                            _ => interval::result(Op::Low32, [value.range; 3]),
+                        }
+                    };
+                    let stored = if range == value.range { value } else { self.value(range) };
+                    state.cells.insert((base, offset, width), stored);
+                }
+            }
+            Reach::Inside(base, range) => {
+                if let Some(index) = notes {
+                    self.found.inside.insert(index, (base, range.clone()));
+                }
+                state.forget(base, &range);
+            }
+            Reach::Bytes(base, range) => {
+                *fails = true;
+                state.forget(base, &range);
+            }
+            Reach::Anything => {
+                *fails = true;
+                state.cells.clear();
+            }
+        }
+    }
+
+    pub(super) fn open(&mut self, state: &mut State, register: DataRegister, number: Option<u64>) {
+        let range = match number.map(|number| number & 0xFFFF) {
+            Some(0) => Some((0, 0..0)),
+            Some(number) => {
+                let known = u16::try_from(number).ok().and_then(|number| self.around.layout.data_blocks.get(&number));
+                known.map(|range| (number, range.clone()))
+            }
+            None => None,
+        };
+        let registers = data_registers(register).map(|register| register as u8);
+        for (at, register) in registers.into_iter().enumerate() {
+            state.registers.remove(&register);
+            if let Some((number, range)) = &range {
+                let value = [*number, range.start as u64, range.len() as u64][at];
+                let known = self.value(Interval::constant(value));
+                state.registers.insert(register, known);
+            }
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! What of a block matters for its addresses: variables that they are computed from, constants that these are compared with.
+
+use std::collections::{BTreeSet, HashMap, HashSet};
+
+use sieben_engine::ir::{Code, Inst, Place, Var};
+
+use super::interval::comparison;
+use super::{CONSTANTS_MAX, PLACES_MAX, STOPS};
+
+/// Places that addresses, checked conditions and what these are compared with are computed from.
+pub(super) fn relevant(code: &Code) -> HashSet<Place> {
+    let is_plain = |place: Place| match place {
+        Place::Fixed { .. } => true,
+        Place::Indirect { pointer, .. } => pointer.register().is_some(),
+        Place::Crossing { .. } => false,
+    };
+    let mut relevant = HashSet::new();
+    let mut statements = Vec::new();
+    for index in 0..code.statement_count() {
+        let (mut loads, mut stores, mut begins, mut branches) = (Vec::new(), Vec::new(), false, false);
+        for inst in code.statement(index) {
+            match *inst {
+                Inst::Load { place, .. } if is_plain(place) => loads.push(place),
+                Inst::Store { place, .. } if is_plain(place) => stores.push(place),
+                Inst::Load { .. } | Inst::Store { .. } | Inst::Move { .. } | Inst::Require { .. } => begins = true,
+                Inst::Branch { .. } => branches = true,
+                _ => {}
+            }
+        }
+        if begins {
+            relevant.extend(loads.iter().copied());
+        }
+        statements.push((loads, stores, branches));
+    }
+    if relevant.is_empty() {
+        return relevant;
+    }
+    loop {
+        let before = relevant.len();
+        for (loads, stores, branches) in &statements {
+            let touches =
+                stores.iter().any(|place| relevant.contains(place)) || *branches && loads.iter().any(|place| relevant.contains(place));
+            if touches {
+                relevant.extend(loads.iter().copied());
+            }
+        }
+        if relevant.len() == before || relevant.len() > PLACES_MAX {
+            return relevant;
+        }
+    }
+}
+
+/// Where ranges that grow may stop: at the constants with which the block compares, and beside them.
+pub(super) fn stops(code: &Code) -> BTreeSet<i64> {
+    let mut compared = BTreeSet::new();
+    for statement in 0..code.statement_count() {
+        let mut constants: HashMap<Var, u64> = HashMap::new();
+        for inst in code.statement(statement) {
+            match *inst {
+                Inst::Constant { dst, value } => {
+                    constants.insert(dst, value);
+                    continue;
+                }
+                Inst::Compute { op, args, .. } if comparison(op).is_some() => {
+                    compared.extend(args[..op.arity()].iter().filter_map(|arg| constants.get(arg)).map(|&value| i64::from(value as i32)));
+                }
+                _ => {}
+            }
+            if let Some(dst) = sieben_engine::ir::verify::writes(inst) {
+                constants.remove(&dst);
+            }
+        }
+    }
+    let beside = compared.into_iter().take(CONSTANTS_MAX).flat_map(|constant| [constant - 1, constant, constant + 1]);
+    beside.chain(STOPS).collect()
+}

@@ -1,0 +1,277 @@
+//! What a statement makes of what is known in front of it.
+
+use std::collections::BTreeMap;
+
+use sieben_engine::ir::{Inst, Op, Target, Var};
+use sieben_engine::machine::Register;
+
+use super::interval::{self, Interval, Number, comparison};
+use super::{Analysis, Known, Origin, Reach, Span, State};
+
+impl Analysis<'_> {
+    /// Follows the instructions of a statement.
+    pub(super) fn statement(&mut self, statement: u32, mut state: State, notes: bool) {
+        let code = self.code;
+        let first = code.statements[statement as usize];
+        let registers = state.registers.clone();
+        let mut temporaries: BTreeMap<u8, Known> = BTreeMap::new();
+        let mut ended = false;
+        for (index, inst) in (first..).zip(code.statement(statement as usize)) {
+            let mut fails = false;
+            match *inst {
+                Inst::Constant { dst, value } => {
+                    let known = self.value(Interval::constant(value));
+                    put(&mut state, &mut temporaries, dst, known);
+                }
+                Inst::Compute { op, dst, args } => {
+                    let args = args.map(|arg| self.get(&state, &temporaries, arg));
+                    let known = self.compute(op, args);
+                    put(&mut state, &mut temporaries, dst, known);
+                }
+                Inst::Load { dst, place, width, on_fault } => {
+                    let known = self.load(&mut state, &temporaries, (place, width), on_fault, &mut fails, notes.then_some(index));
+                    put(&mut state, &mut temporaries, dst, known);
+                }
+                Inst::Store { place, width, src } => {
+                    let value = self.get(&state, &temporaries, src);
+                    let reach = self.reach(&state, &temporaries, place, Span::Width(width), true);
+                    self.store(&mut state, reach, (place, width), value, &mut fails, notes.then_some(index));
+                }
+                Inst::Move { from, to, bytes } => {
+                    let read = self.reach(&state, &temporaries, from, Span::Bytes(bytes), false).bytes(bytes);
+                    let write = self.reach(&state, &temporaries, to, Span::Bytes(bytes), true);
+                    match (read, write.bytes(bytes)) {
+                        (Some(read), Some(write)) if notes => drop(self.found.moves.insert(index, [read, write])),
+                        (Some(_), Some(_)) => {}
+                        _ => fails = true,
+                    }
+                    match write {
+                        Reach::Cell(base, offset) => state.forget(base, &(i64::from(offset)..i64::from(offset) + i64::from(bytes))),
+                        Reach::Inside(base, range) | Reach::Bytes(base, range) => state.forget(base, &range),
+                        Reach::Anything => state.cells.clear(),
+                    }
+                }
+                Inst::Text { dst, .. } => {
+                    fails = true;
+                    state.cells.clear();
+                    let known = self.value(Interval::any(32));
+                    put(&mut state, &mut temporaries, dst, known);
+                }
+                Inst::Parameter { dst, index } => {
+                    let given = self.around.parameters.get(usize::from(index)).copied().flatten();
+                    let known = self.value(given.map_or(Interval::any(32), Interval::constant));
+                    put(&mut state, &mut temporaries, dst, known);
+                }
+                Inst::PassParameter { .. } => {}
+                Inst::Intrinsic { dst, .. } => {
+                    fails = true;
+                    let known = self.value(Interval::any(64));
+                    put(&mut state, &mut temporaries, dst, known);
+                }
+                Inst::Require { condition, .. } => {
+                    let condition = self.get(&state, &temporaries, condition);
+                    if condition.range.exact().is_some_and(|value| value & 1 != 0) {
+                        if notes {
+                            self.found.met.insert(index);
+                        }
+                    } else {
+                        fails = true;
+                    }
+                    if fails {
+                        self.arrive_failed(statement, &registers, &state);
+                        fails = false;
+                    }
+                    self.refine(&mut state, &mut temporaries, condition.number, true);
+                }
+                Inst::RequireStack { .. } => {}
+                Inst::Open { register, number } => {
+                    fails = true;
+                    let number = self.get(&state, &temporaries, number);
+                    self.open(&mut state, register, number.range.exact());
+                }
+                Inst::Jump { to: Target(to) } => {
+                    self.arrive(to, &state, Some(statement));
+                    ended = true;
+                }
+                Inst::Branch { condition, to: Target(to) } => {
+                    let condition = self.get(&state, &temporaries, condition);
+                    let exact = condition.range.exact().map(|value| value & 1);
+                    if exact != Some(0) {
+                        let (mut taken, mut other) = (state.clone(), temporaries.clone());
+                        self.refine(&mut taken, &mut other, condition.number, true);
+                        self.arrive(to, &taken, Some(statement));
+                    }
+                    if exact == Some(1) {
+                        ended = true;
+                    } else {
+                        self.refine(&mut state, &mut temporaries, condition.number, false);
+                    }
+                }
+                Inst::JumpTable { first, count, otherwise: Target(to), .. } => {
+                    self.arrive(to, &state, Some(statement));
+                    for &Target(to) in &code.tables[first as usize..(first + count) as usize] {
+                        self.arrive(to, &state, Some(statement));
+                    }
+                    ended = true;
+                }
+                Inst::Call { .. } => {
+                    fails = true;
+                    let written = (self.around.written)(inst);
+                    state.registers.retain(|&register, _| written & (1 << register) == 0);
+                    state.cells.clear();
+                    temporaries.clear();
+                }
+                Inst::Return => ended = true,
+            }
+            if fails {
+                self.arrive_failed(statement, &registers, &state);
+            }
+            if sieben_engine::ir::verify::writes(inst) == Some(Register::Ar2.into())
+                && let Some(pointer) = (self.around.instance[1])(index)
+            {
+                let known = self.value(Interval::constant(pointer));
+                state.registers.insert(Register::Ar2 as u8, known);
+            }
+            if notes && let Some(dst) = sieben_engine::ir::verify::writes(inst) {
+                let (least, most) = self.get(&state, &temporaries, dst).range.unsigned(64);
+                if let (Ok(least), Ok(most)) = (u32::try_from(least), i32::try_from(most)) {
+                    self.found.results.insert(index, (least, most as u32));
+                }
+            }
+            if ended {
+                return;
+            }
+        }
+        self.arrive(statement + 1, &state, Some(statement));
+    }
+
+    /// A statement that failed counts as NOP: its registers are as before, but for what it called.
+    pub(super) fn arrive_failed(&mut self, statement: u32, registers: &BTreeMap<u8, Known>, state: &State) {
+        let before = State { registers: registers.clone(), cells: state.cells.clone() };
+        // Behind a call that failed other registers may have changed too.
+        let failed = self.joined(&before, state);
+        self.arrive(statement + 1, &failed, Some(statement));
+    }
+
+    pub(super) fn get(&mut self, state: &State, temporaries: &BTreeMap<u8, Known>, var: Var) -> Known {
+        let known = match var.register() {
+            Some(register) => state.registers.get(&(register as u8)),
+            None => temporaries.get(&var.0),
+        };
+        match known {
+            Some(known) => *known,
+            None => self.value(Interval::any(64)),
+        }
+    }
+
+    pub(super) fn compute(&mut self, op: Op, [a, b, c, _]: [Known; 4]) -> Known {
+        let exact = |known: Known| known.range.exact().map(|value| value & 1 != 0);
+        let is_bit = |known: Known| known.range.unsigned(64).1 <= 1;
+        match op {
+            Op::Copy => return a,
+            Op::Select => match exact(a) {
+                Some(true) => return b,
+                Some(false) => return c,
+                None => {}
+            },
+            Op::Gate if exact(b) == Some(true) => return a,
+            Op::AndNot if exact(b) == Some(false) && is_bit(a) => return a,
+            Op::And if exact(b) == Some(true) && is_bit(a) => return a,
+            Op::And if exact(a) == Some(true) && is_bit(b) => return b,
+            _ => {}
+        }
+        let mut range = interval::result(op, [a.range, b.range, c.range]);
+        if op == Op::Gate
+            && let Origin::Comparison(number, relation, left, right) = self.origins[b.number as usize]
+            && left.number == a.number
+        {
+            // What passes the gate has passed the comparison.
+            let passed = a.range.limited(number, relation.limits(number.of(&right.range)));
+            let passed = interval::result(Op::Gate, [passed, b.range, c.range]);
+            if passed.most.saturating_sub(passed.least) <= range.most.saturating_sub(range.least) {
+                range = passed;
+            }
+        }
+        let origin = match op {
+            Op::Not => Origin::Not(a.number),
+            Op::AndNot => Origin::AndNot(a.number, b.number),
+            Op::And => Origin::And(a.number, b.number),
+            Op::Or => Origin::Or(a.number, b.number),
+            Op::MulU32 if a.number == b.number => Origin::Square(a),
+            _ => match comparison(op) {
+                Some((number, relation)) => Origin::Comparison(number, relation, a, b),
+                None => Origin::Other,
+            },
+        };
+        self.value_from(range, origin)
+    }
+
+    /// What a branch that was taken, or not, tells about the values that were compared.
+    pub(super) fn refine(&mut self, state: &mut State, temporaries: &mut BTreeMap<u8, Known>, condition: u32, holds: bool) {
+        match self.origins[condition as usize] {
+            Origin::Not(inner) => self.refine(state, temporaries, inner, !holds),
+            Origin::Comparison(number, relation, a, b) => {
+                let relation = if holds { relation } else { relation.inverted() };
+                // What is known of them may have become more since.
+                let [a, b] = [a, b].map(|known| Known { range: current(state, known), ..known });
+                self.limit(state, temporaries, a, number, relation.limits(number.of(&b.range)));
+                self.limit(state, temporaries, b, number, relation.mirrored().limits(number.of(&a.range)));
+            }
+            Origin::And(a, b) if holds => {
+                self.refine(state, temporaries, a, true);
+                self.refine(state, temporaries, b, true);
+            }
+            Origin::AndNot(a, b) if holds => {
+                self.refine(state, temporaries, a, true);
+                self.refine(state, temporaries, b, false);
+            }
+            Origin::Or(a, b) if !holds => {
+                self.refine(state, temporaries, a, false);
+                self.refine(state, temporaries, b, false);
+            }
+            Origin::And(..) | Origin::AndNot(..) | Origin::Or(..) | Origin::Square(_) | Origin::Other => {}
+        }
+    }
+
+    pub(super) fn limit(
+        &mut self,
+        state: &mut State,
+        temporaries: &mut BTreeMap<u8, Known>,
+        of: Known,
+        number: Number,
+        range: (i128, i128),
+    ) {
+        let limited = of.range.limited(number, range);
+        let all = state.registers.values_mut().chain(state.cells.values_mut()).chain(temporaries.values_mut());
+        for known in all.filter(|known| known.number == of.number) {
+            // What is held in fewer bits is another form of it.
+            if known.range.bits == limited.bits {
+                known.range = limited;
+            } else {
+                known.range = known.range.limited(number, range);
+            }
+        }
+        if let Origin::Square(root) = self.origins[of.number as usize] {
+            let root = Known { range: current(state, root), ..root };
+            let (least, most) = root.range.signed(32);
+            let (_, square) = limited.signed(32);
+            // The square is exact: its root is no greater than that of the limit.
+            if least >= 0 && most <= 46_340 && square >= 0 {
+                self.limit(state, temporaries, root, Number::Signed(32), (0, i128::from((square as u64).isqrt())));
+            }
+        }
+    }
+}
+
+/// What is known of a value now.
+fn current(state: &State, known: Known) -> Interval {
+    let mut all = state.cells.values().chain(state.registers.values());
+    all.find(|other| other.number == known.number && other.range.bits == known.range.bits).map_or(known.range, |other| other.range)
+}
+
+fn put(state: &mut State, temporaries: &mut BTreeMap<u8, Known>, dst: Var, known: Known) {
+    match dst.register() {
+        Some(register) => state.registers.insert(register as u8, known),
+        None => temporaries.insert(dst.0, known),
+    };
+}

@@ -1,0 +1,85 @@
+//! Runs under a Host that notes what it is asked and answers as a test says.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use sieben_engine::ir::Builder;
+use sieben_engine::machine::Registers;
+use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Layout, Machine, Program, Reaction};
+use sieben_model::address::Width;
+use sieben_model::block::BlockId;
+use sieben_model::cpu_type::CpuType;
+
+/// What the Host was asked, and the machine that the run left.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Outcome {
+    pub(crate) asked: Vec<String>,
+    pub(crate) exit: Exit,
+    pub(crate) arena: Vec<u8>,
+    pub(crate) registers: Registers,
+    pub(crate) budget: i64,
+}
+
+/// A Host that notes what it is asked and answers as a test says.
+pub(crate) struct Noting<'a> {
+    asked: Vec<String>,
+    answer: &'a dyn Fn(&mut Machine, &str, usize) -> Reaction,
+}
+
+impl Noting<'_> {
+    fn ask(&mut self, machine: &mut Machine, what: String) -> Reaction {
+        let before = self.asked.len();
+        let reaction = (self.answer)(machine, &what, before);
+        self.asked.push(what);
+        reaction
+    }
+}
+
+impl Host for Noting<'_> {
+    fn fault(&mut self, machine: &mut Machine, fault: &Fault, place: FaultPlace) -> Reaction {
+        self.ask(machine, format!("{fault:?} at {} {}", place.block, place.statement))
+    }
+    fn peripheral_read(&mut self, _: &mut Machine, _: u32, _: Width) -> Option<u32> {
+        None
+    }
+    fn peripheral_write(&mut self, _: &mut Machine, _: u32, _: Width, _: u32) -> bool {
+        false
+    }
+    fn safe_point(&mut self, machine: &mut Machine, place: FaultPlace) -> Reaction {
+        machine.budget = 1;
+        self.ask(machine, format!("safe point at {} {}", place.block, place.statement))
+    }
+    fn system_function(&mut self, machine: &mut Machine, block: BlockId, _: usize) -> Reaction {
+        self.ask(machine, block.to_string())
+    }
+}
+
+pub(crate) type Blocks<'a> = &'a [(BlockId, u32, &'a dyn Fn(&mut Builder))];
+pub(crate) type Answer<'a> = &'a dyn Fn(&mut Machine, &str, usize) -> Reaction;
+
+pub(crate) fn program(blocks: Blocks<'_>) -> Program {
+    let mut code = BTreeMap::new();
+    for &(id, local_size, build) in blocks {
+        let mut builder = Builder::default();
+        build(&mut builder);
+        code.insert(id, CodeBlock { code: builder.finish(), local_size, ..CodeBlock::default() });
+    }
+    Program { code, ..Program::default() }
+}
+
+/// A layout in which data block 1 has 16 bytes, with room behind them.
+pub(crate) fn layout(program: &Program) -> Layout {
+    let mut layout = Layout::new(CpuType::by_name("315-2PN/DP").expect("a CPU type"), program);
+    layout.size += 64;
+    layout.data_blocks.insert(1, layout.size - 64..layout.size - 48);
+    layout
+}
+
+pub(crate) fn run(engine: &dyn Engine, layout: &Layout, entry: &Entry, prepare: &dyn Fn(&mut Machine), answer: Answer<'_>) -> Outcome {
+    let mut machine = Machine::new(Arc::new(layout.clone()));
+    machine.budget = 1;
+    prepare(&mut machine);
+    let mut host = Noting { asked: Vec::new(), answer };
+    let exit = engine.run(&mut Context { machine: &mut machine, host: &mut host, tracer: None }, entry);
+    Outcome { asked: host.asked, exit, arena: machine.memory.arena, registers: machine.registers, budget: machine.budget }
+}

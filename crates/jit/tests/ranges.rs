@@ -1,0 +1,235 @@
+//! Loops over arrays, under a Host that changes their variables while they run: machine code that looks at no index any more does what
+//! the interpreter does.
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use noting::{layout, program, run};
+use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::{Entry, Exit, FaultPlace, Interpreter, Machine, Reaction, StopReason};
+use sieben_jit::{Jit, StatusBits};
+use sieben_model::address::{Area, Width};
+use sieben_model::block::BlockId;
+
+mod noting;
+
+/// Programs that are compared.
+const PROGRAMS: u64 = 600;
+/// Questions after which the Host stops a run.
+const QUESTIONS_MAX: usize = 60;
+
+/// Numbers that follow one another in no order.
+struct Dice(u64);
+
+impl Dice {
+    fn roll(&mut self, sides: u64) -> u64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % sides
+    }
+
+    fn of<T: Copy>(&mut self, all: &[T]) -> T {
+        all[self.roll(all.len() as u64) as usize]
+    }
+}
+
+/// A variable.
+#[derive(Clone, Copy)]
+struct Variable {
+    place: Place,
+    width: Width,
+}
+
+/// An array of 16 elements or so.
+#[derive(Clone, Copy)]
+struct Array {
+    area: Area,
+    first: u32,
+    /// Bits from one element to the next.
+    step: u32,
+    width: Width,
+}
+
+/// Bytes that belong to both: the data block has 16.
+fn bytes_of(area: Area) -> u32 {
+    if area == Area::SharedData { 16 } else { 48 }
+}
+
+fn place(dice: &mut Dice, area: Area) -> Place {
+    Place::Fixed { area, position: 8 * dice.roll(u64::from(bytes_of(area)) / 2) as u32 }
+}
+
+fn variable(dice: &mut Dice) -> Variable {
+    let area = dice.of(&[Area::BitMemory, Area::BitMemory, Area::Local, Area::SharedData]);
+    Variable { place: place(dice, area), width: dice.of(&[Width::Word, Width::DoubleWord, Width::DoubleWord, Width::Byte]) }
+}
+
+fn array(dice: &mut Dice) -> Array {
+    let area = dice.of(&[Area::BitMemory, Area::Local, Area::SharedData]);
+    let width = dice.of(&[Width::Bit, Width::Byte, Width::Word, Width::DoubleWord]);
+    let step = width.bits() * dice.of(&[1, 1, 2, 3]);
+    // A constant below the first byte, as an array whose lowest index is not 0 has it.
+    let first = if dice.roll(4) == 0 { 0x0100_0000 - 8 * dice.roll(4) as u32 } else { 8 * dice.roll(24) as u32 };
+    Array { area, first, step, width }
+}
+
+fn get(b: &mut Builder, variable: Variable) -> Var {
+    b.load(variable.place, variable.width, OnFault::SkipStatement)
+}
+
+/// The index as an address would be computed from it, and whether it passed a gate.
+fn element(b: &mut Builder, dice: &mut Dice, array: Array, index: Variable) -> (Place, Option<Var>) {
+    let mut number = get(b, index);
+    let mut gate = None;
+    match dice.roll(7) {
+        0 => {
+            let count = b.constant(dice.roll(20));
+            let inside = b.compute(Op::Below, &[number, count]);
+            b.push(Inst::Require { condition: inside, code: 0x22, register: number });
+        }
+        1 | 2 => {
+            let count = b.constant(dice.roll(20));
+            let inside = b.compute(Op::Below, &[number, count]);
+            number = b.compute(Op::Gate, &[number, inside]);
+            gate = Some(inside);
+        }
+        3 => {
+            let mask = b.constant(dice.of(&[7, 15, 31, 0xFF]));
+            number = b.compute(Op::AndU32, &[number, mask]);
+        }
+        4 => {
+            let most = b.constant(dice.roll(20));
+            let least = b.constant(dice.roll(3));
+            number = b.compute(Op::MaxI32, &[number, least]);
+            number = b.compute(Op::MinI32, &[number, most]);
+        }
+        5 => {
+            let by = b.constant(1 + dice.roll(20));
+            number = b.compute(Op::RemI32, &[number, by]);
+        }
+        _ => {}
+    }
+    let step = b.constant(u64::from(array.step));
+    let pointer = b.compute(Op::MulU32, &[number, step]);
+    (Place::Indirect { area: array.area, pointer, offset: array.first }, gate)
+}
+
+/// A statement that works on elements, or copies bytes.
+fn statement(b: &mut Builder, dice: &mut Dice, index: Variable, sum: Variable) {
+    b.begin_statement();
+    let from = array(dice);
+    match dice.roll(5) {
+        0 | 1 => {
+            let (place, gate) = element(b, dice, from, index);
+            let mut value = b.load(place, from.width, OnFault::SkipStatement);
+            if let Some(gate) = gate {
+                value = b.compute(Op::Gate, &[value, gate]);
+            }
+            let before = get(b, sum);
+            let after = b.compute(dice.of(&[Op::AddU32, Op::AddU16, Op::MulU16, Op::AddF32, Op::MulF32, Op::SubF32]), &[before, value]);
+            b.store(sum.place, sum.width, after);
+        }
+        2 => {
+            let (from_place, _) = element(b, dice, from, index);
+            let to = array(dice);
+            let (to_place, _) = element(b, dice, to, index);
+            b.push(Inst::Move { from: from_place, to: to_place, bytes: dice.of(&[1, 2, 6, 13, 16, 20]) });
+        }
+        _ => {
+            let (place, gate) = element(b, dice, from, index);
+            let mut value = get(b, sum);
+            if let Some(gate) = gate {
+                let old = b.load(place, from.width, OnFault::SkipWrite);
+                value = b.compute(Op::Select, &[gate, value, old]);
+            }
+            b.store(place, from.width, value);
+        }
+    }
+}
+
+/// A loop in the middle of others, counted by a variable of its own.
+fn counted(b: &mut Builder, dice: &mut Dice, depth: u32, statements: &mut u32, sum: Variable) {
+    let index = variable(dice);
+    b.begin_statement();
+    let first = b.constant(dice.of(&[0, 0, 1, 2, 5]));
+    b.store(index.place, index.width, first);
+    *statements += 1;
+    let head = *statements;
+    for _ in 0..1 + dice.roll(2) {
+        statement(b, dice, index, sum);
+        *statements += 1;
+    }
+    if depth > 0 && dice.roll(2) == 0 {
+        counted(b, dice, depth - 1, statements, sum);
+    }
+    b.begin_statement();
+    let value = get(b, index);
+    let step = b.constant(dice.of(&[1, 1, 2, 3]));
+    let next = b.compute(if index.width == Width::Word { Op::AddU16 } else { Op::AddU32 }, &[value, step]);
+    b.store(index.place, index.width, next);
+    let limit = b.constant(dice.of(&[3, 7, 11, 15, 30]));
+    let goes_on = b.compute(if index.width == Width::Word { Op::LeI16 } else { Op::LeI32 }, &[next, limit]);
+    b.push(Inst::Branch { condition: goes_on, to: Target(head) });
+    *statements += 1;
+}
+
+fn loops(b: &mut Builder, dice: &mut Dice) {
+    b.begin_statement();
+    let number = b.constant(1);
+    b.push(Inst::Open { register: DataRegister::Shared, number });
+    let mut statements = 1;
+    for _ in 0..1 + dice.roll(2) {
+        let sum = variable(dice);
+        counted(b, dice, 2, &mut statements, sum);
+    }
+    b.begin_statement();
+    b.push(Inst::Return);
+}
+
+/// Changes a few bytes, sometimes, and goes on.
+fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
+    if asked >= QUESTIONS_MAX {
+        return Reaction::Stop(StopReason { event: 0x4562, place: None::<FaultPlace> });
+    }
+    machine.budget = dice.of(&[0, 1, 1, 2, 5]);
+    for _ in 0..dice.of(&[0, 0, 1, 1, 3]) {
+        let value = dice.of(&[0, 1, 2, 7, 0x7F, 0x80, 0xFF]);
+        if dice.roll(3) == 0 {
+            let range = machine.memory.layout.data_blocks[&1].clone();
+            machine.memory.arena[range.start + dice.roll(16) as usize] = value;
+        } else {
+            machine.memory.area_mut(Area::BitMemory)[dice.roll(48) as usize] = value;
+        }
+    }
+    Reaction::Continue
+}
+
+#[test]
+fn loops_whose_variables_somebody_changes_do_the_same_on_all_engines() {
+    let (mut asked, mut finished) = (0, 0);
+    for seed in 0..PROGRAMS {
+        let block = BlockId::ob(1);
+        let program = program(&[(block, 48, &|b| loops(b, &mut Dice(seed)))]);
+        let layout = layout(&program);
+        let entry = Entry { block, start_information: [7; 20], registers: None };
+        let prepare = |machine: &mut Machine| {
+            let mut dice = Dice(seed + 1_000_000);
+            machine.memory.area_mut(Area::BitMemory)[..48].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
+        };
+        let outcome = |engine: Arc<dyn sieben_engine::Engine>| {
+            let dice = RefCell::new(Dice(seed + 2_000_000));
+            let answer = |machine: &mut Machine, _: &str, asked: usize| meddle(machine, &mut dice.borrow_mut(), asked);
+            run(engine.as_ref(), &layout, &entry, &prepare, &answer)
+        };
+        let expected = outcome(Interpreter::load(&program, &layout));
+        for status in [StatusBits::All, StatusBits::Needed] {
+            let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
+            let code = &program.code[&block].code;
+            assert_eq!(got.asked, expected.asked, "{seed} {status:?}\n{code}");
+            assert!(got.arena == expected.arena, "{seed} {status:?}: memory differs\n{code}");
+            assert_eq!((got.exit, got.budget), (expected.exit.clone(), expected.budget), "{seed} {status:?}");
+        }
+        asked += expected.asked.len();
+        finished += usize::from(expected.exit == Exit::Finished);
+    }
+    assert!(asked > 5_000 && finished > 100, "{asked} questions, {finished} runs to the end");
+}
