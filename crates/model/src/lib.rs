@@ -15,4 +15,5 @@ pub mod profile;
 pub mod program;
 pub mod source;
 pub mod symbols;
+pub mod testing;
 pub mod types;

@@ -86,6 +86,13 @@ problems! {
     P2212 Warning "an initial value where none is kept" "Remove it, and assign the value with a statement.";
     P2213 Error "a block end inside a bracket" "Close the bracket first.";
     P2214 Warning "a block call inside a bracket" "Close the bracket first: the nesting stack of the caller has to be empty at a call.";
+    P2300 Error "a test without a name in quotes" "Write `TEST 'what is true when it passes'`.";
+    P2301 Error "a part of a test file that is there twice" "Give every test a name of its own, and write SETUP and TEARDOWN once.";
+    P2302 Error "a test file without a test" "Write `TEST 'what is true' … END_TEST`.";
+    P2303 Error "a statement of a test file outside of a test" "Put it into TEST, SETUP or TEARDOWN.";
+    P2304 Error "a word of a test file outside of one" "Write it in a file whose name ends with `.test.st`, and run that with `sieben test`.";
+    P2305 Error "a word of a test file that is not used as it has to be" "Use it as the message shows.";
+    P2306 Error "something that cannot be mocked" "Mock an instance of a function block, or a function of the program.";
 
     // 3xxx names
     P3001 Error "a name that is not declared" "Declare it in the symbol table or in the VAR sections of the block.";
@@ -241,8 +248,29 @@ problems! {
     P6231 Error "a read of something that can only be written" "Read the process image instead.";
     P6232 Warning "a result that nobody uses" "Assign it to a variable, or remove the call.";
     P6233 Error "a CASE of something that has no whole numbers" "Use IF and ELSIF.";
+    P6240 Error "a test file where a program is wanted" "Run it with `sieben test`.";
 
-    // 62xx statements of ST
+    // 626x scenarios and recordings
+    P6260 Error "a line of a scenario that is not understood" "Write one of the lines of the scenario language; `//` begins a comment.";
+    P6261 Error "an expectation of a scenario that did not come true" "Compare the values before that scan with what the program should do with them.";
+    P6262 Error "a file that is no recording, or a damaged one" "Name a file that `sieben trace --record` has written.";
+    P6263 Warning "a recording that was cut off" "What was written before is shown; record again for the rest.";
+    P6264 Error "a recording of another program" "Name the sources it was recorded with, or leave them out to see it all the same.";
+
+    // 627x simulated devices
+    P6270 Error "a kind of module that does not exist" "Use a kind that the message names; `docs/reference/plants.md` describes each.";
+    P6271 Error "a module with a value that it cannot have" "Use a value in the range that the message names, and a name of its own for every module.";
+    P6272 Error "a fault that the module cannot have" "Write the signal and how it fails: `level stuck@30s`, `level drift=0.5`, `low late=200ms` or `low bounce=50ms`.";
+
+    // 628x classes and interfaces
+    P6280 Error "a block that cannot be extended or implemented like this" "Name a FUNCTION_BLOCK or CLASS behind EXTENDS, and INTERFACEs behind IMPLEMENTS.";
+    P6281 Error "a method or property that is missing" "Declare it with the same parameters, or make the block ABSTRACT.";
+    P6282 Error "a method with other parameters than the one that it stands for" "Give it the same parameters, types and result.";
+    P6283 Error "a method that does not fit what it overrides" "Override only what is there and not FINAL; leave the statements of an ABSTRACT method away.";
+    P6284 Error "a member that may not be used here" "Make it PUBLIC, or use it inside the block that has it.";
+    P6285 Error "an instance of something that has none" "Declare an instance of a block that is not ABSTRACT, or a variable of the interface.";
+    P6286 Error "THIS or SUPER where there is none" "Use them in methods and statements of a FUNCTION_BLOCK or CLASS; SUPER where it extends another one.";
+    P6287 Error "a property that is used in a way that it does not have" "Give the property a GET to read it and a SET to assign to it.";
 
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";
@@ -254,6 +282,15 @@ problems! {
     P7008 Error "a name that cannot be the name of a project" "Use letters, digits, `-` and `_`.";
     P7009 Error "times that make no sense together" "Give a cycle longer than 0, and times in rising order.";
     P7020 Error "no test to run" "Name a program that checks itself, or a folder with such programs.";
+    P7030 Error "a trigger that is not understood" "Write `I0.0 rises`, `I0.0 falls`, `I0.0 changes`, `MW10 > 5` or `scan 500`.";
+    P7031 Error "a trigger that did not come" "Run longer with `--scans` or `--for`, or look at the last scans for what keeps it from coming.";
+    P7032 Error "nothing to record" "Name what to record: `--channels I0.0,Q0.0,MW10`.";
+    P7033 Error "a part of a trace that is not there" "Name a time that the trace has.";
+    P7040 Error "a command that `sieben step` does not know" "`help` lists the commands.";
+    P7041 Error "a place that is not in the program" "Write `FC 1:3` (the third statement), `FC 1:label` or `main.awl:12` (a line).";
+    P7042 Error "a condition that is not understood" "Write a name, one of =, <>, >, >=, <, <= and a value: `MW10 > 5`.";
+    P7043 Error "a recording of another program" "Replay it with the sources and the CPU type that it was recorded with.";
+    P7044 Error "a recording that cannot be used" "Record the run again with `sieben step --record`.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";

@@ -130,6 +130,8 @@ pub enum ReferenceKind {
     Pointer,
     /// `REFERENCE TO`: used like the variable itself.
     Reference,
+    /// The name of an interface: refers to an instance of a block that implements it.
+    Interface,
 }
 
 /// The fields of a STRUCT, UDT or instance, laid out.
@@ -406,6 +408,7 @@ impl fmt::Display for DataType {
                     ReferenceKind::RefTo => "REF_TO",
                     ReferenceKind::Pointer => "POINTER TO",
                     ReferenceKind::Reference => "REFERENCE TO",
+                    ReferenceKind::Interface => return reference.target.fmt(f),
                 };
                 write!(f, "{words} {}", reference.target)
             }

@@ -14,6 +14,14 @@ pub enum Dialect {
     Scl,
     /// SCL sources of TIA Portal.
     Tia,
+    /// A test file in the dialect IEC.
+    IecTest,
+    /// A test file in the dialect of CODESYS.
+    CodesysTest,
+    /// A test file in S7-SCL.
+    SclTest,
+    /// A test file in TIA SCL.
+    TiaTest,
 }
 
 impl Dialect {
@@ -34,17 +42,51 @@ impl Dialect {
     }
     /// Its column in a table with one column for each dialect, 0 to 3.
     pub fn column(self) -> usize {
-        self as usize
+        self as usize % Self::ALL.len()
+    }
+    /// The dialect without what only test files have.
+    #[must_use]
+    pub fn base(self) -> Self {
+        Self::ALL[self.column()]
+    }
+    /// The dialect for a test file: the same, and it names everything that a program may have, whatever language that is written in.
+    #[must_use]
+    pub fn for_tests(self) -> Self {
+        [Self::IecTest, Self::CodesysTest, Self::SclTest, Self::TiaTest][self.column()]
+    }
+    /// Whether it is that of a test file.
+    pub fn is_test(self) -> bool {
+        self as usize >= Self::ALL.len()
     }
     /// What it does with a construct.
     pub fn judge(self, construct: Construct) -> Judgement {
-        construct.row().judgements[self.column()]
+        match self.is_test() && IN_TESTS.contains(&construct) {
+            true => Judgement::Accept,
+            false => construct.row().judgements[self.column()],
+        }
     }
     /// What it means by what it accepts.
     pub fn switches(self) -> &'static Switches {
-        &SWITCHES[self.column()]
+        match self.is_test() {
+            true => &TEST_SWITCHES[self.column()],
+            false => &SWITCHES[self.column()],
+        }
     }
 }
+
+/// What every test file accepts: it names blocks, symbols and addresses of programs in any language, and looks into them.
+const IN_TESTS: &[Construct] = &[
+    Construct::QuotedName,
+    Construct::PercentAddress,
+    Construct::BareAddress,
+    Construct::InstanceOfBlock,
+    Construct::GlobalVariables,
+    Construct::ControllerBlock,
+    Construct::ForeignInternal,
+    Construct::NumberToBool,
+    Construct::PositionalFbCall,
+    Construct::OmittedInput,
+];
 
 /// What a dialect does with a construct.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -138,6 +180,7 @@ constructs! {
     StaticSection "VAR_STAT and VAR_INST"                          Reject Accept Reject Reject "write VAR in a function block";
     EdgeInput "R_EDGE and F_EDGE"                                  Accept Accept Reject Reject "call R_TRIG or F_TRIG";
     ObjectOrientation "METHOD, INTERFACE, EXTENDS and IMPLEMENTS"  Accept Accept Reject Reject "write function blocks and functions";
+    SilentOverride "a method that overrides another one without OVERRIDE" Reject Accept Reject Reject "write OVERRIDE before its name";
     ClassAndNamespace "CLASS, NAMESPACE and USING"                 Accept Reject Reject Reject "write function blocks";
     Property "PROPERTY"                                            Note   Accept Reject Reject "write methods";
     Action "ACTION"                                                Accept Accept Reject Reject "write a function block";
@@ -161,7 +204,7 @@ constructs! {
     InstructionCall "a call such as `inst.TON()`"                  Reject Reject Reject Accept "write `inst()`";
     Program "PROGRAM"                                              Accept Accept Note   Note   "write `ORGANIZATION_BLOCK OB1`";
     Configuration "CONFIGURATION"                                  Accept Note   Reject Reject "write organization blocks";
-    ControllerBlock "ORGANIZATION_BLOCK and DATA_BLOCK"            Reject Reject Accept Accept "write PROGRAM, and global variables";
+    ControllerBlock "ORGANIZATION_BLOCK and DATA_BLOCK"            Note   Note   Accept Accept "write PROGRAM, and global variables";
     Begin "BEGIN"                                                  Reject Reject Accept Accept "remove it";
     PeekPoke "PEEK and POKE"                                       Reject Reject Reject Accept "use an address";
     CaseOfBits "CASE of a bit string"                              Accept Accept Reject Accept "convert it with a function such as `WORD_TO_INT`";
@@ -285,6 +328,17 @@ macro_rules! switches {
     };
 }
 
+/// What test files mean: names of blocks such as `FC10` in every dialect.
+const TEST_SWITCHES: [Switches; 4] = {
+    let mut all = SWITCHES;
+    let mut column = 0;
+    while column < all.len() {
+        all[column].numbered_blocks = true;
+        column += 1;
+    }
+    all
+};
+
 use {AddressUnit as Unit, Calendar::*, DivisionFault as Division, ForBounds::*, IndexFault as Index, PowerRank::*};
 
 #[rustfmt::skip] // A table.
@@ -328,6 +382,9 @@ mod tests {
     fn a_dialect_is_found_by_its_name() {
         for dialect in Dialect::ALL {
             assert_eq!(Dialect::from_name(&dialect.name().to_uppercase()), Some(dialect));
+            let tests = dialect.for_tests();
+            assert!(tests.is_test() && !dialect.is_test());
+            assert_eq!((tests.base(), tests.name(), tests.for_tests()), (dialect, dialect.name(), tests));
         }
         assert_eq!(Dialect::from_name("st"), None);
     }

@@ -15,6 +15,7 @@ macro_rules! keywords {
     };
 }
 
+// What no dialect reserves are the words of test files; the parser sees by their place that they are meant.
 #[rustfmt::skip] // A table, sorted by word.
 keywords! {
     //                                     iec codesys scl tia
@@ -56,7 +57,10 @@ keywords! {
     EndRepeat "END_REPEAT"                  1 1 1 1;
     EndResource "END_RESOURCE"              1 1 1 1;
     EndSet "END_SET"                        1 1 0 0;
+    EndSetup "END_SETUP"                    0 0 0 0;
     EndStruct "END_STRUCT"                  1 1 1 1;
+    EndTeardown "END_TEARDOWN"              0 0 0 0;
+    EndTest "END_TEST"                      0 0 0 0;
     EndType "END_TYPE"                      1 1 1 1;
     EndUnion "END_UNION"                    1 1 1 1;
     EndVar "END_VAR"                        1 1 1 1;
@@ -87,8 +91,11 @@ keywords! {
     Repeat "REPEAT"                         1 1 1 1;
     Resource "RESOURCE"                     1 0 0 0;
     Return "RETURN"                         1 1 1 1;
+    Setup "SETUP"                           0 0 0 0;
     Struct "STRUCT"                         1 1 1 1;
     Super "SUPER"                           1 1 0 0;
+    Teardown "TEARDOWN"                     0 0 0 0;
+    Test "TEST"                             0 0 0 0;
     Then "THEN"                             1 1 1 1;
     This "THIS"                             1 1 0 0;
     To "TO"                                 1 1 1 1;
@@ -131,6 +138,12 @@ impl Keyword {
         (reserved[dialect.column()] == 1).then_some(*keyword)
     }
 
+    /// The keyword of test files that a word is at its place, without regard to case.
+    pub(super) fn of_test_file(word: &str) -> Option<Self> {
+        let all = [Self::Setup, Self::EndSetup, Self::Teardown, Self::EndTeardown, Self::Test, Self::EndTest];
+        all.into_iter().find(|keyword| keyword.word().eq_ignore_ascii_case(word))
+    }
+
     /// All words.
     pub(super) fn words() -> impl Iterator<Item = &'static str> {
         ROWS.iter().map(|row| row.0)
@@ -149,7 +162,8 @@ impl Keyword {
     /// Words that begin something that does not stand inside a block with statements.
     pub(super) fn begins_block(self) -> bool {
         use Keyword::{
-            Class, Configuration, DataBlock, Function, FunctionBlock, Interface, Namespace, OrganizationBlock, Program, Type, Using,
+            Class, Configuration, DataBlock, Function, FunctionBlock, Interface, Namespace, OrganizationBlock, Program, Setup, Teardown,
+            Test, Type, Using,
         };
         matches!(
             self,
@@ -160,6 +174,9 @@ impl Keyword {
                 | OrganizationBlock
                 | DataBlock
                 | Type
+                | Setup
+                | Teardown
+                | Test
                 | Interface
                 | Namespace
                 | Using

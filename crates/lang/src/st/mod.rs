@@ -9,6 +9,7 @@ mod keywords;
 mod lexer;
 mod literals;
 pub mod lower;
+pub mod objects;
 pub mod parser;
 pub mod standard;
 pub mod syntax;

@@ -13,6 +13,8 @@ use sieben_model::interface::Interface;
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
+pub use super::objects::Dispatch;
+
 /// What an elementary value is for the operations of the engine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs)] // The names are those of Rust's types.
@@ -64,6 +66,8 @@ pub struct Body {
     pub local_size: u32,
     /// Whether anything in the block reads or writes ENO/OK, or computes something that may clear it; else BR is 1 at its end.
     pub uses_ok: bool,
+    /// Whether it is a function that works on an instance of a function block: a method.
+    pub is_method: bool,
 }
 
 /// A variable in the local data of the block.
@@ -303,8 +307,31 @@ pub struct Call {
 pub enum Callee {
     /// FC or SFC.
     Function(BlockId),
-    /// FB or SFB with the place of its instance: a whole data block, a part of an instance, or an element of an array of them.
-    Instance { block: BlockId, instance: Place },
+    /// FB or SFB with the place of its instance: a whole data block, a part of an instance, or an element of an array of them. With
+    /// `dispatch` the instance says which FB it is.
+    Instance { block: BlockId, instance: Place, dispatch: Option<Dispatch> },
+    /// A function that works on an instance: a method. With `dispatch` the instance says which function it is.
+    Method { block: BlockId, instance: Place, dispatch: Option<Dispatch> },
+}
+
+impl Callee {
+    /// The block whose interface the call has.
+    pub fn block(&self) -> BlockId {
+        match self {
+            Self::Function(block) | Self::Instance { block, .. } | Self::Method { block, .. } => *block,
+        }
+    }
+    /// The instance that the call works on.
+    pub fn instance(&self) -> Option<&Place> {
+        match self {
+            Self::Function(_) => None,
+            Self::Instance { instance, .. } | Self::Method { instance, .. } => Some(instance),
+        }
+    }
+    /// Whether the parameters are passed as those of a function are.
+    pub fn is_function(&self) -> bool {
+        !matches!(self, Self::Instance { .. })
+    }
 }
 
 /// An actual parameter. For a function `parameter` is the index in its interface, for a function block the position in bits in the instance.

@@ -8,18 +8,19 @@ use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
 use super::expressions::same_type;
-use super::names::{Entity, Role};
+use super::members::is_super;
+use super::names::{self, Entity, Role};
 use super::places::Reached;
 use super::typed::{Target, Through, Typed};
 use super::types::{Implicit, Kind, implicit};
 use super::{Checker, literals, words};
 use crate::library;
 use crate::scope::nearest;
-use crate::st::ast::{self, Direction, Expression, ExpressionKind, Name, Quoting};
+use crate::st::ast::{self, Direction, Expression, ExpressionKind, MemberKind, Name, Quoting};
 use crate::st::dialect::Construct;
 use crate::st::standard;
 use crate::st::standard::operators::{Beyond, Rounding, convert as steps};
-use crate::st::tree::{Argument, Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
+use crate::st::tree::{Argument, Base, Call, Callee, Dispatch, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
 
 /// The output of system functions that is their result.
 const RET_VAL: &str = "RET_VAL";
@@ -28,8 +29,10 @@ const RET_VAL: &str = "RET_VAL";
 pub(super) enum Called {
     /// FC or SFC.
     Function(BlockId),
-    /// FB or SFB with its instance.
-    Instance(BlockId, Target),
+    /// FB or SFB with its instance, which may say that it is of another block.
+    Instance(BlockId, Target, Option<Dispatch>),
+    /// A method: the function that gives the parameters.
+    Method(BlockId, Callee),
     /// A standard function of this name, if there is one.
     Standard(Name),
     /// An action of the block.
@@ -41,6 +44,9 @@ pub(super) enum Called {
 impl Checker<'_> {
     /// What is called.
     pub(super) fn called(&mut self, callee: &Expression) -> Called {
+        if is_super(callee) {
+            return self.called_super(callee.span);
+        }
         match &callee.kind {
             ExpressionKind::Parenthesized(inner) => self.called(inner),
             ExpressionKind::Name(name) => self.called_name(name),
@@ -58,10 +64,10 @@ impl Checker<'_> {
             // `FB10.DB20` looks like a byte of a data block.
             ExpressionKind::DataAddress(address) => self.called_member(callee, &address.block, &address.written),
             ExpressionKind::Missing => Called::Nothing,
-            ExpressionKind::This | ExpressionKind::Super => {
-                self.not_built(callee.span, "a call through THIS or SUPER");
-                Called::Nothing
-            }
+            ExpressionKind::This => match self.this(callee.span) {
+                Some(target) => self.called_target(target, callee.span),
+                None => Called::Nothing,
+            },
             _ => {
                 let typed = self.expression(callee);
                 self.not_callable(&typed, callee.span)
@@ -72,6 +78,9 @@ impl Checker<'_> {
     fn called_name(&mut self, name: &Name) -> Called {
         if let Some(action) = self.block.actions.iter().position(|action| name.is(&action.name.text)) {
             return Called::Action(action);
+        }
+        if let Some(method) = self.own_member(name, MemberKind::Method) {
+            return self.called_method(method, name.span);
         }
         let local = match name.quoting {
             Quoting::Global => None,
@@ -138,7 +147,13 @@ impl Checker<'_> {
 
     fn called_target(&mut self, target: Target, span: Span) -> Called {
         match target.data_type {
-            DataType::Instance { block, .. } => Called::Instance(block, target),
+            DataType::Instance { block, .. } => match self.without_body(block, span) {
+                true => Called::Nothing,
+                false => {
+                    let dispatch = self.dispatch_of(block, &target);
+                    Called::Instance(block, target, dispatch)
+                }
+            },
             DataType::Void => Called::Nothing,
             _ => {
                 let message = format!("`{}` is {} and cannot be called", target.name, words(&target.data_type));
@@ -151,11 +166,34 @@ impl Checker<'_> {
         }
     }
 
+    /// What a call of an instance may reach that was reached through a reference or an in-out.
+    fn dispatch_of(&self, block: BlockId, target: &Target) -> Option<Dispatch> {
+        let referred = matches!(target.place.base, Base::Reference(_) | Base::ComplexParameter(_) | Base::InstancePointer(_));
+        let whole = target.place.offset == 0 && target.place.indexes.is_empty();
+        (referred && whole).then(|| self.names.objects().dispatch_body(block)).flatten()
+    }
+
     /// `FB10.DB20`, `inst.TON`, `Library.Function`, `inst.Method`.
     fn called_member(&mut self, callee: &Expression, base: &Expression, name: &Name) -> Called {
-        match self.reach(base) {
+        if is_super(base) {
+            return match self.super_member(name, MemberKind::Method, base.span) {
+                Some(method) => self.called_method(method, callee.span),
+                None => Called::Nothing,
+            };
+        }
+        let reached = self.reach(base);
+        if let Some(owner) = self.owner_of_reached(&reached, base.span)
+            && let Some(method) = self.member_in(owner, &name.text, MemberKind::Method)
+        {
+            return self.called_method(method, callee.span);
+        }
+        match reached {
             Reached::Target(target) => {
                 let DataType::Instance { block, structure } = &target.data_type else {
+                    if let Some(block) = super::members::interface_of(&target.data_type) {
+                        self.no_member(block, name);
+                        return Called::Nothing;
+                    }
                     return match self.reach(callee) {
                         Reached::Target(target) => self.called_target(target, callee.span),
                         Reached::Other(typed) => self.not_callable(&typed, callee.span),
@@ -171,13 +209,16 @@ impl Checker<'_> {
                 let block = *block;
                 if self.is_instruction(block, name) {
                     return match self.judge(Construct::InstructionCall, name.span) {
-                        true => Called::Instance(block, target),
+                        true => Called::Instance(block, target, None),
                         false => Called::Nothing,
                     };
                 }
+                if self.has_members(block) {
+                    self.no_member(block, name);
+                    return Called::Nothing;
+                }
                 let message = format!("`{}` has neither an instance nor an instruction `{}` to call", target.name, name.text);
-                self.report(Problem::P6217, name.span, message).help =
-                    Some("Methods, and actions of other blocks, cannot be compiled yet.".to_owned());
+                self.report(Problem::P6217, name.span, message).help = Some("Actions of other blocks cannot be called yet.".to_owned());
                 Called::Nothing
             }
             Reached::Other(Typed::Poison) => Called::Nothing,
@@ -192,7 +233,7 @@ impl Checker<'_> {
                     if structure.field(&name.text).is_none() {
                         let block = *block;
                         return match self.judge(Construct::InstructionCall, name.span) {
-                            true => Called::Instance(block, target),
+                            true => Called::Instance(block, target, None),
                             false => Called::Nothing,
                         };
                     }
@@ -248,7 +289,7 @@ impl Checker<'_> {
         };
         let Some(target) = self.data_block(data, name.span) else { return Called::Nothing };
         match &target.data_type {
-            DataType::Instance { block: of, .. } if *of == block => Called::Instance(block, target),
+            DataType::Instance { block: of, .. } if *of == block => Called::Instance(block, target, None),
             _ => {
                 let message = format!("`{}` is not an instance of `{}`", name.text, self.names.block_name(block));
                 self.report(Problem::P3017, name.span, message);
@@ -283,12 +324,17 @@ impl Checker<'_> {
                     Some("Call it in a statement of its own, then read its outputs, `inst.Q`.".to_owned());
                 Typed::Poison
             }
-            Called::Function(block) => {
+            called @ (Called::Function(_) | Called::Method(..)) => {
+                let (block, callee) = match called {
+                    Called::Method(block, callee) => (block, callee),
+                    Called::Function(block) => (block, Callee::Function(block)),
+                    _ => unreachable!("only these two come here"),
+                };
                 let Some(interface) = self.interface(block, call.callee.span) else {
                     self.look_at(&call.arguments);
                     return Typed::Poison;
                 };
-                let Some((call, before)) = self.arguments(Callee::Function(block), &interface, call, span) else { return Typed::Poison };
+                let Some((call, before)) = self.arguments(callee, &interface, call, span) else { return Typed::Poison };
                 match interface.variable(RET_VAL).filter(|formal| formal.section == Section::Output && call.result == DataType::Void) {
                     Some(formal) => self.delivered_result(formal, call, before, span),
                     None => self.result_of(call, before, span),
@@ -351,6 +397,13 @@ impl Checker<'_> {
 
     /// A call as a statement.
     pub(super) fn call_statement(&mut self, call: &ast::Call, span: Span) -> Option<StatementKind> {
+        // A word of tests goes before a block with the same name, which can be called in quotes.
+        if let ExpressionKind::Name(name) = &call.callee.kind
+            && let Some(word) = self.test_word(name)
+            && !matches!(self.names.local(&name.text), Some(Entity::Variable(names::Variable { data_type: DataType::Instance { .. }, .. })))
+        {
+            return self.test_statement(word, call, span);
+        }
         let (callee, interface) = match self.called(&call.callee) {
             Called::Nothing => {
                 self.look_at(&call.arguments);
@@ -359,11 +412,12 @@ impl Checker<'_> {
             Called::Action(index) => return self.action(index, call, span),
             Called::Standard(name) => return self.standard_statement(&name, call, span),
             Called::Function(block) => (Callee::Function(block), self.interface(block, call.callee.span)),
-            Called::Instance(block, target) => {
+            Called::Method(block, callee) => (callee, self.interface(block, call.callee.span)),
+            Called::Instance(block, target, dispatch) => {
                 if target.role == Role::Input && target.through == Through::Itself {
                     self.judge(Construct::WrittenInput, call.callee.span);
                 }
-                (Callee::Instance { block, instance: target.place }, self.interface(block, call.callee.span))
+                (Callee::Instance { block, instance: target.place, dispatch }, self.interface(block, call.callee.span))
             }
         };
         let Some(interface) = interface else {
@@ -412,7 +466,7 @@ impl Checker<'_> {
         call: &ast::Call,
         span: Span,
     ) -> Option<(Call, Vec<Statement>)> {
-        let function = matches!(callee, Callee::Function(_));
+        let function = callee.is_function();
         let mut all = Arguments::new(interface);
         let mut sound = true;
         let by_position = call.arguments.iter().filter(|argument| argument.name.is_none()).count();
@@ -480,9 +534,7 @@ impl Checker<'_> {
     }
 
     fn callee_name(&self, callee: &Callee) -> String {
-        match callee {
-            Callee::Function(block) | Callee::Instance { block, .. } => format!("`{}`", self.names.block_name(*block)),
-        }
+        format!("`{}`", self.names.block_name(callee.block()))
     }
 
     fn unknown_parameter(&mut self, name: &Name, formals: &[&Variable], callee: &Callee) {
@@ -695,7 +747,11 @@ impl Checker<'_> {
         }
         let Some(target) = self.target(value) else { return false };
         let lengths = matches!((&formal.data_type, &target.data_type), (DataType::String(_), DataType::String(_)));
-        if !lengths && !same_type(&formal.data_type, &target.data_type) {
+        let extends = match (&formal.data_type, &target.data_type) {
+            (DataType::Instance { block: wanted, .. }, DataType::Instance { block, .. }) => self.names.objects().is_a(*block, *wanted),
+            _ => false,
+        };
+        if !lengths && !extends && !same_type(&formal.data_type, &target.data_type) {
             let message = format!(
                 "`{}` is an in-out parameter of type {} and takes a variable of that type, and `{}` is {}",
                 formal.name,
@@ -713,7 +769,7 @@ impl Checker<'_> {
 
     /// What a call leaves out: an initial value, nothing, or an error.
     fn omitted(&mut self, callee: &Callee, all: &mut Arguments<'_>, span: Span) -> bool {
-        let function = matches!(callee, Callee::Function(_));
+        let function = callee.is_function();
         let mut missing = Vec::new();
         let mut inputs = true;
         for formal in &all.formals {

@@ -32,7 +32,15 @@ impl Checker<'_> {
                 Judgement::Reject => Typed::Poison,
                 _ => self.not_built(span, "an assignment inside an expression"),
             },
-            ExpressionKind::This | ExpressionKind::Super => self.not_built(span, "THIS and SUPER"),
+            ExpressionKind::This => match self.this(span) {
+                Some(target) => Typed::Aggregate(target),
+                None => Typed::Poison,
+            },
+            ExpressionKind::Super => {
+                let message = "SUPER is no value: it stands before a method, or is called itself";
+                self.report(Problem::P6286, span, message).help = Some("Write `SUPER^.Method()`, or `THIS^` for the instance.".to_owned());
+                Typed::Poison
+            }
             ExpressionKind::Missing => Typed::Poison,
             ExpressionKind::Name(_)
             | ExpressionKind::Global(_)
@@ -194,6 +202,10 @@ impl Checker<'_> {
             return None;
         };
         let scalar = kind.scalar(self.dialect);
+        let typed = match self.upwards(typed, span, wanted) {
+            Ok(value) => return Some(value),
+            Err(typed) => typed,
+        };
         let literal = match typed {
             Typed::Poison => return None,
             Typed::Integer { value, radix } => LiteralKind::Integer { value, radix },
@@ -413,7 +425,7 @@ impl Checker<'_> {
     }
 
     /// Both operands; a bare name beside a value of an enumeration may be another value of it.
-    fn both(&mut self, left: &Expression, right: &Expression) -> (Typed, Typed) {
+    pub(super) fn both(&mut self, left: &Expression, right: &Expression) -> (Typed, Typed) {
         let named = |expression: &Expression| matches!(expression.kind, ExpressionKind::Name(_));
         if named(right) {
             let a = self.expression(left);
@@ -521,7 +533,13 @@ impl Checker<'_> {
         self.scalar(typed, span)
     }
 
-    fn comparison(&mut self, operator: BinaryOperator, sign: Span, (a, left): (Typed, Span), (b, right): (Typed, Span)) -> Typed {
+    pub(super) fn comparison(
+        &mut self,
+        operator: BinaryOperator,
+        sign: Span,
+        (a, left): (Typed, Span),
+        (b, right): (Typed, Span),
+    ) -> Typed {
         let of_bool = |value: Value| Typed::Scalar { value, data_type: DataType::Bool };
         let folded = match (&a, &b) {
             (Typed::Integer { value: x, .. }, Typed::Integer { value: y, .. }) => Some(x.cmp(y)),

@@ -5,11 +5,13 @@ use std::sync::Arc;
 use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
+use sieben_model::testing::Word;
 use sieben_model::types::{DataType, Reference, ReferenceKind};
 
 use super::places::Reached;
 use super::typed::{Target, Typed};
 use super::{Checker, literals, operators};
+use crate::scope::nearest;
 use crate::st::ast::{self, Direction, Name};
 use crate::st::dialect::Construct;
 use crate::st::standard::s5::S5Function;
@@ -19,6 +21,10 @@ use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, Statement, St
 impl Checker<'_> {
     /// A call of a standard function.
     pub(super) fn standard(&mut self, name: &Name, call: &ast::Call, span: Span) -> Typed {
+        if self.test_word(name).is_some() && self.misplaced_word(name) {
+            self.look_at(&call.arguments);
+            return Typed::Poison;
+        }
         if let Some(typed) = self.built_in(name, call, span) {
             return typed;
         }
@@ -46,8 +52,9 @@ impl Checker<'_> {
             .map(|(argument, (typed, _))| Given { name: argument.name.as_ref().map(|name| name.text.as_str()), kind: kind_of(typed) })
             .collect();
         match standard::resolve(&name.text, self.dialect, &given) {
+            None if self.misplaced_word(name) => Typed::Poison,
             None => {
-                let nearest = self.names.nearest(&name.text);
+                let nearest = self.nearest_function(&name.text);
                 let message = format!("there is no function `{}`", name.text);
                 let diagnostic = self.report(Problem::P3008, name.span, message);
                 if let Some(nearest) = nearest {
@@ -64,6 +71,9 @@ impl Checker<'_> {
 
     /// A call of a standard function whose result nobody uses.
     pub(super) fn standard_statement(&mut self, name: &Name, call: &ast::Call, span: Span) -> Option<StatementKind> {
+        if let Some(word) = self.test_word(name) {
+            return self.test_statement(word, call, span);
+        }
         if let Some(function) = S5Function::find(&name.text, self.dialect) {
             return self.s5_function(function, name, call, span).map(|(statements, _)| StatementKind::Block(statements));
         }
@@ -80,6 +90,13 @@ impl Checker<'_> {
             Typed::Text(Text::Call { call, .. }) => Some(StatementKind::Call(*call)),
             _ => Some(StatementKind::Block(Vec::new())),
         }
+    }
+
+    /// The name in sight that looks most like this one; in a test file its words are in sight.
+    fn nearest_function(&self, name: &str) -> Option<String> {
+        let words = Word::ALL.iter().map(|word| word.text()).filter(|_| self.dialect.is_test());
+        let word = nearest(&name.to_uppercase(), words);
+        word.or_else(|| self.names.nearest(name))
     }
 
     fn refused(&mut self, refusal: Refusal, arguments: &[(Typed, Span)], span: Span) -> Typed {

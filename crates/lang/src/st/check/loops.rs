@@ -98,7 +98,9 @@ impl Checker<'_> {
     /// Whether statements may write a variable: by an assignment, by a call, through its address.
     fn may_write(&self, body: &[ast::Statement], name: &str) -> bool {
         let names = |expression: &Expression| root(expression).is_some_and(|root| root.is(name));
-        let mut written = false;
+        // GET and SET of a property look like a variable and may write what the instance has.
+        let local = || matches!(self.names.local(name), Some(Entity::Variable(variable)) if variable.role == super::names::Role::Temp);
+        let mut written = !self.names.objects().is_without_properties() && !local();
         walk::statements(body, &mut |statement| match &statement.kind {
             ast::StatementKind::Assign { targets, operator, .. } => {
                 written |= targets.iter().any(names) || *operator == AssignOperator::Refer;
@@ -120,14 +122,12 @@ impl Checker<'_> {
                     _ => false,
                 };
                 if !standard {
-                    let local =
-                        matches!(self.names.local(name), Some(Entity::Variable(variable)) if variable.role == super::names::Role::Temp);
                     let passed = call.arguments.iter().any(|argument| {
                         let value = argument.value.as_ref().is_some_and(names);
                         value && (argument.direction == Direction::Delivered || !self.is_input(call, argument))
                     });
                     // Others write what is not temporary, if they know it.
-                    written |= passed || !local;
+                    written |= passed || !local();
                 }
             }
             ExpressionKind::Assign(target, _) => written |= names(target),

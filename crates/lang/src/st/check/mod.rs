@@ -6,23 +6,26 @@ mod functions;
 mod literals;
 mod locals;
 mod loops;
+pub(crate) mod members;
 pub mod names;
 mod operators;
 mod places;
 mod ranges;
 mod s5;
 mod statements;
+mod testing;
 mod typed;
 mod types;
 mod usage;
-mod walk;
+pub(crate) mod walk;
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use sieben_model::block::BlockId;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
+use sieben_model::testing::{Signal, WordCall};
 use sieben_model::types::DataType;
 
 use super::ast;
@@ -65,6 +68,10 @@ pub struct Checked {
     pub diagnostics: Vec<Diagnostic>,
     /// The blocks that it calls.
     pub called: BTreeSet<BlockId>,
+    /// The words of tests in it, by the first byte of their place.
+    pub words: BTreeMap<u32, WordCall>,
+    /// What a test writes at constant addresses, by the first byte of the place.
+    pub writes: BTreeMap<u32, Signal>,
 }
 
 /// Checks the body of a block.
@@ -87,16 +94,19 @@ pub fn check(block: &Block<'_>, names: &dyn Names) -> Checked {
         next_list: 0,
         noted: BTreeSet::new(),
         inside_actions: Vec::new(),
+        words: BTreeMap::new(),
+        writes: BTreeMap::new(),
     };
     checker.collect_labels(block.body);
     let statements = checker.statements(block.body);
     let local_size = checker.locals.bytes();
-    let body = tree::Body { statements, locals: names.locals(), local_size, uses_ok: checker.reads_ok };
+    let is_method = names.this().is_some_and(|this| this != block.id);
+    let body = tree::Body { statements, locals: names.locals(), local_size, uses_ok: checker.reads_ok, is_method };
     if !checker.failed {
         checker.usage(&body);
     }
-    let Checker { failed, diagnostics, called, .. } = checker;
-    Checked { body: (!failed).then_some(body), diagnostics, called }
+    let Checker { failed, diagnostics, called, words, writes, .. } = checker;
+    Checked { body: (!failed).then_some(body), diagnostics, called, words, writes }
 }
 
 /// A loop that is being checked.
@@ -142,6 +152,10 @@ struct Checker<'a> {
     noted: BTreeSet<u32>,
     /// The actions whose statements stand here.
     inside_actions: Vec<usize>,
+    /// The words of tests, by the first byte of their place.
+    words: BTreeMap<u32, WordCall>,
+    /// What a test writes, by the first byte of the place.
+    writes: BTreeMap<u32, Signal>,
 }
 
 impl Checker<'_> {

@@ -2,12 +2,14 @@
 
 use std::sync::Arc;
 
+use sieben_model::address::Area;
 use sieben_model::block::BlockId;
 use sieben_model::interface::Interface;
 use sieben_model::source::Span;
 use sieben_model::types::{DataType, Structure};
 
 use crate::st::ast::LiteralKind;
+use crate::st::objects::Objects;
 use crate::st::standard::Provided;
 use crate::st::tree::{Base, Local};
 
@@ -42,6 +44,16 @@ pub enum Entity {
     Qualifier,
 }
 
+impl Entity {
+    /// Whether the methods of a block, and blocks that extend it, know it: everything but what lasts for one call.
+    pub fn is_of_instance(&self) -> bool {
+        match self {
+            Self::Variable(variable) => variable.is_of_instance(),
+            _ => true,
+        }
+    }
+}
+
 /// A variable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variable {
@@ -57,6 +69,14 @@ pub struct Variable {
     pub offset: u32,
     /// The place of its declaration.
     pub span: Span,
+}
+
+impl Variable {
+    /// Whether it lasts longer than one call.
+    pub fn is_of_instance(&self) -> bool {
+        !matches!(self.role, Role::Temp | Role::Result)
+            && !matches!(self.base, Base::Area(Area::Local) | Base::Parameter(_) | Base::ComplexParameter(_))
+    }
 }
 
 /// Where a variable is declared: what may be done with it.
@@ -125,4 +145,14 @@ pub trait Names {
     fn local_size(&self) -> u32;
     /// The variables that the block declares, in order: for warnings about those that nothing uses.
     fn declared(&self) -> Vec<Variable>;
+    /// What blocks extend and implement, and their members.
+    fn objects(&self) -> &Objects;
+    /// The namespace that the block belongs to, with a point behind it; empty outside any.
+    fn namespace(&self) -> &str;
+    /// The function block whose instance the block works on: itself, or what it is a method of.
+    fn this(&self) -> Option<BlockId>;
+    /// What the instance has under this name, whatever a method declares.
+    fn of_instance(&self, name: &str) -> Option<Entity>;
+    /// The fields of the instances of a function block.
+    fn instance(&self, block: BlockId) -> Option<Arc<Structure>>;
 }

@@ -7,6 +7,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::{DataType, ReferenceKind};
 
+use super::members::{is_super, is_this};
 use super::names::{Constant, Entity, Role};
 use super::typed::{Target, Through, Typed};
 use super::types::{Class, Kind};
@@ -44,6 +45,10 @@ impl Checker<'_> {
             ExpressionKind::Dereference(base) => self.dereference(base, span),
             ExpressionKind::Slice(base, slice) => self.slice(base, slice, span),
             ExpressionKind::Parenthesized(inner) => self.reach(inner),
+            ExpressionKind::This => match self.this(span) {
+                Some(target) => Reached::Target(target),
+                None => POISON,
+            },
             _ => Reached::Other(self.expression(expression)),
         };
         self.followed(reached, span)
@@ -102,7 +107,7 @@ impl Checker<'_> {
         };
         match found {
             Some(entity) => self.entity(entity, name),
-            None => match self.flag(name) {
+            None => match self.flag(name).or_else(|| self.own_property(name, name.span)) {
                 Some(value) => Reached::Other(value),
                 None => self.unknown(name),
             },
@@ -142,7 +147,7 @@ impl Checker<'_> {
         POISON
     }
 
-    fn entity(&mut self, entity: Entity, name: &Name) -> Reached {
+    pub(super) fn entity(&mut self, entity: Entity, name: &Name) -> Reached {
         let span = name.span;
         Reached::Other(match entity {
             Entity::Variable(variable) if variable.data_type == DataType::Void => Typed::Poison,
@@ -237,7 +242,19 @@ impl Checker<'_> {
     }
 
     fn member(&mut self, base: &Expression, name: &Name, span: Span) -> Reached {
-        match self.reach(base) {
+        if is_this(base)
+            && let Some(found) = self.field_of_this(name, span)
+        {
+            return found;
+        }
+        if is_super(base) {
+            return Reached::Other(self.super_property(name, span));
+        }
+        let reached = self.reach(base);
+        if let Some(property) = self.property_in(&reached, name, span) {
+            return Reached::Other(property);
+        }
+        match reached {
             Reached::Target(target) => self.field(target, name, span),
             Reached::Other(Typed::Poison) => POISON,
             Reached::Other(Typed::Block(block)) if block.kind == BlockKind::DataBlock => match self.data_block(block, base.span) {
@@ -257,6 +274,11 @@ impl Checker<'_> {
                     }
                 }
             }
+            // A variable of a program: `PLC_PRG.x`.
+            Reached::Other(Typed::Block(block)) if self.of_program(base, name).is_some() => match self.of_program(base, name) {
+                Some(entity) => self.entity(entity, &Name { span, ..name.clone() }),
+                None => Reached::Other(Typed::Block(block)),
+            },
             Reached::Other(Typed::Type(data_type)) => self.value_in(&data_type, name),
             Reached::Other(other) => {
                 let what = self.what(&other);
@@ -264,6 +286,12 @@ impl Checker<'_> {
                 POISON
             }
         }
+    }
+
+    /// The variable of a program that is named before the point.
+    fn of_program(&self, base: &Expression, name: &Name) -> Option<Entity> {
+        let ExpressionKind::Name(program) = &base.kind else { return None };
+        self.names.qualified(&[&program.text, &name.text]).filter(|entity| matches!(entity, Entity::Variable(_)))
     }
 
     /// A data block as a variable.
@@ -390,6 +418,9 @@ impl Checker<'_> {
     }
 
     fn dereference(&mut self, base: &Expression, span: Span) -> Reached {
+        if is_this(base) {
+            return self.this(span).map_or(POISON, Reached::Target);
+        }
         let reached = self.reach(base);
         let typed = match reached {
             Reached::Target(target) => {
@@ -742,7 +773,7 @@ pub(super) fn unknown_length(place: &Place) -> bool {
 }
 
 /// What a pointer leads to.
-fn referred(pointer: Value, span: Span) -> Place {
+pub(super) fn referred(pointer: Value, span: Span) -> Place {
     Place { base: Base::Reference(Box::new(pointer)), offset: 0, indexes: Vec::new(), span }
 }
 

@@ -5,16 +5,18 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::{DataType, ReferenceKind};
 
+use super::calls::Called;
 use super::expressions::same_type;
 use super::names::Role;
 use super::places::{Reached, unknown_length};
 use super::ranges::same_place;
+use super::testing::and_hold;
 use super::typed::{Target, Through, Typed};
 use super::types::Kind;
 use super::{Block, Checker, Label, operators, walk, words};
 use crate::st::ast::{self, AssignOperator, BinaryOperator, Expression, ExpressionKind, Name, StatementKind as Kinds};
 use crate::st::dialect::{Construct, IndexFault, Judgement};
-use crate::st::tree::{Call, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
+use crate::st::tree::{Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
 
 impl Checker<'_> {
     /// A list of statements.
@@ -111,6 +113,11 @@ impl Checker<'_> {
                 *diagnostic = diagnostic.clone().help("An assignment is written with `:=`.").fix(*sign, ":=", "write `:=`");
                 None
             }
+            ExpressionKind::Name(name) if self.names.local(&name.text).is_none() && DataType::from_any_word(&name.text).is_some() => {
+                let message = format!("`{}` is a type, and no variable is declared among the statements", name.text);
+                self.report(Problem::P6216, span, message).help = Some(format!("Write `VAR x : {}; END_VAR` before them.", name.text));
+                None
+            }
             _ => {
                 let before = self.diagnostics.len();
                 match self.reach(expression) {
@@ -152,10 +159,7 @@ impl Checker<'_> {
             AssignOperator::Subtract => BinaryOperator::Subtract,
             AssignOperator::Multiply => BinaryOperator::Multiply,
             AssignOperator::Divide => BinaryOperator::Divide,
-            AssignOperator::Attempt => {
-                self.not_built(span, "the assignment attempt `?=`");
-                return None;
-            }
+            AssignOperator::Attempt => return self.attempt(last, value, span),
             AssignOperator::Set | AssignOperator::Reset => return self.set(last, operator, value, span),
             AssignOperator::Refer => return self.refer(last, value, span),
         };
@@ -255,13 +259,14 @@ impl Checker<'_> {
                 self.report(Problem::P6204, span, format!("`{name}` is a constant: it cannot be assigned to"));
                 false
             }
-            (_, Through::InstanceOutput) => {
+            // A test writes the outputs of what it mocks.
+            (_, Through::InstanceOutput) if !self.dialect.is_test() => {
                 let message = format!("`{name}` is an output, and only the block itself writes it");
                 self.report(Problem::P6204, span, message);
                 false
             }
             (Role::Input, _) => self.judge(Construct::WrittenInput, span),
-            _ if target.place.base == crate::st::tree::Base::Area(Area::PeripheralInput) => {
+            _ if target.place.base == crate::st::tree::Base::Area(Area::PeripheralInput) && !self.dialect.is_test() => {
                 let message = format!("`{name}` is a peripheral input, and these can only be read");
                 self.report(Problem::P6204, span, message);
                 false
@@ -279,6 +284,10 @@ impl Checker<'_> {
         {
             return Some(StatementKind::SetOk(self.value(value, &DataType::Bool)?));
         }
+        let written = target;
+        if let Some(kind) = self.assign_property(target, value, span) {
+            return kind;
+        }
         let reached = self.target(target);
         let Some(target) = reached else {
             // The value may have mistakes of its own.
@@ -289,11 +298,19 @@ impl Checker<'_> {
             self.expression(value);
             return None;
         }
+        if target.place.base == crate::st::tree::Base::Area(Area::PeripheralInput) {
+            return self.set_peripheral(&target, value, span);
+        }
         if let Some(kind) = self.result_into(&target, value, span) {
             return kind;
         }
         let typed = self.expression_for(value, &target.data_type);
-        self.store(target, typed, value.span, span)
+        let (target, typed) = self.beside_address(target, written, value, typed);
+        if !self.dialect.is_test() {
+            return self.store(target, typed, value.span, span);
+        }
+        let (place, data_type) = (target.place.clone(), target.data_type.clone());
+        Some(and_hold(&place, &data_type, self.store(target, typed, value.span, span)?, span))
     }
 
     /// A function whose result is an array or a structure writes it to the target itself.
@@ -302,7 +319,11 @@ impl Checker<'_> {
         if Kind::of(&target.data_type).is_some() || matches!(target.data_type, DataType::String(_)) {
             return None;
         }
-        let super::calls::Called::Function(block) = self.quietly(|checker| checker.called(&call.callee)) else { return None };
+        let (block, callee) = match self.quietly(|checker| checker.called(&call.callee)) {
+            Called::Function(block) => (block, Callee::Function(block)),
+            Called::Method(block, callee) => (block, callee),
+            _ => return None,
+        };
         let interface = self.names.interface(block)?;
         let result = interface.variables.iter().find(|variable| variable.section == sieben_model::interface::Section::Return)?.clone();
         if Kind::of(&result.data_type).is_some() || matches!(result.data_type, DataType::String(_)) {
@@ -313,7 +334,6 @@ impl Checker<'_> {
             self.no_conversion(&result.data_type, &target.data_type, value.span);
             return Some(None);
         }
-        let callee = crate::st::tree::Callee::Function(block);
         let (call, mut before) = match self.arguments(callee, &interface, call, value.span) {
             Some(found) => found,
             None => return Some(None),

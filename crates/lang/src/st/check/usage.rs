@@ -13,7 +13,7 @@ use super::{Checker, walk};
 use crate::declarations::interface::START_INFORMATION_BYTES;
 use crate::scope::key;
 use crate::st::ast::{self, ExpressionKind};
-use crate::st::tree::{Argument, Base, Body, Call, Callee, Place, Statement, StatementKind, Text, Value, ValueKind};
+use crate::st::tree::{Argument, Base, Body, Call, Place, Statement, StatementKind, Text, Value, ValueKind};
 
 impl Checker<'_> {
     /// Says what is odd about the variables of a block without errors.
@@ -316,7 +316,7 @@ impl Walk<'_> {
 
     fn call(&mut self, call: &Call) {
         call.enable.iter().for_each(|value| self.value(value));
-        if let Callee::Instance { instance, .. } = &call.callee {
+        if let Some(instance) = call.callee.instance() {
             instance.indexes.iter().for_each(|index| self.value(&index.value));
         }
         for argument in &call.arguments {

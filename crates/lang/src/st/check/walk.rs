@@ -3,7 +3,7 @@
 use crate::st::ast::{CaseLabel, Expression, ExpressionKind, Position, Statement, StatementKind};
 
 /// Shows every expression to `see`, also those inside others.
-pub(super) fn expressions(statements: &[Statement], see: &mut dyn FnMut(&Expression)) {
+pub(crate) fn expressions(statements: &[Statement], see: &mut dyn FnMut(&Expression)) {
     for statement in statements {
         match &statement.kind {
             StatementKind::Assign { targets, value, .. } => {

@@ -11,17 +11,25 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::interface::Interface;
 use sieben_model::problems::Problem;
+use sieben_model::testing::TestPlan;
 
-use super::environment::Environment;
+use super::ast;
+use super::environment::{Environment, starting};
 use super::items::Code;
-use super::organization_blocks;
+use super::programs::Generated;
+use super::{Located, organization_blocks};
 use crate::declarations::interface::lay_out;
 use crate::scope::key;
 use crate::st::check::names::{Entity, Variable};
 use crate::st::check::{Block, check};
 use crate::st::dialect::{Construct, Judgement};
 use crate::st::lower::lower;
-use crate::st::tree::{Base, TypedBlock};
+use crate::st::tree::{Base, Body, TypedBlock};
+
+/// The organization block of a warm restart.
+const WARM_RESTART: u16 = 100;
+/// The organization block of a cold restart.
+const COLD_RESTART: u16 = 102;
 
 /// What became of the statements.
 #[derive(Default)]
@@ -31,6 +39,8 @@ pub(crate) struct Bodies {
     pub(crate) calls: BTreeMap<BlockId, BTreeSet<BlockId>>,
     pub(crate) intervals: BTreeMap<u16, u16>,
     pub(crate) diagnostics: Vec<Diagnostic>,
+    /// The tests, if one of the files holds some.
+    pub(crate) tests: TestPlan,
     /// A block could not be compiled.
     pub(crate) failed: bool,
 }
@@ -43,12 +53,15 @@ impl Environment<'_> {
             self.block(id, code, cpu, &mut bodies);
         }
         self.recursion(&mut bodies);
-        for (id, generated) in organization_blocks(self.items, exists, &mut bodies.diagnostics) {
+        let wrong = self.object_rules();
+        bodies.failed |= !wrong.is_empty();
+        bodies.diagnostics.extend(wrong);
+        let mut generated = organization_blocks(self.items, exists, &mut bodies.diagnostics);
+        self.restarts(cpu, exists, &mut generated, &mut bodies.diagnostics);
+        for (id, generated) in generated {
             let Some(block) = lay_out(id, Vec::new()) else { continue };
             let calls = generated.body.statements.iter().filter_map(|statement| match &statement.kind {
-                crate::st::tree::StatementKind::Call(call) => match call.callee {
-                    crate::st::tree::Callee::Function(block) | crate::st::tree::Callee::Instance { block, .. } => Some(block),
-                },
+                crate::st::tree::StatementKind::Call(call) => Some(call.callee.block()),
                 _ => None,
             });
             bodies.calls.insert(id, calls.collect());
@@ -56,7 +69,36 @@ impl Environment<'_> {
             bodies.typed.insert(id, TypedBlock { interface: block.interface, body: generated.body });
             bodies.intervals.extend(generated.interval_ms.map(|interval| (id.number, interval)));
         }
+        self.tests(&mut bodies);
         bodies
+    }
+
+    /// The organization blocks of a restart write the initial values of variables with an address.
+    fn restarts(
+        &self,
+        cpu: &CpuType,
+        exists: &dyn Fn(BlockId) -> bool,
+        generated: &mut BTreeMap<BlockId, Generated>,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) {
+        for (restart, keeps) in [(WARM_RESTART, true), (COLD_RESTART, false)] {
+            let id = BlockId::ob(restart);
+            let mut written = self.located.iter().filter(|one| !(keeps && one.retain)).peekable();
+            let Some(first) = written.peek().map(|one| one.variable.span) else { continue };
+            if !cpu.has_organization_block(restart) {
+                continue;
+            }
+            if exists(id) {
+                let message = format!("`{id}` exists already; it cannot also write initial values of variables with an address");
+                let help = "Assign the values there, and leave the initial values away.";
+                diagnostics.push(Diagnostic::new(Problem::P3002, first, message).help(help));
+                continue;
+            }
+            let one = generated.entry(id).or_insert_with(|| Generated { body: Body::default(), interval_ms: None });
+            for Located { variable, initial, .. } in written {
+                one.body.statements.extend(starting(variable, initial, variable.span));
+            }
+        }
     }
 
     /// Says which functions call themselves, directly or through others: one message for each circle.
@@ -87,7 +129,7 @@ impl Environment<'_> {
         }
     }
 
-    fn interface_of(&self, block: BlockId) -> Option<Arc<Interface>> {
+    pub(super) fn interface_of(&self, block: BlockId) -> Option<Arc<Interface>> {
         self.interfaces.get(&block).map(|found| Arc::clone(&found.interface))
     }
 
@@ -109,6 +151,10 @@ impl Environment<'_> {
         if !matches!(id.kind, BlockKind::Function | BlockKind::FunctionBlock | BlockKind::OrganizationBlock) {
             return;
         }
+        // Nothing calls it: what is called is the method of the block that the instance is of.
+        if code.block.kind == ast::BlockKind::Interface || code.block.member.is_some() && code.block.modifiers.is_abstract {
+            return;
+        }
         let block = Block {
             id,
             dialect: code.dialect,
@@ -121,7 +167,11 @@ impl Environment<'_> {
         let mut checked = check(&block, &names);
         let sound = !checked.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error);
         bodies.diagnostics.append(&mut checked.diagnostics);
+        self.words(id, &mut checked, &mut bodies.tests);
         bodies.calls.insert(id, checked.called);
+        if code.dialect.is_test() {
+            bodies.tests.blocks.insert(id);
+        }
         let whole = sound && self.declared(id).is_some_and(|declared| !declared.broken);
         let Some(mut body) = checked.body.filter(|_| whole) else {
             bodies.failed = true;

@@ -23,9 +23,9 @@ pub(crate) fn layouts<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: &mu
             data.insert(number, layout);
         }
     }
-    for program in &items.programs {
-        if let Some(interface) = types.interface(program.block, program.span) {
-            data.insert(program.instance, DataLayout { structure: interface.instance, based_on: Some(program.block) });
+    for (block, instance, span) in items.own_instances() {
+        if let Some(interface) = types.interface(block, span) {
+            data.insert(instance, DataLayout { structure: interface.instance, based_on: Some(block) });
         }
     }
     let globals = globals::globals(types, items, data);
@@ -81,7 +81,7 @@ fn number_of_type(items: &Items<'_>, name: &str) -> Option<BlockId> {
 /// without RETAIN they do. A data block is the smallest thing that keeps its values, so that one RETAIN keeps all of them.
 fn non_retain(items: &Items<'_>, number: u16) -> bool {
     let keeps = |section: &ast::VarSection| section.has(ast::Qualifier::Retain) || section.has(ast::Qualifier::Persistent);
-    let program = items.programs.iter().find(|program| program.instance == number).and_then(|program| items.code.get(&program.block));
+    let program = items.own_instances().find(|&(_, instance, _)| instance == number).and_then(|(block, ..)| items.code.get(&block));
     let kept = items.kept.iter().find(|(_, kept)| **kept == number).and_then(|(owner, _)| items.code.get(owner));
     match (program.or(kept), items.lists.iter().find(|list| list.number == number)) {
         (Some(code), _) => !code.block.sections.iter().any(keeps),

@@ -4,22 +4,24 @@ use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
+use sieben_engine::ir::Op;
 use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::Interface;
 use sieben_model::literal::Value;
 use sieben_model::source::Span;
-use sieben_model::types::DataType;
+use sieben_model::types::{DataType, Structure};
 
 use super::initial::bytes;
 use super::items::{Items, numbered};
-use super::{Declared, Demand, Known, Named};
+use super::{Declared, Demand, Known, Located, Named};
 use crate::declarations::data_block::DataLayout;
 use crate::declarations::types::{BlockInterface, State};
 use crate::library::{ALL, LibraryBlock};
 use crate::scope::{Scope, key};
 use crate::st::check::names::{DataBlockView, Entity, Names, Role, Variable};
 use crate::st::dialect::Dialect;
+use crate::st::objects::Objects;
 use crate::st::standard::Provided;
 use crate::st::tree::{self, Base, Local, Place, Scalar, Statement, StatementKind, Text, ValueKind};
 
@@ -39,6 +41,8 @@ pub(crate) struct Environment<'a> {
     suggestions: RefCell<BTreeSet<String>>,
     /// What of the library the program needs and does not have yet.
     demands: RefCell<Vec<Demand>>,
+    /// Variables with an address that begin with a value.
+    pub(super) located: Vec<Located>,
 }
 
 /// Puts together what is known when everything is declared.
@@ -64,6 +68,7 @@ pub(crate) fn environment<'a>(
         blocks: known.blocks,
         suggestions: RefCell::default(),
         demands: RefCell::new(known.demands),
+        located: known.located,
     }
 }
 
@@ -75,7 +80,14 @@ impl<'a> Environment<'a> {
 
     /// The names of a block.
     pub(crate) fn names(&self, block: BlockId, dialect: Dialect) -> Option<BlockNames<'_, 'a>> {
-        Some(BlockNames { environment: self, declared: self.blocks.get(&block)?, dialect, block })
+        let code = self.items.code.get(&block)?;
+        let this = match &code.block.member {
+            Some(member) => self.items.block_in(code.space, &member.of.text),
+            None => (block.kind == BlockKind::FunctionBlock).then_some(block),
+        };
+        // A method knows what its block has, unless it declares the name itself.
+        let owner = this.filter(|&this| this != block).and_then(|this| self.blocks.get(&this));
+        Some(BlockNames { environment: self, declared: self.blocks.get(&block)?, owner, this, dialect, block, space: code.space })
     }
 
     /// What of the library the program needs and does not have yet.
@@ -157,13 +169,19 @@ impl<'a> Environment<'a> {
 pub(crate) struct BlockNames<'e, 'a> {
     environment: &'e Environment<'a>,
     declared: &'e Declared,
+    /// What the block declares that a method belongs to.
+    owner: Option<&'e Declared>,
+    /// The function block whose instance the block works on.
+    this: Option<BlockId>,
     dialect: Dialect,
     block: BlockId,
+    /// Where it stands.
+    space: usize,
 }
 
 impl Names for BlockNames<'_, '_> {
     fn local(&self, name: &str) -> Option<Entity> {
-        self.declared.names.get(&key(name)).cloned()
+        self.declared.names.get(&key(name)).cloned().or_else(|| self.owner.and_then(|_| self.of_instance(name)))
     }
 
     fn global(&self, name: &str) -> Option<Entity> {
@@ -172,10 +190,12 @@ impl Names for BlockNames<'_, '_> {
         if let Some(entity) = environment.globals.get(&wanted) {
             return Some(entity.clone());
         }
-        if let Some(&block) = environment.items.blocks.get(&wanted) {
+        if let Some(block) = environment.items.block_in(self.space, name) {
             return Some(Entity::Block(block));
         }
-        if let Some(entity) = environment.type_entity(&wanted).or_else(|| environment.enumeration_value(&wanted)) {
+        let named = environment.items.spellings(self.space, name);
+        if let Some(entity) = named.iter().find_map(|full| environment.type_entity(full)).or_else(|| environment.enumeration_value(&wanted))
+        {
             return Some(entity);
         }
         if let Some(block) = numbered(name, self.dialect) {
@@ -195,15 +215,17 @@ impl Names for BlockNames<'_, '_> {
         let full = key(&path.join("."));
         let (last, before) = path.split_last()?;
         let (last, before) = (key(last), key(&before.join(".")));
-        let block = || environment.items.blocks.get(&full).copied().map(Entity::Block);
+        let spellings = environment.items.spellings(self.space, &path.join("."));
+        let block = || environment.items.block_in(self.space, &path.join(".")).map(Entity::Block);
         environment
             .globals
             .get(&full)
             .cloned()
-            .or_else(|| environment.value_of(&before, &last))
+            .or_else(|| environment.items.spellings(self.space, &before).iter().find_map(|owner| environment.value_of(owner, &last)))
             .or_else(|| environment.of_program(&before, &last))
-            .or_else(|| environment.type_entity(&full))
+            .or_else(|| spellings.iter().find_map(|full| environment.type_entity(full)))
             .or_else(block)
+            .or_else(|| spellings.iter().any(|full| environment.items.namespaces.contains(full)).then_some(Entity::Qualifier))
             // `Standard.TON`: the library of a block needs not be told.
             .or_else(|| if environment.items.qualifiers.contains(&before) || before == "standard" { self.global(&last) } else { None })
     }
@@ -227,7 +249,8 @@ impl Names for BlockNames<'_, '_> {
         if !environment.suggestions.borrow_mut().insert(key(name)) {
             return None;
         }
-        let own = self.declared.variables.iter().map(|variable| variable.name.as_str());
+        let owner = self.owner.iter().flat_map(|owner| &owner.variables);
+        let own = self.declared.variables.iter().chain(owner).map(|variable| variable.name.as_str());
         let globals = environment.globals.values().filter_map(|entity| match entity {
             Entity::Variable(variable) => Some(variable.name.as_str()),
             _ => None,
@@ -274,6 +297,27 @@ impl Names for BlockNames<'_, '_> {
     fn declared(&self) -> Vec<Variable> {
         self.declared.variables.clone()
     }
+
+    fn objects(&self) -> &Objects {
+        &self.environment.items.objects
+    }
+
+    fn namespace(&self) -> &str {
+        self.environment.items.spaces.get(self.space).map_or("", |space| space.prefix.as_str())
+    }
+
+    fn this(&self) -> Option<BlockId> {
+        self.this
+    }
+
+    fn of_instance(&self, name: &str) -> Option<Entity> {
+        let declared = self.owner.unwrap_or(self.declared);
+        declared.names.get(&key(name)).filter(|entity| entity.is_of_instance()).cloned()
+    }
+
+    fn instance(&self, block: BlockId) -> Option<Arc<Structure>> {
+        self.environment.interfaces.get(&block).map(|found| Arc::clone(&found.instance))
+    }
 }
 
 impl BlockNames<'_, '_> {
@@ -287,14 +331,41 @@ impl BlockNames<'_, '_> {
         self.block_name(self.block)
     }
 
-    /// Statements that give the result and the outputs of a function what they hold at the start.
-    pub(super) fn starting_statements(&self, span: Span) -> Vec<Statement> {
-        let starting = self.declared.result.iter().chain(&self.declared.outputs);
-        let one = |(variable, initial): &(Variable, Vec<Value>)| match starting_statement(variable, initial, span) {
-            Some(statement) => vec![statement],
-            None => starting_bytes(variable, initial, span),
+    /// Statements that find the edges of inputs: `now := input AND NOT was; was := input`, with the input turned round for F_EDGE.
+    fn edges(&self, span: Span) -> Vec<Statement> {
+        // The statements of a base that SUPER calls see the edges of this call.
+        let own = self.this == Some(self.block);
+        let place = |variable: &Variable| Place { base: variable.base.clone(), offset: variable.offset, indexes: Vec::new(), span };
+        let bool_value = |kind| tree::Value { kind, scalar: Scalar::Bool, span };
+        let assign = |target: &Variable, value| Statement { kind: StatementKind::Assign { target: place(target), value }, span };
+        let one = |watched: &super::WatchedEdge| {
+            let input = bool_value(ValueKind::Load(place(&watched.input)));
+            let input = match watched.edge {
+                crate::st::ast::Edge::Rising => input,
+                crate::st::ast::Edge::Falling => bool_value(ValueKind::Compute { op: Op::Not, args: vec![input] }),
+            };
+            let was = bool_value(ValueKind::Load(place(&watched.was)));
+            let edge = bool_value(ValueKind::Compute { op: Op::AndNot, args: vec![input.clone(), was] });
+            [assign(&watched.now, edge), assign(&watched.was, input)]
         };
-        starting.flat_map(one).collect()
+        self.declared.edges.iter().filter(|_| own).flat_map(one).collect()
+    }
+
+    /// Statements that give the result and the outputs of a function what they hold at the start, and find the edges of inputs.
+    pub(super) fn starting_statements(&self, span: Span) -> Vec<Statement> {
+        let mut all = self.edges(span);
+        let starting = self.declared.result.iter().chain(&self.declared.outputs);
+        let one = |(variable, initial): &(Variable, Vec<Value>)| self::starting(variable, initial, span);
+        all.extend(starting.flat_map(one));
+        all
+    }
+}
+
+/// Statements that give a variable its initial value.
+pub(super) fn starting(variable: &Variable, initial: &[Value], span: Span) -> Vec<Statement> {
+    match starting_statement(variable, initial, span) {
+        Some(statement) => vec![statement],
+        None => starting_bytes(variable, initial, span),
     }
 }
 

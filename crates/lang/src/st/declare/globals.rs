@@ -8,6 +8,7 @@ use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_model::types::{DataType, Field, Structure, place};
 
+use super::Located;
 use super::ast;
 use super::interface::{is_constant, unknown};
 use super::items::Items;
@@ -54,11 +55,11 @@ pub(super) fn globals<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: &mu
                 resolver.report(Problem::P4009, declaration.data_type.span, message);
                 continue;
             }
+            resolver.no_abstract(&data_type, declaration.data_type.span);
             let initial = match &declaration.initial {
                 Some(initializer) => resolver.initial(initializer, &data_type),
                 None => named,
             };
-            initial_of_located(&mut resolver, declaration);
             for declared in &declaration.names {
                 let name = &declared.name;
                 let (base, offset) = match &declaration.location {
@@ -89,6 +90,10 @@ pub(super) fn globals<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: &mu
                 };
                 let role = if constant { Role::Constant } else { Role::Global };
                 let variable = Variable { name: name.text.clone(), role, data_type: data_type.clone(), base, offset, span: name.span };
+                if declaration.location.is_some() && declaration.initial.is_some() {
+                    let retain = list.section.has(ast::Qualifier::Retain);
+                    resolver.types.st_known.located.push(Located { variable: variable.clone(), initial: initial.clone(), retain });
+                }
                 add(&mut globals, items, &list.name, name, Entity::Variable(variable));
             }
         }
@@ -104,13 +109,6 @@ fn add(globals: &mut Globals, items: &Items<'_>, list: &str, name: &ast::Name, e
     globals.insert(key(&format!("{list}.{}", name.text)), entity.clone());
     if items.globals.contains_key(&key(&name.text)) {
         globals.entry(key(&name.text)).or_insert(entity);
-    }
-}
-
-/// `x AT %MW0 : INT := 5`: the areas of the CPU have no initial values yet, which is told.
-pub(super) fn initial_of_located(resolver: &mut Resolver<'_, '_>, declaration: &ast::Declaration) {
-    if let (Some(initializer), Some(ast::Location::Address(_))) = (&declaration.initial, &declaration.location) {
-        resolver.not_built(initializer.span, "an initial value of a variable with an address");
     }
 }
 

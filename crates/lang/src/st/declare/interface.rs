@@ -14,12 +14,15 @@ use sieben_model::types::{DataType, Field, Structure, place};
 use super::initial::bytes;
 use super::items::{Code, Items};
 use super::types::{Resolver, holds_instance};
-use super::{Declared, ast, globals};
+use super::{Declared, Located, WatchedEdge, ast, globals};
 use crate::declarations::BLOCK_BYTES_MAX;
-use crate::declarations::interface::{Declared as Unplaced, is_complex, lay_out};
+use crate::declarations::interface::{Declared as Unplaced, is_complex, lay_out, lay_out_behind};
 use crate::declarations::types::{BlockInterface, Types, describe};
 use crate::scope::key;
+use crate::st::check::members::is_super;
 use crate::st::check::names::{Entity, Role, Variable};
+use crate::st::check::walk;
+use crate::st::objects::TYPE_NUMBER;
 use crate::st::tree::{Base, Local};
 
 /// Where the variables of a section lie.
@@ -54,13 +57,18 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
     let code = *items.code.get(&id)?;
     let before = types.errors();
     let mut sections = Sections {
-        resolver: Resolver::new(types, items, code.dialect),
+        resolver: Resolver::new(types, items, code.dialect).within(code.space),
         id,
         pending: Vec::new(),
         views: Vec::new(),
         located: Vec::new(),
+        inherited: Vec::new(),
+        inherited_edges: Vec::new(),
+        edges: Vec::new(),
         places: HashMap::new(),
     };
+    let base = sections.base(id);
+    sections.owner(code);
     sections.constants(code);
     for section in &code.block.sections {
         sections.section(section);
@@ -68,9 +76,9 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
     if id.kind == BlockKind::Function {
         sections.result(code);
     }
-    let Sections { resolver, pending, views, located, .. } = sections;
+    let Sections { resolver, pending, views, located, inherited, inherited_edges, edges, .. } = sections;
     let unplaced: Vec<Unplaced> = pending.iter().filter_map(Pending::unplaced).collect();
-    let laid_out = lay_out(id, unplaced);
+    let laid_out = lay_out_behind(id, base.as_ref(), unplaced);
     let Some(mut block) = laid_out else {
         let message = format!("the variables of `{id}` need more than {BLOCK_BYTES_MAX} bytes (4 for each parameter of a function)");
         types.report(Problem::P5002, code.block.name.span, message);
@@ -80,7 +88,7 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
         // Messages call an instance by the name of its block.
         Arc::make_mut(&mut block.instance).name = Some(name.clone());
     }
-    let mut declared = Declared { names: resolver.names, ..Declared::default() };
+    let mut declared = Declared { names: resolver.names, variables: inherited, edges: inherited_edges, ..Declared::default() };
     let kept = kept_structure(&pending);
     if let (Some(structure), Some(&number)) = (kept.clone(), items.kept.get(&id)) {
         types.st_known.statics.push((number, structure));
@@ -99,7 +107,8 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
         }
         match one.role {
             Role::Result => {
-                declared.names.insert(key(&code.block.name.text), Entity::Variable(variable.clone()));
+                let name = code.block.member.as_ref().map_or(&code.block.name, |member| &member.name);
+                declared.names.insert(key(&name.text), Entity::Variable(variable.clone()));
                 declared.result = Some((variable, one.initial));
                 continue;
             }
@@ -115,6 +124,18 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
     for variable in located {
         declared.names.insert(key(&variable.name), Entity::Variable(variable.clone()));
         declared.variables.push(variable);
+    }
+    for (names, edge) in edges {
+        let variable = |name: &String| match declared.names.get(&key(name)) {
+            Some(Entity::Variable(variable)) => Some(variable.clone()),
+            _ => None,
+        };
+        let [input, was, now] = &names;
+        let (Some(input), Some(was), Some(now)) = (variable(input), variable(was), variable(now)) else { continue };
+        // The statements see the edge under the name of the input.
+        let seen = Variable { name: input.name.clone(), role: Role::Input, span: input.span, ..now };
+        declared.names.insert(key(&input.name), Entity::Variable(seen.clone()));
+        declared.edges.push(WatchedEdge { input, was, now: seen, edge });
     }
     for view in views {
         view.declare(types, &mut declared);
@@ -208,6 +229,12 @@ struct Sections<'t, 'a> {
     views: Vec<View>,
     /// Variables with an address.
     located: Vec<Variable>,
+    /// The variables of the block that this one extends.
+    inherited: Vec<Variable>,
+    /// The inputs of that block of which the statements see the edges.
+    inherited_edges: Vec<WatchedEdge>,
+    /// Inputs of which the statements see the edges: the names of the input, of what it was, and of the edge.
+    edges: Vec<([String; 3], ast::Edge)>,
     /// Where names were declared.
     places: HashMap<String, Span>,
 }
@@ -241,6 +268,71 @@ pub(super) fn is_constant(section: &ast::VarSection, declaration: &ast::Declarat
 }
 
 impl<'a> Sections<'_, 'a> {
+    /// What the instance of the block begins with: that of the block that it extends, or the number that says of which block it is.
+    fn base(&mut self, id: BlockId) -> Option<BlockInterface> {
+        let items = self.resolver.items;
+        if !items.objects.is_typed(id) {
+            return None;
+        }
+        let number = vec![Value::Word(id.number)];
+        let object = items.objects.get(id)?;
+        let Some(base) = object.base else {
+            let variable = Declaration {
+                name: TYPE_NUMBER.to_owned(),
+                section: Section::Static,
+                data_type: DataType::Word,
+                offset: 0,
+                initial: number,
+                comment: String::new(),
+                span: object.span,
+            };
+            return lay_out(id, vec![Unplaced::from_variable(variable)]);
+        };
+        let mut found = self.resolver.types.interface(base, object.span)?;
+        let of_type = |name: &str| name == TYPE_NUMBER;
+        let interface = Arc::make_mut(&mut found.interface);
+        interface.variables.iter_mut().filter(|variable| of_type(&variable.name)).for_each(|variable| variable.initial.clone_from(&number));
+        let instance = Arc::make_mut(&mut found.instance);
+        instance.fields.iter_mut().filter(|field| of_type(&field.name)).for_each(|field| field.initial.clone_from(&number));
+        if let Some(declared) = self.resolver.types.st_known.blocks.get(&base) {
+            for (name, entity) in declared.names.iter().filter(|(_, entity)| entity.is_of_instance()) {
+                if let Entity::Variable(variable) = entity {
+                    self.places.insert(name.clone(), variable.span);
+                }
+                self.resolver.names.insert(name.clone(), entity.clone());
+            }
+            // The statements of the base look for the edges themselves where SUPER calls them.
+            let code = items.code.get(&id);
+            if !code.is_some_and(|code| calls_super(&code.block.body)) {
+                self.inherited_edges.clone_from(&declared.edges);
+            }
+            self.inherited = declared.variables.iter().filter(|variable| variable.is_of_instance()).cloned().collect();
+        }
+        Some(found)
+    }
+
+    /// Makes the constants of the block known that a method belongs to, and the variables that the method keeps there.
+    fn owner(&mut self, code: Code<'a>) {
+        let Some(member) = &code.block.member else { return };
+        let items = self.resolver.items;
+        let Some(owner) = items.block_in(code.space, &member.of.text) else { return };
+        if self.resolver.types.interface(owner, member.of.span).is_none() {
+            return;
+        }
+        let Some(declared) = self.resolver.types.st_known.blocks.get(&owner) else { return };
+        for (name, entity) in &declared.names {
+            if matches!(entity, Entity::Constant(_) | Entity::EnumValue { .. }) {
+                self.resolver.names.insert(name.clone(), entity.clone());
+            }
+        }
+        for (name, inside) in &member.kept {
+            if let Some(entity) = declared.names.get(&key(inside)) {
+                self.places.insert(key(&name.text), name.span);
+                self.resolver.names.insert(key(&name.text), entity.clone());
+            }
+        }
+    }
+
     /// Makes the constants of the block known, whichever stands first.
     fn constants(&mut self, code: Code<'a>) {
         for section in &code.block.sections {
@@ -319,7 +411,7 @@ impl<'a> Sections<'_, 'a> {
             return;
         };
         for declaration in variables {
-            self.declaration(declaration, store, role);
+            self.declaration(declaration, store, role, section.has(ast::Qualifier::Retain));
         }
     }
 
@@ -332,16 +424,23 @@ impl<'a> Sections<'_, 'a> {
         }
     }
 
-    fn declaration(&mut self, declaration: &'a ast::Declaration, store: Store, role: Role) {
-        if declaration.edge.is_some() {
-            self.resolver.not_built(declaration.span, "R_EDGE and F_EDGE");
-        }
+    fn declaration(&mut self, declaration: &'a ast::Declaration, store: Store, role: Role, retain: bool) {
         let Some((data_type, named)) = self.resolver.type_and_initial(&declaration.data_type) else {
             return self.unknown(declaration);
         };
         if let Some((problem, why)) = misplaced(&data_type, store) {
             let message = format!("{} may not stand here: {why}", describe(&data_type));
             self.resolver.report(problem, declaration.data_type.span, message);
+            return self.unknown(declaration);
+        }
+        if store != Store::Interface(Section::InOut) {
+            self.resolver.no_abstract(&data_type, declaration.data_type.span);
+        }
+        if declaration.edge.is_some()
+            && (self.id.kind != BlockKind::FunctionBlock || store != Store::Interface(Section::Input) || data_type != DataType::Bool)
+        {
+            let message = "R_EDGE and F_EDGE stand behind a BOOL in VAR_INPUT of a function block or program";
+            self.resolver.report(Problem::P4009, declaration.span, message);
             return self.unknown(declaration);
         }
         let initial = match &declaration.initial {
@@ -353,7 +452,6 @@ impl<'a> Sections<'_, 'a> {
             Some(initializer) => self.resolver.initial(initializer, &data_type),
             None => named,
         };
-        globals::initial_of_located(&mut self.resolver, declaration);
         for declared in &declaration.names {
             let name = &declared.name;
             if !self.is_first(name) {
@@ -368,16 +466,31 @@ impl<'a> Sections<'_, 'a> {
                     self.resolver.names.insert(key(&name.text), unknown(name));
                 }
                 Some(ast::Location::Address(address)) => match globals::located(&mut self.resolver, address, &data_type) {
-                    Some((base, offset)) => self.located.push(Variable {
-                        name: name.text.clone(),
-                        role,
-                        data_type: data_type.clone(),
-                        base,
-                        offset,
-                        span: name.span,
-                    }),
+                    Some((base, offset)) => {
+                        let variable =
+                            Variable { name: name.text.clone(), role, data_type: data_type.clone(), base, offset, span: name.span };
+                        if declaration.initial.is_some() {
+                            let one = Located { variable: variable.clone(), initial: initial.clone(), retain };
+                            self.resolver.types.st_known.located.push(one);
+                        }
+                        self.located.push(variable);
+                    }
                     None => drop(self.resolver.names.insert(key(&name.text), unknown(name))),
                 },
+                None if declaration.edge.is_some() => {
+                    let names = [name.text.clone(), format!("{}__WAS", name.text), format!("{}__EDGE", name.text)];
+                    self.edges.extend(declaration.edge.map(|edge| (names.clone(), edge)));
+                    let places = [
+                        (store, role),
+                        (Store::Interface(Section::Static), Role::Static),
+                        (Store::Interface(Section::Static), Role::Static),
+                    ];
+                    for (position, (name_inside, (store, role))) in names.into_iter().zip(places).enumerate() {
+                        let initial = if position == 0 { initial.clone() } else { Vec::new() };
+                        let (comment, span) = (declaration.comment.clone(), name.span);
+                        self.pending.push(Pending { name: name_inside, store, role, data_type: DataType::Bool, initial, comment, span });
+                    }
+                }
                 None => self.pending.push(Pending {
                     name: name.text.clone(),
                     store,
@@ -446,6 +559,15 @@ impl<'a> Sections<'_, 'a> {
             span: code.block.name.span,
         });
     }
+}
+
+/// Whether statements call those of the base, `SUPER^()`.
+fn calls_super(body: &[ast::Statement]) -> bool {
+    let mut found = false;
+    walk::expressions(body, &mut |expression| {
+        found |= matches!(&expression.kind, ast::ExpressionKind::Call(call) if is_super(&call.callee));
+    });
+    found
 }
 
 /// What a name stands for whose declaration was not understood: a variable about which nothing more is said.

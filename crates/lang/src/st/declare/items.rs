@@ -9,15 +9,30 @@ use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
 
 use super::numbers::{Wanted, assign};
+use super::objects::objects;
 use super::{StFile, ast};
 use crate::scope::{Scope, key};
 use crate::st::dialect::Dialect;
+use crate::st::objects::Objects;
 
 /// A block with statements.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Code<'a> {
     pub(crate) block: &'a ast::Block,
     pub(crate) dialect: Dialect,
+    /// Where it stands, in [`Items::spaces`].
+    pub(crate) space: usize,
+}
+
+/// A place where names are written: a file, or a namespace in it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Surroundings {
+    /// The namespace with a point behind it; empty outside any.
+    pub(crate) prefix: String,
+    /// The namespaces that USING makes known in a block or a namespace, with a point behind each: before what is in none.
+    pub(crate) near: Vec<String>,
+    /// Those of USING in the file, behind what is in none.
+    pub(crate) usings: Vec<String>,
 }
 
 /// A DATA_BLOCK.
@@ -32,6 +47,8 @@ pub(crate) struct Data<'a> {
 pub(crate) struct Type<'a> {
     pub(crate) declaration: &'a ast::TypeDeclaration,
     pub(crate) dialect: Dialect,
+    /// Where it stands, in [`Items::spaces`].
+    pub(crate) space: usize,
 }
 
 /// A PROGRAM, or statements outside any block: a function block with its instance.
@@ -44,6 +61,15 @@ pub(crate) struct Program {
     pub(crate) span: Span,
     /// It has no name.
     pub(crate) implicit: bool,
+}
+
+/// SETUP, TEARDOWN or TEST: a function block with its instance.
+#[derive(Clone, Debug)]
+pub(crate) struct TestBlock<'a> {
+    pub(crate) part: ast::TestPart,
+    pub(crate) block: BlockId,
+    pub(crate) instance: u16,
+    pub(crate) source: &'a ast::Block,
 }
 
 /// A VAR_GLOBAL section.
@@ -75,6 +101,8 @@ pub(crate) struct Items<'a> {
     /// Names of blocks as they are spelled.
     pub(crate) names: BTreeMap<BlockId, String>,
     pub(crate) programs: Vec<Program>,
+    /// The parts of the test file in their order.
+    pub(crate) tests: Vec<TestBlock<'a>>,
     pub(crate) lists: Vec<List<'a>>,
     /// Global variables and constants by key: list and declaration.
     pub(crate) globals: HashMap<String, (usize, &'a ast::Declaration)>,
@@ -83,13 +111,21 @@ pub(crate) struct Items<'a> {
     pub(crate) kept: BTreeMap<BlockId, u16>,
     /// Names before a point.
     pub(crate) qualifiers: BTreeSet<String>,
+    /// Keys of all namespaces.
+    pub(crate) namespaces: BTreeSet<String>,
+    /// Where names are written.
+    pub(crate) spaces: Vec<Surroundings>,
+    /// Blocks as objects.
+    pub(crate) objects: Objects,
 }
 
 /// The block that a name such as `FB10` means by itself.
 pub(crate) fn numbered(text: &str, dialect: Dialect) -> Option<BlockId> {
-    if !dialect.switches().numbered_blocks {
-        return None;
-    }
+    if dialect.switches().numbered_blocks { numbered_anywhere(text) } else { None }
+}
+
+/// The block of a name such as `OB35`, as the header of a block may say it in every dialect.
+fn numbered_anywhere(text: &str) -> Option<BlockId> {
     let digits = text.find(|c: char| c.is_ascii_digit())?;
     let (word, number) = text.split_at(digits);
     Some(BlockId::new(BlockKind::from_abbreviation(word)?, number.parse().ok()?))
@@ -125,6 +161,10 @@ struct Collector<'a, 's> {
     diagnostics: Vec<Diagnostic>,
     /// The namespace that is open, with a point behind it.
     namespace: String,
+    /// Where it is, in [`Items::spaces`].
+    space: usize,
+    /// What USING names.
+    usings: Vec<&'a ast::Path>,
     /// The path of the file, if it is one of the library.
     library: Option<&'static str>,
 }
@@ -156,13 +196,21 @@ pub(crate) fn collect<'a>(
         places: HashMap::new(),
         diagnostics: Vec::new(),
         namespace: String::new(),
+        space: 0,
+        usings: Vec::new(),
         library: None,
     };
     for file in files {
         collector.library = file.library.map(|source| source.path);
-        collector.items(&file.file.items, file.dialect);
+        collector.space(&file.file.items, file.dialect);
     }
-    let Collector { mut items, pending, diagnostics: mut found, .. } = collector;
+    let Collector { mut items, pending, usings, diagnostics: mut found, .. } = collector;
+    for path in usings {
+        if !items.namespaces.contains(&key(&joined(path))) {
+            let message = format!("there is no namespace `{}`", joined(path));
+            found.push(Diagnostic::new(Problem::P3001, path.span, message).help("Write the full name of a NAMESPACE of the project."));
+        }
+    }
     let wanted: Vec<&Wanted> = pending.iter().map(|(wanted, _)| wanted).collect();
     let numbers = assign(&wanted, scope, cpu, replacing, taken, &mut found);
     let mut instances: HashMap<BlockId, u16> = HashMap::new();
@@ -180,6 +228,9 @@ pub(crate) fn collect<'a>(
         match pending {
             Pending::Code(code) => {
                 items.code.insert(id, code);
+                if let ast::BlockKind::Test(part) = code.block.kind {
+                    items.tests.push(TestBlock { part, block: id, instance: 0, source: code.block });
+                }
                 if matches!(code.block.kind, ast::BlockKind::Program | ast::BlockKind::Implicit) {
                     let implicit = code.block.kind == ast::BlockKind::Implicit;
                     let span = if implicit { code.block.span } else { code.block.name.span };
@@ -197,11 +248,21 @@ pub(crate) fn collect<'a>(
     for program in &mut items.programs {
         program.instance = instances.get(&program.block).copied().unwrap_or_default();
     }
-    for (name, id) in &items.blocks {
+    for test in &mut items.tests {
+        test.instance = instances.get(&test.block).copied().unwrap_or_default();
+    }
+    items.tests.sort_by_key(|test| test.source.span.start);
+    for (name, id) in items.blocks.iter().filter(|(_, id)| items.code.get(id).is_none_or(|code| code.block.member.is_none())) {
         scope.define_block(name, items.names.get(id).map_or(name.as_str(), String::as_str), *id);
     }
+    items.objects = objects(&items, scope, &mut found);
     diagnostics.append(&mut found);
     items
+}
+
+/// A path as it is written.
+pub(super) fn joined(path: &ast::Path) -> String {
+    path.names.iter().map(|name| name.text.as_str()).collect::<Vec<_>>().join(".")
 }
 
 /// What stands behind the name of a function in the name of the data block that keeps its static variables.
@@ -210,6 +271,33 @@ const KEPT: &str = ".static";
 const IMPLICIT: &str = "MAIN";
 
 impl Items<'_> {
+    /// Blocks that have one instance from the beginning: programs, and the parts of a test file. The block, its instance, its place.
+    pub(crate) fn own_instances(&self) -> impl Iterator<Item = (BlockId, u16, Span)> {
+        let programs = self.programs.iter().map(|program| (program.block, program.instance, program.span));
+        programs.chain(self.tests.iter().map(|test| (test.block, test.instance, test.source.name.span)))
+    }
+
+    /// The keys under which a name may be known that is written at a place: in its namespace, in those around it, by USING.
+    pub(crate) fn spellings(&self, space: usize, name: &str) -> Vec<String> {
+        let Some(space) = self.spaces.get(space) else { return vec![key(name)] };
+        let mut found = Vec::new();
+        let mut prefix = space.prefix.as_str();
+        while !prefix.is_empty() {
+            found.push(key(&format!("{prefix}{name}")));
+            let outer = prefix.trim_end_matches('.');
+            prefix = &prefix[..outer.rfind('.').map_or(0, |point| point + 1)];
+        }
+        found.extend(space.near.iter().map(|using| key(&format!("{using}{name}"))));
+        found.push(key(name));
+        found.extend(space.usings.iter().map(|using| key(&format!("{using}{name}"))));
+        found
+    }
+
+    /// The block of this name as it is written at a place.
+    pub(crate) fn block_in(&self, space: usize, name: &str) -> Option<BlockId> {
+        self.spellings(space, name).iter().find_map(|spelled| self.blocks.get(spelled).copied())
+    }
+
     /// Function blocks that are called with a data block by its number, `FB10.DB20(…)`: both, and the place.
     pub(crate) fn instances_called(&self) -> Vec<(BlockId, u16, Span)> {
         let mut found = Vec::new();
@@ -263,6 +351,30 @@ fn calls(statements: &[ast::Statement], found: &mut dyn FnMut(&ast::Call, Span))
 }
 
 impl<'a> Collector<'a, '_> {
+    /// The items of a file or a namespace.
+    fn space(&mut self, items: &'a [ast::Item], dialect: Dialect) {
+        let outer = self.space;
+        self.space = self.items.spaces.len();
+        let around = match self.namespace.is_empty() {
+            true => Surroundings::default(),
+            false => self.items.spaces.get(outer).cloned().unwrap_or_default(),
+        };
+        let mut usings = Vec::new();
+        for item in items {
+            if let ast::Item::Using(path) = item {
+                self.usings.push(path);
+                usings.push(format!("{}.", joined(path)));
+            }
+        }
+        let prefix = self.namespace.clone();
+        self.items.spaces.push(match prefix.is_empty() {
+            true => Surroundings { prefix, usings, ..around },
+            false => Surroundings { prefix, near: usings.into_iter().chain(around.near).collect(), usings: around.usings },
+        });
+        self.items(items, dialect);
+        self.space = outer;
+    }
+
     fn items(&mut self, items: &'a [ast::Item], dialect: Dialect) {
         for item in items {
             match item {
@@ -273,15 +385,19 @@ impl<'a> Collector<'a, '_> {
                 }
                 ast::Item::Type(declaration) => self.type_declaration(declaration, dialect),
                 ast::Item::Globals(section) => self.globals(section, dialect),
-                ast::Item::Interface(interface) => self.not_built(interface.name.span, "an INTERFACE"),
+                ast::Item::Interface(_) => unreachable!("interfaces are blocks here"),
                 ast::Item::Namespace(namespace) => {
                     let names: Vec<&str> = namespace.name.names.iter().map(|name| name.text.as_str()).collect();
                     let outer = std::mem::take(&mut self.namespace);
                     self.namespace = format!("{outer}{}.", names.join("."));
+                    let mut full = outer.clone();
                     for name in names {
                         self.items.qualifiers.insert(key(name));
+                        full.push_str(name);
+                        self.items.namespaces.insert(key(&full));
+                        full.push('.');
                     }
-                    self.items(&namespace.items, dialect);
+                    self.space(&namespace.items, dialect);
                     self.namespace = outer;
                 }
                 ast::Item::Using(_) => {}
@@ -302,20 +418,15 @@ impl<'a> Collector<'a, '_> {
 
     fn block(&mut self, block: &'a ast::Block, dialect: Dialect) {
         let kind = match block.kind {
-            ast::BlockKind::Function => BlockKind::Function,
+            ast::BlockKind::Function | ast::BlockKind::Method => BlockKind::Function,
             ast::BlockKind::OrganizationBlock => BlockKind::OrganizationBlock,
-            ast::BlockKind::Class => return self.not_built(block.name.span, "a CLASS"),
-            ast::BlockKind::Program | ast::BlockKind::FunctionBlock | ast::BlockKind::Implicit => BlockKind::FunctionBlock,
+            ast::BlockKind::Program
+            | ast::BlockKind::FunctionBlock
+            | ast::BlockKind::Class
+            | ast::BlockKind::Interface
+            | ast::BlockKind::Implicit
+            | ast::BlockKind::Test(_) => BlockKind::FunctionBlock,
         };
-        if let Some(method) = block.methods.first() {
-            self.not_built(method.name.span, "a METHOD");
-        }
-        if let Some(property) = block.properties.first() {
-            self.not_built(property.name.span, "a PROPERTY");
-        }
-        if let Some(base) = block.extends.first().or(block.implements.first()) {
-            self.not_built(base.span, "a block that extends or implements another one");
-        }
         let wanted = match block.kind {
             ast::BlockKind::Implicit => Some(Wanted {
                 name: self.free_name(IMPLICIT),
@@ -327,17 +438,26 @@ impl<'a> Collector<'a, '_> {
             _ => self.wanted(&block.name, kind, dialect),
         };
         let Some(wanted) = wanted else { return };
+        let mut space = self.space;
+        if let (false, Some(around)) = (block.usings.is_empty(), self.items.spaces.get(space).cloned()) {
+            space = self.items.spaces.len();
+            let own = block.usings.iter().map(|path| format!("{}.", joined(path)));
+            self.items.spaces.push(Surroundings { near: own.chain(around.near).collect(), ..around });
+            self.usings.extend(&block.usings);
+        }
         let owner = Wanted { kind: BlockKind::DataBlock, fixed: None, ..wanted.clone() };
         let behind = self.pending.len() + 1;
-        if matches!(block.kind, ast::BlockKind::Program | ast::BlockKind::Implicit) {
+        if matches!(block.kind, ast::BlockKind::Test(_)) {
+            self.pending.push((owner, Pending::Instance(behind)));
+        } else if matches!(block.kind, ast::BlockKind::Program | ast::BlockKind::Implicit) {
             self.items.qualifiers.insert(key(&wanted.name));
             self.pending.push((owner, Pending::Instance(behind)));
-        } else if matches!(block.kind, ast::BlockKind::Function | ast::BlockKind::OrganizationBlock)
+        } else if matches!(block.kind, ast::BlockKind::Function | ast::BlockKind::Method | ast::BlockKind::OrganizationBlock)
             && block.sections.iter().any(|section| section.kind == ast::SectionKind::Static)
         {
             self.pending.push((Wanted { name: format!("{}{KEPT}", wanted.name), ..owner }, Pending::Kept(behind)));
         }
-        self.pending.push((wanted, Pending::Code(Code { block, dialect })));
+        self.pending.push((wanted, Pending::Code(Code { block, dialect, space })));
     }
 
     /// A name that no block has, made from this one.
@@ -372,7 +492,11 @@ impl<'a> Collector<'a, '_> {
         }
         let span = name.span;
         let bare = !matches!(name.quoting, ast::Quoting::Global);
-        let numbered = numbered(&name.text, dialect).filter(|_| bare);
+        let numbered = match kind {
+            BlockKind::OrganizationBlock => numbered_anywhere(&name.text).filter(|id| id.kind == kind),
+            _ => numbered(&name.text, dialect),
+        };
+        let numbered = numbered.filter(|_| bare);
         let full = format!("{}{}", self.namespace, name.text);
         let mut first = || match self.library {
             Some(_) => true,
@@ -422,10 +546,7 @@ impl<'a> Collector<'a, '_> {
                 self.items.values.entry(key(&value.text)).or_default().push(key(&full));
             }
         }
-        self.items.types.insert(key(&full), Type { declaration, dialect });
-        if !self.namespace.is_empty() {
-            self.items.types.entry(key(&name.text)).or_insert(Type { declaration, dialect });
-        }
+        self.items.types.insert(key(&full), Type { declaration, dialect, space: self.space });
     }
 
     fn globals(&mut self, section: &'a ast::VarSection, dialect: Dialect) {

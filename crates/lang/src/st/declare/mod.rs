@@ -12,9 +12,13 @@ mod globals;
 mod initial;
 mod interface;
 mod items;
+mod members;
 mod needed;
 mod numbers;
+mod object_rules;
+mod objects;
 mod programs;
+mod tests;
 mod types;
 
 use std::collections::HashMap;
@@ -36,6 +40,7 @@ pub(crate) use data::{fill, layouts};
 pub(crate) use environment::environment;
 pub(crate) use interface::interface_of;
 pub(crate) use items::{Items, collect};
+pub(crate) use members::expand;
 pub(crate) use needed::{Demand, Needed};
 use programs::organization_blocks;
 pub(crate) use types::{all_types, user_defined};
@@ -73,8 +78,22 @@ pub(crate) struct Declared {
     pub(crate) result: Option<(Variable, Vec<Value>)>,
     /// Outputs of a function with what they hold at the start.
     pub(crate) outputs: Vec<(Variable, Vec<Value>)>,
+    /// Inputs of which the statements see the edges.
+    pub(crate) edges: Vec<WatchedEdge>,
     /// Something was wrong with a declaration, so that its statements cannot be understood whole.
     pub(crate) broken: bool,
+}
+
+/// A BOOL input with R_EDGE or F_EDGE.
+#[derive(Clone, Debug)]
+pub(crate) struct WatchedEdge {
+    /// What a call gives.
+    pub(crate) input: Variable,
+    /// What makes the edge: the input at the call before, turned round for F_EDGE.
+    pub(crate) was: Variable,
+    /// What the statements see.
+    pub(crate) now: Variable,
+    pub(crate) edge: ast::Edge,
 }
 
 /// What is known of ST while types are resolved; lives in [`crate::declarations::types::Types`].
@@ -90,4 +109,15 @@ pub(crate) struct Known {
     pub(crate) statics: Vec<(u16, Arc<sieben_model::types::Structure>)>,
     /// What of the library is needed and not there yet.
     pub(crate) demands: Vec<Demand>,
+    /// Variables with an address that begin with a value.
+    pub(crate) located: Vec<Located>,
+}
+
+/// A variable with an address and an initial value, which a restart writes.
+#[derive(Clone, Debug)]
+pub(crate) struct Located {
+    pub(crate) variable: Variable,
+    pub(crate) initial: Vec<Value>,
+    /// RETAIN: only a cold restart writes it.
+    pub(crate) retain: bool,
 }

@@ -43,7 +43,7 @@ impl Needed {
     pub(crate) fn with_library(&self, files: &[StFile], user: usize) -> Vec<StFile> {
         let library = self.sources.iter().enumerate().map(|(index, source)| {
             let id = file(user, index);
-            StFile { id, dialect: source.dialect, file: parse(id, source.text, source.dialect).file, library: Some(source) }
+            StFile { id, dialect: source.dialect, file: super::expand(parse(id, source.text, source.dialect).file), library: Some(source) }
         });
         files.iter().cloned().chain(library).collect()
     }

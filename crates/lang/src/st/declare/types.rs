@@ -24,6 +24,8 @@ use crate::st::standard::library::block_type;
 
 /// Dimensions that an array may have.
 const DIMENSIONS_MAX: usize = 16;
+/// No place in particular: names mean what they mean outside any namespace.
+const NOWHERE: usize = usize::MAX;
 /// Values that an enumeration may have.
 const VALUES_MAX: usize = 65_536;
 
@@ -56,6 +58,8 @@ pub(super) struct Resolver<'t, 'a> {
     pub(super) types: &'t mut Types<'a>,
     pub(super) items: &'a Items<'a>,
     pub(super) dialect: Dialect,
+    /// Where the names are written, in [`Items::spaces`].
+    pub(super) space: usize,
     /// What the names of the block stand for, as far as it is known.
     pub(super) names: HashMap<String, Entity>,
     /// Constants of the block that nobody has asked for yet.
@@ -64,7 +68,13 @@ pub(super) struct Resolver<'t, 'a> {
 
 impl<'t, 'a> Resolver<'t, 'a> {
     pub(super) fn new(types: &'t mut Types<'a>, items: &'a Items<'a>, dialect: Dialect) -> Self {
-        Self { types, items, dialect, names: HashMap::new(), constant_declarations: HashMap::new() }
+        Self { types, items, dialect, space: NOWHERE, names: HashMap::new(), constant_declarations: HashMap::new() }
+    }
+
+    /// The same for names that are written at this place.
+    pub(super) fn within(mut self, space: usize) -> Self {
+        self.space = space;
+        self
     }
 
     pub(super) fn report(&mut self, problem: Problem, span: Span, message: impl Into<String>) -> &mut Diagnostic {
@@ -198,6 +208,21 @@ impl<'t, 'a> Resolver<'t, 'a> {
         }
     }
 
+    /// Says that there are no instances of a type, if it is that of an ABSTRACT block.
+    pub(super) fn no_abstract(&mut self, data_type: &DataType, span: Span) {
+        match data_type {
+            DataType::Array { element, .. } => self.no_abstract(element, span),
+            DataType::Instance { block, .. } => {
+                let items = self.items;
+                let Some(object) = items.objects.get(*block).filter(|object| object.is_abstract) else { return };
+                let message = format!("`{}` is ABSTRACT and has no instances of its own", object.name);
+                self.report(Problem::P6285, span, message).help =
+                    Some("Declare an instance of a block that extends it, or a reference to it.".to_owned());
+            }
+            _ => {}
+        }
+    }
+
     pub(super) fn not_built(&mut self, span: Span, what: &str) {
         self.report(Problem::P6199, span, format!("{what} cannot be compiled yet"));
     }
@@ -214,7 +239,11 @@ impl<'t, 'a> Resolver<'t, 'a> {
         if let Some(name) = path.single() {
             if name.quoting != ast::Quoting::Global {
                 // `Counter` and `Timer` are usual names of function blocks, and type words of the S7.
-                let own = self.items.blocks.contains_key(&key(&name.text)) || self.items.types.contains_key(&key(&name.text));
+                let own = self
+                    .items
+                    .spellings(self.space, &name.text)
+                    .iter()
+                    .any(|full| self.items.blocks.contains_key(full) || self.items.types.contains_key(full));
                 if let Some(data_type) = self.word(&name.text).filter(|data_type| !(own && data_type.is_number())) {
                     return plain(data_type);
                 }
@@ -227,9 +256,9 @@ impl<'t, 'a> Resolver<'t, 'a> {
         }
         let words: Vec<&str> = path.names.iter().map(|name| name.text.as_str()).collect();
         let full_name = words.join(".");
-        let full = key(&full_name);
-        if self.items.types.contains_key(&full) {
-            return self.type_of_key(&full, span);
+        let spellings = self.items.spellings(self.space, &full_name);
+        if let Some(full) = spellings.iter().find(|full| self.items.types.contains_key(*full)) {
+            return self.type_of_key(full, span);
         }
         // `Standard.TON`: the library of a block needs not be told.
         let last = words.last().copied().unwrap_or_default();
@@ -237,10 +266,15 @@ impl<'t, 'a> Resolver<'t, 'a> {
             return self.type_of_key(&key(last), span);
         }
         let items = self.items;
-        let own = items.blocks.get(&full).or_else(|| items.blocks.get(&key(last))).copied();
+        let own = spellings.iter().find_map(|full| items.blocks.get(full)).or_else(|| items.blocks.get(&key(last))).copied();
         let block = own.or_else(|| self.types.scope.own_block(last));
         if let Some(id) = block {
-            return plain(self.types.type_of_block(id, span)?);
+            let target = self.types.type_of_block(id, span)?;
+            // A variable of an interface refers to an instance of a block that implements it.
+            return plain(match items.objects.is_interface(id) {
+                true => DataType::Reference(Arc::new(Reference { target, kind: ReferenceKind::Interface })),
+                false => target,
+            });
         }
         match self.of_library(last) {
             Some(Some(id)) => return plain(self.types.type_of_block(id, span)?),
@@ -300,7 +334,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
         }
         self.types.st_known.named.insert(wanted.to_owned(), State::InProgress);
         let declaration = found.declaration;
-        let mut inner = Resolver::new(self.types, items, found.dialect);
+        let mut inner = Resolver::new(self.types, items, found.dialect).within(found.space);
         let resolved = inner.declared_type(declaration).map(Arc::new);
         self.types.leave();
         self.types.st_known.named.insert(wanted.to_owned(), State::Done(resolved.clone()));

@@ -9,12 +9,24 @@ use sieben_model::types::DataType;
 
 use super::pointers::at;
 use super::{Lowering, bytes, width, width_of_bits};
-use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, ValueKind};
+use crate::st::tree::{Argument, Base, Call, Callee, Dispatch, Place, Scalar, ValueKind};
 use crate::stl::meaning::data_blocks::REGISTER_PAIRS;
 use crate::stl::meaning::logic_control::{CALLER_LOCAL, INSTANCE_START};
 
 /// No value has more bytes: a data block has at most so many.
 const VALUE_BYTES_MAX: u32 = 65_536;
+
+/// No CPU has a block of this number: an instance that is none of what it should be has nothing to call.
+const NO_BLOCK: u16 = u16::MAX;
+/// The programming error of a function that is not loaded.
+const NOT_LOADED: u8 = 0x3C;
+
+/// The instance that a method works on.
+struct Enter {
+    instance: Place,
+    /// Where the hidden local data hold the number of the function, if the instance says it.
+    number: Option<u32>,
+}
 
 /// What a function gets for one parameter.
 #[derive(Clone, Copy)]
@@ -44,8 +56,13 @@ impl Lowering<'_> {
             self.part();
         }
         match &call.callee {
-            Callee::Function(block) => self.call_function(*block, call, result.as_ref()),
-            Callee::Instance { block, instance } => self.call_instance(*block, instance, call),
+            Callee::Function(block) => self.call_function(*block, None, call, result.as_ref()),
+            Callee::Method { block, instance, dispatch } => {
+                let instance = self.freeze(instance);
+                let enter = Enter { number: self.dispatched(dispatch.as_ref(), &instance), instance };
+                self.call_function(*block, Some(enter), call, result.as_ref());
+            }
+            Callee::Instance { block, instance, dispatch } => self.call_instance(*block, instance, dispatch.as_ref(), call),
         }
         if call.clears_ok && self.ok.is_some() {
             let failed = self.compute_from(Op::Not, &[Register::Br.into()]);
@@ -92,7 +109,31 @@ impl Lowering<'_> {
 
     // Functions.
 
-    fn call_function(&mut self, block: BlockId, call: &Call, result: Option<&Place>) {
+    /// The number of the block that an instance wants to be called, in the hidden local data as a word.
+    fn dispatched(&mut self, dispatch: Option<&Dispatch>, instance: &Place) -> Option<u32> {
+        let dispatch = dispatch?;
+        let of = self.load(instance, Width::Word);
+        let mut number = self.constant(u64::from(NO_BLOCK));
+        for &(one, target) in &dispatch.targets {
+            let one = self.constant(u64::from(one));
+            let is = self.compute_from(Op::Equal, &[of, one]);
+            self.release(one);
+            let target = self.constant(u64::from(target));
+            number = self.compute(Op::Select, &[is, target, number]);
+        }
+        self.release(of);
+        // Before any register has changed: a call that failed would leave the own instance behind.
+        let none = self.constant(u64::from(NO_BLOCK));
+        let equal = self.compute_from(Op::Equal, &[number, none]);
+        self.release(none);
+        let known = self.compute(Op::Not, &[equal]);
+        self.fallible = true;
+        self.push(Inst::Require { condition: known, code: NOT_LOADED, register: number });
+        self.release(known);
+        Some(self.spill(number, Width::Word))
+    }
+
+    fn call_function(&mut self, block: BlockId, enter: Option<Enter>, call: &Call, result: Option<&Place>) {
         let interface = (self.known)(block);
         let formals: Vec<&Variable> = interface.iter().flat_map(|interface| interface.parameters()).collect();
         let mut passed: Vec<Option<Pass>> = vec![None; formals.len()];
@@ -111,6 +152,24 @@ impl Lowering<'_> {
                 });
             }
         }
+        match enter {
+            None => {
+                let parameters = self.pass_all(&passed);
+                self.push(Inst::Call { callee: Called::Block(block), parameters });
+                self.called();
+            }
+            Some(enter) => self.enter_instance(block, &enter.instance, enter.number, &passed),
+        }
+        for action in behind {
+            match action {
+                Behind::Take(place, argument) => self.take_out(&place, argument),
+                Behind::Return { hidden, place, width } => self.copy_value(&place, &hidden, width),
+            }
+        }
+    }
+
+    /// Gives the parameters to the call that follows; how many they are.
+    fn pass_all(&mut self, passed: &[Option<Pass>]) -> u16 {
         for pass in passed.iter().flatten() {
             let src = match *pass {
                 Pass::Known(pointer) => self.constant(u64::from(pointer)),
@@ -119,15 +178,7 @@ impl Lowering<'_> {
             self.push(Inst::PassParameter { src });
             self.release(src);
         }
-        let parameters = u16::try_from(passed.len()).unwrap_or(u16::MAX);
-        self.push(Inst::Call { callee: Called::Block(block), parameters });
-        self.called();
-        for action in behind {
-            match action {
-                Behind::Take(place, argument) => self.take_out(&place, argument),
-                Behind::Return { hidden, place, width } => self.copy_value(&place, &hidden, width),
-            }
-        }
+        u16::try_from(passed.len()).unwrap_or(u16::MAX)
     }
 
     /// No temporary outlives a call, and nobody knows which data block is open.
@@ -255,8 +306,9 @@ impl Lowering<'_> {
 
     // Function blocks.
 
-    fn call_instance(&mut self, block: BlockId, instance: &Place, call: &Call) {
+    fn call_instance(&mut self, block: BlockId, instance: &Place, dispatch: Option<&Dispatch>, call: &Call) {
         let instance = self.freeze(instance);
+        let number = self.dispatched(dispatch, &instance);
         let mut behind: Vec<&Argument> = Vec::new();
         let mut values: Vec<(Place, Place, Width)> = Vec::new();
         for argument in &call.arguments {
@@ -290,7 +342,7 @@ impl Lowering<'_> {
                 Argument::Eno { .. } => {}
             }
         }
-        self.enter_instance(block, &instance);
+        self.enter_instance(block, &instance, number, &[]);
         for (place, inside, width) in values {
             self.copy_value(&place, &inside, width);
         }
@@ -300,22 +352,23 @@ impl Lowering<'_> {
         }
     }
 
-    /// Calls a function block with its instance in DI and AR2. A block with an instance of its own has it again behind the call.
-    fn enter_instance(&mut self, block: BlockId, instance: &Place) {
-        let callee = Called::Block(block);
+    /// Calls a function block, or a method with its parameters, with its instance in DI and AR2. A block with an instance of its own
+    /// has it again behind the call. `number` is where the hidden local data hold the number of the block, if the instance says it.
+    fn enter_instance(&mut self, block: BlockId, instance: &Place, number: Option<u32>, passed: &[Option<Pass>]) {
         let ar2 = Var::from(Register::Ar2);
         if !self.has_instance {
+            // Whoever called a function may need AR2 for its own instance.
+            let saved = self.is_function.then(|| self.save_ar2());
             self.open_instance(instance);
-            self.push(Inst::Call { callee, parameters: 0 });
-            self.called();
+            self.enter(block, number, passed);
+            saved.into_iter().for_each(|saved| self.restore_ar2(saved));
             return;
         }
-        let saved = self.hidden.scalar(Width::DoubleWord);
-        self.push(Inst::Store {
-            place: sieben_engine::ir::Place::Fixed { area: sieben_model::address::Area::Local, position: saved },
-            width: Width::DoubleWord,
-            src: ar2,
-        });
+        // A method of the own instance, or the statements of the base.
+        if instance.base == Base::Instance && instance.offset == 0 && instance.indexes.is_empty() {
+            return self.enter(block, number, passed);
+        }
+        let saved = self.save_ar2();
         if instance.base == Base::Instance {
             let indexed = self.indexes(instance, false, false);
             if let Some(index) = indexed.pointer {
@@ -325,11 +378,8 @@ impl Lowering<'_> {
             let offset = self.constant(u64::from(indexed.offset));
             self.push(Inst::Compute { op: Op::AddU32, dst: ar2, args: super::arguments(&[ar2, offset]) });
             self.release(offset);
-            self.push(Inst::Call { callee, parameters: 0 });
-            self.called();
-            let old = self.load_local(saved, Width::DoubleWord);
-            self.copy_var(ar2, old);
-            self.release(old);
+            self.enter(block, number, passed);
+            self.restore_ar2(saved);
             return;
         }
         // The DB register keeps the own instance over the call, as behind CDB.
@@ -339,14 +389,36 @@ impl Lowering<'_> {
             self.copy_var(shared.into(), own);
             self.release(own);
         }
-        self.push(Inst::Call { callee, parameters: 0 });
-        self.called();
-        let old = self.load_local(saved, Width::DoubleWord);
-        self.copy_var(ar2, old);
-        self.release(old);
+        self.enter(block, number, passed);
+        self.restore_ar2(saved);
         for (shared, instance) in REGISTER_PAIRS {
             self.copy_var(instance.into(), shared.into());
         }
+    }
+
+    /// Keeps AR2 in the hidden local data.
+    fn save_ar2(&mut self) -> u32 {
+        let position = self.hidden.scalar(Width::DoubleWord);
+        let place = sieben_engine::ir::Place::Fixed { area: sieben_model::address::Area::Local, position };
+        self.push(Inst::Store { place, width: Width::DoubleWord, src: Register::Ar2.into() });
+        position
+    }
+
+    fn restore_ar2(&mut self, position: u32) {
+        let old = self.load_local(position, Width::DoubleWord);
+        self.copy_var(Register::Ar2.into(), old);
+        self.release(old);
+    }
+
+    /// Enters the block, or the one of its kind whose number was found.
+    fn enter(&mut self, block: BlockId, number: Option<u32>, passed: &[Option<Pass>]) {
+        let parameters = self.pass_all(passed);
+        let callee = match number {
+            Some(position) => Called::Number(block.kind, self.load_local(position, Width::Word)),
+            None => Called::Block(block),
+        };
+        self.push(Inst::Call { callee, parameters });
+        self.called();
     }
 
     /// Opens the data block of an instance as DI and points AR2 at its begin.

@@ -1,4 +1,5 @@
-//! FOR, WHILE, REPEAT. The condition stands at the end of a loop, so that a pass has one branch.
+//! FOR, WHILE, REPEAT. The condition stands at the end of a loop, so that a pass has one branch; that of a WHILE stands in front of it
+//! too, so that a loop is entered at its beginning alone, and machine code sees it as one.
 
 use sieben_engine::ir::{Op, Var};
 use sieben_model::address::Width;
@@ -35,7 +36,9 @@ impl Lowering<'_> {
 
     pub(super) fn while_loop(&mut self, condition: &Value, body: &[Statement]) {
         let [first, test] = [self.label(), self.label()];
-        self.leave_to(test);
+        self.span = condition.span;
+        self.branch(condition, self.behind, false);
+        self.part();
         self.bind(first);
         self.body(body, test);
         self.span = condition.span;

@@ -9,6 +9,7 @@ mod calls;
 mod constants;
 mod hidden;
 mod loops;
+pub(crate) mod mocking;
 mod places;
 mod pointers;
 mod private;
@@ -78,8 +79,10 @@ struct Lowering<'a> {
     b: Builder,
     body: &'a Body,
     known: &'a Known<'a>,
-    /// The block is a function block: DI and AR2 are its instance.
+    /// DI and AR2 are the instance of the block: it is a function block or a method.
     has_instance: bool,
+    /// The parameters are those of a function.
+    is_function: bool,
     /// Where each IR statement comes from.
     spans: Vec<Span>,
     span: Span,
@@ -124,7 +127,8 @@ impl<'a> Lowering<'a> {
             b: Builder::default(),
             body,
             known,
-            has_instance: matches!(id.kind, BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock),
+            has_instance: body.is_method || matches!(id.kind, BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock),
+            is_function: id.kind == BlockKind::Function,
             spans: Vec::new(),
             span,
             empty: false,
@@ -163,7 +167,7 @@ impl<'a> Lowering<'a> {
     /// Copies elementary parameters that are used more than once, and inputs that the function changes: the variable of a caller
     /// stays as it is.
     fn copy_parameters(&mut self, interface: &Interface) {
-        if self.has_instance {
+        if !self.is_function {
             return;
         }
         let usage = usage::parameters(&self.body.statements);

@@ -125,6 +125,8 @@ impl Lowering<'_> {
             let is_last = index + 1 == branches.len() && otherwise.is_empty();
             let next = if is_last { end } else { self.label() };
             self.span = condition.span;
+            // What was begun behind the branch before belongs to this condition.
+            self.fresh();
             self.branch(condition, next, false);
             self.part();
             self.statements(body);

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use crate::st::tree::{Argument, Base, Call, Callee, Place, Statement, StatementKind, Text, Value, ValueKind};
+use crate::st::tree::{Argument, Base, Call, Place, Statement, StatementKind, Text, Value, ValueKind};
 
 /// What a function does with a parameter. Uses in a loop count twice.
 #[derive(Clone, Copy, Debug, Default)]
@@ -130,7 +130,7 @@ impl Counter {
         if let Some(enable) = &call.enable {
             self.value(enable);
         }
-        if let Callee::Instance { instance, .. } = &call.callee {
+        if let Some(instance) = call.callee.instance() {
             self.place(instance, Use::Address);
         }
         for argument in &call.arguments {

@@ -3,9 +3,7 @@
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 
-use super::super::ast::{
-    Block, BlockKind, DataBlock, Header, Interface, Item, Modifiers, Name, Namespace, Path, Statement, TypeKind, TypeSpec,
-};
+use super::super::ast::{Block, BlockKind, DataBlock, Interface, Item, Name, Namespace, Path, Statement, TypeKind, TypeSpec};
 use super::super::dialect::Construct;
 use super::super::keywords::Keyword;
 use super::super::lexer::Raw;
@@ -48,6 +46,8 @@ impl Parser<'_> {
                     let configuration = self.configuration();
                     items.push(Item::Configuration(Box::new(configuration)));
                 }
+                Some(Keyword::Setup | Keyword::Teardown | Keyword::Test) => self.test_part(&mut items),
+                Some(Keyword::Var) if self.dialect.is_test() => self.test_variables(&mut items),
                 Some(Keyword::Method | Keyword::Property | Keyword::Action) => self.member_behind(&mut items),
                 Some(keyword) if keyword.is_end() && self.dangling(keyword) => {}
                 None if token.raw == Raw::Semicolon => {
@@ -132,26 +132,8 @@ impl Parser<'_> {
     }
 
     /// An empty block of this kind.
-    fn new_block(&mut self, kind: BlockKind, name: Name, start: u32) -> Block {
-        Block {
-            kind,
-            name,
-            modifiers: Modifiers::default(),
-            header: Header::default(),
-            attributes: Vec::new(),
-            extends: Vec::new(),
-            implements: Vec::new(),
-            usings: Vec::new(),
-            result: None,
-            sections: Vec::new(),
-            labels: Vec::new(),
-            methods: Vec::new(),
-            properties: Vec::new(),
-            actions: Vec::new(),
-            body: Vec::new(),
-            end: self.span(self.previous, self.previous),
-            span: self.since(start),
-        }
+    pub(super) fn new_block(&mut self, kind: BlockKind, name: Name, start: u32) -> Block {
+        Block { end: self.span(self.previous, self.previous), ..Block::empty(kind, name, self.since(start)) }
     }
 
     /// A block that begins with a keyword.
@@ -251,7 +233,7 @@ impl Parser<'_> {
     }
 
     /// Declarations, members and statements of a block up to its end.
-    fn block_parts(&mut self, block: &mut Block, end: Option<Keyword>) {
+    pub(super) fn block_parts(&mut self, block: &mut Block, end: Option<Keyword>) {
         let mut begun = false;
         let mut late = false;
         loop {

@@ -13,6 +13,7 @@ mod header;
 mod members;
 mod pragmas;
 mod statements;
+mod testing;
 #[cfg(test)]
 mod tests;
 
@@ -101,6 +102,9 @@ pub fn parse(file: FileId, text: &str, dialect: Dialect) -> Parsed {
     let mut tokens = tokens(text, dialect);
     let mut diagnostics = Vec::new();
     pragmas::switch_off(text, &mut tokens);
+    if dialect.is_test() {
+        testing::keywords(text, &mut tokens);
+    }
     ends_without_underline(file, text, &mut tokens, dialect, &mut diagnostics);
     let mut parser = Parser {
         text,
@@ -125,8 +129,11 @@ pub fn parse(file: FileId, text: &str, dialect: Dialect) -> Parsed {
         too_high: false,
     };
     parser.skip_trivia();
-    let items = parser.items(None);
+    let mut items = parser.items(None);
     parser.flush();
+    if dialect.is_test() {
+        parser.test_file(&mut items);
+    }
     let mut diagnostics = parser.diagnostics;
     diagnostics.sort_by_key(|diagnostic| (diagnostic.problem == Problem::P2199, diagnostic.span.start));
     Parsed { file: ast::File { items }, diagnostics, tokens: parser.tokens, events: parser.events, wraps: parser.wraps }
@@ -167,7 +174,7 @@ pub fn words() -> impl Iterator<Item = &'static str> {
 /// Survives any bytes: parses them in every dialect, formats them twice, and checks what must always hold.
 pub fn fuzz(data: &[u8]) {
     let text = String::from_utf8_lossy(data);
-    for dialect in Dialect::ALL {
+    for dialect in Dialect::ALL.into_iter().chain(Dialect::ALL.map(Dialect::for_tests)) {
         let parsed = parse(FileId::default(), &text, dialect);
         assert!(parsed.syntax(&text).text() == text.as_ref(), "the tree holds every byte of the source");
         for diagnostic in &parsed.diagnostics {

@@ -204,6 +204,9 @@ impl Parser<'_> {
     /// An assignment, a call, or a label.
     fn simple_statement(&mut self) -> Option<StatementKind> {
         let start = self.here();
+        if let Some(mock) = self.mock() {
+            return Some(mock);
+        }
         if self.at_name() && self.next_raw() == Raw::Colon && !self.colon_is_slip() {
             let label = self.name(SyntaxKind::Declared);
             self.bump(SyntaxKind::Punctuation);

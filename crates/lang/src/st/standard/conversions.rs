@@ -95,7 +95,7 @@ fn bcd(call: &Call<'_>) -> Answer {
                 (None, Some(named(call.name.strip_prefix("TO_BCD_")?, call.dialect)?), false)
             }
         }
-        Dialect::Codesys => match call.name {
+        _ => match call.name {
             "BCD_TO_INT" => (Some(T::Byte), Some(T::Int), true),
             "BCD_TO_BYTE" => (Some(T::Byte), Some(T::Byte), true),
             "BCD_TO_WORD" => (Some(T::Word), Some(T::Word), true),
@@ -117,7 +117,7 @@ fn bcd(call: &Call<'_>) -> Answer {
         let (Some(source), Some(target)) = (scalar_of(&from, call.dialect), scalar_of(&to, call.dialect)) else {
             return Err(call.wrong(given[0], "a bit string or an integer"));
         };
-        let codesys = call.dialect == Dialect::Codesys;
+        let codesys = call.dialect.base() == Dialect::Codesys;
         built(vec![("IN", from)], to, move |mut args, at| {
             let value = args.remove(0);
             if decodes {
@@ -288,7 +288,7 @@ impl Kinds {
             };
         }
         // Bit strings are cut and filled without an error; so is everything in CODESYS.
-        let checked = at.checked && !from_bits && !to_bits && self.dialect != Dialect::Codesys;
+        let checked = at.checked && !from_bits && !to_bits && self.dialect.base() != Dialect::Codesys;
         let at = &mut Building { checked, ..reborrow(at) };
         converted(value, self.b, ROUNDING[column], BEYOND[column], at)
     }

@@ -89,7 +89,7 @@ const RENAMED: &[(&str, Dialect, &str)] = &[
 
 /// The block of a file by its name in a dialect.
 fn source(name: &str, dialect: Dialect) -> Option<Provided> {
-    let renamed = RENAMED.iter().find(|(one, of, _)| *of == dialect && one.eq_ignore_ascii_case(name));
+    let renamed = RENAMED.iter().find(|(one, of, _)| *of == dialect.base() && one.eq_ignore_ascii_case(name));
     let name = renamed.map_or(name, |(.., block)| block);
     CONTENTS.iter().zip(SOURCES).filter(|((columns, _), _)| columns[dialect.column()] != 0).find_map(|((_, blocks), source)| {
         let name = blocks.iter().find(|block| block.eq_ignore_ascii_case(name))?;
@@ -110,7 +110,7 @@ pub fn function(name: &str, dialect: Dialect) -> Option<Provided> {
 
 /// The function block with this name as the type of an instance, without regard to case.
 pub fn block_type(name: &str, dialect: Dialect) -> Option<Provided> {
-    if dialect == Dialect::Scl {
+    if dialect.base() == Dialect::Scl {
         let system = SYSTEM.iter().find(|(system, _)| system.eq_ignore_ascii_case(name));
         return system.map(|&(_, number)| Provided::System(BlockId::new(BlockKind::SystemFunctionBlock, number)));
     }
