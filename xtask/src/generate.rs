@@ -6,12 +6,15 @@ use std::fs;
 use sieben_engine::ir::ops::Op;
 use sieben_lang::Options;
 use sieben_lang::library;
+use sieben_lang::reason;
 use sieben_lang::stl::instructions::Instruction;
 use sieben_model::diagnostic::Severity;
 use sieben_model::interface::{Section, Variable};
 use sieben_model::problems::Problem;
+use sieben_sim::devices::{Direction, Kind};
 
 use crate::compatibility;
+use crate::signal_diagrams;
 use crate::tidy::pages::PROBLEM_PAGES;
 use crate::workspace::{self, TextFile};
 
@@ -31,7 +34,9 @@ pub fn pages(files: &[TextFile]) -> Vec<TextFile> {
         TextFile { path: "docs/reference/instructions.md".to_owned(), text: instructions() },
         TextFile { path: "docs/reference/ir-operations.md".to_owned(), text: ir_operations() },
         TextFile { path: "docs/reference/library.md".to_owned(), text: library_blocks() },
+        TextFile { path: "docs/reference/plants.md".to_owned(), text: plants() },
         TextFile { path: "docs/reference/problems.md".to_owned(), text: problem_list() },
+        TextFile { path: "docs/reference/reasons.md".to_owned(), text: reasons() },
     ];
     for &problem in Problem::ALL {
         let path = format!("{PROBLEM_PAGES}{}.md", problem.code());
@@ -41,6 +46,15 @@ pub fn pages(files: &[TextFile]) -> Vec<TextFile> {
     if let Some(page) = old(compatibility::PATH) {
         let text = between(page, compatibility::BEGIN, &compatibility::done(files));
         pages.push(TextFile { path: compatibility::PATH.to_owned(), text });
+    }
+    if let Some(page) = old(signal_diagrams::PAGE) {
+        let mut text = page.to_owned();
+        for diagram in signal_diagrams::all(files) {
+            let fence = format!("```text\n{}```\n", diagram.text);
+            text = between(&text, &format!("<!-- generated: {} -->\n", diagram.name), &fence);
+            pages.push(diagram.svg);
+        }
+        pages.push(TextFile { path: signal_diagrams::PAGE.to_owned(), text });
     }
     if let Some(summary) = old("docs/SUMMARY.md") {
         pages.push(TextFile { path: "docs/SUMMARY.md".to_owned(), text: table_of_contents(summary, files) });
@@ -71,6 +85,54 @@ pub fn run() -> Result<(), String> {
     Ok(())
 }
 
+/// The simulated devices.
+fn plants() -> String {
+    let mut text = GENERATED.to_owned();
+    text.push_str(
+        "# Simulated plants\n\n\
+         A project without hardware gets its plant from `[[module]]` in `sieben.toml`; [how to](../how-to/plants.md). One row each in `crates/sim/src/devices/`.\n\n\
+         Addresses are those of a module at byte 0; `input` and `output` move them. Every module also takes `name`, `input`, `output`, `seed` (equal seeds give equal plants) and `fault`. \
+         A process goes on in steps of 1 ms of the CPU's time, whatever the cycle. Bits marked *hand* belong to people: tests, scenarios and `--set` operate them. \
+         Setting a bit or word of a sensor holds it at that value from then on.\n\n\
+         | kind | what it is |\n|---|---|\n",
+    );
+    for kind in Kind::ALL {
+        let _ = writeln!(text, "| [`{0}`](#{0}) | {1} |", kind.name, cell(kind.about));
+    }
+    for kind in Kind::ALL {
+        let _ = write!(
+            text,
+            "\n## {}\n\n{}\n\n{}\n\n| signal | address | | unit | meaning |\n|---|---|---|---|---|\n",
+            kind.name, kind.about, kind.behaviour
+        );
+        for signal in kind.signals {
+            let way = match signal.direction {
+                Direction::Sensor => "sensor",
+                Direction::Hand { .. } => "hand",
+                Direction::Actuator => "actuator",
+            };
+            let _ = writeln!(text, "| `{}` | {} | {way} | {} | {} |", signal.name, signal.address(0), signal.unit, cell(signal.about));
+        }
+        text.push_str("\n| key | usual | range | unit | meaning |\n|---|---|---|---|---|\n");
+        for row in kind.parameters {
+            let _ =
+                writeln!(text, "| `{}` | {} | {} to {} | {} | {} |", row.name, row.usual, row.least, row.most, row.unit, cell(row.about));
+        }
+    }
+    text.push_str(
+        "\n## Faults\n\n\
+         `SIGNAL FAULT[@BEGIN[..END]]` in `fault` of the module, `MODULE.SIGNAL FAULT[@BEGIN[..END]]` with `--fault` and behind `fault` in a scenario. \
+         Without times a fault begins at once and stays. A fault of a sensor changes what the CPU reads, one of an actuator what the plant gets.\n\n\
+         | fault | for | meaning |\n|---|---|---|\n\
+         | `stuck` | bits, words | keeps the value that it has when the fault begins |\n\
+         | `stuck=1` | bits, words | keeps this value, in the unit of the signal |\n\
+         | `drift=0.5` | words | goes away from the truth by so many units per second |\n\
+         | `late=200ms` | bits, words | comes so much later |\n\
+         | `bounce=50ms` | bits | is 0 or 1 at random, anew every scan, for so long after every change |\n",
+    );
+    text
+}
+
 fn instructions() -> String {
     let mut text = GENERATED.to_owned();
     text.push_str(
@@ -85,6 +147,25 @@ fn instructions() -> String {
         let (english, german) = (cell(row.english()), cell(row.german()));
         writeln!(text, "| `{english}` | `{german}` | {} | {status} | {} |", cell(row.operand().describe()), cell(row.doc()))
             .expect("a string takes all text");
+    }
+    text
+}
+
+fn reasons() -> String {
+    let mut text = GENERATED.to_owned();
+    text.push_str(
+        "# Reasons\n\n\
+         What `sieben step` says about a statement that was executed. Each line is a run: the instruction in a state that brings the \
+         sentence out. What kind of reason an instruction has is the column `why` of `crates/lang/src/stl/instructions.rs`; the sentences \
+         are the table in `crates/lang/src/reason/sentences.rs`.\n\n\
+         | statement | why | Anweisung | warum |\n|---|---|---|---|\n",
+    );
+    for &row in Instruction::ALL {
+        for example in reason::examples::of(row) {
+            let [english, german] = example.statement.map(|statement| cell(&statement));
+            let [why, warum] = example.sentence.map(|sentence| cell(&sentence));
+            writeln!(text, "| `{english}` | {why} | `{german}` | {warum} |").expect("a string takes all text");
+        }
     }
     text
 }

@@ -7,6 +7,7 @@ mod compatibility;
 pub mod fuzz;
 pub mod generate;
 pub mod markdown;
+pub mod signal_diagrams;
 pub mod soak;
 pub mod test;
 pub mod tidy;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
+use sieben_cpu::Cpu;
 use sieben_engine::{Engine, Interpreter, Layout, Program};
 use sieben_jit::{Jit, StatusBits, Tier, Tiers};
 use sieben_lang::encoding::Encoding;
@@ -13,11 +14,13 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::profile::Profile;
+use sieben_sim::wrap::{self, Fault};
 
 use crate::document::Document;
 use crate::failure::Failure;
 use crate::panics::Trouble;
 use crate::project::{Overrides, Project};
+use crate::settings::modules::Module;
 use crate::{files, output, panics, settings};
 
 /// What every verb that compiles a program takes.
@@ -108,6 +111,31 @@ impl MnemonicsArgument {
             Self::Auto => None,
             Self::En => Some(Mnemonics::English),
             Self::De => Some(Mnemonics::German),
+        }
+    }
+}
+
+/// How the plants of the project fail.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct FaultArguments {
+    /// Let a signal of a [[module]] fail: stuck, stuck=1, drift=0.5, late=200ms or bounce=50ms, at a time or between two
+    #[arg(long = "fault", value_name = "MODULE.SIGNAL FAULT[@T[..T]]")]
+    faults: Vec<String>,
+}
+
+impl FaultArguments {
+    /// Lets the plants in the rack of a CPU fail. Times count from now.
+    pub(crate) fn inject(&self, cpu: &mut Cpu) -> Result<(), Failure> {
+        let inject = |text: &String| Fault::parse(text).and_then(|fault| wrap::inject(cpu.rack_mut(), &fault));
+        self.faults.iter().try_for_each(inject).map_err(|message| Failure::usage(Problem::P6272, message))
+    }
+
+    /// Adds them to those of the project, which tells a recording of this run from one of a run without them.
+    pub(crate) fn note(&self, modules: &mut [Module]) {
+        for fault in self.faults.iter().filter_map(|text| Fault::parse(text).ok()) {
+            if let Some(module) = modules.iter_mut().find(|module| module.device.name == fault.module) {
+                module.faults.push(fault);
+            }
         }
     }
 }

@@ -4,11 +4,13 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, CyclicInterrupt, Rack, Settings, StopCause};
+use sieben_engine::FaultPlace;
 use sieben_jit::StatusBits;
 use sieben_model::source::Span;
 
 use crate::arguments::EngineArgument;
 use crate::project::Build;
+use crate::settings::modules;
 
 /// How the project sets up its CPU; what is not said is as usual.
 pub(crate) fn settings(build: &Build) -> Settings {
@@ -28,10 +30,15 @@ pub(crate) fn settings(build: &Build) -> Settings {
     }
 }
 
-/// A CPU in STOP with the program loaded and a simulated module at every address.
+/// The modules of the project, and a simulated one at every address that they leave free.
+pub(crate) fn rack(build: &Build) -> Rack {
+    modules::rack(&build.project.settings.modules, build.cpu)
+}
+
+/// A CPU in STOP with the program loaded and the rack of the project.
 pub(crate) fn load(build: &Build, engine: EngineArgument, status: StatusBits, settings: Settings) -> Cpu {
     let program = Arc::new(build.compiled.program.clone());
-    Cpu::load(build.cpu, program, |program, layout| engine.load(program, layout, status), Rack::simulated(build.cpu), settings)
+    Cpu::load(build.cpu, program, |program, layout| engine.load(program, layout, status), rack(build), settings)
 }
 
 /// Why the CPU stopped, with the line of the source that did it.
@@ -60,10 +67,19 @@ pub(crate) struct Line {
 
 /// The line that stopped the CPU.
 pub(crate) fn stop_line(build: &Build, cause: &StopCause) -> Option<Line> {
-    let place = cause.place?;
-    let span: Span = *build.compiled.program.code.get(&place.block)?.spans.get(place.statement as usize)?;
+    line_at(build, cause.place?)
+}
+
+/// The place of a statement in the sources; `None` for one that the compiler made.
+pub(crate) fn span_at(build: &Build, place: FaultPlace) -> Option<Span> {
+    let span = *build.compiled.program.code.get(&place.block)?.spans.get(place.statement as usize)?;
+    build.project.texts.program.iter().any(|(id, _)| id == span.file).then_some(span)
+}
+
+/// The line of a statement.
+pub(crate) fn line_at(build: &Build, place: FaultPlace) -> Option<Line> {
+    let span = span_at(build, place)?;
     let sources = &build.project.texts.program;
-    sources.iter().find(|(id, _)| *id == span.file)?;
     let (line, _) = sources.line_column(span);
     let statement = sources.slice(span).split_whitespace().collect::<Vec<_>>().join(" ");
     Some(Line { file: sources.file(span.file).name.clone(), number: line, statement })

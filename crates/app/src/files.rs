@@ -1,7 +1,7 @@
 //! Reading and writing files, with the limits and messages that a user deserves.
 
 use std::fs::{self, File};
-use std::io::{self, Read, Write};
+use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
 use sieben_lang::encoding::MAX_SOURCE_BYTES;
@@ -35,7 +35,20 @@ fn too_large(path: &Path) -> Failure {
     Failure::usage(Problem::P1104, format!("`{}` is larger than {} MiB", path.display(), FILE_SIZE_MAX >> 20))
 }
 
-fn unreadable(path: &Path, error: &io::Error) -> Failure {
+/// Opens a file of any size to be read in pieces.
+pub(crate) fn open(path: &Path) -> Result<File, Failure> {
+    let file = File::open(path).map_err(|error| unreadable(path, &error))?;
+    match file.metadata() {
+        Ok(metadata) if !metadata.is_file() => {
+            Err(Failure::usage(Problem::P6006, format!("`{}` is no file, but one is wanted here", path.display())))
+        }
+        Ok(_) => Ok(file),
+        Err(error) => Err(unreadable(path, &error)),
+    }
+}
+
+/// A message about a file that cannot be read.
+pub(crate) fn unreadable(path: &Path, error: &io::Error) -> Failure {
     let shown = path.display();
     match error.kind() {
         io::ErrorKind::NotFound => {
@@ -66,6 +79,15 @@ fn similar(path: &Path) -> Option<String> {
 
 /// Replaces a file as a whole: writes a new one beside it and renames it, so that a full disk or a power cut loses nothing.
 pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_with(path, &mut |file| file.write_all(bytes))
+}
+
+/// As [`write_whole`], for what is too large to be held: `write` writes it piece by piece.
+pub(crate) fn write_with(path: &Path, write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    let mut buffered = |file: &File| {
+        let mut buffer = BufWriter::new(file);
+        write(&mut buffer).and_then(|()| buffer.flush())
+    };
     // Follow a link to what it means; renaming would replace the link itself.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     if target.is_dir() {
@@ -73,19 +95,15 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     }
     // A device or pipe (`/dev/stdout`) is written to, not replaced.
     if fs::metadata(&target).is_ok_and(|metadata| !metadata.is_file()) {
-        return fs::OpenOptions::new()
-            .write(true)
-            .open(&target)
-            .and_then(|mut file| file.write_all(bytes))
-            .map_err(|error| unwritable(path, &error));
+        return fs::OpenOptions::new().write(true).open(&target).and_then(|file| buffered(&file)).map_err(|error| unwritable(path, &error));
     }
     // Renaming asks only the folder, not the file.
     if fs::metadata(&target).is_ok_and(|metadata| metadata.permissions().readonly()) {
         return Err(Failure::usage(Problem::P6013, format!("`{}` is read-only", path.display())));
     }
     let temporary = temporary_beside(&target);
-    let written = File::create_new(&temporary).and_then(|mut file| {
-        file.write_all(bytes)?;
+    let written = File::create_new(&temporary).and_then(|file| {
+        buffered(&file)?;
         if let Ok(metadata) = fs::metadata(&target) {
             file.set_permissions(metadata.permissions())?;
         }

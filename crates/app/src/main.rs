@@ -7,6 +7,7 @@ mod commands;
 mod controller;
 mod document;
 mod duration;
+mod examples;
 mod failure;
 mod files;
 mod fixing;
@@ -23,10 +24,14 @@ mod project;
 mod report;
 mod retain;
 mod rewriting;
+mod schedule;
 mod screen;
 mod settings;
+mod stepping;
 mod symbol_files;
+mod terminal;
 mod testing;
+mod tracing;
 mod watch;
 
 use std::path::Path;
@@ -37,7 +42,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::failure::{Exit, Failure};
 
-/// Sieben: an open soft PLC. It runs STEP 7 programs in STL exactly as an S7-300/400 CPU does.
+/// Sieben: an open soft PLC. It runs STEP 7 programs in STL, SCL and Structured Text exactly as an S7-300/400 CPU does.
 #[derive(Parser)]
 #[command(
     name = "sieben",
@@ -51,6 +56,9 @@ Examples:\n  \
   sieben check pump                           all errors and warnings\n  \
   sieben run pump --for 10s                   run it\n  \
   sieben exec add.awl --set MW0=2 --show MW4  a few scans, then print values\n  \
+  sieben step lamp.awl --set I0.0=1           why is it 0? Statement by statement, and back\n  \
+  sieben trace lamp.awl --at 1s I0.0=1        what happens when, as a timing diagram\n  \
+  sieben test pump                            its unit tests, in virtual time\n  \
   sieben explain SPB                          what an instruction does\n\n\
 Exit codes: 0 ok, 1 a check failed, 2 usage, 3 does not compile, 4 the CPU went to STOP, 5 time limit, 70 our own error."
 )]
@@ -69,10 +77,14 @@ enum Verb {
     Check(commands::check::Arguments),
     /// Run a few scans in virtual time and print values
     Exec(commands::exec::Arguments),
+    /// Step through a program, one statement at a time, forwards and back
+    Step(commands::step::Arguments),
     /// Measure how long a scan takes
     Bench(commands::bench::Arguments),
-    /// Run programs that check themselves
+    /// Run unit tests, and programs that check themselves
     Test(commands::test::Arguments),
+    /// Record values over many scans and draw them as a timing diagram
+    Trace(Box<commands::trace::Arguments>),
     /// Explain an instruction, a problem code, a CPU type, a system function or an event
     Explain(commands::explain::Arguments),
     /// Bring sources of STL, ST and SCL into one layout
@@ -110,8 +122,10 @@ fn run(line: CommandLine) -> Exit {
         Some(Verb::Run(arguments)) => commands::run::run(&arguments),
         Some(Verb::Check(arguments)) => commands::check::run(&arguments),
         Some(Verb::Exec(arguments)) => commands::exec::run(&arguments),
+        Some(Verb::Step(arguments)) => commands::step::run(&arguments),
         Some(Verb::Bench(arguments)) => commands::bench::run(&arguments),
         Some(Verb::Test(arguments)) => commands::test::run(&arguments),
+        Some(Verb::Trace(arguments)) => commands::trace::run(&arguments),
         Some(Verb::Explain(arguments)) => commands::explain::run(&arguments),
         Some(Verb::Fmt(arguments)) => commands::fmt::run(&arguments),
         Some(Verb::Convert(arguments)) => commands::convert::run(&arguments),

@@ -79,6 +79,11 @@ impl Assignment {
         Ok(Self { name, value: value.to_owned() })
     }
 
+    /// The name and the value as it was written.
+    pub(crate) fn into_parts(self) -> (Name, String) {
+        (self.name, self.value)
+    }
+
     /// Gives the name its value.
     pub(crate) fn apply(&self, cpu: &mut Cpu) -> Result<(), Failure> {
         self.name.write(cpu, &self.value).map_err(|error| unfit(&format!("{}={}", self.name.text(), self.value), &error))
@@ -102,13 +107,17 @@ pub(crate) fn text(name: &Name, cpu: &Cpu) -> String {
 
 /// The value of a name as JSON: bits and numbers as numbers, all else as text.
 pub(crate) fn to_json(name: &Name, cpu: &Cpu) -> Json {
-    match name.read(cpu) {
-        Err(_) => Json::Null,
-        Ok(Shown::Bit(bit)) => json!(u8::from(bit)),
-        Ok(Shown::Number(number)) => json!(number),
+    name.read(cpu).map_or(Json::Null, |shown| shown_json(&shown))
+}
+
+/// A value as JSON.
+pub(crate) fn shown_json(shown: &Shown) -> Json {
+    match shown {
+        Shown::Bit(bit) => json!(u8::from(*bit)),
+        Shown::Number(number) => json!(number),
         // The digits of the REAL itself, not those of its widening to 64 bits.
-        Ok(Shown::Real(number)) if number.is_finite() => number.to_string().parse::<f64>().map_or(Json::Null, |number| json!(number)),
-        Ok(shown) => json!(shown.to_string()),
+        Shown::Real(number) if number.is_finite() => number.to_string().parse::<f64>().map_or(Json::Null, |number| json!(number)),
+        shown => json!(shown.to_string()),
     }
 }
 

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use sieben_lang::encoding::{self, Decoded, Encoding};
-use sieben_lang::language::Language;
+use sieben_lang::language::{Language, is_test_file};
 use sieben_lang::st::dialect::Dialect;
 use sieben_lang::{Compiled, Options, TemporaryReads};
 use sieben_model::cpu_type::CpuType;
@@ -50,6 +50,8 @@ pub(crate) struct Overrides {
     pub(crate) profile: Option<Profile>,
     /// The first source is a test: its blocks take the place of those with the same number.
     pub(crate) replacing: bool,
+    /// Test files among the sources are compiled.
+    pub(crate) tests: bool,
 }
 
 /// A source file as it lies on the disk.
@@ -143,6 +145,9 @@ impl Project {
         if extended {
             system_blocks.extend(sieben_cpu::system::extension_interfaces());
         }
+        if overrides.tests {
+            system_blocks.extend(sieben_cpu::system::test_interfaces());
+        }
         let options = Options {
             cpu: Some(cpu),
             mnemonics: overrides.mnemonics.unwrap_or(self.settings.mnemonics),
@@ -153,6 +158,7 @@ impl Project {
             system_blocks,
             library: self.settings.library.clone(),
             dialect: overrides.dialect.or(self.settings.dialect),
+            tests: overrides.tests,
         };
         let nothing = self.findings.iter().any(|finding| finding.diagnostic.problem == Problem::P6005);
         let compiled = match nothing {
@@ -162,6 +168,7 @@ impl Project {
         compiled.add_library_sources(&mut self.texts.program);
         let mut findings = self.findings.clone();
         findings.extend(self.settings.retain.beyond(cpu).into_iter().map(Finding::document));
+        findings.extend(settings::modules::problems(&self.settings.modules, cpu).into_iter().map(Finding::document));
         findings.extend(compiled.diagnostics.iter().cloned().map(Finding::program));
         report::sort(&mut findings);
         Build { project: self, compiled, cpu, findings }
@@ -196,11 +203,12 @@ impl Project {
             |path: &Path| is_symbol_table(path) || path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("symbols.csv"));
         let mut symbols = self.chosen(&listing, settings.symbols.as_deref(), default_symbols);
         let mut sources = self.chosen(&listing, settings.sources.as_deref(), |path| has_ending(path, &SOURCE_ENDINGS));
-        if let Some(tests) = &settings.tests {
-            let tests = self.chosen(&listing, Some(tests), |_| false);
-            sources.retain(|source| !tests.contains(source));
-            self.tests.extend(tests.iter().map(|test| join(folder, test)));
-        }
+        let tests = match &settings.tests {
+            Some(tests) => self.chosen(&listing, Some(tests), |_| false),
+            None => listing.files.iter().filter(|file| is_test(file)).cloned().collect(),
+        };
+        sources.retain(|source| !tests.contains(source) && !is_test(source));
+        self.tests.extend(tests.iter().map(|test| join(folder, test)));
         // `.asc` also ends the names of signatures: without a program there is nothing that they could name.
         if sources.is_empty() && settings.symbols.is_none() {
             symbols.clear();
@@ -433,9 +441,14 @@ pub(crate) fn files_below(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(listing.files.iter().map(|file| join(folder, file)).collect())
 }
 
+/// Whether a file holds unit tests by its name.
+pub(crate) fn is_test(path: &Path) -> bool {
+    path.file_name().and_then(|name| name.to_str()).is_some_and(is_test_file)
+}
+
 /// Whether a file is a program by its name.
 pub(crate) fn is_program(path: &Path) -> bool {
-    has_ending(path, &SOURCE_ENDINGS) || awlpro::is_project(path)
+    has_ending(path, &SOURCE_ENDINGS) && !is_test(path) || awlpro::is_project(path)
 }
 
 /// Whether a file named on the command line is a symbol table by its name.

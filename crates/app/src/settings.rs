@@ -1,6 +1,7 @@
 //! `sieben.toml`: what a project says about itself.
 
 mod cyclic;
+pub(crate) mod modules;
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -21,6 +22,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::nearest::{nearest, one_of};
+use modules::Module;
 
 /// Name of the file that makes a folder a project.
 pub(crate) const FILE_NAME: &str = "sieben.toml";
@@ -74,6 +76,8 @@ pub(crate) struct Settings {
     pub(crate) cyclic: BTreeMap<u16, CyclicInterrupt>,
     /// `cpu.retain`.
     pub(crate) retain: Retain,
+    /// `[[module]]`: simulated devices.
+    pub(crate) modules: Vec<Module>,
 }
 
 /// What is retentive, as far as the file says.
@@ -138,7 +142,7 @@ const KEYS: &[Key] = &[
     used("", "project"),
     used("", "cpu"),
     used("", "library"),
-    later("", "module"),
+    used("", "module"),
     used("", "cyclic"),
     later("", "servers"),
     used("project", "name"),
@@ -200,6 +204,7 @@ impl Reader {
             match (key.get_ref().as_ref(), value.get_ref()) {
                 ("library", DeValue::Table(inner)) => self.library(inner),
                 ("cyclic", DeValue::Table(inner)) => self.cyclic(inner),
+                ("module", _) => self.modules(value),
                 (name @ ("project" | "cpu"), DeValue::Table(inner)) => self.table(name, inner),
                 (name, _) => self.wrong(value, &format!("`{name}` is a table: write `[{name}]` on a line of its own, and its keys below")),
             }

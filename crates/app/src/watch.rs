@@ -161,12 +161,25 @@ pub(crate) fn stamps(paths: &[PathBuf]) -> Stamps {
         if path.is_dir() {
             files.insert(path.join(crate::settings::FILE_NAME));
             let below = project::files_below(path).unwrap_or_default();
-            files.extend(below.into_iter().filter(|file| project::is_program(file) || project::is_symbols(file)));
+            files.extend(below.into_iter().filter(|file| project::is_program(file) || project::is_test(file) || project::is_symbols(file)));
         } else {
             files.insert(path.clone());
         }
     }
     files.into_iter().map(|path| (path.clone(), stamp(&path))).collect()
+}
+
+/// Waits until the files differ from these, and somebody has finished writing.
+pub(crate) fn wait_for_change(paths: &[PathBuf], taken: &Stamps) {
+    let mut before = taken.clone();
+    loop {
+        std::thread::sleep(LOOK_PERIOD);
+        let now = stamps(paths);
+        if now != *taken && now == before {
+            return;
+        }
+        before = now;
+    }
 }
 
 fn stamp(path: &Path) -> Stamp {

@@ -43,14 +43,24 @@ fn fences<'a>(lines: &[&'a str]) -> Vec<Fence<'a>> {
     fences
 }
 
-/// Whether a fence shows a program: STL, ST of IEC 61131-3, or SCL.
+/// Whether a fence shows a program: STL, ST of IEC 61131-3, SCL, or a test file.
 fn is_source(language: &str) -> bool {
-    matches!(language, "stl" | "st" | "scl")
+    matches!(language, "stl" | "st" | "scl" | "test")
 }
 
 /// The file that an example without a name is written to: its end says the language.
 fn example_of(language: &str) -> String {
-    format!("example.{}", if language == "stl" { "awl" } else { language })
+    let ending = match language {
+        "stl" => "awl",
+        "test" => "test.st",
+        other => other,
+    };
+    format!("example.{ending}")
+}
+
+/// What looks at an example: test files are run.
+fn verb_of(language: &str) -> &str {
+    if language == "test" { "test" } else { "check" }
 }
 
 /// Pages that people read, each with its path from the root.
@@ -221,7 +231,7 @@ fn the_page_of_a_problem_produces_it() {
             } else {
                 files.join(" ")
             };
-            run(&folder, &format!("check --json {what}"))
+            run(&folder, &format!("{} --json {what}", verb_of(first.language)))
         };
         if !printed.contains(code) {
             failures.push(format!("{name}: its example does not produce {code}, but\n{printed}\n"));
@@ -250,7 +260,7 @@ fn the_mended_example_of_a_problem_compiles_without_it() {
         let folder = folder_of(&format!("{name}-mended"), &[]);
         let example = example_of(mended.language);
         fs::write(folder.join(&example), mended.lines.join("\n") + "\n").expect("a file of the test can be written");
-        let printed = run(&folder, &format!("check --json {example}"));
+        let printed = run(&folder, &format!("{} --json {example}", verb_of(mended.language)));
         if printed.contains(code) || printed.contains("[exit code") {
             failures.push(format!("{name}:{}: the mended source still has a problem\n{printed}\n", mended.first));
         }

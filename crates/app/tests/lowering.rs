@@ -450,7 +450,7 @@ fn instances_keep_their_data() {
     let fb1 = counter.id;
     let invoke = |instance: Place, input: i16, target: Place| {
         statement(StatementKind::Call(call(
-            Callee::Instance { block: fb1, instance },
+            Callee::Instance { block: fb1, instance, dispatch: None },
             vec![
                 Argument::Value { parameter: 0, value: int(input) },
                 Argument::Output { parameter: 16, scalar: I16, target, convert: vec![], converted: I16 },
@@ -472,9 +472,17 @@ fn instances_keep_their_data() {
         BlockId::ob(1),
         vec![
             invoke(db(2, 0), 4, m(0)),
-            statement(StatementKind::Call(call(Callee::Instance { block: fb2, instance: db(1, 0) }, vec![], DataType::Void))),
+            statement(StatementKind::Call(call(
+                Callee::Instance { block: fb2, instance: db(1, 0), dispatch: None },
+                vec![],
+                DataType::Void,
+            ))),
             assign(m(2), get(db(1, 30), I16)),
-            statement(StatementKind::Call(call(Callee::Instance { block: fb2, instance: db(1, 0) }, vec![], DataType::Void))),
+            statement(StatementKind::Call(call(
+                Callee::Instance { block: fb2, instance: db(1, 0), dispatch: None },
+                vec![],
+                DataType::Void,
+            ))),
             assign(m(4), get(db(1, 30), I16)),
             assign(m(6), get(db(2, 2), I16)),
             invoke(indexed(db(2, 10), get(m(40), I32), 0, 3, 6, Bounds::None), 8, m(8)),

@@ -67,7 +67,7 @@ fn source(dialect: Dialect, row: &Row, declarations: &str, code: &str, uses_ok: 
     let label = if dialect == Dialect::Scl && code.contains("GOTO ") { "LABEL\nl1;\nEND_LABEL\n" } else { "" };
     match dialect {
         Dialect::Iec | Dialect::Codesys => format!("{before}\nPROGRAM prog\n{constants}{variables}{code}{flag}\nEND_PROGRAM\n"),
-        Dialect::Scl | Dialect::Tia => format!(
+        _ => format!(
             "{before}\nFUNCTION_BLOCK FB100\n{constants}{label}{variables}BEGIN\n{code}{flag}\nEND_FUNCTION_BLOCK\n\
              DATA_BLOCK DB100 FB100\nBEGIN\nEND_DATA_BLOCK\n\
              ORGANIZATION_BLOCK OB1\nVAR_TEMP\nstart : ARRAY[1..20] OF BYTE;\nEND_VAR\nBEGIN\n{}\nEND_ORGANIZATION_BLOCK\n",

@@ -1,5 +1,8 @@
 //! The programs of `cargo bench -p sieben-app --bench structured_text` come to the same results as the same work in C, on all engines.
 
+use sieben_engine::{Interpreter, Layout, Program};
+use sieben_jit::{Jit, StatusBits};
+
 #[allow(dead_code)] // The tests of whole programs need more of it.
 mod program;
 #[allow(dead_code)] // The measurements need more of it.
@@ -18,5 +21,57 @@ fn all_engines_count_what_c_counts() {
             (0..programs::CHECKED_SCANS).for_each(|_| loaded.scan(None));
             assert_eq!(programs::check(&compiled, &loaded), case.check, "{}, {engine}", case.name);
         }
+    }
+}
+
+/// Runs a program on all engines; memory is the same behind each scan.
+fn same_on_all_engines(text: &str, scans: usize) {
+    let compiled = side_by_side::compiled("bench.st", text);
+    let mut expected = side_by_side::load(&compiled, Interpreter::load);
+    let mut others: Vec<_> = program::ENGINES.iter().map(|(engine, load)| (engine, side_by_side::load(&compiled, load))).collect();
+    let needed = |program: &Program, layout: &Layout| Jit::compiled(program, layout, StatusBits::Needed).expect("machine code");
+    others.push((&"status bits as needed", side_by_side::load(&compiled, needed)));
+    for scan in 0..scans {
+        expected.scan(None);
+        for (engine, loaded) in &mut others {
+            loaded.scan(None);
+            let [expected, got] = [&expected, &*loaded].map(|loaded| &loaded.machine.memory.arena);
+            let differs = expected.iter().zip(got).position(|(expected, got)| expected != got);
+            assert_eq!(differs, None, "{engine}, scan {scan}");
+        }
+    }
+}
+
+#[test]
+fn thousands_of_networks_over_instance_data_become_machine_code() {
+    let mut text = String::from(
+        "PROGRAM Main\nVAR\n x : ARRAY[0..63] OF BOOL;\n y : ARRAY[0..2499] OF BOOL;\n sr : ARRAY[0..99] OF SR;\n i, state, scans, check : DINT;\nEND_VAR\n\
+         FOR i := 0 TO 63 DO state := (state * 75 + 74) MOD 65537; x[i] := state > 32768; END_FOR;\n",
+    );
+    for network in 0..2500 {
+        let [a, b, c] = [7, 11, 13].map(|factor| network * factor % 64);
+        text += &format!("y[{network}] := (x[{a}] AND NOT x[{b}]) OR (x[{c}] AND y[{}]);\n", network * 17 % 2500);
+    }
+    for number in 0..100 {
+        text += &format!("sr[{number}](S1 := x[{}], R := y[{}]);\n", number % 64, number * 23 % 2500);
+    }
+    same_on_all_engines(&(text + "scans := scans + 1;\nEND_PROGRAM\n"), 3);
+}
+
+#[test]
+fn elements_of_arrays_of_function_blocks_are_where_their_index_says() {
+    let long = "sum := sum + raw; ".repeat(150);
+    for body in ["sum := sum + raw;", long.as_str()] {
+        let text = format!(
+            "FUNCTION Twice : DINT\nVAR_INPUT\n v : DINT;\nEND_VAR\nVAR_TEMP\n t : DINT;\nEND_VAR\nt := v; Twice := t + v;\nEND_FUNCTION\n\
+             FUNCTION_BLOCK Inner\nVAR_INPUT\n raw : DINT;\n on : BOOL;\nEND_VAR\nVAR_OUTPUT\n sum : DINT;\n done : BOOL;\nEND_VAR\nVAR_TEMP\n t : DINT;\nEND_VAR\n\
+             t := Twice(v := raw); {body}\nIF on THEN sum := sum + t + Twice(v := t); done := NOT done; END_IF;\nEND_FUNCTION_BLOCK\n\
+             FUNCTION_BLOCK Stage\nVAR_INPUT\n raw : DINT;\nEND_VAR\nVAR_OUTPUT\n value : INT;\nEND_VAR\nVAR\n inner : ARRAY[1..3] OF Inner;\n one : Inner;\n k : DINT;\nEND_VAR\n\
+             FOR k := 0 TO 4 DO inner[k](raw := raw + k, on := k MOD 2 = 0); END_FOR;\none(raw := inner[2].sum, on := inner[1].done); value := value + 3;\nEND_FUNCTION_BLOCK\n\
+             PROGRAM Main\nVAR\n stages : ARRAY[-2..20] OF Stage;\n i, j, scans : DINT;\n check : DINT;\nEND_VAR\n\
+             FOR i := -4 TO 23 DO\n j := i * (scans + 1);\n stages[i](raw := i);\n stages[j](raw := j * 5);\n check := check + stages[j].value;\nEND_FOR;\n\
+             stages[scans * 100000000](raw := 1); scans := scans + 1;\nEND_PROGRAM\n"
+        );
+        same_on_all_engines(&text, 4);
     }
 }

@@ -6,12 +6,15 @@ mod extension;
 mod interrupting;
 mod loaded;
 mod online_change;
+mod pause;
 mod restart;
 mod retentive;
 mod run;
 mod scan;
+mod snapshot;
 mod stack;
 mod stop;
+mod testing;
 
 use std::sync::Arc;
 
@@ -39,9 +42,11 @@ pub use loaded::Loaded;
 pub use online_change::ChangeRefused;
 pub use retentive::DataLoss;
 pub use scan::ScanReport;
+pub use snapshot::Snapshot;
 use stack::Stack;
 use stop::Held;
 pub use stop::{StopCause, StopRequest};
+pub use testing::TestStep;
 
 /// Whether organization block `number` is loaded and the CPU type calls it.
 fn available(cpu_type: &CpuType, engine: &dyn Engine, number: u16) -> bool {
@@ -66,6 +71,8 @@ pub struct Cpu {
     watchdog: Watchdog,
     class: StartInformation,
     held: Option<Held>,
+    /// What a tracer has paused.
+    pause: Option<pause::Pause>,
     preset: Option<Registers>,
     registers: Registers,
     requests: Arc<Requests>,
@@ -91,6 +98,10 @@ pub struct Cpu {
     keeper: Keeper,
     /// A STOP from outside has ended the last cycle in the middle, or a hot restart is to end it.
     torn: bool,
+    /// A test runs now.
+    testing: bool,
+    /// The test that waits for something.
+    suspended_test: Option<Stack>,
 }
 
 impl Cpu {
@@ -128,6 +139,7 @@ impl Cpu {
             watchdog: Watchdog::default(),
             class: StartInformation::default(),
             held: None,
+            pause: None,
             preset: None,
             registers,
             requests: Arc::default(),
@@ -145,6 +157,8 @@ impl Cpu {
             declarations,
             keeper: Keeper::default(),
             torn: false,
+            testing: false,
+            suspended_test: None,
         };
         cpu.load_data_blocks(|_| true);
         cpu
@@ -208,6 +222,11 @@ impl Cpu {
     /// The diagnostic buffer.
     pub fn diagnostic_buffer(&self) -> &DiagnosticBuffer {
         &self.diagnostics
+    }
+
+    /// The time up to which the CPU has run, in microseconds of the clock that its scans are given.
+    pub fn time_us(&self) -> u64 {
+        self.now_us
     }
 
     /// The CPU's time of day.

@@ -144,6 +144,8 @@ pub(crate) struct CpuHost<'a> {
     pub(crate) clock_set: bool,
     /// How long OB 90 may run now; `None` when that is over.
     pub(crate) slice: Option<Slice>,
+    /// A test runs, outside of the cycle: nothing interrupts it.
+    pub(crate) testing: bool,
 }
 
 impl CpuHost<'_> {
@@ -281,7 +283,7 @@ impl CpuHost<'_> {
     /// Aborts the priority class: OB 88 where there is one, STOP otherwise.
     fn abort(&mut self, class: StartInformation, info: StartInformation, stop_event: u16, place: FaultPlace) -> Reaction {
         let event = if self.cpu_type.has_ob88 { 0x4570 } else { stop_event };
-        if self.cpu_type.has_ob88 && class.rank() < 28 && self.engine.has_block(ob::PROCESSING_ABORT) {
+        if self.cpu_type.has_ob88 && !self.testing && class.rank() < 28 && self.engine.has_block(ob::PROCESSING_ABORT) {
             self.abort = Some(info);
         }
         Reaction::Stop(StopReason { event, place: Some(place) })
@@ -324,7 +326,7 @@ impl Host for CpuHost<'_> {
     }
 
     fn peripheral_read(&mut self, _machine: &mut Machine, byte: u32, width: Width) -> Option<u32> {
-        self.rack.peripheral_read(byte, width)
+        self.rack.read_for_program(byte, width)
     }
 
     fn peripheral_write(&mut self, machine: &mut Machine, byte: u32, width: Width, value: u32) -> bool {
@@ -352,6 +354,14 @@ impl Host for CpuHost<'_> {
         self.interrupts.run_times.end(machine.frames.len(), self.time.now_us);
         if self.requests.stop.swap(false, Ordering::Relaxed) {
             return Reaction::Stop(StopReason { event: 0x4303, place: None });
+        }
+        if self.testing {
+            let enough = self.watchdog.expired(&self.time);
+            if enough {
+                self.watchdog.begin_again(self.time.now_us);
+            }
+            self.grant(machine);
+            return if enough { Reaction::Suspend } else { Reaction::Continue };
         }
         let in_background = self.in_background(machine);
         if in_background {
@@ -397,8 +407,14 @@ impl Host for CpuHost<'_> {
     }
 
     fn system_function(&mut self, machine: &mut Machine, block: BlockId, first_parameter: usize) -> Reaction {
+        if !self.system.mocks.is_empty()
+            && system::testing::system_function(&mut system::Call { machine, host: self, first: first_parameter }, block)
+        {
+            return Reaction::Continue;
+        }
         let reaction = system::run(block, &mut system::Call { machine, host: self, first: first_parameter });
         match reaction {
+            Some(Reaction::Continue) if self.testing => Reaction::Continue,
             Some(Reaction::Continue) => {
                 self.gather(machine);
                 self.pre_empt(machine)

@@ -9,6 +9,7 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::problems::Problem;
 
 use crate::interrupts::Interrupt;
+use crate::tape::{Reading, Tape};
 
 /// An input or output module, real or simulated, at byte addresses of the peripheral area.
 pub trait IoModule: Any + Send {
@@ -43,6 +44,10 @@ pub trait IoModule: Any + Send {
     fn set_input(&mut self, offset: u32, mask: u8, value: u8) -> bool {
         let _ = (offset, mask, value);
         false
+    }
+    /// The module as it is now, with all that it does from here on; `None` if it cannot be copied, as one with real wires.
+    fn copy(&self) -> Option<Box<dyn IoModule>> {
+        None
     }
 }
 
@@ -97,6 +102,9 @@ impl IoModule for SimulatedModule {
         let byte = &mut self.inputs[offset as usize];
         *byte = *byte & !mask | value & mask;
         true
+    }
+    fn copy(&self) -> Option<Box<dyn IoModule>> {
+        Some(Box::new(self.clone()))
     }
 }
 
@@ -170,6 +178,9 @@ pub struct Rack {
     enabled: bool,
     /// What modules raised and the CPU has not seen yet.
     alarms: Vec<Interrupt>,
+    /// A module had raised an interrupt when it was written to last.
+    alarmed: bool,
+    tape: Tape,
 }
 
 impl fmt::Debug for Rack {
@@ -223,6 +234,11 @@ impl Rack {
         self.modules.iter_mut().find_map(|module| (&mut **module as &mut dyn Any).downcast_mut())
     }
 
+    /// All modules of this type, to change, in the order they were plugged in.
+    pub fn modules_mut<M: IoModule>(&mut self) -> impl Iterator<Item = &mut M> {
+        self.modules.iter_mut().filter_map(|module| (&mut **module as &mut dyn Any).downcast_mut())
+    }
+
     /// All modules, in the order they were plugged in.
     pub fn modules(&self) -> impl Iterator<Item = &dyn IoModule> {
         self.modules.iter().map(|module| &**module)
@@ -243,18 +259,60 @@ impl Rack {
         Some(bytes[..length].iter().fold(0, |value, &byte| value << 8 | u32::from(byte)))
     }
 
+    /// As [`Self::peripheral_read`], for the program, which hears the same again when the run goes back.
+    pub(crate) fn read_for_program(&mut self, byte: u32, width: Width) -> Option<u32> {
+        match self.ask(|rack| Reading::Value(rack.peripheral_read(byte, width))) {
+            Reading::Value(value) => value,
+            other => unexpected(&other),
+        }
+    }
+
     /// Writes the module itself; `false` and nothing written if no module answers for one of the bytes.
     pub fn peripheral_write(&mut self, byte: u32, width: Width, value: u32) -> bool {
         let length = width.bytes();
-        let answers = |at: u32| owner(&self.output_owner, at).is_some_and(|module| self.modules[usize::from(module)].answers());
-        let covered = (0..length).all(|index| byte.checked_add(index).is_some_and(answers));
-        if covered {
-            let bytes = value.to_be_bytes();
-            for index in 0..length {
-                self.put(byte + index, bytes[(4 - length + index) as usize]);
+        let bytes = value.to_be_bytes();
+        let bytes = &bytes[(4 - length) as usize..];
+        let reading = self.ask(|rack| {
+            let answers = |at: u32| owner(&rack.output_owner, at).is_some_and(|module| rack.modules[usize::from(module)].answers());
+            let taken = (0..length).all(|index| byte.checked_add(index).is_some_and(answers));
+            for (index, &value) in (0..length).zip(bytes.iter().filter(|_| taken)) {
+                rack.put(byte + index, value);
             }
+            Reading::Taken { taken, alarms: !rack.alarms.is_empty() }
+        });
+        let Reading::Taken { taken, alarms } = reading else { unexpected(&reading) };
+        self.alarmed = alarms;
+        if taken {
+            self.outputs[byte as usize..(byte + length) as usize].copy_from_slice(bytes);
         }
-        covered
+        taken
+    }
+
+    /// Asks the modules, or the tape where the run has gone back.
+    fn ask(&mut self, question: impl FnOnce(&mut Self) -> Reading) -> Reading {
+        if let Some(reading) = self.tape.play() {
+            return reading;
+        }
+        let reading = question(self);
+        self.tape.record(&reading);
+        reading
+    }
+
+    /// From now on the tape keeps what the modules say, unless all of them can be copied: those go back themselves.
+    pub(crate) fn record(&mut self) {
+        if self.modules.iter().any(|module| module.copy().is_none()) {
+            self.tape.start();
+        }
+    }
+
+    /// Forgets what the modules said before a snapshot.
+    pub(crate) fn forget_before(&mut self, snapshot: &RackSnapshot) {
+        self.tape.forget_before(snapshot.tape);
+    }
+
+    /// Bytes that the tape takes.
+    pub(crate) fn tape_bytes(&self) -> usize {
+        self.tape.bytes()
     }
 
     /// What was last put out at these bytes; `None` if no module answers for one of them.
@@ -268,57 +326,89 @@ impl Rack {
 
     /// Sets input bits of a simulated module; `false` if the byte belongs to no such module.
     pub fn set_input(&mut self, byte: u32, mask: u8, value: u8) -> bool {
-        let Some(index) = owner(&self.input_owner, byte) else { return false };
-        let module = &mut self.modules[usize::from(index)];
-        let offset = byte - module.inputs().start;
-        module.set_input(offset, mask, value)
+        let reading = self.ask(|rack| {
+            let Some(index) = owner(&rack.input_owner, byte) else { return Reading::Could(false) };
+            let module = &mut rack.modules[usize::from(index)];
+            let offset = byte - module.inputs().start;
+            Reading::Could(module.set_input(offset, mask, value))
+        });
+        reading == Reading::Could(true)
     }
 
     pub(crate) fn advance(&mut self, dt_us: u64) {
-        for module in &mut self.modules {
-            module.advance(dt_us);
-            collect(&mut self.alarms, &mut **module);
-        }
+        self.ask(|rack| {
+            for module in &mut rack.modules {
+                module.advance(dt_us);
+                collect(&mut rack.alarms, &mut **module);
+            }
+            Reading::Done
+        });
     }
 
-    /// Whether a module has raised an interrupt.
+    /// Whether a module had raised an interrupt when it was written to last.
     pub(crate) fn has_alarms(&self) -> bool {
-        !self.alarms.is_empty()
+        self.alarmed
     }
 
     /// What the modules have raised since they were asked last.
     pub(crate) fn take_alarms(&mut self) -> Vec<Interrupt> {
-        std::mem::take(&mut self.alarms)
+        match self.ask(|rack| Reading::Alarms(std::mem::take(&mut rack.alarms))) {
+            Reading::Alarms(alarms) => alarms,
+            other => unexpected(&other),
+        }
     }
 
     /// Lets the module that answers for this input or output byte fail, or answer again; `false` if there is none that can.
     pub fn set_answering(&mut self, byte: u32, answers: bool) -> bool {
-        let index = owner(&self.input_owner, byte).or_else(|| owner(&self.output_owner, byte));
-        index.is_some_and(|index| self.modules[usize::from(index)].set_answering(answers))
+        let reading = self.ask(|rack| {
+            let index = owner(&rack.input_owner, byte).or_else(|| owner(&rack.output_owner, byte));
+            Reading::Could(index.is_some_and(|index| rack.modules[usize::from(index)].set_answering(answers)))
+        });
+        reading == Reading::Could(true)
     }
 
     /// Process image of the outputs → modules. Returns the bytes of those that do not answer.
     pub(crate) fn put_image(&mut self, image: &[u8]) -> Vec<Range<usize>> {
-        let mut failed = Vec::new();
         for run in &self.output_runs {
             let bytes = run.bytes.start..run.bytes.end.min(image.len());
-            let Some(source) = image.get(bytes.clone()) else { continue };
-            self.outputs[bytes.clone()].copy_from_slice(source);
-            let module = &mut self.modules[run.module];
-            if !module.answers() {
-                failed.push(bytes);
-            } else if self.enabled {
-                let offset = bytes.start as u32 - module.outputs().start;
-                module.write(offset, source);
-                collect(&mut self.alarms, &mut **module);
+            if let Some(source) = image.get(bytes.clone()) {
+                self.outputs[bytes].copy_from_slice(source);
             }
         }
-        failed
+        let reading = self.ask(|rack| {
+            let mut failed = Vec::new();
+            for run in &rack.output_runs {
+                let bytes = run.bytes.start..run.bytes.end.min(image.len());
+                let Some(source) = image.get(bytes.clone()) else { continue };
+                let module = &mut rack.modules[run.module];
+                if !module.answers() {
+                    failed.push(bytes);
+                } else if rack.enabled {
+                    let offset = bytes.start as u32 - module.outputs().start;
+                    module.write(offset, source);
+                    collect(&mut rack.alarms, &mut **module);
+                }
+            }
+            Reading::Failed(failed)
+        });
+        match reading {
+            Reading::Failed(failed) => failed,
+            other => unexpected(&other),
+        }
     }
 
     /// Modules → process image of the inputs. Bytes without a module keep their value; those of a module that does not answer are 0
     /// and are returned.
-    pub(crate) fn get_image(&self, image: &mut [u8]) -> Vec<Range<usize>> {
+    pub(crate) fn get_image(&mut self, image: &mut [u8]) -> Vec<Range<usize>> {
+        match self.tape.play() {
+            Some(Reading::Image { bytes, failed }) => {
+                let length = bytes.len().min(image.len());
+                image[..length].copy_from_slice(&bytes[..length]);
+                return failed;
+            }
+            Some(other) => unexpected(&other),
+            None => {}
+        }
         let length = image.len();
         let mut failed = Vec::new();
         for run in &self.input_runs {
@@ -332,6 +422,10 @@ impl Rack {
                 failed.push(bytes);
             }
         }
+        if self.tape.is_on() {
+            let bytes = self.tape.image(image);
+            self.tape.record(&Reading::Image { bytes, failed: failed.clone() });
+        }
         failed
     }
 
@@ -343,19 +437,21 @@ impl Rack {
     /// Releases the outputs (RUN) or holds them at 0 (STOP and STARTUP).
     pub(crate) fn enable_outputs(&mut self, enabled: bool) {
         self.enabled = enabled;
-        for run in &self.output_runs {
-            let module = &mut self.modules[run.module];
-            let offset = run.bytes.start as u32 - module.outputs().start;
-            if enabled {
-                module.write(offset, &self.outputs[run.bytes.clone()]);
-            } else {
-                module.write(offset, &vec![0; run.bytes.len()]);
+        self.ask(|rack| {
+            for run in &rack.output_runs {
+                let module = &mut rack.modules[run.module];
+                let offset = run.bytes.start as u32 - module.outputs().start;
+                if enabled {
+                    module.write(offset, &rack.outputs[run.bytes.clone()]);
+                } else {
+                    module.write(offset, &vec![0; run.bytes.len()]);
+                }
             }
-        }
+            Reading::Done
+        });
     }
 
     fn put(&mut self, byte: u32, value: u8) {
-        self.outputs[byte as usize] = value;
         if let Some(index) = owner(&self.output_owner, byte)
             && self.enabled
         {
@@ -377,6 +473,8 @@ impl Rack {
             outputs: vec![0; size],
             enabled: false,
             alarms: Vec::new(),
+            alarmed: false,
+            tape: Tape::default(),
         }
     }
 
@@ -418,6 +516,69 @@ impl Rack {
         self.output_runs = runs(&self.output_owner);
         self
     }
+}
+
+/// What a rack is at one moment.
+pub(crate) struct RackSnapshot {
+    /// `None` if one of the modules cannot be copied.
+    modules: Option<Vec<Box<dyn IoModule>>>,
+    outputs: Vec<u8>,
+    enabled: bool,
+    alarms: Vec<Interrupt>,
+    alarmed: bool,
+    tape: u64,
+}
+
+impl fmt::Debug for RackSnapshot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("RackSnapshot").field("has_modules", &self.has_modules()).finish_non_exhaustive()
+    }
+}
+
+impl RackSnapshot {
+    pub(crate) fn has_modules(&self) -> bool {
+        self.modules.is_some()
+    }
+
+    /// An estimate of the memory that it takes.
+    pub(crate) fn bytes(&self) -> usize {
+        let addresses = |module: &dyn IoModule| module.inputs().len() + module.outputs().len();
+        self.outputs.len() + self.modules.iter().flatten().map(|module| addresses(&**module)).sum::<usize>()
+    }
+}
+
+impl Rack {
+    pub(crate) fn snapshot(&self) -> RackSnapshot {
+        let modules = self.modules.iter().map(|module| module.copy()).collect();
+        RackSnapshot {
+            modules,
+            outputs: self.outputs.clone(),
+            enabled: self.enabled,
+            alarms: self.alarms.clone(),
+            alarmed: self.alarmed,
+            tape: self.tape.position(),
+        }
+    }
+
+    /// If one module could not be copied, all stay as they are, and the tape says what they said.
+    pub(crate) fn go_back_to(&mut self, snapshot: &RackSnapshot) {
+        let copied = snapshot.modules.as_ref().and_then(|modules| modules.iter().map(|module| module.copy()).collect());
+        match copied {
+            Some(modules) => {
+                self.modules = modules;
+                self.alarms.clone_from(&snapshot.alarms);
+            }
+            None => self.tape.go_to(snapshot.tape),
+        }
+        self.alarmed = snapshot.alarmed;
+        self.outputs.clone_from(&snapshot.outputs);
+        self.enabled = snapshot.enabled;
+    }
+}
+
+/// The CPU asks in the same order each time it runs the same way.
+fn unexpected(reading: &Reading) -> ! {
+    panic!("a run that has gone back asks its modules what it asked before, but {reading:?} was recorded here")
 }
 
 /// Alarms that can wait for the CPU; a module that raises more in one moment is not believed.

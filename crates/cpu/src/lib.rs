@@ -8,6 +8,7 @@ mod cpu;
 mod diagnostic_events;
 mod host;
 mod start_information;
+mod tape;
 
 pub mod clock;
 pub mod cycle;
@@ -26,7 +27,7 @@ pub mod system;
 pub mod system_status_list;
 
 pub use clock::DateAndTime;
-pub use cpu::{ChangeRefused, Cpu, DataLoss, Loaded, ScanReport, StopCause, StopRequest};
+pub use cpu::{ChangeRefused, Cpu, DataLoss, Loaded, ScanReport, Snapshot, StopCause, StopRequest, TestStep};
 pub use cycle::CycleTimes;
 pub use diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 pub use forcing::Forced;
@@ -37,3 +38,4 @@ pub use online_change::OnlineChange;
 pub use retain::{RetainImage, RetentiveAreas};
 pub use settings::{ImageErrors, Settings, TimeSource};
 pub use station::{AccessError, Station, TimerReading};
+pub use system::testing::Asked;

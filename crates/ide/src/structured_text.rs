@@ -1,9 +1,7 @@
 //! What the statements of a block of ST refer to.
 
 use sieben_lang::Compiled;
-use sieben_lang::st::tree::{
-    Argument, Base, Call, Callee, Index, Intrinsic, Place, Statement, StatementKind, Text, TypedBlock, Value, ValueKind,
-};
+use sieben_lang::st::tree::{Argument, Base, Call, Index, Intrinsic, Place, Statement, StatementKind, Text, TypedBlock, Value, ValueKind};
 use sieben_lang::stl::operands::Direction;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
@@ -236,10 +234,7 @@ impl Collector<'_> {
 
     fn call(&mut self, call: &Call) {
         let outside = self.parameter.take();
-        let (callee, instance) = match &call.callee {
-            Callee::Function(block) => (*block, None),
-            Callee::Instance { block, instance } => (*block, Some(instance)),
-        };
+        let (callee, instance) = (call.callee.block(), call.callee.instance());
         call.enable.iter().for_each(|value| self.value(value));
         self.add(Target::Block(callee), Usage::Call, call.span);
         if let Some(instance) = instance {

@@ -14,6 +14,15 @@ pub enum Language {
 /// Endings of sources of ST, with the dialect that each has unless its text or the project says otherwise.
 const ST_ENDINGS: &[(&str, Dialect)] = &[("st", Dialect::Iec), ("iecst", Dialect::Iec), ("scl", Dialect::Scl), ("exp", Dialect::Codesys)];
 
+/// The ending of test files, which are sources of ST.
+const TEST_ENDING: &str = ".test.st";
+
+/// Whether a file is a test file by the ending of its name.
+pub fn is_test_file(name: &str) -> bool {
+    let start = name.len().saturating_sub(TEST_ENDING.len());
+    name.get(start..).is_some_and(|ending| ending.eq_ignore_ascii_case(TEST_ENDING))
+}
+
 /// Words that only one dialect writes, in upper case, each with the dialect that it shows for a file of another one.
 const MARKS: &[(&str, Dialect, Dialect)] = &[
     ("S7_OPTIMIZED_ACCESS", Dialect::Scl, Dialect::Tia),
@@ -43,7 +52,10 @@ impl Language {
         let ending = name.rsplit(['/', '\\']).next().and_then(|file| file.rsplit_once('.')).map_or("", |(_, ending)| ending);
         match ST_ENDINGS.iter().find(|(known, _)| ending.eq_ignore_ascii_case(known)) {
             None => Self::Stl,
-            Some(&(_, usual)) => Self::St(dialect.unwrap_or_else(|| shown(text, usual))),
+            Some(&(_, usual)) => {
+                let dialect = dialect.unwrap_or_else(|| shown(text, usual));
+                Self::St(if is_test_file(name) { dialect.for_tests() } else { dialect })
+            }
         }
     }
 
@@ -116,6 +128,8 @@ mod tests {
             ("a.scl", "FUNCTION_BLOCK \"Motor\"", None, st(Dialect::Tia)),
             ("a.scl", "#x := 1;", Some(Dialect::Scl), st(Dialect::Scl)),
             ("a.exp", "", None, st(Dialect::Codesys)),
+            ("a.Test.ST", "", None, st(Dialect::IecTest)),
+            ("a.test.st", "", Some(Dialect::Scl), st(Dialect::SclTest)),
             ("a.st", "'", None, st(Dialect::Iec)),
             ("a.st", "'ä", None, st(Dialect::Iec)),
         ] {

@@ -7,6 +7,7 @@ pub mod encoding;
 pub mod language;
 pub mod library;
 pub mod project;
+pub mod reason;
 mod scan;
 mod scope;
 pub mod st;

@@ -11,17 +11,20 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Sources, Span};
 use sieben_model::symbols::SymbolTable;
+use sieben_model::testing::TestPlan;
 
 use crate::declarations::data_block::{DataLayout, fill, instance, layout};
 use crate::declarations::path::FieldNames;
 use crate::declarations::types::{BlockInterface, Types};
 use crate::language::Language;
+use crate::language::is_test_file;
 use crate::library::link::{Links, link};
 use crate::library::{Linked, Selection};
 use crate::scope::{Scope, block_of_name};
 use crate::st;
-use crate::st::declare::{Demand, Items, Needed, StFile, collect};
+use crate::st::declare::{Demand, Items, Needed, StFile, collect, expand};
 use crate::st::dialect::Dialect;
+use crate::st::lower::mocking;
 use crate::st::standard::Source;
 use crate::st::tree::TypedBlock;
 use crate::stl::ast;
@@ -56,6 +59,8 @@ pub struct Options {
     pub library: Selection,
     /// The dialect of all sources of ST; `None` = judged over each whole file.
     pub dialect: Option<Dialect>,
+    /// Whether test files among the sources are compiled; else they are told to be none of a program.
+    pub tests: bool,
 }
 
 /// What came of it. With an error among the diagnostics the program holds what could be compiled and must not be run.
@@ -81,6 +86,8 @@ pub struct Compiled {
     pub calls: BTreeMap<BlockId, BTreeSet<BlockId>>,
     /// How often the cyclic interrupts are called that run the tasks of a CONFIGURATION: organization block and milliseconds.
     pub intervals: BTreeMap<u16, u16>,
+    /// The tests of the test file among the sources.
+    pub tests: TestPlan,
 }
 
 /// A source of ST of the library that belongs to a program.
@@ -144,10 +151,19 @@ pub fn compile(sources: &Sources, symbols: &SymbolTable, options: &Options) -> C
                 diagnostics.append(&mut parsed.diagnostics);
                 files.push(SyntaxOfFile { id, file: parsed.file, mnemonics: parsed.mnemonics });
             }
+            Language::St(_) if is_test_file(&source.name) && !options.tests => {
+                let message = format!("`{}` is a test file, and tests are no part of a program", source.name);
+                diagnostics.push(Diagnostic::new(Problem::P6240, Span::new(id, 0, 0), message));
+            }
             Language::St(dialect) => {
+                // A test file is written in the dialect of the program.
+                let dialect = match is_test_file(&source.name) {
+                    true => st.first().map_or(dialect, |first: &StFile| first.dialect).for_tests(),
+                    false => dialect,
+                };
                 let mut parsed = st::parser::parse(id, &source.text, dialect);
                 diagnostics.append(&mut parsed.diagnostics);
-                st.push(StFile { id, dialect, file: parsed.file, library: None });
+                st.push(StFile { id, dialect, file: expand(parsed.file), library: None });
             }
         }
     }
@@ -347,6 +363,8 @@ fn attempt(
     compiled.intervals = bodies.intervals;
     compiled.calls = bodies.calls;
     compiled.typed = bodies.typed;
+    compiled.tests = bodies.tests;
+    mocking::prepare(&mut compiled.program, &compiled.tests);
     diagnostics.extend(bodies.diagnostics.into_iter().filter(|diagnostic| compiled.is_of_user(diagnostic.span.file)));
     compiled.program.names = environment.program_names();
     let has_main = blocks.contains_key(&BlockId::ob(1)) || compiled.program.code.contains_key(&BlockId::ob(1)) || bodies.failed;
@@ -593,4 +611,31 @@ fn not_called(cpu: &CpuType, number: u16, span: Span) -> Diagnostic {
     let others: Vec<&str> = CpuType::ALL.iter().filter(|other| other.has_organization_block(number)).map(|other| other.name).collect();
     let diagnostic = Diagnostic::new(Problem::P5010, span, message);
     if others.is_empty() { diagnostic } else { diagnostic.help(format!("CPU types that call it: {}", others.join(", "))) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A block that names something which its source does not list is missing from the program, and nobody is told.
+    #[test]
+    fn every_block_of_the_library_in_st_compiles() {
+        for &source in st::standard::library::SOURCES {
+            let mut needed = Needed { blocks: Vec::new(), sources: vec![source] };
+            let compiled = loop {
+                let (compiled, demands) =
+                    attempt(&Sources::default(), &[], &[], Vec::new(), &SymbolTable::default(), &Options::default(), &needed);
+                if !needed.add(&demands) {
+                    break compiled;
+                }
+            };
+            for linked in &compiled.st_library {
+                assert!(!linked.blocks.is_empty(), "{} holds blocks", linked.source.path);
+                for block in &linked.blocks {
+                    let name = compiled.block_names.get(block).cloned().unwrap_or_default();
+                    assert!(compiled.program.code.contains_key(block), "`{name}` of {} compiles", linked.source.path);
+                }
+            }
+        }
+    }
 }

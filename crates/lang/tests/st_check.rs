@@ -149,7 +149,7 @@ fn program(dialect: Dialect, declarations: &str, code: &str) -> String {
         Dialect::Scl => format!(
             "FUNCTION_BLOCK FB1\nVAR\n  {declarations}\nEND_VAR\nBEGIN\n{code}\nEND_FUNCTION_BLOCK\nORGANIZATION_BLOCK OB1\nBEGIN\n;\nEND_ORGANIZATION_BLOCK\n"
         ),
-        Dialect::Tia => format!(
+        _ => format!(
             "FUNCTION_BLOCK \"Test\"\nVAR\n  {declarations}\nEND_VAR\nBEGIN\n{code}\nEND_FUNCTION_BLOCK\nORGANIZATION_BLOCK \"Main\"\nBEGIN\n;\nEND_ORGANIZATION_BLOCK\n"
         ),
     }

@@ -2,11 +2,15 @@
 //!
 //! `exec`, scenarios and recordings speak of the same things in the same words; the words are read here.
 
+mod reading;
+
 use std::fmt;
 
+pub use reading::{Displayed, Kind, Sample, TEXT_BYTES_MAX};
 use sieben_cpu::{Cpu, Station};
+use sieben_engine::Machine;
 use sieben_engine::Program;
-use sieben_engine::machine::{Register, StatusWord};
+use sieben_engine::machine::{Register, Registers, StatusWord};
 use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::bcd;
 use sieben_model::block::{BlockId, BlockKind};
@@ -19,7 +23,7 @@ use sieben_model::types::{DataType, Structure};
 pub struct NameError(String);
 
 impl NameError {
-    fn new(message: impl Into<String>) -> Self {
+    pub(crate) fn new(message: impl Into<String>) -> Self {
         Self(message.into())
     }
 }
@@ -129,6 +133,11 @@ const REGISTER_NAMES: &[(&str, Register)] = &[
 ];
 
 impl Name {
+    /// What lies at an address, called as the user likes; with its type, if it has one that says more than its width.
+    pub fn at(text: impl Into<String>, operand: Operand, data_type: Option<DataType>) -> Self {
+        Self { text: text.into(), target: Target::Operand(operand, data_type) }
+    }
+
     /// Reads a name: `I 0.0`, `MW10`, `DB1.DBD4`, `DB1.speed`, `"Motor on"`, `T 1`, `T1.q`, `C 1`, `ACCU1`, `AR1`, `STW`, `STW.RLO`;
     /// addresses in either mnemonic language, blanks optional, letters in either case.
     ///
@@ -152,6 +161,14 @@ impl Name {
         &self.text
     }
 
+    /// The address, timer or counter that it means, if it is a single one.
+    pub fn operand(&self) -> Option<&Operand> {
+        match &self.target {
+            Target::Operand(operand, _) => Some(operand),
+            _ => None,
+        }
+    }
+
     /// Whether the name means a register.
     pub fn is_register(&self) -> bool {
         matches!(self.target, Target::Register(_) | Target::Status)
@@ -168,18 +185,7 @@ impl Name {
             return self.read_long(cpu, *db, *byte, data_type);
         }
         let bits = self.bits(cpu)?;
-        Ok(match &self.target {
-            Target::TimerStatus(_) => Shown::Bit(bits != 0),
-            Target::Status => Shown::Status(StatusWord(bits as u16)),
-            Target::Register(register) if is_status(*register) => Shown::Bit(bits != 0),
-            Target::Register(Register::DbNumber | Register::DbLength | Register::DiNumber | Register::DiLength) => {
-                Shown::Number(i64::try_from(bits).unwrap_or(i64::MAX))
-            }
-            Target::Register(_) => Shown::Hex { bits, digits: 8 },
-            Target::Operand(Operand::Timer(_) | Operand::Counter(_), _) => Shown::Number(i64::try_from(bits).unwrap_or(i64::MAX)),
-            Target::Operand(operand, data_type) => shown(bits, operand_width(operand), data_type.as_ref()),
-            Target::Field { data_type, .. } => shown(bits, 64, Some(data_type)),
-        })
+        Ok(self.show_bits(bits))
     }
 
     /// Sets the value: an input in its module, a register for the beginning of OB 1 in the next scan, anything else in place.
@@ -392,6 +398,67 @@ impl Name {
                 self.check_register(*register, cpu)?;
                 Ok(cpu.registers().get(*register))
             }
+        }
+    }
+
+    /// The bits of the value in a machine whose registers are these, between any two statements; `None` if it has none there: a data block
+    /// that is not loaded, or a field of more than 64 bits. A peripheral input has the value of the process image, an output likewise.
+    pub fn bits_in(&self, machine: &Machine, registers: &Registers) -> Option<u64> {
+        match &self.target {
+            Target::Operand(Operand::Timer(number), _) => {
+                let mut timer = machine.timers.get(usize::from(*number))?.clone();
+                timer.refresh(machine.clock_us);
+                Some(u64::from(timer.remaining(machine.clock_us)))
+            }
+            Target::Operand(Operand::Counter(number), _) => Some(u64::from(machine.counters.get(usize::from(*number))?.count)),
+            Target::Operand(Operand::Address(address), _) => {
+                let area = match address.area {
+                    Area::PeripheralInput => Area::Input,
+                    Area::PeripheralOutput => Area::Output,
+                    area => area,
+                };
+                machine.memory.read(&Operand::Address(Address { area, ..*address })).map(u64::from)
+            }
+            Target::Operand(operand, _) => machine.memory.read(operand).map(u64::from),
+            Target::TimerStatus(number) => {
+                let mut timer = machine.timers.get(usize::from(*number))?.clone();
+                timer.refresh(machine.clock_us);
+                Some(u64::from(timer.status))
+            }
+            Target::Field { db, byte, data_type } if is_one_number(data_type) => {
+                let half = |offset| {
+                    let address = Address { area: Area::SharedData, width: Width::DoubleWord, byte: byte + offset, bit: 0 };
+                    machine.memory.read(&Operand::InDataBlock { db: *db, address }).map(u64::from)
+                };
+                Some(half(0)? << 32 | half(4)?)
+            }
+            Target::Field { .. } => None,
+            Target::Status => Some(u64::from(registers.status().0)),
+            Target::Register(register) => Some(registers.get(*register)),
+        }
+    }
+
+    /// How bits of a value that [`Self::bits_in`] gave are written.
+    pub fn show_bits(&self, bits: u64) -> Shown {
+        match &self.target {
+            // Not by the kind, which makes a text of an enumeration.
+            Target::Operand(operand @ (Operand::Address(_) | Operand::InDataBlock { .. }), data_type) => {
+                shown(bits, operand_width(operand), data_type.as_ref())
+            }
+            Target::Field { data_type, .. } => shown(bits, 64, Some(data_type)),
+            _ => self.kind().shown(bits),
+        }
+    }
+
+    /// How two values of this name compare: as REAL if it is one, words and double words with their sign, as `>I` and `>D` do, all else
+    /// without. `None` if one of them is no number.
+    pub fn compare(&self, left: u64, right: u64) -> Option<std::cmp::Ordering> {
+        match (self.data_type(), self.width()) {
+            (Some(DataType::Real), _) => f32::from_bits(left as u32).partial_cmp(&f32::from_bits(right as u32)),
+            (Some(DataType::LongReal), _) => f64::from_bits(left).partial_cmp(&f64::from_bits(right)),
+            (_, 16) => Some((left as u16).cast_signed().cmp(&(right as u16).cast_signed())),
+            (_, 32) => Some((left as u32).cast_signed().cmp(&(right as u32).cast_signed())),
+            _ => Some(left.cmp(&right)),
         }
     }
 

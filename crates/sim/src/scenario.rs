@@ -14,6 +14,8 @@
 //! cyclic OB 35 50ms phase 10ms         interval and phase offset of a cyclic interrupt, from the start
 //! image-errors every | coming          OB 85 when a module does not answer the process image (default: off)
 //! module 4 fails | module 4 answers    the module that has byte 4, from now on
+//! fault tank.level stuck=50            a signal of a plant fails from now on, or `@10s..20s`
+//! mend tank.level | mend tank          its faults are gone
 //! min-cycle 50ms                       the least cycle time, from the start
 //! interrupt OB 40                      before the next scan; with EVENT= ID= INFO1= INFO2= for its start information
 //! interrupt OB 40 at safe point 17     in the next scan: its 17th backward jump or block entry
@@ -30,6 +32,7 @@
 //! ```
 //! Scan k begins at k times the cycle, the first at 0. A table row begins with the `set` lines above it.
 
+use std::cell::RefCell;
 use std::fmt;
 use std::ops::Range;
 use std::time::Duration;
@@ -41,6 +44,7 @@ use sieben_model::symbols::SymbolTable;
 
 use crate::duration;
 use crate::names::{self, Name};
+use crate::wrap::{self, Fault};
 
 /// A line that is not understood, or an expectation that did not come true.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -58,6 +62,25 @@ impl fmt::Display for ScenarioError {
 }
 
 impl std::error::Error for ScenarioError {}
+
+/// What happens while a scenario runs.
+#[derive(Clone, Copy)]
+pub enum Happened<'a> {
+    /// A CPU is about to begin at time 0: that of the scenario, or that of a row of a table.
+    Began,
+    /// A scan ended.
+    Scan {
+        /// The CPU behind the scan.
+        cpu: &'a Cpu,
+        /// When the scan began, in microseconds.
+        time_us: u64,
+    },
+    /// Something did not come true, or could not be done.
+    Failed(&'a ScenarioError),
+}
+
+/// Someone who looks on while a scenario runs.
+pub type Watch<'a> = dyn FnMut(Happened<'_>) + 'a;
 
 /// A scenario, read and ready to run.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -96,6 +119,8 @@ enum Command {
     Interrupt(Interrupt, Option<u64>),
     Restart(Restart),
     Module(u32, bool),
+    Fault(Fault),
+    Mend(String),
     PowerFailure,
     Expect(Assignments, Option<u64>),
     ExpectStop(u16),
@@ -109,7 +134,7 @@ const CYCLE_US: u64 = 10_000;
 const SCANS_MAX: u64 = 1_000_000;
 
 /// The words a line can begin with.
-const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `retain`, `set`, `force`, `unforce`, `scan`, `at`, `interrupt`, `restart`, `power`, `expect`, `table` or `known-gap`";
+const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `fault`, `mend`, `retain`, `set`, `force`, `unforce`, `scan`, `at`, `interrupt`, `restart`, `power`, `expect`, `table` or `known-gap`";
 
 impl Scenario {
     /// Reads a scenario.
@@ -223,6 +248,11 @@ impl Scenario {
                 }
                 _ => return Err(format!("`module {rest}` is not understood; write `module 4 fails` or `module 4 answers`")),
             },
+            "fault" => Command::Fault(Fault::parse(rest)?),
+            "mend" if rest.is_empty() => {
+                return Err("write what is mended: `mend tank.level`, or `mend tank` for all its signals".to_owned());
+            }
+            "mend" => Command::Mend(rest.to_owned()),
             "power" if rest.eq_ignore_ascii_case("failure") => Command::PowerFailure,
             "power" => return Err(format!("`power {rest}` is not understood; write `power failure`")),
             "expect" => expect(rest)?,
@@ -270,12 +300,20 @@ impl Scenario {
     /// Runs the scenario. `fresh` makes a CPU in STOP with the program loaded.
     /// What did not come true is returned; a [`Self::known_gap`] is the caller's to judge.
     pub fn run(&self, symbols: &SymbolTable, fresh: &mut dyn FnMut() -> Cpu) -> Vec<ScenarioError> {
+        self.run_watched(symbols, fresh, &mut |_| {})
+    }
+
+    /// As [`Self::run`], with someone who looks on.
+    pub fn run_watched(&self, symbols: &SymbolTable, fresh: &mut dyn FnMut() -> Cpu, watch: &mut Watch<'_>) -> Vec<ScenarioError> {
+        // The CPU of the scenario stays while rows of a table have theirs.
+        let watch = RefCell::new(watch);
+        let watch: &dyn Fn(Happened<'_>) = &|happened| watch.borrow_mut()(happened);
         let mut failures = Vec::new();
         let mut run: Option<Run<'_>> = None;
         for (index, line) in self.lines.iter().enumerate() {
             if let Command::Table { inputs, outputs, rows } = &line.command {
                 for (number, values) in rows {
-                    let mut row = Run::start(self.prepare(fresh()), symbols, self.cycle_us());
+                    let mut row = Run::start(self.prepare(fresh()), symbols, self.cycle_us(), watch);
                     row.line = *number;
                     for above in &self.lines[..index] {
                         if let Command::Set(assignments) = &above.command {
@@ -292,7 +330,7 @@ impl Scenario {
                 }
                 continue;
             }
-            let run = run.get_or_insert_with(|| Run::start(self.prepare(fresh()), symbols, self.cycle_us()));
+            let run = run.get_or_insert_with(|| Run::start(self.prepare(fresh()), symbols, self.cycle_us(), watch));
             run.line = line.number;
             match line.command {
                 Command::PowerFailure => run.power_failure(self.prepare(fresh())),
@@ -323,16 +361,21 @@ struct Run<'a> {
     line: usize,
     stop_expected: bool,
     failures: Vec<ScenarioError>,
+    watch: &'a dyn Fn(Happened<'_>),
 }
 
 impl<'a> Run<'a> {
-    fn start(mut cpu: Cpu, symbols: &'a SymbolTable, cycle_us: u64) -> Self {
+    fn start(mut cpu: Cpu, symbols: &'a SymbolTable, cycle_us: u64, watch: &'a dyn Fn(Happened<'_>)) -> Self {
+        watch(Happened::Began);
         cpu.restart(Restart::Warm);
-        Self { cpu, symbols, cycle_us, last_us: None, next_us: 0, changes: Vec::new(), line: 1, stop_expected: false, failures: Vec::new() }
+        let failures = Vec::new();
+        Self { cpu, symbols, cycle_us, last_us: None, next_us: 0, changes: Vec::new(), line: 1, stop_expected: false, failures, watch }
     }
 
     fn fail(&mut self, message: impl Into<String>) {
-        self.failures.push(ScenarioError { line: self.line, message: message.into() });
+        let error = ScenarioError { line: self.line, message: message.into() };
+        (self.watch)(Happened::Failed(&error));
+        self.failures.push(error);
     }
 
     fn command(&mut self, command: &Command) {
@@ -372,6 +415,8 @@ impl<'a> Run<'a> {
                     self.fail(format!("no module has the byte {byte}"));
                 }
             }
+            Command::Fault(fault) => wrap::inject(self.cpu.rack_mut(), fault).unwrap_or_else(|message| self.fail(message)),
+            Command::Mend(name) => wrap::mend(self.cpu.rack_mut(), name).unwrap_or_else(|message| self.fail(message)),
             Command::Restart(restart) => {
                 self.cpu.restart(*restart);
                 self.stop_expected = false;
@@ -442,6 +487,7 @@ impl<'a> Run<'a> {
         }
         self.line = line;
         let report = self.cpu.scan(now);
+        (self.watch)(Happened::Scan { cpu: &self.cpu, time_us: now });
         if report.events_missed > 0 {
             let passed = report.safe_points;
             self.fail(format!("the scan passed only {passed} safe points (backward jumps and block entries); the interrupt never came"));
@@ -766,6 +812,8 @@ mod tests {
             ("cyclic OB 35", "not understood"),
             ("restart", "kind of restart"),
             ("power off", "power failure"),
+            ("fault tank.level", "write the plant"),
+            ("mend", "what is mended"),
             ("retain q=1", "retain m="),
             ("retain m", "no range"),
             ("retain m=5..1", "backwards"),

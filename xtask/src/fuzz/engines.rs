@@ -246,6 +246,9 @@ impl Engine for Watched {
         let mut host = Shoulder { host: context.host, seen: &self.seen };
         self.engine.resume(&mut Context { machine: context.machine, host: &mut host, tracer: None })
     }
+    fn go_on(&self, context: &mut Context<'_>) -> Exit {
+        self.engine.go_on(context)
+    }
     fn has_block(&self, block: BlockId) -> bool {
         self.engine.has_block(block)
     }
@@ -809,6 +812,41 @@ mod tests {
                  ORGANIZATION_BLOCK OB 1\nBEGIN\n L L#70000; L 7; OPN DB 1; A M 0.0; CALL FB 2, DB 2 (); T MW 30; CALL FC 1 (n := DB1.DBW 2, o := DB1.DBW 4); T MW 32;\nEND_ORGANIZATION_BLOCK\n"
             );
             on_several_types(&text);
+        }
+    }
+
+    /// What a block may do to AR2 and to what its callers have saved of it, in blocks that become part of others and in long ones.
+    #[test]
+    fn instances_are_where_ar2_points() {
+        let tricks = [
+            "NOP 0",
+            "+AR2 P#2.0",
+            "LAR2 P#6.0",
+            "TAR1 AR2",
+            "L 7; T W [AR1, P#0.0]",
+            "L L#3; T #p",
+            "JL last; JU last; JU last; last: NOP 0",
+            "OPN DI 4; L DIW 0; T MW 60",
+            "OPN DI 77",
+            "L DIW 300",
+            "CALL SFC 23 (DB_NUMBER := W#16#3, RET_VAL := MW 20)",
+        ];
+        for (length, trick) in [0, 30].into_iter().flat_map(|length| tricks.map(|trick| (length, trick))) {
+            let long = " L #w; INC 1; T #w;".repeat(length);
+            let text = format!(
+                "{ERROR_BLOCK}{DATA}\
+                 FUNCTION FC 1 : VOID\nVAR_IN_OUT\n p : DINT;\nEND_VAR\nBEGIN\n L #p; + 1; T #p; {trick};\nEND_FUNCTION\n\
+                 FUNCTION_BLOCK FB 1\nVAR_IN_OUT\n p : DINT;\nEND_VAR\nVAR\n w : INT;\n x : INT;\nEND_VAR\nBEGIN\n{long} L #w; + 1; T #w; A M 0.0; JC m; {trick};\n\
+                 m: L #x; L #w; +I; T #x;\nEND_FUNCTION_BLOCK\n\
+                 FUNCTION_BLOCK FB 2\nVAR\n i : FB 1;\n j : FB 1;\n p : DINT;\n n : INT;\nEND_VAR\nVAR_TEMP\n t : DINT;\nEND_VAR\nBEGIN\n \
+                 L 3;\nl: T #n; CALL #i (p := #t); A M 0.1; JC k; CALL #j (p := #p);\nk: L #i.w; T MW 40; CALL FC 1 (p := #t); CALL FC 1 (p := #p); CALL FB 1, DB 4 (p := #p);\n \
+                 T LD 12; L #n; LOOP l; L #j.x; T MW 42;\nEND_FUNCTION_BLOCK\n\
+                 DATA_BLOCK DB 2\nFB 2\nBEGIN\nEND_DATA_BLOCK\nDATA_BLOCK DB 3\nFB 2\nBEGIN\nEND_DATA_BLOCK\nDATA_BLOCK DB 4\nFB 1\nBEGIN\nEND_DATA_BLOCK\n\
+                 ORGANIZATION_BLOCK OB 1\nBEGIN\n LAR1 P#M 50.0; AN M 0.1; = M 0.1; CALL FB 2, DB 2 (); CALL FB 2, DB 3 (); AN M 0.0; = M 0.0; TAR2; T MD 70;\n \
+                 CALL FB 2, DB 2 (); OPN DI 3; LAR2 P#2.0; UC FB 2; OPN DI 2; LAR2 P#DBX 0.0; UC FB 2; OPN DI 4; UC FB 1; L 1; T MW 2; UC FB [MW 2];\nEND_ORGANIZATION_BLOCK\n"
+            );
+            assert_eq!(errors(&text), Vec::<String>::new(), "{text}");
+            fuzz(text.as_bytes());
         }
     }
 

@@ -4,7 +4,8 @@ use std::sync::{Arc, OnceLock};
 
 use sieben_cpu::retain::{Adoption, Numbers};
 use sieben_cpu::{Cpu, Rack, Restart, RetainImage, RetentiveAreas, Settings};
-use sieben_engine::{Interpreter, Program};
+use sieben_engine::machine::Registers;
+use sieben_engine::{Interpreter, Machine, Program, StatementEvent};
 use sieben_lang::Options;
 use sieben_lang::encoding::{self, Encoding};
 use sieben_lang::stl::instructions::Instruction;
@@ -13,7 +14,10 @@ use sieben_model::diagnostic::Severity;
 use sieben_model::literal;
 use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
+use sieben_sim::history::{History, Plan, Until, Watch};
 use sieben_sim::scenario::Scenario;
+use sieben_sim::timing_diagram::{self, Options as Drawn};
+use sieben_sim::trace::{Memory, Trace, csv, vcd};
 
 /// Something that must survive any input.
 pub struct Target {
@@ -43,7 +47,9 @@ pub const TARGETS: &[Target] = &[
     Target { name: "lang-st", fuzz: sieben_lang::st::fuzz, corpus: "st", fences: &["st"], words: st_words },
     Target { name: "lang-stl", fuzz: sieben_lang::stl::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "lang-symbols", fuzz: sieben_lang::symbols::fuzz, corpus: "symbols", fences: &[], words: symbol_words },
+    Target { name: "sim-history", fuzz: history, corpus: "engines", fences: &["stl"], words: stl_words },
     Target { name: "sim-scenario", fuzz: scenario, corpus: "scenario", fences: &["check"], words: scenario_words },
+    Target { name: "sim-recording", fuzz: recording, corpus: "recording", fences: &[], words: no_words },
     Target { name: "model-literal", fuzz: literal, corpus: "literal", fences: &[], words: literal_words },
 ];
 
@@ -70,6 +76,45 @@ fn run(data: &[u8]) {
     for scan in 0..3 {
         cpu.scan(scan * 10_000);
     }
+}
+
+/// Runs a program with a history, and goes back and on again: every moment is the one that the run had.
+fn history(data: &[u8]) {
+    /// Looks at every so many-th moment.
+    const EVERY: u64 = 97;
+    #[derive(Default)]
+    struct Seen {
+        executed: u64,
+        registers: Vec<(u64, Registers)>,
+    }
+    impl Watch for Seen {
+        fn after(&mut self, _machine: &Machine, event: &StatementEvent) -> bool {
+            self.executed += 1;
+            if self.executed % EVERY == 1 {
+                self.registers.push((self.executed, event.after.clone()));
+            }
+            false
+        }
+    }
+    let compiled = compiled(data);
+    if compiled.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error) {
+        return;
+    }
+    let cpu_type = &CpuType::ALL[data.len() % CpuType::ALL.len()];
+    let settings = Settings { virtual_safe_points: 300, ..Settings::default() };
+    let cpu = Cpu::load(cpu_type, Arc::new(compiled.program), Interpreter::load, Rack::simulated(cpu_type), settings);
+    let mut history = History::new(cpu, Plan::new(70_000, Some(3), Vec::new()));
+    let mut seen = Seen::default();
+    history.run(Until { statements: 20_000, scans: u64::MAX }, &mut seen);
+    let (end, last) = (history.position(), history.cpu().machine().clone());
+    let leaps = seen.registers.iter().rev().step_by(3).chain(seen.registers.iter().skip(1).step_by(4)).take(12);
+    for (at, registers) in leaps {
+        history.go_to(*at);
+        let found = history.last().map(|event| &event.after);
+        assert_eq!(found, Some(registers), "after statement {at}");
+    }
+    history.go_to_position(end);
+    assert!(*history.cpu().machine() == last, "the end of the run is what it was");
 }
 
 /// Takes the input back as retentive data, with and without judging the program, and goes on with what came of it.
@@ -122,6 +167,19 @@ fn literal(data: &[u8]) {
 fn scenario(data: &[u8]) {
     // What is wrong with it is said line by line.
     let _ = Scenario::parse(&String::from_utf8_lossy(data));
+}
+
+/// Opens the input as a recording and draws what is whole of it. Checksums are put right first, or no mutation would be read on.
+fn recording(data: &[u8]) {
+    for bytes in [data.to_vec(), sieben_sim::trace::recording::with_checksums(data)] {
+        let Ok(trace) = Trace::open(Box::new(Memory::of(bytes))) else { continue };
+        let range = trace.all();
+        let mut out = String::new();
+        timing_diagram::text(&trace, &Drawn::text()).expect("what was opened can be read");
+        timing_diagram::svg(&trace, &Drawn::svg()).expect("what was opened can be read");
+        vcd::write(&trace, &range, &mut out).expect("what was opened can be read");
+        csv::write(&trace, &range, csv::Rows::Changes, &mut out).expect("what was opened can be read");
+    }
 }
 
 /// Keywords and signs of ST.

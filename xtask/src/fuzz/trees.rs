@@ -192,7 +192,7 @@ impl Generator<'_> {
         }
         let enable = (self.choose(4) == 0).then(|| self.value(Scalar::Bool));
         Call {
-            callee: Callee::Instance { block: function_block(), instance: place(Base::DataBlock(2), 0) },
+            callee: Callee::Instance { block: function_block(), instance: place(Base::DataBlock(2), 0), dispatch: None },
             arguments,
             enable,
             result: DataType::Void,
@@ -307,7 +307,7 @@ fn function_interface() -> Interface {
 fn body(statements: Vec<Statement>, uses_ok: bool) -> Body {
     let bytes = DataType::Array { bounds: vec![(1, REGION as i32)], element: Box::new(DataType::Byte) };
     let local = Local { position: 8 * LOCAL, data_type: bytes, initial: Some(vec![0; REGION]) };
-    Body { statements, locals: vec![local], local_size: LOCAL + REGION as u32, uses_ok }
+    Body { statements, locals: vec![local], local_size: LOCAL + REGION as u32, uses_ok, is_method: false }
 }
 
 struct Quiet {

@@ -7,7 +7,7 @@ use std::time::Duration;
 use clap::Args;
 use rustix::time::{ClockId, clock_gettime};
 use serde_json::{Value, json};
-use sieben_cpu::{Cpu, Loaded, OperatingMode, Rack, Restart};
+use sieben_cpu::{Cpu, Loaded, OperatingMode, Restart};
 use sieben_engine::{Layout, Machine, Program, StatementEvent, Tracer};
 use sieben_jit::{StatusBits, Tier, Tiers};
 use sieben_sim::names::Name;
@@ -15,7 +15,7 @@ use sieben_sim::names::Name;
 use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
 use crate::instances::{self, Instances};
-use crate::{controller, names, output};
+use crate::{controller, duration, names, output, schedule};
 
 /// Bytes that are walked through before each scan of the cold figure: more than the caches of a core hold.
 const CACHES_BYTES: usize = 32 << 20;
@@ -146,13 +146,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let program = Arc::new(build.compiled.program.clone());
     let settings = controller::settings(&build);
     let loaded = Loaded::new(build.cpu, Arc::clone(&program), load);
-    let cpu = Cpu::new(loaded.clone(), Rack::simulated(build.cpu), settings.clone());
+    let cpu = Cpu::new(loaded.clone(), controller::rack(&build), settings.clone());
     let compile = now().saturating_sub(started);
     let quick = (loaded.code_bytes() > 0).then(|| time_of_quick(&program, &cpu.machine().memory.layout));
     let symbols = &build.project.symbols;
     let shown = names::resolve_lists(&arguments.show, symbols, &cpu)?;
-    let cycle = arguments.cycle.or(build.project.settings.cycle).filter(|cycle| !cycle.is_zero()).unwrap_or(Duration::from_millis(10));
-    let mut bench = Bench { cpu, cycle_us: u64::try_from(cycle.as_micros()).unwrap_or(u64::MAX), now_us: 0 };
+    let cycle = schedule::going_cycle(arguments.cycle, &build.project.settings);
+    let mut bench = Bench { cpu, cycle_us: duration::micros(cycle), now_us: 0 };
 
     bench.cpu.restart(Restart::Warm);
     let mut count = Count::default();

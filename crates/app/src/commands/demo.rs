@@ -1,20 +1,17 @@
 //! `sieben demo`: a dosing plant with its controller, live in the terminal.
 
-use std::io::IsTerminal;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 use sieben_lang::symbols::assignment;
-use sieben_model::problems::Problem;
 
 use super::run::{Speed, speed_argument};
 use crate::arguments::duration_argument;
 use crate::failure::{Exit, Failure};
-use crate::output;
 use crate::screen::{self, CYCLE_US, Session, clock, thousands};
 use crate::screen::{Entry, Event};
+use crate::{output, terminal};
 
 /// Longest sleep without a look at Ctrl-C.
 const STEP: Duration = Duration::from_millis(50);
@@ -44,17 +41,12 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let Plant::Dosing = arguments.name;
     let mut session = Session::new();
-    let interrupted = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&interrupted);
-    // Without a handler Ctrl-C still ends the demo, only less tidily.
-    let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
+    let interrupted = terminal::interrupted();
     let speed = arguments.speed.unwrap_or(Speed::Factor(1.0));
-    let capable = std::env::var_os("TERM").is_none_or(|term| term != "dumb");
-    if std::io::stdout().is_terminal() && std::io::stdin().is_terminal() && capable {
+    if terminal::has_screen() {
         let colour = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
         let factor = if let Speed::Factor(factor) = speed { factor } else { f64::INFINITY };
-        screen::run(&mut session, factor, arguments.time, colour, &interrupted)
-            .map_err(|error| Failure::usage(Problem::P6013, format!("the terminal does not work: {error}")))?;
+        screen::run(&mut session, factor, arguments.time, colour, &interrupted).map_err(|error| terminal::broken(&error))?;
         output::print(&farewell(&session))?;
     } else {
         print_changes(&mut session, speed, arguments.time, &interrupted)?;
@@ -66,7 +58,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 fn farewell(session: &Session) -> String {
     let scans = session.scans();
     format!(
-        "{} {} in {} of the plant, {:.1} litres through the valve.\nThe program is in examples/dosing; `sieben new my-plant` begins your own.\n",
+        "{} {} in {} of the plant, {:.1} litres through the valve.\nThe program is in examples/dosing; `sieben new my-plant --example dosing` copies it.\n",
         thousands(scans),
         if scans == 1 { "scan" } else { "scans" },
         clock(session.time_ms()),

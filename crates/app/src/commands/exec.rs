@@ -1,22 +1,20 @@
 //! `sieben exec FILE…`: a few scans in virtual time, then values.
 
 use std::path::PathBuf;
-use std::time::Duration;
 
 use clap::Args;
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, OperatingMode, Restart};
 use sieben_engine::Tracer;
 use sieben_jit::StatusBits;
-use sieben_model::problems::Problem;
-use sieben_model::symbols::SymbolTable;
 use sieben_sim::names::Name;
 
-use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
+use crate::arguments::{EngineArgument, FaultArguments, ProgramArguments};
 use crate::failure::{Exit, Failure};
 use crate::local_check::LocalCheck;
-use crate::names::{self, Assignment};
+use crate::names;
 use crate::report::Finding;
+use crate::schedule::ScheduleArguments;
 use crate::{controller, duration, output, project};
 
 /// Run a few scans in virtual time and print values.
@@ -37,24 +35,10 @@ pub(crate) struct Arguments {
     paths: Vec<PathBuf>,
     #[command(flatten)]
     program: ProgramArguments,
-    /// Set before the first scan: an address, a symbol, DB1.name, ACCU1 to ACCU4, AR1, AR2 or STW
-    #[arg(long, value_name = "NAME=VALUE")]
-    set: Vec<String>,
-    /// Set at a time, seen by the next scan
-    #[arg(long, value_names = ["T", "NAME=VALUE"], num_args = 2)]
-    at: Vec<String>,
-    /// Run so many scans [default: 1]
-    #[arg(long, value_name = "N", conflicts_with_all = ["duration", "scan_at"], value_parser = clap::value_parser!(u64).range(1..))]
-    scans: Option<u64>,
-    /// Run all scans that begin before this time
-    #[arg(long = "for", value_name = "DURATION", id = "duration", conflicts_with = "scan_at", allow_hyphen_values = true, value_parser = duration_argument)]
-    duration: Option<Duration>,
-    /// Time from one scan to the next [default: the project's, else 10ms]
-    #[arg(long, value_name = "DURATION", conflicts_with = "scan_at", allow_hyphen_values = true, value_parser = duration_argument)]
-    cycle: Option<Duration>,
-    /// Scan exactly at these times instead of every cycle
-    #[arg(long, value_name = "T1,T2,…", value_delimiter = ',', allow_hyphen_values = true, value_parser = duration_argument)]
-    scan_at: Vec<Duration>,
+    #[command(flatten)]
+    schedule: ScheduleArguments,
+    #[command(flatten)]
+    faults: FaultArguments,
     /// Print these: as --set, and T 1, C 1, T1.q (status bit), STW.RLO
     #[arg(long, value_name = "NAME,…")]
     show: Vec<String>,
@@ -72,54 +56,29 @@ pub(crate) struct Arguments {
     json: bool,
 }
 
-/// When a scan begins, by its number.
-enum Schedule {
-    Cyclic { cycle: Duration, scans: u64 },
-    At(Vec<Duration>),
-}
-
-impl Schedule {
-    fn len(&self) -> u64 {
-        match self {
-            Self::Cyclic { scans, .. } => *scans,
-            Self::At(times) => times.len() as u64,
-        }
-    }
-    /// Microseconds at the beginning of a scan.
-    fn begin_us(&self, scan: u64) -> u64 {
-        let us = match self {
-            Self::Cyclic { cycle, .. } => cycle.as_micros().saturating_mul(u128::from(scan)),
-            Self::At(times) => times[scan as usize].as_micros(),
-        };
-        u64::try_from(us).unwrap_or(u64::MAX)
-    }
-}
-
 /// Runs the scans and prints the values.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let overrides = arguments.program.overrides()?;
     let project = arguments.program.load(&arguments.paths)?;
-    let schedule = schedule(arguments, project.settings.cycle, project.settings.min_cycle.unwrap_or_default())?;
+    let schedule = arguments.schedule.schedule(&project.settings, 1)?;
     let build = match project.compile(overrides, false).or_report(arguments.json) {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
     let mut cpu = controller::load(&build, arguments.engine, StatusBits::All, controller::settings(&build));
+    arguments.faults.inject(&mut cpu)?;
     let symbols = &build.project.symbols;
     let shown = names::resolve_lists(&arguments.show, symbols, &cpu)?;
-    let set = arguments.set.iter().map(|text| Assignment::parse(text, symbols, &cpu)).collect::<Result<Vec<_>, _>>()?;
-    let mut at = timed(&arguments.at, symbols, &cpu)?.into_iter().peekable();
+    let mut changes = arguments.schedule.changes(symbols, &cpu)?;
 
     let mut check = arguments.check_temp.then(LocalCheck::default);
     // A watched run is interpreted, whatever the engine.
     cpu.restart_with(Restart::Warm, &mut || 0, check.as_mut().map(|check| check as &mut dyn Tracer));
-    set.iter().try_for_each(|assignment| assignment.apply(&mut cpu))?;
+    changes.begin(&mut cpu)?;
     let count = schedule.len();
     for scan in 0..count {
         let now_us = schedule.begin_us(scan);
-        while let Some((_, assignment)) = at.next_if(|(time, _)| time.as_micros() <= u128::from(now_us)) {
-            assignment.apply(&mut cpu)?;
-        }
+        changes.apply(&mut cpu, now_us)?;
         cpu.scan_with(&mut || now_us, check.as_mut().map(|check| check as &mut dyn Tracer));
         let stopped = cpu.mode() == OperatingMode::Stop;
         if arguments.every || stopped || scan + 1 == count {
@@ -150,46 +109,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
 }
 
-fn schedule(arguments: &Arguments, project_cycle: Option<Duration>, min_cycle: Duration) -> Result<Schedule, Failure> {
-    if !arguments.scan_at.is_empty() {
-        if let Some(pair) = arguments.scan_at.windows(2).find(|pair| pair[1] < pair[0]) {
-            let (late, early) = (duration::show(pair[0]), duration::show(pair[1]));
-            return Err(Failure::usage(
-                Problem::P7009,
-                format!("time does not run backwards: {early} stands behind {late} in `--scan-at`"),
-            ));
-        }
-        return Ok(Schedule::At(arguments.scan_at.clone()));
-    }
-    let project_cycle = project_cycle.filter(|cycle| !cycle.is_zero());
-    let cycle = arguments.cycle.or(project_cycle).unwrap_or(Duration::from_millis(10)).max(min_cycle);
-    let scans = match arguments.duration {
-        None => arguments.scans.unwrap_or(1),
-        Some(_) if cycle.is_zero() => {
-            return Err(Failure::usage(Problem::P7009, "with a cycle of 0 virtual time stands still, and `--for` never ends"));
-        }
-        Some(duration) => u64::try_from(duration.as_micros().div_ceil(cycle.as_micros())).unwrap_or(u64::MAX).max(1),
-    };
-    Ok(Schedule::Cyclic { cycle, scans })
-}
-
-/// The changes of `--at` in the order of their times; those of the same time as they were written.
-fn timed(words: &[String], symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(Duration, Assignment)>, Failure> {
-    let mut timed = Vec::new();
-    for pair in words.chunks_exact(2) {
-        let time = sieben_sim::duration::parse(&pair[0]).map_err(|message| Failure::usage(Problem::P7005, message))?;
-        let assignment = Assignment::parse(&pair[1], symbols, cpu)?;
-        if assignment.name.is_register() {
-            return Err(
-                Failure::usage(Problem::P7003, format!("`{}`: a register can only be set for the first scan", pair[1])).help("use `--set`")
-            );
-        }
-        timed.push((time, assignment));
-    }
-    timed.sort_by_key(|(time, _)| *time);
-    Ok(timed)
-}
-
 /// Longest name whose column is lined up.
 const WIDTH_MAX: usize = 160;
 
@@ -199,7 +118,7 @@ fn print_scan(arguments: &Arguments, cpu: &Cpu, shown: &[Name], scan: u64, now_u
     }
     let mut text = String::new();
     if arguments.every || shown.is_empty() {
-        text.push_str(&format!("scan {scan} at {} ms: {}\n", milliseconds(now_us), cpu.mode()));
+        text.push_str(&format!("scan {scan} at {} ms: {}\n", duration::milliseconds(now_us), cpu.mode()));
     }
     let indent = if arguments.every { "  " } else { "" };
     let width = shown.iter().map(|name| name.text().chars().count()).max().unwrap_or(0).min(WIDTH_MAX);
@@ -211,14 +130,9 @@ fn print_scan(arguments: &Arguments, cpu: &Cpu, shown: &[Name], scan: u64, now_u
 
 fn scan_json(cpu: &Cpu, shown: &[Name], scan: u64, now_us: u64) -> Value {
     let values: serde_json::Map<String, Value> = shown.iter().map(|name| (name.text().to_owned(), names::to_json(name, cpu))).collect();
-    let mut object = json!({ "scan": scan, "time_ms": milliseconds(now_us), "values": values, "mode": cpu.mode().to_string() });
+    let mut object = json!({ "scan": scan, "time_ms": duration::milliseconds(now_us), "values": values, "mode": cpu.mode().to_string() });
     if let Some(cause) = cpu.stop_cause().filter(|_| cpu.mode() == OperatingMode::Stop) {
         object["stop"] = controller::stop_json(cause);
     }
     object
-}
-
-/// Whole milliseconds as an integer, others with their fraction.
-fn milliseconds(us: u64) -> Value {
-    if us.is_multiple_of(1000) { json!(us / 1000) } else { json!(us as f64 / 1000.0) }
 }

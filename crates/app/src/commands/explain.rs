@@ -7,6 +7,7 @@ use sieben_cpu::organization_blocks::{self, Missing};
 use sieben_cpu::system::summaries::summary;
 use sieben_lang::Options;
 use sieben_lang::library::{self, LibraryBlock};
+use sieben_lang::reason;
 use sieben_lang::stl::extension::Word;
 use sieben_lang::stl::instructions::Instruction;
 use sieben_lang::stl::operands::OperandClass;
@@ -59,6 +60,9 @@ const ORGANIZATION_BLOCKS: &[(u16, u16, &str)] = &[
     (121, 121, "programming error, as BCD digits above 9 or a missing block"),
     (122, 122, "error at the access to a module"),
 ];
+
+/// Reasons of an instruction that are shown.
+const REASONS_SHOWN: usize = 4;
 
 /// The pages of all problems by code.
 const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/problem_pages.rs"));
@@ -278,8 +282,18 @@ fn instruction_row(row: Instruction) -> String {
     } else {
         format!("{} (English), {} (German)", row.english(), row.german())
     };
+    // What `sieben step` would say of it, from runs.
+    let examples: String = reason::examples::of(row)
+        .iter()
+        .take(REASONS_SHOWN)
+        .enumerate()
+        .map(|(index, example)| {
+            let label = if index == 0 { "why:" } else { "" };
+            format!("  {label:<8} `{}`: {}\n", example.statement[0], example.sentence[0])
+        })
+        .collect();
     format!(
-        "{names}\n  {}\n  operand: {}\n           BR CC1 CC0 OV OS OR STA RLO /FC\n  status:  {}\n",
+        "{names}\n  {}\n  operand: {}\n           BR CC1 CC0 OV OS OR STA RLO /FC\n  status:  {}\n{examples}",
         row.doc(),
         if row.operand() == OperandClass::None { "none" } else { row.operand().describe() },
         status_columns(row.status_row())

@@ -12,6 +12,8 @@ pub(crate) mod fmt;
 pub(crate) mod new;
 pub(crate) mod refs;
 pub(crate) mod run;
+pub(crate) mod step;
 pub(crate) mod structure;
 pub(crate) mod symbols;
 pub(crate) mod test;
+pub(crate) mod trace;

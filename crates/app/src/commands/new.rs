@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use sieben_model::problems::Problem;
 
+use crate::examples::{self, Example};
 use crate::failure::{Exit, Failure};
 use crate::{files, output};
 
@@ -13,6 +14,7 @@ use crate::{files, output};
 const TEMPLATE: &[(&str, &str)] = &[
     ("sieben.toml", include_str!("../../templates/basic/sieben.toml")),
     ("symbols.csv", include_str!("../../templates/basic/symbols.csv")),
+    ("tests/motor.test.st", include_str!("../../templates/basic/tests/motor.test.st")),
     (".gitattributes", include_str!("../../templates/basic/gitattributes")),
     ("README.md", include_str!("../../templates/basic/README.md")),
 ];
@@ -46,7 +48,8 @@ const NAME_LENGTH_MAX: usize = 64;
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
   sieben new pump && cd pump && sieben check && sieben run --for 5s\n  \
-  sieben new pump --language st   the program in structured text\n\n\
+  sieben new pump --language st   the program in structured text\n  \
+  sieben new lift --example elevator   a copy of an example, with its plant and its tests\n\n\
 Nothing that exists is overwritten.")]
 pub(crate) struct Arguments {
     /// The folder to make; its last name is the name of the project
@@ -55,6 +58,17 @@ pub(crate) struct Arguments {
     /// The language of its program
     #[arg(long, value_name = "LANGUAGE", default_value = "stl")]
     language: ProgramLanguage,
+    /// Copy an example: program, symbols, plant, scenario and tests
+    #[arg(long, value_name = "EXAMPLE", conflicts_with = "language", value_parser = example_argument)]
+    example: Option<&'static Example>,
+}
+
+/// The example of this name.
+fn example_argument(text: &str) -> Result<&'static Example, String> {
+    Example::by_name(text).ok_or_else(|| {
+        let list: String = examples::ALL.iter().map(|example| format!("\n  {:<16} {}", example.name, example.about)).collect();
+        format!("there is no such example; there are:{list}")
+    })
 }
 
 /// Makes the project.
@@ -67,24 +81,45 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             return Err(Failure::usage(Problem::P6014, format!("`{}` exists already", folder.display())));
         }
     }
+    if let Some(example) = arguments.example {
+        for (path, content) in example.renamed(name) {
+            write(&folder.join(path), &content)?;
+        }
+        let (shown, example_name) = (folder.display(), example.name);
+        return output::print(&format!(
+            "Made `{shown}`: {}.\n\n  \
+             sieben test {shown}\n  \
+             sieben trace {shown} {}\n\n\
+             {} says what it is, what to try and what to break.\n",
+            example.about,
+            folder.join(format!("{example_name}.scenario")).display(),
+            folder.join("README.md").display(),
+        ))
+        .map(|()| Exit::Success);
+    }
     let (extension, program) = arguments.language.source();
     let source = format!("src/main.{extension}");
     for (path, content) in TEMPLATE.iter().copied().chain([(source.as_str(), program)]) {
-        let path = folder.join(path);
-        let parent = path.parent().unwrap_or(Path::new("."));
-        fs::create_dir_all(parent).map_err(|error| files::unwritable(parent, &error))?;
-        files::write_whole(&path, content.replace("{name}", name).replace("{extension}", extension).as_bytes())?;
+        write(&folder.join(path), &content.replace("{name}", name).replace("{extension}", extension))?;
     }
     let shown = folder.display();
     output::print(&format!(
         "Made `{shown}`: a motor with self-holding START and STOP buttons.\n\n  \
          sieben check {shown}\n  \
          sieben exec {shown} --set Stop=1 --set Start=1 --show Motor\n  \
+         sieben test {shown}\n  \
          sieben run {shown} --for 5s\n\n\
          The program is in {}.\n",
         folder.join(&source).display(),
     ))?;
     Ok(Exit::Success)
+}
+
+/// Writes a file, and makes the folders above it.
+fn write(path: &Path, content: &str) -> Result<(), Failure> {
+    let parent = path.parent().unwrap_or(Path::new("."));
+    fs::create_dir_all(parent).map_err(|error| files::unwritable(parent, &error))?;
+    files::write_whole(path, content.as_bytes())
 }
 
 fn project_name(folder: &Path) -> Result<&str, Failure> {

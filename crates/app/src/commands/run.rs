@@ -14,7 +14,7 @@ use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Restart, Settings, TimeSource}
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 
-use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
+use crate::arguments::{EngineArgument, FaultArguments, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
 use crate::project::Build;
 use crate::retain::{RetainArguments, Retention, RunTime};
@@ -61,6 +61,8 @@ pub(crate) struct Arguments {
     duration: Option<Duration>,
     #[command(flatten)]
     retain: RetainArguments,
+    #[command(flatten)]
+    faults: FaultArguments,
     /// Which engine runs the program
     #[arg(long, value_name = "ENGINE", default_value = "auto")]
     engine: EngineArgument,
@@ -117,6 +119,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         ..controller::settings(&build)
     };
     let mut cpu = controller::load(&build, arguments.engine, StatusBits::Needed, settings);
+    arguments.faults.inject(&mut cpu)?;
     let time = if arguments.speed == Speed::Max { RunTime::Virtual } else { RunTime::Real };
     let choice = arguments.retain.choice(&build.project, time, arguments.json);
     if choice.is_none() {
@@ -131,13 +134,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         output::message(&format!("Running{name} on a CPU {}, {pace}; {end}.\n", build.cpu.name));
     }
     let status = Status::new();
-    let end_us = arguments.duration.map_or(u64::MAX, micros);
+    let end_us = arguments.duration.map_or(u64::MAX, duration::micros);
     let watch = match arguments.watch {
         true => Some(Watch::start(stamps, &arguments.paths, &arguments.program, arguments.engine, &build, arguments.accept_losses)?),
         false => None,
     };
     let (restart, quiet) = (arguments.retain.restart, arguments.json);
-    let mut pace = Pace { speed: arguments.speed, restart, cycle_us: micros(cycle), end_us, retention, watch, build: &mut build, quiet };
+    let mut pace =
+        Pace { speed: arguments.speed, restart, cycle_us: duration::micros(cycle), end_us, retention, watch, build: &mut build, quiet };
     let outcome = match arguments.speed {
         Speed::Max => pace.run_virtual(&mut cpu, &interrupt, &status),
         Speed::Factor(factor) => pace.run_timed(factor, &mut cpu, &interrupt, &status),
@@ -154,10 +158,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 fn now() -> DateAndTime {
     let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
     DateAndTime::from_ms_since_1990(since_1970.saturating_sub(FROM_1970_TO_1990).as_millis() as u64)
-}
-
-fn micros(duration: Duration) -> u64 {
-    u64::try_from(duration.as_micros()).unwrap_or(u64::MAX)
 }
 
 /// Whether someone pressed Ctrl-C.

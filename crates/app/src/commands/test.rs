@@ -1,4 +1,4 @@
-//! `sieben test [PATH…]`: runs programs that check themselves.
+//! `sieben test [PATH…]`: runs unit tests, and programs that check themselves.
 
 use std::io::IsTerminal;
 use std::path::PathBuf;
@@ -10,17 +10,24 @@ use sieben_model::problems::Problem;
 
 use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
-use crate::testing::{self, Conditions, Verdict, discovery, report};
-use crate::{files, output};
+use crate::testing::coverage::Coverage;
+use crate::testing::{self, Case, Conditions, Verdict, discovery, report, self_checking};
+use crate::{files, output, watch};
 
-/// Run programs that check themselves.
+/// Run unit tests (*.test.st), and programs that check themselves.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
-  sieben test timers.awl                 one program\n  \
-  sieben test checks                     every program in a folder\n  \
+  sieben test                            all tests of the project in this folder\n  \
+  sieben test motor.test.st              those of one file, with the program around it\n  \
+  sieben test --list                     their names\n  \
+  sieben test --coverage lcov.info       and which lines of the program they run\n  \
+  sieben test timers.awl                 a program that checks itself\n  \
+  sieben test checks                     every test and program in a folder\n  \
   sieben test checks --filter shift      those with `shift` in their name\n  \
   sieben test src --tests checks/*.awl   tests of the blocks of a project\n  \
   sieben test checks --junit result.xml  for a build server\n\n\
+A unit test stands in a file *.test.st: TEST 'the motor starts' … END_TEST, with\n\
+ASSERT_EQ(a, b), SCAN(n), ADVANCE_TIME(T#5s) and others.\n\
 A program has passed when it calls SFC 46, and failed when one of its assertions\n\
 (`__ASSERT== MW 10, 5`) is false, when the CPU goes to STOP, or when it does not end.\n\
 A program in a folder that has neither is no test.\n\
@@ -41,9 +48,9 @@ pub(crate) struct Arguments {
     /// Time from one scan to the next [default: the project's, else 10ms]
     #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = duration_argument)]
     cycle: Option<Duration>,
-    /// Virtual time in which a test has to end
-    #[arg(long, value_name = "DURATION", default_value = "60s", allow_hyphen_values = true, value_parser = duration_argument)]
-    limit: Duration,
+    /// Virtual time in which a test has to end [default: 60s, 100 days for a unit test]
+    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = duration_argument)]
+    limit: Option<Duration>,
     /// Scans in which a test has to end [default: as many as --limit allows]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     scans: Option<u64>,
@@ -62,6 +69,21 @@ pub(crate) struct Arguments {
     /// Print the results in the Test Anything Protocol
     #[arg(long, conflicts_with = "json")]
     tap: bool,
+    /// Count which lines of the programs unit tests run, and with which RLO =, S, R, FP, FN, JC, CC, BEC; write that to this file for lcov; they run in the interpreter
+    #[arg(long, value_name = "FILE")]
+    coverage: Option<PathBuf>,
+    /// Write the timing diagram of every unit test that fails into this folder, as SVG
+    #[arg(long, value_name = "FOLDER")]
+    svg: Option<PathBuf>,
+    /// Run the tests in an order made from this number, which is printed [default: in the order of the files]
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+    /// Only print the names of the tests
+    #[arg(long, conflicts_with_all = ["watch", "junit"])]
+    list: bool,
+    /// Run the tests again when a file changes, until Ctrl+C
+    #[arg(long, conflicts_with_all = ["json", "tap", "junit"])]
+    watch: bool,
     /// Write the results to this file as JUnit XML, too
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
@@ -69,6 +91,27 @@ pub(crate) struct Arguments {
 
 /// Runs the tests.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    if !arguments.watch {
+        return once(arguments);
+    }
+    let folder = PathBuf::from(".");
+    let watched: Vec<PathBuf> = match arguments.paths.is_empty() && arguments.tests.is_empty() {
+        true => vec![folder],
+        false => arguments.paths.iter().chain(&arguments.tests).cloned().collect(),
+    };
+    loop {
+        let stamps = watch::stamps(&watched);
+        // What is wrong may be mended while we look.
+        if let Err(failure) = once(arguments) {
+            output::message(&format!("{}\n", failure.message));
+        }
+        output::message("Waiting for a change; Ctrl+C ends.\n");
+        watch::wait_for_change(&watched, &stamps);
+    }
+}
+
+/// Runs the tests once.
+fn once(arguments: &Arguments) -> Result<Exit, Failure> {
     let conditions = Conditions {
         overrides: arguments.program.overrides()?,
         encoding: arguments.program.encoding(),
@@ -77,8 +120,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         limit: arguments.limit,
         scans: arguments.scans,
         timeout: arguments.timeout,
+        coverage: arguments.coverage.is_some(),
+        svg: arguments.svg.clone(),
     };
-    let mut cases = discovery::cases(&arguments.paths, &arguments.tests)?;
+    let mut cases = discovery::cases(&arguments.paths, &arguments.tests, &conditions)?;
     if let Some(filter) = &arguments.filter {
         let all = cases.len();
         cases.retain(|case| case.name.contains(filter.as_str()));
@@ -88,6 +133,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
     if cases.is_empty() {
         return Err(Failure::usage(Problem::P7020, "there is no program to test"));
+    }
+    if arguments.list {
+        // Programs that do not check themselves are no tests.
+        cases.retain(|case| case.perhaps.as_ref().is_none_or(|program| self_checking::is_test(program, &conditions)));
+        list(arguments, &cases)?;
+        return Ok(Exit::Success);
+    }
+    if let Some(seed) = arguments.seed {
+        testing::shuffle(&mut cases, seed);
     }
     let threads = arguments.jobs.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
     let begun = Instant::now();
@@ -104,15 +158,51 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let programs = finished.len();
     finished.retain(|test| !matches!(test.outcome.verdict, Verdict::NoTest));
     // A file that cannot be written does not keep the results from the screen.
-    let written = arguments.junit.as_ref().map_or(Ok(()), |path| files::write_whole(path, report::junit(&finished, took).as_bytes()));
+    let mut written = arguments.junit.as_ref().map_or(Ok(()), |path| files::write_whole(path, report::junit(&finished, took).as_bytes()));
+    let mut covered = None;
+    if let Some(path) = &arguments.coverage {
+        let mut coverage = Coverage::default();
+        finished.iter_mut().filter_map(|test| test.outcome.coverage.take()).for_each(|one| coverage.merge(one));
+        written = written.and(files::write_whole(path, coverage.lcov().as_bytes()));
+        covered = Some((coverage.sum(), coverage.decisions()));
+    }
     match (arguments.json, arguments.tap) {
-        (true, _) => output::print_json(&report::to_json(&finished, took), true)?,
+        (true, _) => {
+            let mut json = report::to_json(&finished, took);
+            json["seed"] = arguments.seed.into();
+            json["lines_covered"] = covered.map(|((ran, _), _)| ran).into();
+            json["lines"] = covered.map(|((_, all), _)| all).into();
+            json["decisions_covered"] = covered.map(|(_, (both, _))| both).into();
+            json["decisions"] = covered.map(|(_, (_, all))| all).into();
+            output::print_json(&json, true)?;
+        }
         (_, true) => output::print(&report::tap(&finished))?,
         _ if finished.is_empty() => output::print(&no_tests(programs))?,
-        _ => output::print(&report::text(&finished))?,
+        _ => {
+            output::print(&report::text(&finished))?;
+            if let Some(seed) = arguments.seed {
+                output::print(&format!("order: --seed {seed}\n"))?;
+            }
+            if let Some(((ran, all), (both, decisions))) = covered {
+                let percent = if all == 0 { 100.0 } else { ran as f64 * 100.0 / all as f64 };
+                output::print(&format!("{ran} of {all} lines with statements were run ({percent:.0} %)\n"))?;
+                if decisions > 0 {
+                    output::print(&format!("{both} of {decisions} decisions were seen with RLO 0 and with RLO 1\n"))?;
+                }
+            }
+        }
     }
     written?;
     Ok(report::exit(&finished))
+}
+
+/// The names of the tests.
+fn list(arguments: &Arguments, cases: &[Case]) -> Result<(), Failure> {
+    let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
+    match arguments.json {
+        true => output::print_json(&serde_json::json!({ "tests": names }), true),
+        false => output::print(&names.iter().map(|name| format!("{name}\n")).collect::<String>()),
+    }
 }
 
 /// What is said when no program checks itself.

@@ -7,7 +7,7 @@ use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line as TextLine, Span};
 use ratatui::widgets::{Block, BorderType, Paragraph, Wrap};
 use sieben_cpu::OperatingMode;
-use sieben_sim::devices::tank::Button;
+use sieben_sim::devices::dosing::Button;
 
 use super::changes::{Entry, Event, clock, thousands};
 use super::digits::{self, Cell};

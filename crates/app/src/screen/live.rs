@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use ratatui::DefaultTerminal;
 use ratatui::crossterm::event::{self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
-use sieben_sim::devices::tank::Button;
+use sieben_sim::devices::dosing::Button;
 
 use super::draw::{self, View};
 use super::session::{Action, CYCLE_US, Session};

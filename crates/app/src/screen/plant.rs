@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use sieben_cpu::IoModule;
-use sieben_sim::devices::tank::{Tank, TankSettings};
+use sieben_sim::devices::dosing::{DosingPlant, DosingSettings};
 
 /// Bit of the flow meter in the input byte of the tank.
 const METER: u8 = 0x80;
@@ -12,7 +12,7 @@ const METER: u8 = 0x80;
 #[derive(Debug)]
 pub(crate) struct Plant {
     /// The tank.
-    pub(crate) tank: Tank,
+    pub(crate) tank: DosingPlant,
     /// The flow meter gives no pulses.
     pub(crate) meter_failed: bool,
 }
@@ -20,14 +20,14 @@ pub(crate) struct Plant {
 impl Plant {
     /// A full tank, an empty container, a sound flow meter.
     pub(crate) fn new() -> Self {
-        let settings = TankSettings {
+        let settings = DosingSettings {
             name: "dosing plant".into(),
             flow_ml_per_s: 2500,
             supply_litres: 250,
             vessel_litres: 30,
-            ..TankSettings::default()
+            ..DosingSettings::default()
         };
-        Self { tank: Tank::new(settings), meter_failed: false }
+        Self { tank: DosingPlant::new(settings), meter_failed: false }
     }
 }
 

@@ -10,7 +10,7 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
 use sieben_model::source::{FileId, Sources};
 use sieben_model::symbols::SymbolTable;
-use sieben_sim::devices::tank::Button;
+use sieben_sim::devices::dosing::Button;
 
 use super::changes::{Changes, Entry, Event};
 use super::listing::{self, Line, Seen, Watch};

@@ -3,77 +3,126 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::{Case, self_checking};
+use super::{Case, Conditions, self_checking, unit};
 use crate::awlpro;
 use crate::failure::Failure;
 use crate::project::{self, Project};
 use crate::settings;
 
 /// The tests that the paths mean; none = the current folder. Each of `tests` is a test of the program that the paths are.
-pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf]) -> Result<Vec<Case>, Failure> {
+pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf], conditions: &Conditions) -> Result<Vec<Case>, Failure> {
     if !tests.is_empty() {
         for test in tests {
             // A test that does not exist is a mistake of the command line, not of the program.
             crate::files::read(test)?;
         }
-        let program = paths.to_vec();
-        return Ok(tests.iter().map(|test| case(project::shown(test), program.clone(), Some(test.clone()))).collect());
+        return Ok(tests.iter().flat_map(|test| cases_of(test, paths, conditions)).collect());
     }
     let here = [PathBuf::from(".")];
     let paths = if paths.is_empty() { &here } else { paths };
-    let (tables, paths): (Vec<_>, Vec<_>) = paths.iter().cloned().partition(|path| !path.is_dir() && project::is_symbols(path));
+    let is_file = |path: &PathBuf| !path.is_dir();
+    let (tables, paths): (Vec<_>, Vec<_>) = paths.iter().cloned().partition(|path| is_file(path) && project::is_symbols(path));
+    let (units, paths): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| is_file(path) && project::is_test(path));
     let mut cases = Vec::new();
+    for test in &units {
+        crate::files::read(test)?;
+        // Files beside a test file are the program that it tests; without any it is what lies around it.
+        let program = match paths.is_empty() {
+            true => tables.iter().cloned().chain([program_around(test)]).collect(),
+            false => tables.iter().chain(&paths).cloned().collect::<Vec<_>>(),
+        };
+        cases.extend(unit::cases(&program, test, conditions));
+    }
+    if !units.is_empty() {
+        return Ok(cases);
+    }
     for path in paths {
         let with_tables = |path: PathBuf| tables.iter().cloned().chain([path]).collect::<Vec<_>>();
         if !path.is_dir() {
             crate::files::read(&path)?;
             cases.push(case(project::shown(&path), with_tables(path), None));
         } else if path.join(settings::FILE_NAME).is_file() {
-            cases.extend(of_project(&path)?);
+            cases.extend(of_project(&path, conditions)?);
         } else {
-            let (projects, files) = below(&path)?;
+            let Below { projects, files, tests } = below(&path)?;
             for file in files {
                 cases.push(unnamed(project::shown(&file), with_tables(file)));
             }
+            for test in tests {
+                cases.extend(unit::cases(&with_tables(program_around(&test)), &test, conditions));
+            }
             for project in projects {
-                cases.extend(of_project(&project)?);
+                cases.extend(of_project(&project, conditions)?);
             }
         }
     }
     Ok(cases)
 }
 
+/// The folder with the program that a test file is about: the nearest project around it, else the folder where it lies.
+fn program_around(test: &Path) -> PathBuf {
+    let folder = test.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let project = folder.ancestors().find(|folder| folder.join(settings::FILE_NAME).is_file());
+    let project = project.map(|project| if project.as_os_str().is_empty() { Path::new(".") } else { project });
+    project.unwrap_or(folder).to_path_buf()
+}
+
+/// The tests of a file for a program: unit tests, or a program that checks itself.
+fn cases_of(test: &Path, program: &[PathBuf], conditions: &Conditions) -> Vec<Case> {
+    match project::is_test(test) {
+        true => {
+            let around = [program_around(test)];
+            unit::cases(if program.is_empty() { &around } else { program }, test, conditions)
+        }
+        false => vec![case(project::shown(test), program.to_vec(), Some(test.to_path_buf()))],
+    }
+}
+
 fn case(name: String, program: Vec<PathBuf>, test: Option<PathBuf>) -> Case {
-    Case { name, run: Box::new(move |conditions| self_checking::run(&program, test.as_ref(), true, conditions)) }
+    Case { name, file: None, perhaps: None, run: Box::new(move |conditions| self_checking::run(&program, test.as_ref(), true, conditions)) }
 }
 
 /// A program that was found in a folder: it is a test if it checks itself.
 fn unnamed(name: String, program: Vec<PathBuf>) -> Case {
-    Case { name, run: Box::new(move |conditions| self_checking::run(&program, None, false, conditions)) }
+    let perhaps = Some(program.clone());
+    Case { name, file: None, perhaps, run: Box::new(move |conditions| self_checking::run(&program, None, false, conditions)) }
 }
 
-/// The tests that `sieben.toml` names; a project without any is one test itself.
-fn of_project(folder: &Path) -> Result<Vec<Case>, Failure> {
+/// The tests of a project: those that `sieben.toml` names, else its test files; without other tests a project may be one itself.
+fn of_project(folder: &Path, conditions: &Conditions) -> Result<Vec<Case>, Failure> {
     let program = vec![folder.to_path_buf()];
     let project = Project::load(&program, None)?;
-    if project.tests.is_empty() {
+    let mut cases = Vec::new();
+    if project.tests.iter().all(|test| project::is_test(test)) {
         let name = project.settings.name.unwrap_or_else(|| project::shown(folder));
-        return Ok(vec![unnamed(name, program)]);
+        cases.push(unnamed(name, program.clone()));
     }
-    Ok(project.tests.into_iter().map(|test| case(project::shown(&test), program.clone(), Some(test))).collect())
+    cases.extend(project.tests.iter().flat_map(|test| cases_of(test, &program, conditions)));
+    Ok(cases)
 }
 
-/// The projects and the programs of a folder that is no project: every source by itself. What a project names belongs to that.
-fn below(folder: &Path) -> Result<(BTreeSet<PathBuf>, Vec<PathBuf>), Failure> {
-    let mut files: Vec<PathBuf> = project::files_below(folder)?.into_iter().filter(|file| project::is_program(file)).collect();
+/// What lies in a folder that is no project.
+struct Below {
+    projects: BTreeSet<PathBuf>,
+    /// Programs: every source by itself.
+    files: Vec<PathBuf>,
+    /// Test files.
+    tests: Vec<PathBuf>,
+}
+
+/// The projects, programs and test files of a folder that is no project. What a project names belongs to that.
+fn below(folder: &Path) -> Result<Below, Failure> {
+    let all = project::files_below(folder)?;
     let mut projects = BTreeSet::new();
-    files.retain(|file| {
+    let mut outside = |file: &PathBuf| {
         let inside = file.ancestors().skip(1).take_while(|parent| *parent != folder);
         let project = inside.filter(|parent| parent.join(settings::FILE_NAME).is_file()).last();
         projects.extend(project.map(Path::to_path_buf));
         project.is_none()
-    });
+    };
+    let mut files: Vec<PathBuf> = all.iter().filter(|file| project::is_program(file) && outside(file)).cloned().collect();
+    let tests = all.iter().filter(|file| project::is_test(file) && outside(file)).cloned().collect();
     let parts: BTreeSet<PathBuf> = files.iter().filter(|file| awlpro::is_project(file)).flat_map(|file| awlpro::parts(file)).collect();
     files.retain(|file| !parts.contains(file));
-    Ok((projects, files))
+    Ok(Below { projects, files, tests })
 }

@@ -1,9 +1,12 @@
 //! Tests of programs: what a test is, how many run at once, what came of them.
 
+pub(crate) mod coverage;
 pub(crate) mod discovery;
 pub(crate) mod report;
 pub(crate) mod self_checking;
+mod unit;
 
+use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
@@ -11,6 +14,9 @@ use std::time::{Duration, Instant};
 use sieben_lang::encoding::Encoding;
 
 use crate::arguments::EngineArgument;
+use coverage::Coverage;
+use sieben_sim::devices::random::Random;
+
 use crate::failure::Failure;
 use crate::project::Overrides;
 
@@ -18,6 +24,10 @@ use crate::project::Overrides;
 pub(crate) struct Case {
     /// The name that reports show and `--filter` looks at: a path.
     pub(crate) name: String,
+    /// The test file that it stands in, if it is a unit test.
+    pub(crate) file: Option<String>,
+    /// The program that is no test unless it checks itself; `None` = it is one.
+    pub(crate) perhaps: Option<Vec<PathBuf>>,
     /// Runs it.
     pub(crate) run: Box<dyn Fn(&Conditions) -> Outcome + Send + Sync>,
 }
@@ -33,12 +43,16 @@ pub(crate) struct Conditions {
     pub(crate) engine: EngineArgument,
     /// Time from one scan to the next; `None` = the project's, else 10 ms.
     pub(crate) cycle: Option<Duration>,
-    /// Virtual time after which a test that has not ended has failed.
-    pub(crate) limit: Duration,
+    /// Virtual time after which a test that has not ended has failed; `None` = 60 s, or 100 days for a unit test.
+    pub(crate) limit: Option<Duration>,
     /// Scans after which a test that has not ended has failed.
     pub(crate) scans: Option<u64>,
     /// Real time after which a test is given up.
     pub(crate) timeout: Duration,
+    /// Whether it is counted which statements unit tests run; then they run in the interpreter.
+    pub(crate) coverage: bool,
+    /// The folder for the timing diagrams of tests that fail, as SVG.
+    pub(crate) svg: Option<PathBuf>,
 }
 
 /// What came of a test.
@@ -50,6 +64,8 @@ pub(crate) struct Outcome {
     pub(crate) scans: u64,
     /// Virtual time at its end.
     pub(crate) simulated: Duration,
+    /// What it has run, if that is counted.
+    pub(crate) coverage: Option<Coverage>,
 }
 
 /// Passed, or why not.
@@ -80,12 +96,28 @@ pub(crate) struct Wrong {
     pub(crate) block: Option<String>,
     /// Both values of an assertion.
     pub(crate) values: Option<(String, String)>,
+    /// Their types, if they have some.
+    pub(crate) types: Option<(String, String)>,
+    /// What the author of the test says about it.
+    pub(crate) said: Option<String>,
+    /// More about it, line by line.
+    pub(crate) lines: Vec<String>,
+}
+
+/// Puts the tests in an order that the seed says.
+pub(crate) fn shuffle(cases: &mut [Case], seed: u64) {
+    let mut random = Random::new(seed);
+    for last in (1..cases.len()).rev() {
+        cases.swap(last, (random.next() % (last as u64 + 1)) as usize);
+    }
 }
 
 /// A test with what came of it.
 pub(crate) struct Finished {
     /// Its name.
     pub(crate) name: String,
+    /// The test file that it stands in, if it is a unit test.
+    pub(crate) file: Option<String>,
     /// What came of it.
     pub(crate) outcome: Outcome,
     /// How long it took, in real time.
@@ -104,7 +136,7 @@ pub(crate) fn run_all(cases: &[Case], conditions: &Conditions, threads: usize, p
                     let Some(case) = cases.get(index) else { return };
                     let begun = Instant::now();
                     let outcome = (case.run)(conditions);
-                    let finished = Finished { name: case.name.clone(), outcome, took: begun.elapsed() };
+                    let finished = Finished { name: case.name.clone(), file: case.file.clone(), outcome, took: begun.elapsed() };
                     // A panic ends the process, so that no one finds the lock poisoned.
                     let mut done = done.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
                     done.push((index, finished));

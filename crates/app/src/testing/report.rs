@@ -58,8 +58,13 @@ fn why(verdict: &Verdict) -> Option<(String, Vec<String>)> {
             };
             let mut lines = Vec::new();
             if let (Some(statement), Some(_)) = (&wrong.statement, &wrong.place) {
-                lines.push(format!("{statement}  // {}", wrong.block.as_deref().unwrap_or_default()));
+                lines.push(match &wrong.block {
+                    Some(block) => format!("{statement}  // {block}"),
+                    None => statement.clone(),
+                });
             }
+            lines.extend(wrong.said.iter().map(|said| format!("message: {said}")));
+            lines.extend(wrong.lines.iter().cloned());
             Some((headline, lines))
         }
         Verdict::DoesNotCompile(findings) => Some(("does not compile".to_owned(), findings.lines().map(str::to_owned).collect())),
@@ -78,12 +83,26 @@ pub(crate) fn text(finished: &[Finished]) -> String {
     for test in finished {
         let Some((headline, lines)) = why(&test.outcome.verdict) else {
             let scans = plural(test.outcome.scans, "scan");
-            let _ = writeln!(out, "ok    {}  ({scans}, {} of CPU time)", test.name, duration::show(test.outcome.simulated));
+            let time = duration::show(test.outcome.simulated);
+            // A test that only calls blocks needs neither.
+            let took = match test.outcome.simulated {
+                Duration::ZERO if test.outcome.scans == 0 => "no scan".to_owned(),
+                Duration::ZERO => scans,
+                _ => format!("{scans}, {time} of virtual time"),
+            };
+            let _ = writeln!(out, "ok    {}  ({took})", test.name);
             continue;
         };
-        let headline = headline.strip_prefix(&format!("{}:", test.name)).map_or_else(|| format!(": {headline}"), |rest| format!(":{rest}"));
+        // A unit test has a name of its own beside the place.
+        let (headline, first) = match &test.file {
+            Some(file) if *file != test.name => (String::new(), Some(headline)),
+            _ => match headline.strip_prefix(&format!("{}:", test.name)) {
+                Some(rest) => (format!(":{rest}"), None),
+                None => (format!(": {headline}"), None),
+            },
+        };
         let _ = writeln!(out, "FAIL  {}{headline}", test.name);
-        for line in lines {
+        for line in first.into_iter().chain(lines) {
             let _ = writeln!(out, "{}", format!("        {line}").trim_end());
         }
     }
@@ -121,10 +140,12 @@ fn one_to_json(test: &Finished, seconds: f64) -> Value {
         Verdict::Unreadable(failure) => Some(failure.message.as_str()),
     };
     json!({
-        "name": test.name, "verdict": verdict, "message": message,
+        "name": test.name, "test_file": test.file, "verdict": verdict, "message": message,
         "file": wrong.place.as_ref().map(|place| &place.0), "line": wrong.place.as_ref().map(|place| place.1),
         "statement": wrong.statement, "block": wrong.block,
         "left": wrong.values.as_ref().map(|values| &values.0), "right": wrong.values.as_ref().map(|values| &values.1),
+        "left_type": wrong.types.as_ref().map(|types| &types.0), "right_type": wrong.types.as_ref().map(|types| &types.1),
+        "said": wrong.said, "more": wrong.lines,
         "scans": test.outcome.scans, "time_ms": test.outcome.simulated.as_secs_f64() * 1e3, "duration_s": seconds,
     })
 }
@@ -140,7 +161,13 @@ pub(crate) fn junit(finished: &[Finished], took: Duration) -> String {
         took.as_secs_f64()
     );
     for test in finished {
-        let _ = write!(out, "    <testcase name=\"{}\" classname=\"sieben\" time=\"{:.3}\"", escaped(&test.name), test.took.as_secs_f64());
+        let _ = write!(
+            out,
+            "    <testcase name=\"{}\" classname=\"{}\" time=\"{:.3}\"",
+            escaped(&test.name),
+            escaped(test.file.as_deref().unwrap_or("sieben")),
+            test.took.as_secs_f64()
+        );
         let Some((headline, lines)) = why(&test.outcome.verdict) else {
             out.push_str("/>\n");
             continue;
@@ -200,7 +227,8 @@ mod tests {
     fn finished() -> Vec<Finished> {
         let test = |name: &str, verdict| Finished {
             name: name.to_owned(),
-            outcome: Outcome { verdict, scans: 1, simulated: Duration::ZERO },
+            file: None,
+            outcome: Outcome { verdict, scans: 1, simulated: Duration::ZERO, coverage: None },
             took: Duration::from_millis(2),
         };
         vec![
@@ -213,6 +241,7 @@ mod tests {
                     statement: Some("__ASSERT< 1, 0".to_owned()),
                     block: Some("OB 1, statement 2".to_owned()),
                     values: Some(("1".to_owned(), "0".to_owned())),
+                    ..Wrong::default()
                 })),
             ),
             test("c.awl", Verdict::DoesNotCompile("one\ntwo\u{1}\n".to_owned())),
@@ -223,7 +252,7 @@ mod tests {
     fn people_see_the_place_once() {
         assert_eq!(
             text(&finished()),
-            "ok    a.awl  (1 scan, 0 µs of CPU time)\n\
+            "ok    a.awl  (1 scan)\n\
              FAIL  b#1.awl:3: expected 1 < 0\n        __ASSERT< 1, 0  // OB 1, statement 2\n\
              FAIL  c.awl: does not compile\n        one\n        two\u{1}\n\
              1 passed, 1 failed, 1 could not run\n"

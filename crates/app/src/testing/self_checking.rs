@@ -15,14 +15,16 @@ use sieben_model::block::{BlockId, BlockKind};
 
 use super::{Conditions, Outcome, Verdict, Wrong};
 use crate::project::{Build, Overrides, Project};
-use crate::{controller, duration, report};
+use crate::{controller, duration, report, schedule};
 
+/// Virtual time in which such a program has to end if nothing is said.
+const LIMIT: Duration = Duration::from_secs(60);
 /// STOP by the program: the end of a program that checks itself.
 const STOP_BY_PROGRAM: u16 = 0x457F;
 
 /// Runs a program until it ends; one that is not `named` as a test must have words to check itself. The blocks of `test`, if there is one, take the place of those of the program.
 pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, conditions: &Conditions) -> Outcome {
-    let nothing_ran = |verdict| Outcome { verdict, scans: 0, simulated: Duration::ZERO };
+    let nothing_ran = |verdict| Outcome { verdict, scans: 0, simulated: Duration::ZERO, coverage: None };
     let mut all: Vec<PathBuf> = test.into_iter().cloned().collect();
     all.extend(paths.iter().cloned());
     let project = match Project::load(&all, conditions.encoding) {
@@ -39,7 +41,8 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
         return nothing_ran(Verdict::NoTest);
     }
     let mut cpu = controller::load(&build, conditions.engine, StatusBits::All, controller::settings(&build));
-    let cycle = conditions.cycle.or(build.project.settings.cycle).filter(|cycle| !cycle.is_zero()).unwrap_or(Duration::from_millis(10));
+    let cycle = schedule::going_cycle(conditions.cycle, &build.project.settings);
+    let limit = conditions.limit.unwrap_or(LIMIT);
     let begun = Instant::now();
     cpu.restart(Restart::Warm);
     let (mut scans, mut now) = (0, Duration::ZERO);
@@ -47,8 +50,8 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
         if cpu.mode() == OperatingMode::Stop {
             break None;
         }
-        if now >= conditions.limit {
-            break Some(format!("{} of the CPU's time", duration::show(conditions.limit)));
+        if now >= limit {
+            break Some(format!("{} of virtual time", duration::show(limit)));
         }
         if conditions.scans.is_some_and(|most| scans >= most) {
             break Some(format!("{scans} scans"));
@@ -56,7 +59,7 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
         if begun.elapsed() >= conditions.timeout {
             break Some(format!("{} ({scans} scans)", duration::show(conditions.timeout)));
         }
-        cpu.scan(u64::try_from(now.as_micros()).unwrap_or(u64::MAX));
+        cpu.scan(duration::micros(now));
         scans += 1;
         now = now.saturating_add(cycle);
     };
@@ -68,7 +71,14 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
         })),
         None => cpu.stop_cause().map_or(Verdict::Passed, |cause| verdict(&build, &cpu, cause)),
     };
-    Outcome { verdict, scans, simulated }
+    Outcome { verdict, scans, simulated, coverage: None }
+}
+
+/// Whether a program checks itself; one that cannot be read or compiled says so when it is run.
+pub(crate) fn is_test(paths: &[PathBuf], conditions: &Conditions) -> bool {
+    let Ok(project) = Project::load(paths, conditions.encoding) else { return true };
+    let build = project.compile(Overrides { extended: true, ..conditions.overrides }, false);
+    report::has_errors(&build.findings) || checks_itself(&build)
 }
 
 /// Whether a program has an assertion or an end: nothing else makes it a test.
@@ -93,5 +103,6 @@ fn verdict(build: &Build, cpu: &Cpu, cause: &StopCause) -> Verdict {
         statement: line.map(|line| line.statement),
         block: cause.place.map(place_text),
         values: failed.map(|failed| (failed.left.to_string(), failed.right.to_string())),
+        ..Wrong::default()
     }))
 }

@@ -1,10 +1,12 @@
 //! OB 90 (S7-400): what the CPU does while it waits for the next cycle.
 
+use std::ops::ControlFlow;
+
 use sieben_engine::Tracer;
 
 use super::Cpu;
 use super::interrupting::again;
-use super::run::Outcome;
+use super::run::{Go, Outcome, Rest};
 use super::stop::Held;
 use crate::mode::OperatingMode;
 use crate::organization_blocks::{self as ob, StartInformation};
@@ -21,9 +23,14 @@ impl Cpu {
 
     /// Runs OB 90 in a pause that lasts to `until_us`, from its beginning or from where the last pause ended.
     /// In virtual time it is a limited number of safe points; in real time it starts again and again until the time has come.
-    pub(super) fn background(&mut self, until_us: u64, clock: &mut dyn FnMut() -> u64, tracer: &mut Option<&mut dyn Tracer>) {
+    pub(super) fn background(
+        &mut self,
+        until_us: u64,
+        clock: &mut dyn FnMut() -> u64,
+        tracer: &mut Option<&mut dyn Tracer>,
+    ) -> ControlFlow<(Rest, StartInformation)> {
         if !self.has_background() || until_us <= self.now_us {
-            return;
+            return ControlFlow::Continue(());
         }
         let class = self.class;
         let resumed = self.paused.take().map(|stack| self.put_stack(stack)).is_some();
@@ -31,23 +38,26 @@ impl Cpu {
             self.class = StartInformation::background(!self.background_began);
             self.background_began = true;
         }
-        let entry = (!resumed).then(|| self.entry(ob::BACKGROUND, None));
+        let go = if resumed { Go::Resume } else { Go::Enter(self.entry(ob::BACKGROUND, None)) };
         self.watchdog = self.new_watchdog();
         self.slice = Some(match self.settings.time {
             TimeSource::Virtual => Slice::Points(SLICE_POINTS),
             TimeSource::Real => Slice::Until(until_us),
         });
-        let outcome = self.run(entry, clock, again(tracer));
-        self.after_background(outcome);
+        match self.run(go, clock, again(tracer)) {
+            Outcome::Paused(rest) => return ControlFlow::Break((rest, class)),
+            outcome => self.after_background(outcome),
+        }
         if matches!(self.mode, OperatingMode::Run) {
             self.class = class;
         }
+        ControlFlow::Continue(())
     }
 
     pub(super) fn after_background(&mut self, outcome: Outcome) {
         let ended = self.slice.take().is_none();
         match outcome {
-            Outcome::Finished => {}
+            Outcome::Finished | Outcome::Paused(_) => {}
             Outcome::Suspended if ended => self.paused = self.take_stack(),
             Outcome::Suspended => self.hold(Held::Background),
             Outcome::Stopped(reason, first) => self.enter_stop(reason, first),
@@ -62,7 +72,8 @@ impl Cpu {
                 return;
             }
             let next = self.next_interrupt_us().map_or(until_us, |next| next.min(until_us));
-            self.background(next, clock, &mut None);
+            // Without a tracer nothing pauses.
+            let _ = self.background(next, clock, &mut None);
         }
     }
 }

@@ -1,8 +1,13 @@
 //! What extended programs can do to the controller itself, and what their assertions leave behind.
 
+use std::ops::ControlFlow;
+
+use sieben_engine::Tracer;
 use sieben_model::extension::FailedAssertion;
 
 use super::Cpu;
+use super::pause::{Inner, Paused};
+use super::run::{Go, Outcome};
 use crate::cycle::Cycle;
 use crate::host::Watchdog;
 use crate::mode::{OperatingMode, Restart};
@@ -15,7 +20,7 @@ impl Cpu {
     }
 
     /// `__REBOOT`: the startup organization block again, memory is kept.
-    pub(super) fn reboot(&mut self, clock: &mut dyn FnMut() -> u64) {
+    pub(super) fn reboot(&mut self, clock: &mut dyn FnMut() -> u64, tracer: Option<&mut dyn Tracer>) -> ControlFlow<Paused> {
         self.system.reboot = false;
         self.machine.frames.clear();
         self.machine.parameters.clear();
@@ -29,10 +34,13 @@ impl Cpu {
         self.watchdog = Watchdog::new(true, self.now_us, self.watchdog_us(), self.settings.virtual_safe_points);
         let block = ob::startup(self.restart);
         if self.engine.has_block(block) {
-            let outcome = self.run(Some(self.entry(block, None)), clock, None);
-            self.after_startup(outcome);
+            match self.run(Go::Enter(self.entry(block, None)), clock, tracer) {
+                Outcome::Paused(rest) => return ControlFlow::Break((rest, Inner::Block)),
+                outcome => self.after_startup(outcome),
+            }
         } else {
-            self.after_startup(super::run::Outcome::Finished);
+            self.after_startup(Outcome::Finished);
         }
+        ControlFlow::Continue(())
     }
 }

@@ -1,5 +1,6 @@
 //! Interrupts between two cycles, and what raises them from outside.
 
+use std::ops::ControlFlow;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
@@ -7,7 +8,8 @@ use sieben_engine::Tracer;
 use sieben_model::block::BlockId;
 
 use super::Cpu;
-use super::run::Outcome;
+use super::pause::{Inner, Paused, Then};
+use super::run::{Go, Outcome};
 use super::stop::Held;
 use crate::diagnostic_buffer::DiagnosticEntry;
 use crate::host::Watchdog;
@@ -58,9 +60,12 @@ impl Cpu {
 
     /// Runs the interrupts that have come since the last scan, without a scan: for the time in which the CPU waits for the next one.
     pub fn serve_with(&mut self, clock: &mut dyn FnMut() -> u64, tracer: Option<&mut dyn Tracer>) {
+        self.end_pause(clock);
         let until_us = clock();
-        self.serve_until(until_us, clock, tracer);
-        self.advance(until_us);
+        match self.serve_until(until_us, clock, tracer) {
+            ControlFlow::Break(paused) => drop(self.pause(paused, Then::Served { until_us })),
+            ControlFlow::Continue(()) => self.advance(until_us),
+        }
     }
 
     pub(super) fn now(&self) -> Now {
@@ -72,25 +77,77 @@ impl Cpu {
     }
 
     /// Runs the interrupts that fall into the time up to `until_us`, each at its own time; in real time, which has passed already, now.
-    pub(super) fn serve_until(&mut self, until_us: u64, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) {
+    pub(super) fn serve_until(
+        &mut self,
+        until_us: u64,
+        clock: &mut dyn FnMut() -> u64,
+        mut tracer: Option<&mut dyn Tracer>,
+    ) -> ControlFlow<Paused> {
         while self.mode == OperatingMode::Run && !self.requests.stop.load(Ordering::Relaxed) {
             // Waiting is not part of the cycle time.
             self.watchdog = self.new_watchdog();
-            self.serve_waiting(clock, &mut tracer);
-            let next = self.next_interrupt_us().filter(|&due| due <= until_us);
-            if self.settings.time == TimeSource::Virtual {
-                self.background(next.unwrap_or(until_us), clock, &mut tracer);
+            self.serve_waiting(clock, &mut tracer)?;
+            if self.pass_one(until_us, clock, &mut tracer)?.is_none() {
+                break;
             }
-            match (next, self.settings.time) {
-                (Some(due), TimeSource::Virtual) => self.advance(due),
-                (Some(_), TimeSource::Real) => self.advance(until_us),
-                (None, _) => return,
-            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// What is left of the time up to `until_us` when nothing waits any more.
+    pub(super) fn pass(
+        &mut self,
+        until_us: u64,
+        clock: &mut dyn FnMut() -> u64,
+        tracer: &mut Option<&mut dyn Tracer>,
+    ) -> ControlFlow<Paused> {
+        match self.pass_one(until_us, clock, tracer)? {
+            Some(_) => self.serve_until(until_us, clock, again(tracer)),
+            None => ControlFlow::Continue(()),
         }
     }
 
+    /// What is left of the time up to `until_us` when OB 90 has run before the timed event `next`.
+    pub(super) fn pass_from(
+        &mut self,
+        next: Option<u64>,
+        until_us: u64,
+        clock: &mut dyn FnMut() -> u64,
+        tracer: &mut Option<&mut dyn Tracer>,
+    ) -> ControlFlow<Paused> {
+        match self.advance_to(next, until_us) {
+            Some(_) => self.serve_until(until_us, clock, again(tracer)),
+            None => ControlFlow::Continue(()),
+        }
+    }
+
+    /// Time passes up to the next timed event before `until_us`, if there is one.
+    fn pass_one(
+        &mut self,
+        until_us: u64,
+        clock: &mut dyn FnMut() -> u64,
+        tracer: &mut Option<&mut dyn Tracer>,
+    ) -> ControlFlow<Paused, Option<u64>> {
+        let next = self.next_interrupt_us().filter(|&due| due <= until_us);
+        if self.settings.time == TimeSource::Virtual
+            && let ControlFlow::Break((rest, class)) = self.background(next.unwrap_or(until_us), clock, tracer)
+        {
+            return ControlFlow::Break((rest, Inner::Background { class, next }));
+        }
+        ControlFlow::Continue(self.advance_to(next, until_us))
+    }
+
+    fn advance_to(&mut self, next: Option<u64>, until_us: u64) -> Option<u64> {
+        match (next, self.settings.time) {
+            (Some(due), TimeSource::Virtual) => self.advance(due),
+            (Some(_), TimeSource::Real) => self.advance(until_us),
+            (None, _) => {}
+        }
+        next
+    }
+
     /// Runs everything that waits now, highest priority class first, while no block runs.
-    pub(super) fn serve_waiting(&mut self, clock: &mut dyn FnMut() -> u64, tracer: &mut Option<&mut dyn Tracer>) {
+    pub(super) fn serve_waiting(&mut self, clock: &mut dyn FnMut() -> u64, tracer: &mut Option<&mut dyn Tracer>) -> ControlFlow<Paused> {
         while self.mode == OperatingMode::Run {
             let now = self.now();
             self.interrupts.gather(&now, &self.machine, &self.class);
@@ -102,24 +159,28 @@ impl Cpu {
             }
             if let Some((event, info)) = self.interrupts.take_stop() {
                 let first = DiagnosticEntry { fields: info, time: self.date_and_time(), place: None };
-                return self.enter_stop(sieben_engine::StopReason { event, place: None }, Some(first));
+                self.enter_stop(sieben_engine::StopReason { event, place: None }, Some(first));
+                break;
             }
-            let Some(Request { info, raised_us }) = self.interrupts.take(0) else { return };
+            let Some(Request { info, raised_us }) = self.interrupts.take(0) else { break };
             let class = std::mem::replace(&mut self.class, info);
             self.requested_us = Some(raised_us);
             let entry = self.entry(BlockId::ob(u16::from(info.block)), None);
-            let outcome = self.run(Some(entry), clock, again(tracer));
-            self.after_interrupt(outcome);
+            match self.run(Go::Enter(entry), clock, again(tracer)) {
+                Outcome::Paused(rest) => return ControlFlow::Break((rest, Inner::Interrupt(class))),
+                outcome => self.after_interrupt(outcome),
+            }
             // In HOLD the interrupt goes on to run, in its own class.
             if self.mode == OperatingMode::Run {
                 self.class = class;
             }
         }
+        ControlFlow::Continue(())
     }
 
     pub(super) fn after_interrupt(&mut self, outcome: Outcome) {
         match outcome {
-            Outcome::Finished => {}
+            Outcome::Finished | Outcome::Paused(_) => {}
             Outcome::Suspended => self.hold(Held::Interrupt),
             Outcome::Stopped(reason, first) => self.enter_stop(reason, first),
         }

@@ -6,7 +6,8 @@ use sieben_engine::Tracer;
 use sieben_model::address::Area;
 
 use super::Cpu;
-use super::run::Outcome;
+use super::pause::{Inner, Then};
+use super::run::{Go, Outcome};
 use super::stop::Held;
 use crate::cycle::Cycle;
 use crate::host::Watchdog;
@@ -50,7 +51,8 @@ impl Cpu {
         self.log(StartInformation { event: 0x4301, ..self.class }, None);
         self.watchdog = Watchdog::new(true, self.now_us, self.watchdog_us(), self.settings.virtual_safe_points);
         let block = ob::startup(self.restart);
-        let outcome = if self.engine.has_block(block) { self.run(Some(self.entry(block, None)), clock, tracer) } else { Outcome::Finished };
+        let outcome =
+            if self.engine.has_block(block) { self.run(Go::Enter(self.entry(block, None)), clock, tracer) } else { Outcome::Finished };
         self.after_startup(outcome);
         self.mode
     }
@@ -109,6 +111,7 @@ impl Cpu {
 
     pub(super) fn after_startup(&mut self, outcome: Outcome) {
         match outcome {
+            Outcome::Paused(rest) => drop(self.pause((rest, Inner::Block), Then::Startup)),
             Outcome::Finished => {
                 self.log(StartInformation { event: 0x4302, ..self.class }, None);
                 self.mode = OperatingMode::Run;

@@ -40,7 +40,7 @@ impl Cpu {
     /// In HOLD, and after a STOP from outside in the middle of a scan, there is none until a scan or startup is whole again.
     /// What the statements before an error or SFC 46 wrote counts, as the STOP that they led to does.
     pub fn retain_image(&mut self) -> Option<&RetainImage> {
-        if self.torn || matches!(self.mode, OperatingMode::Hold | OperatingMode::Startup) {
+        if self.torn || self.pause.is_some() || matches!(self.mode, OperatingMode::Hold | OperatingMode::Startup) {
             return None;
         }
         self.keeper.image(&self.machine, &self.system, &self.settings.retain, &self.declarations, self.cycle.number)

@@ -15,7 +15,28 @@ use crate::organization_blocks as ob;
 pub(super) enum Outcome {
     Finished,
     Suspended,
+    /// By the tracer; [`Go::On`] goes on.
+    Paused(Rest),
     Stopped(StopReason, Option<DiagnosticEntry>),
+}
+
+/// Where a run begins.
+pub(super) enum Go {
+    /// An organization block from its beginning.
+    Enter(Entry),
+    /// With a suspended one: what waits for it comes first.
+    Resume,
+    /// Where the tracer paused it, as if nothing had happened.
+    On(Rest),
+}
+
+/// What a paused run knows beside the state of the CPU.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Rest {
+    /// Registers of the aborted block while OB 88 runs.
+    saved: Option<Registers>,
+    first: Option<DiagnosticEntry>,
+    clock_set: bool,
 }
 
 impl Cpu {
@@ -24,11 +45,16 @@ impl Cpu {
     }
 
     /// Runs an organization block, or goes on with a suspended one; and OB 88 if the run was aborted.
-    pub(super) fn run(&mut self, entry: Option<Entry>, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) -> Outcome {
+    pub(super) fn run(&mut self, go: Go, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) -> Outcome {
         let engine = Arc::clone(&self.engine);
-        let mut entry = entry;
-        let mut resume = entry.is_none();
-        let mut saved: Option<Registers> = None;
+        let (mut saved, mut first, mut clock_set) = (None, None, false);
+        let mut go = match go {
+            Go::On(rest) => {
+                Rest { saved, first, clock_set } = rest;
+                Go::On(Rest::default())
+            }
+            go => go,
+        };
         loop {
             let source = self.settings.time;
             let mut host = CpuHost {
@@ -40,47 +66,53 @@ impl Cpu {
                 time: Time { source, clock: &mut *clock, now_us: self.now_us, start: self.settings.date_and_time },
                 watchdog: &mut self.watchdog,
                 class: self.class,
-                first: None,
+                first: first.take(),
                 abort: None,
                 program: &self.program,
                 system: &mut self.system,
                 interrupts: &mut self.interrupts,
-                clock_set: false,
+                clock_set: std::mem::take(&mut clock_set),
                 slice: self.slice,
+                testing: self.testing,
             };
-            if !resume {
-                if let Some(entry) = &entry {
-                    host.system.begin(host.class);
-                    let requested_us = self.requested_us.take().unwrap_or(self.now_us);
-                    host.interrupts.run_times.begin(entry.block.number, 0, requested_us, self.now_us);
-                }
+            if let Go::Enter(entry) = &go {
+                host.system.begin(host.class);
+                let requested_us = self.requested_us.take().unwrap_or(self.now_us);
+                host.interrupts.run_times.begin(entry.block.number, 0, requested_us, self.now_us);
                 self.machine.frames.clear();
                 self.machine.parameters.clear();
             }
-            host.begin(&mut self.machine);
+            if !matches!(go, Go::On(_)) {
+                host.begin(&mut self.machine);
+            }
             let tracer: Option<&mut dyn Tracer> = match &mut tracer {
                 Some(tracer) => Some(&mut **tracer),
                 None => None,
             };
             let mut context = Context { machine: &mut self.machine, host: &mut host, tracer };
-            let exit = match &entry {
-                Some(entry) if !resume => engine.run(&mut context, entry),
-                _ => engine.resume(&mut context),
+            let exit = match &go {
+                Go::Enter(entry) => engine.run(&mut context, entry),
+                Go::Resume => engine.resume(&mut context),
+                Go::On(_) => engine.go_on(&mut context),
             };
-            let (abort, first, now_us, start) = (host.abort, host.first, host.time.now_us, host.time.start);
+            let (abort, stop, now_us, start) = (host.abort, host.first, host.time.now_us, host.time.start);
+            let clock_set = host.clock_set;
             self.slice = host.slice;
-            self.watchdog.settle(&self.machine);
             self.now_us = now_us;
             self.settings.date_and_time = start;
+            if exit == Exit::Paused {
+                return Outcome::Paused(Rest { saved, first: stop, clock_set });
+            }
+            self.watchdog.settle(&self.machine);
             self.interrupts.run_times.end(self.machine.frames.len(), self.now_us);
             if let (Exit::Stopped(_), Some(info)) = (&exit, abort) {
                 if self.leave_class() {
                     self.interrupts.abort(info, self.now_us);
-                    (entry, resume) = (None, true);
+                    go = Go::Resume;
                 } else {
                     saved.get_or_insert_with(|| self.machine.registers.clone());
                     self.class = info;
-                    (entry, resume) = (Some(self.entry(ob::PROCESSING_ABORT, None)), false);
+                    go = Go::Enter(self.entry(ob::PROCESSING_ABORT, None));
                 }
                 continue;
             }
@@ -91,7 +123,7 @@ impl Cpu {
                     // OB 88 has registers of its own; those of the aborted block are the ones to show.
                     self.machine.registers = registers.clone();
                     return match exit {
-                        Exit::Stopped(reason) => Outcome::Stopped(reason, first),
+                        Exit::Stopped(reason) => Outcome::Stopped(reason, stop),
                         _ => Outcome::Finished,
                     };
                 }

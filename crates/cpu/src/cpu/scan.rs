@@ -1,5 +1,6 @@
 //! One cycle: time passes, the cycle control point, OB 1.
 
+use std::ops::ControlFlow;
 use std::sync::atomic::Ordering;
 
 use sieben_engine::Tracer;
@@ -8,7 +9,8 @@ use sieben_model::address::Area;
 use super::Cpu;
 use super::background::Slice;
 use super::interrupting::again;
-use super::run::Outcome;
+use super::pause::{Inner, Then};
+use super::run::{Go, Outcome};
 use super::stop::Held;
 use crate::clock::clock_memory;
 use crate::interrupts::Again;
@@ -48,11 +50,19 @@ impl Cpu {
 
     /// One cycle with a clock (microseconds), which is asked again inside the scan in real time.
     pub fn scan_with(&mut self, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) -> ScanReport {
+        self.end_pause(clock);
         if let Some(newer) = self.engine.newer() {
             self.engine = newer;
         }
         let begin_us = clock();
-        self.serve_until(begin_us, clock, again(&mut tracer));
+        if let ControlFlow::Break(paused) = self.serve_until(begin_us, clock, again(&mut tracer)) {
+            return self.pause(paused, Then::Cycle { until_us: begin_us });
+        }
+        self.cycle_from(begin_us, clock, tracer)
+    }
+
+    /// The cycle, when the time has passed.
+    pub(super) fn cycle_from(&mut self, begin_us: u64, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) -> ScanReport {
         self.advance(begin_us);
         if self.mode == OperatingMode::Run && self.requests.stop.swap(false, Ordering::Relaxed) {
             self.stop();
@@ -64,21 +74,28 @@ impl Cpu {
             // After a hot restart the rest of the interrupted cycle comes first, without the cycle control point.
             self.put_stack(stack);
             self.watchdog = self.new_watchdog();
-            let outcome = self.run(None, clock, again(&mut tracer));
+            let outcome = self.run(Go::Resume, clock, again(&mut tracer));
             return self.after_cycle(outcome, clock, tracer);
         }
         self.cycle.begin(self.now_us);
         self.cycle_control_point();
         self.watchdog = self.new_watchdog();
         // Modules may have answered to their new outputs.
-        self.serve_waiting(clock, &mut tracer);
+        if let ControlFlow::Break(paused) = self.serve_waiting(clock, &mut tracer) {
+            return self.pause(paused, Then::Program);
+        }
+        self.run_program(clock, tracer)
+    }
+
+    /// OB 1.
+    pub(super) fn run_program(&mut self, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) -> ScanReport {
         if self.mode != OperatingMode::Run {
             return self.report(true, 0);
         }
         self.class = StartInformation::cycle(self.restart, self.cycle.number, &self.cycle.times);
         let registers = self.preset.take();
         let outcome = if self.engine.has_block(ob::CYCLE) {
-            self.run(Some(self.entry(ob::CYCLE, registers)), clock, again(&mut tracer))
+            self.run(Go::Enter(self.entry(ob::CYCLE, registers)), clock, again(&mut tracer))
         } else {
             Outcome::Finished
         };
@@ -105,7 +122,20 @@ impl Cpu {
             // What interrupted OB 90 ends, and OB 90 waits for the next pause.
             self.slice = Some(Slice::Until(0));
         }
-        let outcome = self.run(None, clock, again(&mut tracer));
+        let outcome = match self.run(Go::Resume, clock, again(&mut tracer)) {
+            Outcome::Paused(rest) => return self.pause((rest, Inner::Block), Then::Held(held)),
+            outcome => outcome,
+        };
+        self.after_held(held, outcome, clock, tracer)
+    }
+
+    pub(super) fn after_held(
+        &mut self,
+        held: Held,
+        outcome: Outcome,
+        clock: &mut dyn FnMut() -> u64,
+        tracer: Option<&mut dyn Tracer>,
+    ) -> ScanReport {
         match held {
             Held::Startup => {
                 self.after_startup(outcome);
@@ -162,15 +192,27 @@ impl Cpu {
     ) -> ScanReport {
         self.registers = self.machine.registers.clone();
         match outcome {
+            Outcome::Paused(rest) => return self.pause((rest, Inner::Block), Then::AfterProgram),
             // What came after the last safe point, or was held up until the end.
             Outcome::Finished => {
                 self.torn = false;
-                self.serve_waiting(clock, &mut tracer);
+                if let ControlFlow::Break(paused) = self.serve_waiting(clock, &mut tracer) {
+                    return self.pause(paused, Then::EndOfCycle);
+                }
             }
             Outcome::Suspended => self.hold(Held::Cycle),
-            Outcome::Stopped(..) if self.system.reboot => self.reboot(clock),
+            Outcome::Stopped(..) if self.system.reboot => {
+                if let ControlFlow::Break(paused) = self.reboot(clock, tracer) {
+                    return self.pause(paused, Then::Reboot);
+                }
+            }
             Outcome::Stopped(reason, first) => self.enter_stop(reason, first),
         }
+        self.end_cycle(clock)
+    }
+
+    /// The cycle is over.
+    pub(super) fn end_cycle(&mut self, clock: &mut dyn FnMut() -> u64) -> ScanReport {
         let end = match self.settings.time {
             TimeSource::Virtual => self.now_us,
             TimeSource::Real => clock().max(self.now_us),

@@ -95,6 +95,7 @@ impl Cpu {
         self.paused = None;
         self.mode = OperatingMode::Stop;
         self.held = None;
+        self.pause = None;
         self.machine.frames.clear();
         self.machine.parameters.clear();
         self.interrupts.clear();

@@ -27,8 +27,8 @@ impl Call<'_, '_> {
         }
         for offset in 0..record.len() as u32 {
             let byte = first + offset;
-            let rack = &self.host.rack;
-            let value = if output { rack.peripheral_output(byte, Width::Byte) } else { rack.peripheral_read(byte, Width::Byte) };
+            let rack = &mut *self.host.rack;
+            let value = if output { rack.peripheral_output(byte, Width::Byte) } else { rack.read_for_program(byte, Width::Byte) };
             if value.is_none() {
                 return Err(if offset == 0 { NO_MODULE } else { LENGTH });
             }

@@ -118,6 +118,7 @@ pub(super) fn with_host(cpu_type: &'static CpuType, memory: &[u8], parameters: &
         interrupts: &mut interrupts,
         clock_set: false,
         slice: None,
+        testing: false,
     };
     check(&mut Call { machine: &mut machine, host: &mut host, first: 0 });
 }

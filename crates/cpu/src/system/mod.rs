@@ -104,13 +104,15 @@ mod sfc100_set_clks;
 mod sfc101_rtm;
 mod state;
 pub mod summaries;
+pub(crate) mod testing;
 #[cfg(test)]
 mod tests;
 mod unavailable;
 
 use sieben_engine::{Machine, Reaction};
+use sieben_model::address::Width;
 use sieben_model::block::BlockId;
-use sieben_model::interface::SystemBlock;
+use sieben_model::interface::{Interface, SystemBlock};
 
 use crate::host::CpuHost;
 
@@ -228,10 +230,22 @@ pub fn extension_interfaces() -> Vec<SystemBlock> {
     extension::CALLED.iter().map(Row::system_block).collect()
 }
 
+/// The interfaces of what the code of tests asks, which only programs with a test file call.
+pub fn test_interfaces() -> Vec<SystemBlock> {
+    testing::CALLED.iter().map(Row::system_block).collect()
+}
+
+/// How wide the result of a function is; `None` if it has none that is elementary.
+pub fn result_width(interface: &Interface) -> Option<Width> {
+    testing::result_of(interface).map(|(_, width)| width)
+}
+
 /// The row of a system function. The two large tables are sorted.
 fn row(block: BlockId) -> Option<&'static Row> {
     let sorted = |table: &'static [Row]| table.binary_search_by_key(&block, |row| row.block).ok().map(|at| &table[at]);
-    sorted(TABLE).or_else(|| sorted(unavailable::ROWS)).or_else(|| extension::CALLED.iter().find(|row| row.block == block))
+    sorted(TABLE)
+        .or_else(|| sorted(unavailable::ROWS))
+        .or_else(|| extension::CALLED.iter().chain(testing::CALLED).find(|row| row.block == block))
 }
 
 /// Whether a call of this system function does something: those that the CPU does not have answer with an error.

@@ -170,6 +170,14 @@ impl Call<'_, '_> {
         Ok(bytes)
     }
 
+    /// The characters of a STRING.
+    pub(super) fn text(&self, index: usize) -> Result<Vec<u8>, u16> {
+        let at = self.complex(index, 2, false)?;
+        let arena = &self.machine.memory.arena;
+        let length = usize::from(arena[at + 1]);
+        Ok(arena.get(at + 2..at + 2 + length).unwrap_or_default().to_vec())
+    }
+
     /// Writes a complex output.
     pub(super) fn complex_output(&mut self, index: usize, bytes: &[u8]) -> Result<(), u16> {
         let at = self.complex(index, bytes.len(), true)?;

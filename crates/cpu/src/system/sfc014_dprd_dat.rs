@@ -13,7 +13,7 @@ const PARAMETERS: &[Parameter] = &[input("LADDR", DataType::Word), ret_val(), ou
 fn run(call: &mut Call<'_, '_>) -> Answer {
     let (first, record) = call.record(2, false)?;
     for (byte, at) in (first..).zip(record) {
-        let value = call.host.rack.peripheral_read(byte, Width::Byte).unwrap_or_default();
+        let value = call.host.rack.read_for_program(byte, Width::Byte).unwrap_or_default();
         call.machine.memory.arena[at] = value as u8;
     }
     Ok(0)

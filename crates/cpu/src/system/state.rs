@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use sieben_engine::{Machine, machine::Origin};
 use sieben_model::extension::FailedAssertion;
 
+use super::testing::{Asked, Mock};
 use crate::organization_blocks::StartInformation;
 
 /// What a priority class has set; its end forgets it.
@@ -63,6 +64,10 @@ pub(crate) struct State {
     pub(crate) non_retain: BTreeSet<u16>,
     /// What SFC 100 said about the clock.
     pub(crate) clock: ClockStatus,
+    /// What the test that was suspended asks for.
+    pub(crate) asked: Option<Asked>,
+    /// Blocks that the test mocks.
+    pub(crate) mocks: Vec<Mock>,
 }
 
 /// What the program knows about the clock of the CPU.

@@ -185,6 +185,9 @@ impl Engine for Script {
     fn resume(&self, context: &mut Context<'_>) -> Exit {
         self.go(context)
     }
+    fn go_on(&self, context: &mut Context<'_>) -> Exit {
+        self.go(context)
+    }
     fn has_block(&self, block: BlockId) -> bool {
         self.0.contains_key(&block)
     }

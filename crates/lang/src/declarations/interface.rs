@@ -137,12 +137,23 @@ fn unknown(word: &ast::Word, section: Section) -> Declared {
 const PARAMETER_BYTES: u64 = 4;
 
 /// Gives every variable its place; `None` if they need more bytes than a block has.
-pub(crate) fn lay_out(id: BlockId, mut declared: Vec<Declared>) -> Option<BlockInterface> {
+pub(crate) fn lay_out(id: BlockId, declared: Vec<Declared>) -> Option<BlockInterface> {
+    lay_out_behind(id, None, declared)
+}
+
+/// The same for a block whose instance begins with that of another one.
+pub(crate) fn lay_out_behind(id: BlockId, base: Option<&BlockInterface>, mut declared: Vec<Declared>) -> Option<BlockInterface> {
     declared.sort_by_key(|variable| variable.section);
     let function = matches!(id.kind, BlockKind::Function | BlockKind::SystemFunction);
     let mut interface = Interface::default();
     let mut instance = Structure { name: Some(id.to_string()), ..Structure::default() };
     let (mut instance_cursor, mut local_cursor, mut parameters) = (0u64, 0u64, 0u32);
+    if let Some(base) = base {
+        let kept = base.interface.variables.iter().filter(|variable| variable.section != Section::Temp);
+        interface.variables.extend(kept.cloned());
+        instance.fields.clone_from(&base.instance.fields);
+        instance_cursor = u64::from(base.instance.size) * 8;
+    }
     let mut last = None;
     for variable in declared {
         let Declared { name, section, data_type, initial, comment, span } = variable;

@@ -1,348 +1,114 @@
-//! The dosing plant: a supply tank, a valve, a flow meter and a vessel, with a START and a STOP button.
-//!
-//! | bit of the first input byte | |
-//! |---|---|
-//! | 0 | START, 1 while pressed |
-//! | 1 | STOP, normally closed: 0 while pressed |
-//! | 7 | flow meter, one pulse per litre |
-//!
-//! Bit 0 of the first output byte is the valve; the word four bytes behind it is the BCD display.
+//! A tank whose level is measured: an inlet that can be switched or throttled, an outlet, three float switches.
 
-use std::ops::Range;
+use super::random::Random;
+use super::{ANALOG_MAX, Kind, Process, STEP_US, actuator, commanded, is_set, measured, opening, parameter, put_bits, put_word, sensor};
 
-use sieben_cpu::IoModule;
-use sieben_model::bcd;
+/// The row of the tank in the table of kinds.
+pub(super) const KIND: Kind = Kind {
+    name: "tank",
+    about: "A tank with a measured level, an inlet valve, an outlet valve and three float switches.",
+    behaviour: "dV/dt = `inflow` · x − `outflow` · y · √(V / `volume`), by Torricelli. x is 1 while `inlet` is 1, else the opening of `inlet_valve`; y likewise for `outlet`. \
+                The valves for `inlet` and `outlet` take 1 s from shut to open. The level reads 0 to 27648 for 0 to 100 %, with waves of at most `waves` per cent. \
+                What does not fit in is spilled.",
+    input_bytes: 4,
+    output_bytes: 4,
+    signals: &[
+        sensor("low", 0, 0, "float switch at 10 %, 1 while it is under water"),
+        sensor("high", 0, 1, "float switch at 90 %, 1 while it is under water"),
+        sensor("overflow", 0, 2, "safety float switch at 98 %, normally closed: 0 while it is under water"),
+        sensor("inlet_open", 0, 3, "limit switch of the inlet valve, 1 = open"),
+        sensor("outlet_open", 0, 4, "limit switch of the outlet valve, 1 = open"),
+        measured("level", 2, "%", ANALOG_MAX / 100.0, "level, 0 to 27648 for 0 to 100 %"),
+        actuator("inlet", 0, 0, "1 opens the inlet valve"),
+        actuator("outlet", 0, 1, "1 opens the outlet valve"),
+        commanded("inlet_valve", 2, "%", ANALOG_MAX / 100.0, "opening of the control valve at the inlet, 0 to 27648"),
+    ],
+    parameters: &[
+        parameter("volume", 500.0, (1.0, 100_000.0), "l", "what the tank holds"),
+        parameter("inflow", 10.0, (0.0, 1000.0), "l/s", "flow through the open inlet"),
+        parameter("outflow", 8.0, (0.0, 1000.0), "l/s", "flow through the open outlet of a full tank"),
+        parameter("level", 20.0, (0.0, 100.0), "%", "level at the beginning"),
+        parameter("waves", 0.2, (0.0, 10.0), "%", "how far the reading is off at most"),
+    ],
+    make: |values, seed| {
+        Box::new(Tank {
+            volume: values[0],
+            inflow: values[1],
+            outflow: values[2],
+            content: values[0] * values[3] / 100.0,
+            waves: values[4],
+            wave: 0.0,
+            inlet: 0.0,
+            outlet: 0.0,
+            spilled: 0.0,
+            until_wave: WAVE_STEPS,
+            random: Random::new(seed),
+        })
+    },
+};
 
-/// Microlitres in a litre.
-const LITRE: u64 = 1_000_000;
-/// The flow changes a little every 100 ms.
-const NOISE_STEP_US: u64 = 100_000;
-/// Steps of noise in one go; time beyond them (more than an hour at once) passes at the nominal flow.
-const NOISE_STEPS_MAX: u64 = 36_000;
-/// Output bytes: the valve, a gap, and the display word.
-const OUTPUT_BYTES: u32 = 6;
-/// Where the display word lies in them.
-const DISPLAY: usize = 4;
+const DT: f64 = STEP_US as f64 / 1e6;
+/// A valve moves from shut to open in one second.
+const TRAVEL: f64 = DT;
+/// The waves change every 100 ms.
+const WAVE_STEPS: u64 = 100_000 / STEP_US;
 
-/// A button of the plant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Button {
-    /// START, input bit 0.
-    Start,
-    /// STOP, input bit 1, normally closed.
-    Stop,
-}
-
-/// How the plant is built.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TankSettings {
-    /// What the user calls it.
-    pub name: String,
-    /// First input byte.
-    pub input: u32,
-    /// First output byte.
-    pub output: u32,
-    /// Nominal flow through the open valve in millilitres per second.
-    pub flow_ml_per_s: u32,
-    /// The flow changes by at most this many per mille.
-    pub noise_per_mille: u32,
-    /// What the supply tank holds, in litres; it is full at the beginning.
-    pub supply_litres: u32,
-    /// What the vessel holds, in litres; it is empty at the beginning.
-    pub vessel_litres: u32,
-    /// Where the noise begins; equal seeds give equal plants.
-    pub seed: u64,
-}
-
-impl Default for TankSettings {
-    fn default() -> Self {
-        Self {
-            name: "tank".into(),
-            input: 0,
-            output: 0,
-            flow_ml_per_s: 5000,
-            noise_per_mille: 20,
-            supply_litres: 1000,
-            vessel_litres: 200,
-            seed: 1,
-        }
-    }
-}
-
-/// The dosing plant as a module.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Tank {
-    settings: TankSettings,
-    start_pressed: bool,
-    stop_pressed: bool,
-    outputs: [u8; OUTPUT_BYTES as usize],
-    /// All amounts in microlitres.
-    delivered: u64,
-    supply: u64,
-    vessel: u64,
-    spilled: u64,
-    /// Flow in microlitres per second, with its noise.
-    flow: u64,
-    /// What the flow did not yet make a whole microlitre, in microlitres × 10⁻⁶.
-    rest: u64,
-    until_noise_us: u64,
-    random: u64,
+#[derive(Clone)]
+struct Tank {
+    /// Litres.
+    volume: f64,
+    /// Litres per second.
+    inflow: f64,
+    outflow: f64,
+    content: f64,
+    /// Per cent of the level.
+    waves: f64,
+    wave: f64,
+    /// Openings, 0 to 1.
+    inlet: f64,
+    outlet: f64,
+    spilled: f64,
+    until_wave: u64,
+    random: Random,
 }
 
 impl Tank {
-    /// A plant with a full supply tank and an empty vessel.
-    pub fn new(settings: TankSettings) -> Self {
-        let supply = u64::from(settings.supply_litres) * LITRE;
-        let flow = u64::from(settings.flow_ml_per_s) * 1000;
-        let random = settings.seed;
-        Self {
-            settings,
-            start_pressed: false,
-            stop_pressed: false,
-            outputs: [0; OUTPUT_BYTES as usize],
-            delivered: 0,
-            supply,
-            vessel: 0,
-            spilled: 0,
-            flow,
-            rest: 0,
-            until_noise_us: NOISE_STEP_US,
-            random,
-        }
-    }
-
-    /// Presses a button.
-    pub fn press(&mut self, button: Button) {
-        *self.button(button) = true;
-    }
-    /// Releases a button.
-    pub fn release(&mut self, button: Button) {
-        *self.button(button) = false;
-    }
-    /// Presses a released button and releases a pressed one.
-    pub fn toggle(&mut self, button: Button) {
-        let pressed = self.button(button);
-        *pressed = !*pressed;
-    }
-    /// Whether a button is pressed.
-    pub fn is_pressed(&self, button: Button) -> bool {
-        match button {
-            Button::Start => self.start_pressed,
-            Button::Stop => self.stop_pressed,
-        }
-    }
-
-    /// Whether the valve is open.
-    pub fn valve_open(&self) -> bool {
-        self.outputs[0] & 1 != 0
-    }
-    /// Whether liquid flows: the valve is open and the supply tank is not empty.
-    pub fn flowing(&self) -> bool {
-        self.valve_open() && self.supply > 0
-    }
-    /// The flow meter's signal: it rises with each full litre and falls half a litre later.
-    pub fn pulse(&self) -> bool {
-        self.delivered >= LITRE && self.delivered % LITRE < LITRE / 2
-    }
-    /// The flow in litres per second; 0 while nothing flows.
-    pub fn flow(&self) -> f64 {
-        if self.flowing() { litres(self.flow) } else { 0.0 }
-    }
-    /// The word on the BCD display.
-    pub fn display(&self) -> u16 {
-        u16::from_be_bytes([self.outputs[DISPLAY], self.outputs[DISPLAY + 1]])
-    }
-    /// The number on the BCD display; `None` if a digit is greater than 9.
-    pub fn display_number(&self) -> Option<u16> {
-        let word = u32::from(self.display());
-        bcd::is_decimal(word, 4).then(|| bcd::decode(word, 4) as u16)
-    }
-    /// Litres that have passed the flow meter since the beginning.
-    pub fn litres_delivered(&self) -> f64 {
-        litres(self.delivered)
-    }
-    /// Litres in the supply tank.
-    pub fn supply_litres(&self) -> f64 {
-        litres(self.supply)
-    }
-    /// Litres in the vessel.
-    pub fn vessel_litres(&self) -> f64 {
-        litres(self.vessel)
-    }
-    /// Litres that found the vessel full.
-    pub fn spilled_litres(&self) -> f64 {
-        litres(self.spilled)
-    }
-    /// How the plant is built.
-    pub fn settings(&self) -> &TankSettings {
-        &self.settings
-    }
-
-    /// Fills the supply tank.
-    pub fn refill(&mut self) {
-        self.supply = u64::from(self.settings.supply_litres) * LITRE;
-    }
-    /// Puts an empty vessel in place of the old one.
-    pub fn exchange_vessel(&mut self) {
-        self.vessel = 0;
-    }
-
-    fn button(&mut self, button: Button) -> &mut bool {
-        match button {
-            Button::Start => &mut self.start_pressed,
-            Button::Stop => &mut self.stop_pressed,
-        }
-    }
-
-    fn input_byte(&self) -> u8 {
-        u8::from(self.start_pressed) | u8::from(!self.stop_pressed) << 1 | u8::from(self.pulse()) << 7
-    }
-
-    /// Liquid flows for a time at one flow.
-    fn pass(&mut self, dt_us: u64) {
-        if !self.flowing() {
-            return;
-        }
-        let amount = u128::from(self.flow) * u128::from(dt_us) + u128::from(self.rest);
-        self.rest = (amount % 1_000_000) as u64;
-        let amount = u64::try_from(amount / 1_000_000).unwrap_or(u64::MAX).min(self.supply);
-        self.supply -= amount;
-        self.delivered = self.delivered.saturating_add(amount);
-        let room = (u64::from(self.settings.vessel_litres) * LITRE).saturating_sub(self.vessel);
-        self.vessel += amount.min(room);
-        self.spilled = self.spilled.saturating_add(amount.saturating_sub(room));
-    }
-
-    /// The next flow: nominal, more or less a little.
-    fn change_flow(&mut self) {
-        // The generator splitmix64: one addition and a mixing of the bits.
-        self.random = self.random.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut mixed = self.random;
-        mixed = (mixed ^ mixed >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-        mixed ^= mixed >> 31;
-        let nominal = u64::from(self.settings.flow_ml_per_s) * 1000;
-        let band = nominal / 1000 * u64::from(self.settings.noise_per_mille.min(1000));
-        self.flow = nominal - band + mixed % (2 * band + 1);
+    fn level(&self) -> f64 {
+        self.content / self.volume * 100.0
     }
 }
 
-fn litres(microlitres: u64) -> f64 {
-    microlitres as f64 / LITRE as f64
+/// A valve goes on towards open or shut.
+fn travel(opening: f64, open: bool) -> f64 {
+    if open { (opening + TRAVEL).min(1.0) } else { (opening - TRAVEL).max(0.0) }
 }
 
-impl IoModule for Tank {
-    fn name(&self) -> &str {
-        &self.settings.name
-    }
-    fn inputs(&self) -> Range<u32> {
-        self.settings.input..self.settings.input.saturating_add(1)
-    }
-    fn outputs(&self) -> Range<u32> {
-        self.settings.output..self.settings.output.saturating_add(OUTPUT_BYTES)
-    }
-    fn read(&self, _offset: u32, into: &mut [u8]) {
-        into.fill(self.input_byte());
-    }
-    fn write(&mut self, offset: u32, from: &[u8]) {
-        let start = offset as usize;
-        self.outputs[start..start + from.len()].copy_from_slice(from);
-    }
-    fn advance(&mut self, dt_us: u64) {
-        let mut left = dt_us;
-        for _ in 0..NOISE_STEPS_MAX {
-            if left < self.until_noise_us {
-                break;
-            }
-            left -= self.until_noise_us;
-            self.pass(self.until_noise_us);
-            self.until_noise_us = NOISE_STEP_US;
-            self.change_flow();
+impl Process for Tank {
+    fn step(&mut self, commands: &[u8], _hands: &[u8]) {
+        self.inlet = travel(self.inlet, is_set(commands, 0, 0));
+        self.outlet = travel(self.outlet, is_set(commands, 0, 1));
+        let inflow = self.inflow * self.inlet.max(opening(commands, 2));
+        let outflow = self.outflow * self.outlet * (self.content / self.volume).sqrt();
+        let content = self.content + (inflow - outflow) * DT;
+        self.spilled += (content - self.volume).max(0.0);
+        self.content = content.clamp(0.0, self.volume);
+        self.until_wave -= 1;
+        if self.until_wave == 0 {
+            self.until_wave = WAVE_STEPS;
+            self.wave = self.waves * self.random.around_zero();
         }
-        self.pass(left);
-        self.until_noise_us = self.until_noise_us.saturating_sub(left).max(1);
     }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn plant() -> Tank {
-        Tank::new(TankSettings::default())
+    fn sense(&self, into: &mut [u8]) {
+        let level = self.level();
+        let bits =
+            [(0, level >= 10.0), (1, level >= 90.0), (2, level < 98.0), (3, self.inlet >= 1.0 - 1e-9), (4, self.outlet >= 1.0 - 1e-9)];
+        put_bits(&mut into[0], &bits);
+        put_word(into, 2, (level + self.wave).clamp(0.0, 100.0) * ANALOG_MAX / 100.0);
     }
-
-    fn input(tank: &Tank) -> u8 {
-        let mut byte = [0];
-        tank.read(0, &mut byte);
-        byte[0]
+    fn state(&self) -> Vec<(&'static str, f64, &'static str)> {
+        vec![("level", self.level(), "%"), ("content", self.content, "l"), ("spilled", self.spilled, "l")]
     }
-
-    #[test]
-    fn buttons_show_in_the_input_byte() {
-        let mut tank = plant();
-        assert_eq!(input(&tank), 0b10, "STOP is normally closed");
-        tank.press(Button::Start);
-        tank.toggle(Button::Stop);
-        assert_eq!(input(&tank), 0b01);
-        tank.release(Button::Start);
-        tank.toggle(Button::Stop);
-        assert_eq!(input(&tank), 0b10);
-    }
-
-    #[test]
-    fn the_flow_meter_gives_one_pulse_per_litre() {
-        let mut tank = plant();
-        tank.write(0, &[1]);
-        let (mut pulses, mut last) = (0, false);
-        while tank.litres_delivered() < 100.25 {
-            tank.advance(10_000);
-            pulses += u32::from(tank.pulse() && !last);
-            last = tank.pulse();
-        }
-        assert_eq!(pulses, 100);
-        assert!((tank.supply_litres() + tank.vessel_litres() - 1000.0).abs() < 1e-6);
-        tank.write(0, &[0]);
-        let before = tank.clone();
-        tank.advance(0);
-        assert_eq!(tank, before);
-        tank.advance(5_000_000);
-        assert!((tank.litres_delivered() - before.litres_delivered()).abs() < 1e-9, "nothing flows through a closed valve");
-    }
-
-    #[test]
-    fn the_plant_is_the_same_for_the_same_seed_however_time_is_cut() {
-        let run = |seed, step: u64| {
-            let mut tank = Tank::new(TankSettings { seed, ..TankSettings::default() });
-            tank.write(0, &[1]);
-            for _ in 0..10_000_000 / step {
-                tank.advance(step);
-            }
-            tank.litres_delivered()
-        };
-        assert!((run(7, 10_000) - run(7, 1_000_000)).abs() < 1e-4);
-        assert!((run(7, 10_000) - run(8, 10_000)).abs() > 1e-3);
-    }
-
-    #[test]
-    fn nothing_comes_from_nothing() {
-        let mut tank = plant();
-        tank.write(0, &[1]);
-        tank.advance(u64::MAX);
-        tank.advance(u64::MAX);
-        assert_eq!((tank.supply_litres(), tank.vessel_litres(), tank.spilled_litres()), (0.0, 200.0, 800.0));
-        assert!(!tank.flowing() && tank.flow() == 0.0);
-        tank.refill();
-        tank.exchange_vessel();
-        assert_eq!((tank.supply_litres(), tank.vessel_litres()), (1000.0, 0.0));
-    }
-
-    #[test]
-    fn the_display_shows_bcd() {
-        let mut tank = plant();
-        tank.write(4, &[0x01, 0x42]);
-        assert_eq!((tank.display(), tank.display_number()), (0x142, Some(142)));
-        tank.write(5, &[0x0F]);
-        assert_eq!(tank.display_number(), None);
+    fn copy(&self) -> Box<dyn Process> {
+        Box::new(self.clone())
     }
 }

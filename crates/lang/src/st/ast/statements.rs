@@ -1,7 +1,6 @@
 //! Statements.
 
 use super::{Expression, Name};
-use sieben_model::literal::Value;
 use sieben_model::source::Span;
 
 /// One statement.

@@ -1,0 +1,230 @@
+//! `sieben step FILE…`: one statement at a time, forwards and back.
+
+use std::io::{BufRead, IsTerminal, Read};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use clap::Args;
+use sieben_cpu::{Cpu, OperatingMode};
+use sieben_jit::StatusBits;
+use sieben_model::problems::Problem;
+use sieben_model::symbols::SymbolTable;
+use sieben_sim::history::{History, Plan};
+use sieben_sim::names::Name;
+
+use crate::arguments::{EngineArgument, FaultArguments, ProgramArguments, duration_argument};
+use crate::failure::{Exit, Failure};
+use crate::names::Assignment;
+use crate::project::Build;
+use crate::stepping::commands::{Answer, LINE_MAX, carry_out};
+use crate::stepping::recording::Unusable;
+use crate::stepping::{Language, Stepper, recording, screen, table};
+use crate::{controller, duration, files, output, schedule, terminal};
+
+/// Step through a program, one statement at a time, forwards and back.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  \
+  sieben step lamp.awl --set I0.0=1             the screen, with keys for every step\n  \
+  sieben step lamp.awl --commands steps.txt     commands from a file\n  \
+  printf 'watch MW10\\nrun\\nwho MW10' | sieben step plant --commands - --json\n\n\
+Commands, one line each:\n  step 3, over, out, network, block, scan 2   on\n  back 3, back over, back scan, run back      the same steps back\n  \
+  break FC1:4, break MW10 > 5, watch MW10, run, to OB1:5\n  print MW10, who Q4.0, set I0.0=1, help, quit\n\n\
+Time is virtual, as with `exec`. The columns are the registers after the\n\
+statement of the row; below it stands why, and what it changed.\n\n\
+Exit codes: 0 ok, 2 usage or a wrong command, 3 does not compile, 4 the CPU is in STOP.")]
+pub(crate) struct Arguments {
+    /// Source files, symbol tables, or a project folder
+    #[arg(required = true, value_name = "FILE")]
+    paths: Vec<PathBuf>,
+    #[command(flatten)]
+    program: ProgramArguments,
+    /// Set before the first scan
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// Set at a time, seen by the next scan
+    #[arg(long, value_names = ["T", "NAME=VALUE"], num_args = 2)]
+    at: Vec<String>,
+    #[command(flatten)]
+    faults: FaultArguments,
+    /// There are so many scans [default: as many as are wanted]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    scans: Option<u64>,
+    /// Time from one scan to the next [default: the project's, else 10ms]
+    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = duration_argument)]
+    cycle: Option<Duration>,
+    /// Read commands from a file, `-` = standard input
+    #[arg(long, value_name = "FILE")]
+    commands: Option<PathBuf>,
+    /// Keep what came from outside in a file, to be replayed
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
+    /// Begin with a run that was recorded, at its end
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["set", "at"])]
+    replay: Option<PathBuf>,
+    /// Print one JSON object per command
+    #[arg(long)]
+    json: bool,
+    /// Language of the reasons, en or de
+    #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = language_argument)]
+    lang: Language,
+}
+
+fn language_argument(text: &str) -> Result<Language, String> {
+    Language::from_code(text).ok_or_else(|| format!("`{text}` is no language of the reasons; there are en and de"))
+}
+
+/// Reads and carries out commands.
+pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    let overrides = arguments.program.overrides()?;
+    let project = arguments.program.load(&arguments.paths)?;
+    let cycle = schedule::cycle(arguments.cycle, &project.settings);
+    let mut build = match project.compile(overrides, false).or_report(arguments.json) {
+        Ok(build) => build,
+        Err(exit) => return Ok(exit),
+    };
+    let mut cpu = controller::load(&build, EngineArgument::Interpreter, StatusBits::All, controller::settings(&build));
+    arguments.faults.inject(&mut cpu)?;
+    arguments.faults.note(&mut build.project.settings.modules);
+    let timed = timed(arguments, &build.project.symbols, &cpu)?;
+    let plan = Plan::new(duration::micros(cycle), arguments.scans, timed);
+    let mut stepper = match &arguments.replay {
+        Some(path) => replay(path, &build, cpu, plan)?,
+        None => Stepper::new(&build, cpu, plan),
+    };
+    let exit = if arguments.commands.is_none() && !arguments.json && terminal::has_screen() {
+        on_screen(arguments, &mut stepper)?
+    } else {
+        let input = open(arguments)?;
+        read_commands(arguments, &mut stepper, input)?
+    };
+    if let Some(path) = &arguments.record {
+        match recording::write(&stepper) {
+            Some(text) => files::write_whole(path, text.as_bytes())?,
+            None => {
+                let message = "the run cannot be recorded: its beginning is no longer kept";
+                return Err(Failure::usage(Problem::P7044, message).help("record shorter runs: `--scans` says how long"));
+            }
+        }
+    }
+    Ok(exit)
+}
+
+/// The microscope with keys, until the user leaves it.
+fn on_screen(arguments: &Arguments, stepper: &mut Stepper<'_>) -> Result<Exit, Failure> {
+    let interrupted = terminal::interrupted();
+    screen::run(stepper, arguments.lang, output::colour(), &interrupted).map_err(|error| terminal::broken(&error))?;
+    Ok(Exit::Success)
+}
+
+/// The run of a recording, at its end.
+fn replay<'b>(path: &Path, build: &'b Build, cpu: Cpu, plan: Plan) -> Result<Stepper<'b>, Failure> {
+    let shown = path.display();
+    let unreadable = |error: std::io::Error| Failure::usage(Problem::P6001, format!("`{shown}` cannot be read: {error}"));
+    let mut text = String::new();
+    let mut file = std::fs::File::open(path).map_err(unreadable)?.take(recording::BYTES_MAX + 1);
+    file.read_to_string(&mut text).map_err(unreadable)?;
+    if text.len() as u64 > recording::BYTES_MAX {
+        return Err(Failure::usage(Problem::P7044, format!("`{shown}` has more than {} bytes", recording::BYTES_MAX)));
+    }
+    let symbols = &build.project.symbols;
+    let name = |name: &str| Name::parse(name, symbols, cpu.program()).map_err(|error| error.to_string());
+    let recording = recording::read(&text, build, name).map_err(|unusable| match unusable {
+        Unusable::OtherProgram => Failure::usage(Problem::P7043, format!("`{shown}` is the recording of another program")),
+        Unusable::Line(line, why) => Failure::usage(Problem::P7044, format!("`{shown}`, line {line}: {why}")),
+    })?;
+    let mut history = History::recorded(cpu, plan, recording.actions);
+    if !history.play(recording.end) {
+        let came = history.position().statements;
+        return Err(Failure::usage(Problem::P7044, format!("`{shown}`: the run ends after {came} statements, not {}", recording.end)));
+    }
+    Ok(Stepper::with_history(build, history))
+}
+
+/// The changes of `--set` and `--at` in the order of their times.
+fn timed(arguments: &Arguments, symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(u64, Name, String)>, Failure> {
+    let mut timed = Vec::new();
+    for text in &arguments.set {
+        let (name, value) = Assignment::parse(text, symbols, cpu)?.into_parts();
+        timed.push((0, name, value));
+    }
+    for (time, assignment) in schedule::timed(&arguments.at, symbols, cpu)? {
+        let (name, value) = assignment.into_parts();
+        timed.push((duration::micros(time), name, value));
+    }
+    Ok(timed)
+}
+
+fn open(arguments: &Arguments) -> Result<Box<dyn BufRead>, Failure> {
+    let Some(path) = arguments.commands.as_ref().filter(|path| path.as_os_str() != "-") else {
+        return Ok(Box::new(std::io::stdin().lock()));
+    };
+    let file = std::fs::File::open(path)
+        .map_err(|error| Failure::usage(Problem::P6001, format!("`{}` cannot be read: {error}", path.display())))?;
+    Ok(Box::new(std::io::BufReader::new(file)))
+}
+
+fn read_commands(arguments: &Arguments, stepper: &mut Stepper<'_>, mut input: Box<dyn BufRead>) -> Result<Exit, Failure> {
+    let language = arguments.lang;
+    let prompts = arguments.commands.is_none() && std::io::stdin().is_terminal() && !arguments.json;
+    let mut wrong = false;
+    if !arguments.json {
+        output::print(table::HEAD)?;
+    }
+    loop {
+        if prompts {
+            output::message("> ");
+        }
+        let Some(line) = next_line(&mut *input)? else { break };
+        let command = line.trim().to_owned();
+        if !arguments.json && !prompts && !command.is_empty() {
+            output::print(&format!("> {command}\n"))?;
+        }
+        let mut rows = String::new();
+        let outcome = carry_out(stepper, &line, &mut |stepper| rows.push_str(&table::row(stepper, language)));
+        if !arguments.json {
+            output::print(&rows)?;
+        }
+        match outcome {
+            Ok(Answer::Quit) => break,
+            Ok(Answer::Nothing) => {}
+            Ok(answer) if arguments.json => output::print_json(&table::answer_json(stepper, &command, &answer, language), false)?,
+            Ok(answer) => output::print(&table::answer(stepper, &answer, language))?,
+            Err(failure) => {
+                wrong = true;
+                if arguments.json {
+                    output::print_json(&table::failure_json(&command, &failure), false)?;
+                } else {
+                    output::message(&failure.render(output::colour()));
+                }
+            }
+        }
+    }
+    Ok(match stepper.cpu().mode() {
+        _ if wrong => Exit::Usage,
+        OperatingMode::Stop if stepper.history().position().actions > 0 => Exit::Stopped,
+        _ => Exit::Success,
+    })
+}
+
+/// The next line, at most a little longer than a command may be; the rest of a longer one is dropped, not kept.
+fn next_line(input: &mut dyn BufRead) -> Result<Option<String>, Failure> {
+    let mut bytes = Vec::new();
+    let failed = |error: std::io::Error| Failure::usage(Problem::P6001, format!("the commands cannot be read: {error}"));
+    let count = Read::take(&mut *input, LINE_MAX as u64 + 2).read_until(b'\n', &mut bytes).map_err(failed)?;
+    if count == 0 {
+        return Ok(None);
+    }
+    while bytes.last() != Some(&b'\n') {
+        let buffer = input.fill_buf().map_err(failed)?;
+        if buffer.is_empty() {
+            break;
+        }
+        let end = buffer.iter().position(|&byte| byte == b'\n');
+        let used = end.map_or(buffer.len(), |end| end + 1);
+        input.consume(used);
+        if end.is_some() {
+            break;
+        }
+    }
+    Ok(Some(String::from_utf8_lossy(&bytes).into_owned()))
+}

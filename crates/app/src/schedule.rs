@@ -1,0 +1,156 @@
+//! When scans begin and what changes between them, as `exec`, `trace` and `step` take it from the command line.
+
+use std::iter::Peekable;
+use std::time::Duration;
+
+use clap::Args;
+use sieben_cpu::Cpu;
+use sieben_model::problems::Problem;
+use sieben_model::symbols::SymbolTable;
+
+use crate::arguments::duration_argument;
+use crate::duration;
+use crate::failure::Failure;
+use crate::names::Assignment;
+use crate::settings::Settings;
+
+/// From one scan to the next, if nobody says otherwise.
+const USUAL_CYCLE: Duration = Duration::from_millis(10);
+
+/// Scans and changes of a run in virtual time.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct ScheduleArguments {
+    /// Set before the first scan: an address, a symbol, DB1.name, ACCU1 to ACCU4, AR1, AR2 or STW
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(crate) set: Vec<String>,
+    /// Set at a time, seen by the next scan
+    #[arg(long, value_names = ["T", "NAME=VALUE"], num_args = 2)]
+    at: Vec<String>,
+    /// Run so many scans [default: 1 with exec, 100 with trace]
+    #[arg(long, value_name = "N", conflicts_with_all = ["duration", "scan_at"], value_parser = clap::value_parser!(u64).range(1..))]
+    scans: Option<u64>,
+    /// Run all scans that begin before this time
+    #[arg(long = "for", value_name = "DURATION", id = "duration", conflicts_with = "scan_at", allow_hyphen_values = true, value_parser = duration_argument)]
+    duration: Option<Duration>,
+    /// Time from one scan to the next [default: the project's, else 10ms]
+    #[arg(long, value_name = "DURATION", conflicts_with = "scan_at", allow_hyphen_values = true, value_parser = duration_argument)]
+    cycle: Option<Duration>,
+    /// Scan exactly at these times instead of every cycle
+    #[arg(long, value_name = "T1,T2,…", value_delimiter = ',', allow_hyphen_values = true, value_parser = duration_argument)]
+    scan_at: Vec<Duration>,
+}
+
+/// When a scan begins, by its number.
+pub(crate) enum Schedule {
+    /// At multiples of the cycle.
+    Cyclic { cycle: Duration, scans: u64 },
+    /// At these times.
+    At(Vec<Duration>),
+}
+
+impl Schedule {
+    /// How many scans there are.
+    pub(crate) fn len(&self) -> u64 {
+        match self {
+            Self::Cyclic { scans, .. } => *scans,
+            Self::At(times) => times.len() as u64,
+        }
+    }
+
+    /// Microseconds at the beginning of a scan.
+    pub(crate) fn begin_us(&self, scan: u64) -> u64 {
+        let us = match self {
+            Self::Cyclic { cycle, .. } => cycle.as_micros().saturating_mul(u128::from(scan)),
+            Self::At(times) => times[scan as usize].as_micros(),
+        };
+        u64::try_from(us).unwrap_or(u64::MAX)
+    }
+}
+
+/// What changes before the first scan and between two.
+pub(crate) struct Changes {
+    set: Vec<Assignment>,
+    at: Peekable<std::vec::IntoIter<(Duration, Assignment)>>,
+}
+
+impl Changes {
+    /// Sets what is set before the first scan.
+    pub(crate) fn begin(&self, cpu: &mut Cpu) -> Result<(), Failure> {
+        self.set.iter().try_for_each(|assignment| assignment.apply(cpu))
+    }
+
+    /// Sets what the scan at this time shall see.
+    pub(crate) fn apply(&mut self, cpu: &mut Cpu, now_us: u64) -> Result<(), Failure> {
+        while let Some((_, assignment)) = self.at.next_if(|(time, _)| time.as_micros() <= u128::from(now_us)) {
+            assignment.apply(cpu)?;
+        }
+        Ok(())
+    }
+}
+
+impl ScheduleArguments {
+    /// Whether nothing is said about when scans begin or what changes.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.set.is_empty()
+            && self.at.is_empty()
+            && self.scan_at.is_empty()
+            && (self.scans, self.duration, self.cycle) == (None, None, None)
+    }
+
+    /// When the scans begin; `usual` is their number if nothing is said.
+    pub(crate) fn schedule(&self, settings: &Settings, usual: u64) -> Result<Schedule, Failure> {
+        if !self.scan_at.is_empty() {
+            if let Some(pair) = self.scan_at.windows(2).find(|pair| pair[1] < pair[0]) {
+                let (late, early) = (duration::show(pair[0]), duration::show(pair[1]));
+                return Err(Failure::usage(
+                    Problem::P7009,
+                    format!("time does not run backwards: {early} stands behind {late} in `--scan-at`"),
+                ));
+            }
+            return Ok(Schedule::At(self.scan_at.clone()));
+        }
+        let cycle = cycle(self.cycle, settings);
+        let scans = match self.duration {
+            None => self.scans.unwrap_or(usual),
+            Some(_) if cycle.is_zero() => {
+                return Err(Failure::usage(Problem::P7009, "with a cycle of 0 virtual time stands still, and `--for` never ends"));
+            }
+            Some(duration) => u64::try_from(duration.as_micros().div_ceil(cycle.as_micros())).unwrap_or(u64::MAX).max(1),
+        };
+        Ok(Schedule::Cyclic { cycle, scans })
+    }
+
+    /// What changes, as names of this CPU.
+    pub(crate) fn changes(&self, symbols: &SymbolTable, cpu: &Cpu) -> Result<Changes, Failure> {
+        let set = self.set.iter().map(|text| Assignment::parse(text, symbols, cpu)).collect::<Result<_, _>>()?;
+        Ok(Changes { set, at: timed(&self.at, symbols, cpu)?.into_iter().peekable() })
+    }
+}
+
+/// Time from one scan to the next in virtual time: the one asked for, else that of the project, else 10 ms; not below the project's least.
+pub(crate) fn cycle(asked: Option<Duration>, settings: &Settings) -> Duration {
+    let usual = settings.cycle.filter(|cycle| !cycle.is_zero()).unwrap_or(USUAL_CYCLE);
+    asked.unwrap_or(usual).max(settings.min_cycle.unwrap_or_default())
+}
+
+/// The same where time has to go on, whatever is asked for, and nobody waits for a least cycle time.
+pub(crate) fn going_cycle(asked: Option<Duration>, settings: &Settings) -> Duration {
+    asked.or(settings.cycle).filter(|cycle| !cycle.is_zero()).unwrap_or(USUAL_CYCLE)
+}
+
+/// The changes of `--at` in the order of their times; those of the same time as they were written.
+pub(crate) fn timed(words: &[String], symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(Duration, Assignment)>, Failure> {
+    let mut timed = Vec::new();
+    for pair in words.chunks_exact(2) {
+        let time = sieben_sim::duration::parse(&pair[0]).map_err(|message| Failure::usage(Problem::P7005, message))?;
+        let assignment = Assignment::parse(&pair[1], symbols, cpu)?;
+        if assignment.name.is_register() {
+            return Err(
+                Failure::usage(Problem::P7003, format!("`{}`: a register can only be set for the first scan", pair[1])).help("use `--set`")
+            );
+        }
+        timed.push((time, assignment));
+    }
+    timed.sort_by_key(|(time, _)| *time);
+    Ok(timed)
+}

@@ -1,0 +1,386 @@
+//! The state of the screen, and the picture that it makes of where the run stands.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use sieben_engine::machine::Registers;
+use sieben_engine::{FaultPlace, Machine, StatementEvent};
+use sieben_lang::stl::operands::{Location, Operand};
+use sieben_model::address::{Address, Area, Width};
+use sieben_model::literal::Value;
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::source::FileId;
+use sieben_sim::history::{Target, Until, Watch};
+
+use super::keys::Command;
+use super::words::{halt, pick};
+use crate::stepping::commands::{Answer, LINE_MAX, carry_out};
+use crate::stepping::{Language, Stepper, View, table};
+
+/// Statements before the present one whose registers are shown beside the source.
+const TRAIL: u64 = 200;
+/// Bytes whose bits are shown at most.
+const BYTES_MAX: usize = 64;
+
+/// What the keys work on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Focus {
+    /// The source.
+    Source,
+    /// The bits.
+    Bits,
+}
+
+/// What stays from one picture to the next.
+pub(super) struct Screen {
+    language: Language,
+    colour: bool,
+    focus: Focus,
+    /// The source that is shown, and the line of the cursor there, from 0.
+    file: FileId,
+    cursor: usize,
+    /// Bytes of inputs, outputs and bit memory that the program uses.
+    bytes: Vec<(Area, u32)>,
+    /// The chosen byte, and the bit in it.
+    chosen: (usize, u8),
+    /// Inputs that were switched since this scan began: a module shows them to the next one.
+    switched: HashMap<(u32, u8), bool>,
+    switched_in: u64,
+    message: String,
+    prompt: Option<String>,
+    help: bool,
+}
+
+/// A line of the source.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct SourceLine {
+    pub(super) number: usize,
+    pub(super) text: String,
+    pub(super) breakpoint: bool,
+    pub(super) next: bool,
+    pub(super) executed: bool,
+    pub(super) cursor: bool,
+    /// RLO, STA and ACCU 1 behind the statement of the line that was executed last.
+    pub(super) seen: Option<(u64, u64, u32)>,
+}
+
+/// Eight bits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct ByteLine {
+    /// `I 0`.
+    pub(super) name: String,
+    pub(super) bits: u8,
+    /// The bit that is chosen, and what it becomes with the next scan.
+    pub(super) chosen: Option<(u8, Option<bool>)>,
+}
+
+/// Everything that is drawn.
+pub(super) struct Picture {
+    pub(super) language: Language,
+    pub(super) colour: bool,
+    pub(super) focus: Focus,
+    /// `OB 1 › FC 3`.
+    pub(super) stack: String,
+    pub(super) view: View,
+    pub(super) registers: Registers,
+    pub(super) four_accumulators: bool,
+    pub(super) file: String,
+    pub(super) lines: Vec<SourceLine>,
+    /// Index of the line of the cursor in `lines`.
+    pub(super) cursor: usize,
+    pub(super) bytes: Vec<ByteLine>,
+    pub(super) watched: Vec<(String, String)>,
+    /// The last statement.
+    pub(super) statement: String,
+    pub(super) reason: String,
+    pub(super) message: String,
+    pub(super) prompt: Option<String>,
+    pub(super) help: bool,
+}
+
+/// Keeps the registers behind the last execution of each statement of a scan.
+#[derive(Default)]
+struct Trail {
+    seen: HashMap<FaultPlace, (u64, u64, u32)>,
+    /// The clock stands still in a scan: another time is another scan.
+    clock_us: u64,
+}
+
+impl Watch for Trail {
+    fn after(&mut self, machine: &Machine, event: &StatementEvent) -> bool {
+        if self.clock_us != machine.clock_us {
+            self.clock_us = machine.clock_us;
+            self.seen.clear();
+        }
+        self.seen.insert(event.place, (event.after.rlo, event.after.sta, event.after.accu1 as u32));
+        false
+    }
+}
+
+impl Screen {
+    pub(super) fn new(stepper: &mut Stepper<'_>, language: Language, colour: bool) -> Self {
+        let mut screen = Self {
+            language,
+            colour,
+            focus: Focus::Source,
+            file: FileId(0),
+            cursor: 0,
+            bytes: bytes(stepper),
+            chosen: (0, 0),
+            switched: HashMap::new(),
+            switched_in: 0,
+            message: pick(language, ["s steps on, S back, h shows all keys", "s geht weiter, S zurück, h zeigt alle Tasten"]).to_owned(),
+            prompt: None,
+            help: false,
+        };
+        screen.follow(stepper);
+        screen
+    }
+
+    /// Whether a command line is open.
+    pub(super) fn is_typing(&self) -> bool {
+        self.prompt.is_some()
+    }
+
+    /// Carries a command out; `true` if it was to leave.
+    pub(super) fn act(&mut self, stepper: &mut Stepper<'_>, command: Command, rows: usize) -> bool {
+        self.message.clear();
+        match command {
+            Command::Quit => return true,
+            Command::Step(unit, direction) => {
+                let ended = stepper.step(unit, direction, 1);
+                self.moved(stepper, halt(&ended, self.language));
+            }
+            Command::Run(direction) => {
+                let ended = stepper.run(direction, crate::stepping::STATEMENTS_MAX);
+                self.moved(stepper, halt(&ended, self.language));
+            }
+            Command::ToCursor => match self.goal(stepper) {
+                Ok(goal) => {
+                    let ended = stepper.run_to(goal);
+                    self.moved(stepper, halt(&ended, self.language));
+                }
+                Err(message) => self.message = message,
+            },
+            Command::Toggle if self.focus == Focus::Bits => self.switch(stepper),
+            Command::Toggle => {
+                if let Err(message) = self.goal(stepper).and_then(|goal| stepper.toggle(goal)) {
+                    self.message = message;
+                }
+            }
+            Command::Lines(lines) if self.focus == Focus::Bits => {
+                let last = self.bytes.len().saturating_sub(1);
+                self.chosen.0 = self.chosen.0.saturating_add_signed(lines as isize).min(last);
+            }
+            Command::Lines(lines) => self.cursor = self.cursor.saturating_add_signed(lines as isize),
+            Command::Pages(pages) => self.cursor = self.cursor.saturating_add_signed(pages as isize * rows.max(1) as isize),
+            // The highest bit stands left.
+            Command::Bits(bits) => self.chosen.1 = (i32::from(self.chosen.1) - bits).rem_euclid(8) as u8,
+            Command::Focus => self.focus = if self.focus == Focus::Source { Focus::Bits } else { Focus::Source },
+            Command::Language => self.language = if self.language == Language::English { Language::German } else { Language::English },
+            Command::Help => self.help = !self.help,
+            Command::Prompt(words) => self.prompt = Some(words.to_owned()),
+            Command::Type(character) => {
+                if let Some(prompt) = &mut self.prompt
+                    && prompt.len() < LINE_MAX
+                {
+                    prompt.push(character);
+                }
+            }
+            Command::Erase => {
+                if let Some(prompt) = &mut self.prompt {
+                    prompt.pop();
+                }
+            }
+            Command::Cancel => {
+                self.prompt = None;
+                self.help = false;
+            }
+            Command::Enter => return self.enter(stepper),
+        }
+        false
+    }
+
+    /// The command line is carried out as a line of `--commands`.
+    fn enter(&mut self, stepper: &mut Stepper<'_>) -> bool {
+        let Some(line) = self.prompt.take() else { return false };
+        let outcome = carry_out(stepper, &line, &mut |_| {});
+        match outcome {
+            Ok(Answer::Quit) => return true,
+            // Where the run stands is what the screen shows anyway.
+            Ok(Answer::Moved(ended)) => self.moved(stepper, halt(&ended, self.language)),
+            Ok(answer) => {
+                let text = table::answer(stepper, &answer, self.language);
+                self.moved(stepper, text.trim());
+            }
+            Err(failure) => {
+                let text = failure.render(false);
+                self.message = text.trim().to_owned();
+            }
+        }
+        false
+    }
+
+    fn moved(&mut self, stepper: &mut Stepper<'_>, message: &str) {
+        self.message = message.to_owned();
+        self.follow(stepper);
+    }
+
+    /// The cursor goes to the statement that comes next, or to the last one between two scans.
+    fn follow(&mut self, stepper: &Stepper<'_>) {
+        let history = stepper.history();
+        let place = history.next_place().or(history.last().map(|event| event.place));
+        let first = || stepper.listing().goal("OB1", None).ok().map(|goal| goal.place);
+        let Some(span) = place.or_else(first).and_then(|place| stepper.listing().span(place)) else { return };
+        self.file = span.file;
+        self.cursor = stepper.listing().places.line(span).saturating_sub(1);
+    }
+
+    fn goal(&self, stepper: &Stepper<'_>) -> Result<crate::stepping::Goal, String> {
+        let name = &stepper.build().project.texts.program.file(self.file).name;
+        stepper.goal(&format!("{name}:{}", self.cursor + 1))
+    }
+
+    /// Switches the chosen bit.
+    fn switch(&mut self, stepper: &mut Stepper<'_>) {
+        let Some(&(area, byte)) = self.bytes.get(self.chosen.0) else { return };
+        let address = Address { area, width: Width::Bit, byte, bit: self.chosen.1 }.spell(Mnemonics::English);
+        let image = stepper.cpu().machine().memory.area(area).get(byte as usize).is_some_and(|byte| byte >> self.chosen.1 & 1 == 1);
+        let scan = stepper.history().scans();
+        if self.switched_in != scan {
+            self.switched.clear();
+            self.switched_in = scan;
+        }
+        let wanted = !self.switched.get(&(byte, self.chosen.1)).copied().filter(|_| area == Area::Input).unwrap_or(image);
+        if let Err(error) = stepper.name(&address).and_then(|name| stepper.set(&name, if wanted { "1" } else { "0" })) {
+            self.message = error.to_string();
+        } else if area == Area::Input {
+            self.switched.insert((byte, self.chosen.1), wanted);
+            let address = self.spell(stepper, area, byte);
+            let becomes = pick(self.language, ["becomes", "wird"]);
+            let when = pick(self.language, ["with the next scan", "mit dem nächsten Zyklus"]);
+            self.message = format!("{address}.{} {becomes} {} {when}", self.chosen.1, u8::from(wanted));
+        }
+    }
+
+    /// `I 0`.
+    fn spell(&self, stepper: &Stepper<'_>, area: Area, byte: u32) -> String {
+        format!("{} {byte}", area.prefix(stepper.listing().places.mnemonics))
+    }
+
+    /// The picture of where the run stands.
+    pub(super) fn picture(&mut self, stepper: &mut Stepper<'_>) -> Picture {
+        let seen = trail(stepper);
+        let view = stepper.view();
+        let texts = &stepper.build().project.texts.program;
+        let file = texts.file(self.file);
+        self.cursor = self.cursor.min(file.text.lines().count().saturating_sub(1));
+        let in_file = |place: FaultPlace| {
+            let span = stepper.listing().span(place).filter(|span| span.file == self.file)?;
+            Some(stepper.listing().places.line(span))
+        };
+        let mut beside: BTreeMap<usize, (u32, (u64, u64, u32))> = BTreeMap::new();
+        for (place, seen) in seen {
+            if let Some(line) = in_file(place)
+                && beside.get(&line).is_none_or(|(statement, _)| *statement <= place.statement)
+            {
+                beside.insert(line, (place.statement, seen));
+            }
+        }
+        let breaks: BTreeSet<usize> = stepper
+            .breakpoints()
+            .iter()
+            .filter_map(|breakpoint| match breakpoint.target {
+                Target::Statement(place, _) => in_file(place),
+                _ => None,
+            })
+            .collect();
+        let line_of = |line: &Option<crate::stepping::Line>| line.as_ref().and_then(|line| in_file(line.place));
+        let (next, executed) = (line_of(&view.next), line_of(&view.executed));
+        let lines = file.text.lines().enumerate().map(|(index, text)| {
+            let number = index + 1;
+            SourceLine {
+                number,
+                text: text.replace('\t', "    "),
+                breakpoint: breaks.contains(&number),
+                next: next == Some(number),
+                executed: executed == Some(number),
+                cursor: index == self.cursor && self.focus == Focus::Source,
+                seen: beside.get(&number).map(|(_, seen)| *seen),
+            }
+        });
+        let lines = lines.collect();
+        let memory = &stepper.cpu().machine().memory;
+        let bytes = self.bytes.iter().enumerate().map(|(index, &(area, byte))| ByteLine {
+            name: self.spell(stepper, area, byte),
+            bits: memory.area(area).get(byte as usize).copied().unwrap_or_default(),
+            chosen: (self.focus == Focus::Bits && index == self.chosen.0).then(|| {
+                let pending = area == Area::Input && self.switched_in == stepper.history().scans();
+                (self.chosen.1, self.switched.get(&(byte, self.chosen.1)).copied().filter(|_| pending))
+            }),
+        });
+        let bytes = bytes.collect();
+        let watched = stepper.watched().iter().map(|name| (name.text().to_owned(), stepper.value(name))).collect();
+        let hits = view.hits.join("; ");
+        Picture {
+            language: self.language,
+            colour: self.colour,
+            focus: self.focus,
+            stack: view.stack.iter().map(ToString::to_string).collect::<Vec<_>>().join(" › "),
+            registers: stepper.registers(),
+            four_accumulators: stepper.build().cpu.accumulators == 4,
+            file: file.name.rsplit(['/', '\\']).next().unwrap_or(&file.name).to_owned(),
+            lines,
+            cursor: self.cursor,
+            bytes,
+            watched,
+            statement: view.executed.as_ref().map_or_else(String::new, |line| line.said(self.language).to_owned()),
+            reason: stepper.reason(self.language),
+            message: if self.message.is_empty() { hits } else { self.message.clone() },
+            prompt: self.prompt.clone(),
+            help: self.help,
+            view,
+        }
+    }
+}
+
+/// The registers behind the statements that led here.
+fn trail(stepper: &mut Stepper<'_>) -> HashMap<FaultPlace, (u64, u64, u32)> {
+    let history = &mut stepper.history;
+    let here = history.position();
+    let from = here.statements.saturating_sub(TRAIL).max(history.first());
+    let mut trail = Trail::default();
+    if from < here.statements {
+        history.go_to(from);
+        history.run(Until { statements: here.statements - from, scans: u64::MAX }, &mut trail);
+        history.go_to_position(here);
+    }
+    trail.seen
+}
+
+/// Bytes of inputs, outputs and bit memory of which the program or its symbols name a bit.
+fn bytes(stepper: &Stepper<'_>) -> Vec<(Area, u32)> {
+    let mut bytes = BTreeSet::new();
+    let build = stepper.build();
+    let shown = |area: &Area| matches!(area, Area::Input | Area::Output | Area::BitMemory);
+    for statement in build.compiled.blocks.values().flat_map(|block| &block.statements) {
+        if let Operand::Memory(access) = &statement.operand
+            && let (Width::Bit, Location::Fixed { area, position }) = (access.width, &access.location)
+            && shown(area)
+        {
+            bytes.insert((*area, position / 8));
+        }
+    }
+    for symbol in build.project.symbols.symbols() {
+        if let Some(sieben_model::address::Operand::Address(Address { area, width: Width::Bit, byte, .. })) = symbol.operand()
+            && shown(&area)
+        {
+            bytes.insert((area, byte));
+        }
+    }
+    bytes.into_iter().take(BYTES_MAX).collect()
+}
+
+/// A pointer as it stands among the registers.
+pub(super) fn pointer(bits: u64) -> String {
+    Value::Pointer(bits as u32).spell()
+}

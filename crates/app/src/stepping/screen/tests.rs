@@ -1,0 +1,146 @@
+//! What the microscope shows, drawn into memory.
+
+use std::path::{Path, PathBuf};
+
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use sieben_jit::StatusBits;
+use sieben_sim::history::Plan;
+
+use super::draw;
+use super::keys::Command;
+use super::picture::Screen;
+use crate::arguments::EngineArgument;
+use crate::controller;
+use crate::project::{Build, Overrides, Project};
+use crate::stepping::{Direction, Language, Stepper, Unit};
+
+fn build() -> Build {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/dosing");
+    let paths: Vec<PathBuf> = ["dosing.awl", "symbols.csv"].iter().map(|name| root.join(name)).collect();
+    let project = Project::load(&paths, None).unwrap_or_else(|failure| panic!("{}", failure.render(false)));
+    project.compile(Overrides::default(), false)
+}
+
+fn stepper(build: &Build) -> Stepper<'_> {
+    let cpu = controller::load(build, EngineArgument::Interpreter, StatusBits::All, controller::settings(build));
+    Stepper::new(build, cpu, Plan::new(10_000, None, Vec::new()))
+}
+
+/// The screen behind these commands.
+fn shown(commands: &[Command], language: Language, (width, height): (u16, u16)) -> String {
+    let build = build();
+    let mut stepper = stepper(&build);
+    let mut screen = Screen::new(&mut stepper, language, true);
+    for &command in commands {
+        assert!(!screen.act(&mut stepper, command, 10), "{command:?} does not leave");
+    }
+    let picture = screen.picture(&mut stepper);
+    let mut terminal = Terminal::new(TestBackend::new(width, height)).expect("a backend in memory");
+    terminal.draw(|frame| draw::draw(frame, &picture)).expect("a backend in memory");
+    terminal.backend().to_string()
+}
+
+const STEP: Command = Command::Step(Unit::Statement, Direction::Forward);
+const BACK: Command = Command::Step(Unit::Statement, Direction::Back);
+
+#[test]
+fn the_screen_shows_source_registers_and_reason() {
+    insta::assert_snapshot!(shown(&[STEP, STEP, STEP], Language::English, (80, 24)));
+}
+
+#[test]
+fn the_picture_in_the_documentation_is_what_the_screen_shows() {
+    let page = include_str!("../../../../../docs/learn/step-through-a-network.md");
+    let picture = page.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a picture on the page");
+    let screen = shown(&[STEP, STEP, STEP], Language::English, (80, 24));
+    let shown: Vec<&str> = screen.lines().map(|line| line.trim_matches('"').trim_end()).collect();
+    assert_eq!(picture.lines().collect::<Vec<_>>(), shown);
+}
+
+#[test]
+fn the_screen_speaks_german() {
+    insta::assert_snapshot!(shown(&[STEP, STEP, STEP, Command::Help], Language::German, (80, 24)));
+}
+
+#[test]
+fn a_larger_terminal_shows_more_source() {
+    let commands = [Command::Step(Unit::Scan, Direction::Forward), STEP, Command::Focus, Command::Toggle, STEP, STEP];
+    insta::assert_snapshot!(shown(&commands, Language::English, (120, 40)));
+}
+
+#[test]
+fn a_step_back_shows_what_was_before() {
+    let message = |text: &str| text.lines().last().unwrap_or_default().to_owned();
+    let there = shown(&[STEP, STEP], Language::English, (80, 24));
+    let and_back = shown(&[STEP, STEP, STEP, BACK], Language::English, (80, 24));
+    // The picture is the same but for the header, which tells how much lies ahead.
+    assert_eq!(there.lines().skip(1).collect::<Vec<_>>(), and_back.lines().skip(1).collect::<Vec<_>>());
+    assert!(and_back.lines().next().is_some_and(|header| header.contains("past · ")), "{and_back}");
+    assert!(message(&shown(&[BACK], Language::English, (80, 24))).contains("this is the beginning of the run"));
+}
+
+#[test]
+fn a_breakpoint_at_the_cursor_stops_the_run() {
+    let commands = [Command::Lines(3), Command::Toggle, Command::Run(Direction::Forward)];
+    let text = shown(&commands, Language::English, (80, 24));
+    assert!(text.contains('●') && text.contains("breakpoint 1"), "{text}");
+}
+
+#[test]
+fn a_command_line_takes_every_command() {
+    let type_in = |line: &str| {
+        let mut commands = vec![Command::Prompt("")];
+        commands.extend(line.chars().map(Command::Type));
+        commands.push(Command::Enter);
+        commands
+    };
+    let text = shown(&type_in("watch MW10"), Language::English, (80, 24));
+    let wrong = shown(&type_in("walk"), Language::English, (80, 24));
+    assert!(text.contains("MW10"), "{text}");
+    assert!(wrong.contains("walk"), "{wrong}");
+    // A movement is shown by the screen itself, not by a row of the table.
+    let moved = shown(&type_in("step 3"), Language::English, (80, 24));
+    assert!(moved.lines().last().is_some_and(|line| line.contains("s step")), "{moved}");
+}
+
+#[test]
+fn a_message_is_shown_to_its_end() {
+    let text = shown(&[vec![Command::Prompt("walk")], vec![Command::Enter]].concat(), Language::English, (80, 24));
+    // The longest of all lists every command; the last one stands in its last line.
+    assert!(text.contains("[P7040] Error: `walk` is no command") && text.contains("`help` or `quit`"), "{text}");
+}
+
+#[test]
+fn registers_stand_beside_the_statements_on_a_wide_terminal() {
+    let text = shown(&[STEP, STEP, STEP], Language::English, (160, 50));
+    let line = text.lines().find(|line| line.contains("L     C#25")).expect("the statement is shown");
+    let column = line.split("00000025").next().map(|left| left.chars().count());
+    assert!(column.is_some_and(|column| column < 90), "{text}");
+}
+
+#[test]
+fn before_the_start_there_is_no_number_of_a_scan() {
+    let text = shown(&[], Language::English, (80, 24));
+    assert!(text.lines().next().is_some_and(|header| header.contains("before the start") && header.contains("start · 0 ms")), "{text}");
+}
+
+#[test]
+fn an_input_is_switched_among_the_bits_and_the_next_scan_sees_it() {
+    let text = shown(&[Command::Focus, Command::Toggle], Language::English, (80, 24));
+    assert!(text.contains("I 0.0 becomes 1 with the next scan") && text.contains("0000 0000  .0 → 1"), "{text}");
+    let scan = Command::Step(Unit::Scan, Direction::Forward);
+    let next = shown(&[Command::Focus, Command::Toggle, scan], Language::English, (80, 24));
+    assert!(next.contains("0000 0001  .0 "), "{next}");
+    let back_off = shown(&[Command::Focus, Command::Toggle, Command::Toggle, scan], Language::German, (80, 24));
+    assert!(back_off.contains("0000 0000  .0 "), "{back_off}");
+}
+
+#[test]
+fn a_small_terminal_is_asked_to_grow_and_no_size_panics() {
+    let text = shown(&[], Language::English, (79, 10));
+    assert!(text.contains("The microscope needs 80 × 24 characters; this terminal has 79 × 10."), "{text}");
+    for size in [(1, 1), (2, 60), (200, 1), (80, 24), (81, 25), (300, 100)] {
+        shown(&[STEP, Command::Help], Language::German, size);
+    }
+}

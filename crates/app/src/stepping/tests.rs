@@ -1,0 +1,109 @@
+//! Whatever stands in a line of commands, the run stays what it is.
+
+use std::path::PathBuf;
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use proptest::prelude::*;
+use sieben_jit::StatusBits;
+use sieben_sim::history::Plan;
+
+use super::commands::{ROWS, carry_out};
+use super::{Language, Stepper, table};
+use crate::arguments::EngineArgument;
+use crate::controller;
+use crate::project::{Build, Overrides, Project};
+
+const SOURCE: &str = "DATA_BLOCK DB 1\nSTRUCT\n n : INT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\nFUNCTION FC 1 : VOID\nBEGIN\nL DB1.n\n+ 1\nT DB1.n\n\
+    END_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA I 0.0\n= Q 4.0\nend: NOP 0\nNETWORK\nUC FC 1\nL DB1.n\nT MW 10\nEND_ORGANIZATION_BLOCK\n";
+
+fn build() -> Build {
+    let now = SystemTime::now().duration_since(UNIX_EPOCH).expect("a clock after 1970").as_nanos();
+    let path: PathBuf = std::env::temp_dir().join(format!("sieben-step-{}-{now}.awl", std::process::id()));
+    std::fs::write(&path, SOURCE).expect("the folder for temporary files is writable");
+    let project = Project::load(std::slice::from_ref(&path), None).expect("the source is read");
+    std::fs::remove_file(&path).expect("the source can be removed");
+    project.compile(Overrides::default(), false)
+}
+
+/// Words that commands are made of, good and bad.
+fn word() -> impl Strategy<Value = String> {
+    let words = [
+        "1",
+        "2",
+        "17",
+        "0",
+        "-1",
+        "99999999999999999999",
+        "FC1:2",
+        "FC1:9",
+        "OB1:end",
+        "OB 1:1",
+        ":",
+        "1:",
+        "MW10",
+        "MW 10 > 3",
+        "DB1.n",
+        "DB1.n=5",
+        "I0.0=1",
+        "I0.0",
+        "Q4.0",
+        "if",
+        "every",
+        "back",
+        "over",
+        "scan",
+        "=",
+        ">",
+        "<>",
+        "\"",
+        "\"a",
+        "[",
+        "16#",
+        "STW",
+        "STW.RLO",
+        "T1",
+        "C1=5",
+        "é",
+        "\u{0}",
+        ",",
+        "goto",
+    ];
+    prop_oneof![3 => proptest::sample::select(words.to_vec()).prop_map(str::to_owned), 1 => "\\PC{0,8}"]
+}
+
+fn line() -> impl Strategy<Value = String> {
+    let verbs: Vec<&'static str> = ROWS.iter().flat_map(|row| row.names.iter().copied()).collect();
+    (proptest::sample::select(verbs), proptest::collection::vec(word(), 0..4))
+        .prop_map(|(verb, words)| format!("{verb} {}", words.join(" ")))
+}
+
+#[test]
+fn no_line_of_commands_breaks_the_stepper() {
+    let build = build();
+    let settings = controller::settings(&build);
+    proptest!(ProptestConfig { cases: 256, failure_persistence: None, ..ProptestConfig::default() }, |(lines in proptest::collection::vec(line(), 1..25))| {
+        let cpu = controller::load(&build, EngineArgument::Interpreter, StatusBits::All, settings.clone());
+        let mut stepper = Stepper::new(&build, cpu, Plan::new(10_000, Some(40), Vec::new()));
+        for line in &lines {
+            let before = stepper.history().position();
+            match carry_out(&mut stepper, line, &mut |_| {}) {
+                Ok(answer) => {
+                    let _ = table::answer(&mut stepper, &answer, Language::German);
+                    let _ = table::answer_json(&mut stepper, line, &answer, Language::English);
+                }
+                Err(failure) => {
+                    prop_assert!(!failure.message.is_empty());
+                    prop_assert_eq!(before, stepper.history().position());
+                }
+            }
+            let history = stepper.history();
+            prop_assert!(history.position().statements <= history.end());
+        }
+        // Where it stands can be left and found again.
+        let (here, machine) = (stepper.history().position(), stepper.cpu().machine().clone());
+        stepper.history.go_to(0);
+        stepper.history.go_to_position(here);
+        prop_assert_eq!(stepper.history().position(), here);
+        prop_assert!(*stepper.cpu().machine() == machine);
+    });
+}

@@ -1,0 +1,336 @@
+//! Unit tests: a test file with the program that it tests, compiled once, and each of its tests on a CPU of its own.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use sieben_cpu::diagnostic_buffer::place_text;
+use sieben_cpu::{Cpu, Loaded, Settings};
+use sieben_engine::{Interpreter, Tracer};
+use sieben_jit::StatusBits;
+use sieben_model::address::{Area, Operand};
+use sieben_model::cpu_type::CpuType;
+use sieben_model::source::Span;
+use sieben_model::testing::{Signal, Test};
+use sieben_sim::names::Name;
+use sieben_sim::runner::{self, Limits, Watcher, Writers, Written};
+use sieben_sim::timing_diagram;
+use sieben_sim::trace::{Keep, Memory, Origin, Recorder, Trace};
+
+use super::coverage::{Counts, Coverage};
+use super::{Case, Conditions, Outcome, Verdict, Wrong};
+use crate::arguments::EngineArgument;
+use crate::project::{Build, Overrides, Project, shown};
+use crate::{controller, duration, report, schedule};
+
+/// Bytes of local data that the blocks of a test have beside those of the CPU type: what a test needs must not fail a program that
+/// fits.
+const LOCAL_DATA: u32 = 32 * 1024;
+/// Levels of nesting that the blocks of a test take: the one that the CPU starts, and SETUP or the test itself.
+const NESTING: u8 = 2;
+/// Scans that the diagram of a failed test shows.
+const TRAIL: u64 = 40;
+/// Variables that it shows.
+const LANES_MAX: usize = 16;
+/// Its width in characters: that of a terminal without what stands before it.
+const DIAGRAM_WIDTH: usize = 72;
+/// Scans in which a test has to end if nothing is said.
+const SCANS: u64 = 10_000_000;
+/// Virtual time in which a test has to end if nothing is said: as long as a TIME can be, four times.
+const TIME: Duration = Duration::from_secs(100 * 24 * 3600);
+
+/// A test file, ready to run.
+struct Ready {
+    build: Build,
+    loaded: Loaded,
+    settings: Settings,
+    cpu: &'static CpuType,
+    cycle: Duration,
+}
+
+/// The tests of a file for a program. If it does not compile, one case says so.
+pub(super) fn cases(program: &[PathBuf], file: &Path, conditions: &Conditions) -> Vec<Case> {
+    let name = shown(file);
+    match compile(program, file, conditions) {
+        Err(verdict) => {
+            let verdict = std::sync::Mutex::new(Some(verdict));
+            let run = move |_: &Conditions| {
+                let told = verdict.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
+                nothing_ran(told.unwrap_or(Verdict::NoTest))
+            };
+            vec![Case { name: name.clone(), file: Some(name), perhaps: None, run: Box::new(run) }]
+        }
+        Ok(ready) => {
+            let ready = Arc::new(ready);
+            let tests = ready.build.compiled.tests.tests.clone();
+            let case = |test: Test| {
+                let ready = Arc::clone(&ready);
+                let full = format!("{name}: {}", test.name);
+                Case {
+                    name: full,
+                    file: Some(name.clone()),
+                    perhaps: None,
+                    run: Box::new(move |conditions| run(&ready, &test, conditions)),
+                }
+            };
+            tests.into_iter().map(case).collect()
+        }
+    }
+}
+
+fn nothing_ran(verdict: Verdict) -> Outcome {
+    Outcome { verdict, scans: 0, simulated: Duration::ZERO, coverage: None }
+}
+
+fn compile(program: &[PathBuf], file: &Path, conditions: &Conditions) -> Result<Ready, Verdict> {
+    let mut all = program.to_vec();
+    all.push(file.to_path_buf());
+    let project = Project::load(&all, conditions.encoding).map_err(Verdict::Unreadable)?;
+    let overrides = Overrides { tests: true, ..conditions.overrides };
+    let build = project.compile(overrides, false);
+    if report::has_errors(&build.findings) {
+        return Err(Verdict::DoesNotCompile(report::render(&build.findings, &build.project.texts, false)));
+    }
+    // A CPU type lives as long as the process; there are no more of them than test files.
+    let cpu: &'static CpuType = Box::leak(Box::new(CpuType {
+        local_data: build.cpu.local_data.saturating_add(LOCAL_DATA),
+        nesting_depth: build.cpu.nesting_depth.saturating_add(NESTING),
+        ..*build.cpu
+    }));
+    let code = Arc::new(build.compiled.program.clone());
+    // Who counts statements needs the interpreter.
+    let engine = if conditions.coverage { EngineArgument::Interpreter } else { conditions.engine };
+    let loaded = Loaded::new(cpu, code, |program, layout| engine.load(program, layout, StatusBits::All));
+    let settings = controller::settings(&build);
+    let cycle = schedule::going_cycle(conditions.cycle, &build.project.settings);
+    Ok(Ready { build, loaded, settings, cpu, cycle })
+}
+
+/// Gives a test up when its real time is over, and counts its statements.
+struct Deadline {
+    begun: Instant,
+    timeout: Duration,
+    counts: Option<Counts>,
+}
+
+impl Watcher for Deadline {
+    fn may_go_on(&mut self) -> bool {
+        self.begun.elapsed() < self.timeout
+    }
+    fn tracer(&mut self) -> Option<&mut dyn Tracer> {
+        self.counts.as_mut().map(|counts| counts as &mut dyn Tracer)
+    }
+}
+
+/// The second run of a test that failed: who changed the variables of the assertion.
+struct Looking {
+    deadline: Deadline,
+    writers: Writers,
+    /// The values of the variables behind the last scans.
+    trail: Option<Recorder>,
+    scans: u64,
+}
+
+impl Watcher for Looking {
+    fn may_go_on(&mut self) -> bool {
+        self.deadline.may_go_on()
+    }
+    fn restarted(&mut self, cpu: &Cpu) {
+        self.writers.restarted(cpu);
+    }
+    fn before_scan(&mut self, cpu: &Cpu) {
+        self.writers.before_scan(cpu);
+    }
+    fn scanned(&mut self, cpu: &Cpu) {
+        self.scans += 1;
+        if let Some(trail) = &mut self.trail
+            && trail.scan(cpu, self.scans, cpu.now_us()).is_err()
+        {
+            self.trail = None;
+        }
+    }
+    fn tracer(&mut self) -> Option<&mut dyn Tracer> {
+        self.writers.tracer()
+    }
+}
+
+fn run(ready: &Ready, test: &Test, conditions: &Conditions) -> Outcome {
+    let limits = Limits {
+        cycle_us: duration::micros(ready.cycle),
+        time_us: duration::micros(conditions.limit.unwrap_or(TIME)),
+        scans: conditions.scans.unwrap_or(SCANS),
+    };
+    let mut cpu = Cpu::new(ready.loaded.clone(), controller::rack(&ready.build), ready.settings.clone());
+    let counts = conditions.coverage.then(Counts::default);
+    let mut watcher = Deadline { begun: Instant::now(), timeout: conditions.timeout, counts };
+    let build = &ready.build;
+    let report = runner::run(test, &build.compiled.tests, &build.project.texts.program, &mut cpu, limits, &mut watcher);
+    let simulated = Duration::from_micros(report.time_us);
+    let verdict = match report.wrong {
+        None => Verdict::Passed,
+        Some(wrong) => {
+            let mut told = failed(build, test, &wrong, conditions);
+            told.lines.extend(again(ready, test, &wrong, limits, conditions));
+            Verdict::Failed(Box::new(told))
+        }
+    };
+    let coverage = watcher.counts.map(|counts| {
+        let mut coverage = Coverage::default();
+        coverage.add(&build.compiled, &build.project.texts.program, &counts);
+        coverage
+    });
+    Outcome { verdict, scans: report.scans, simulated, coverage }
+}
+
+/// Runs a test that failed once more, in the interpreter, and says which statements wrote what its assertion reads; and draws the last
+/// scans.
+fn again(ready: &Ready, test: &Test, wrong: &runner::Wrong, limits: Limits, conditions: &Conditions) -> Vec<String> {
+    let signals = signals(ready, test, wrong);
+    if signals.is_empty() {
+        return Vec::new();
+    }
+    let build = &ready.build;
+    let code = Arc::new(build.compiled.program.clone());
+    let loaded = Loaded::new(ready.cpu, code, Interpreter::load);
+    let mut cpu = Cpu::new(loaded, controller::rack(&ready.build), ready.settings.clone());
+    let deadline = Deadline { begun: Instant::now(), timeout: conditions.timeout, counts: None };
+    let names = signals.iter().map(name).collect();
+    let trail = Recorder::new(names, Keep::Last(TRAIL), Origin::default(), Box::new(Memory::default())).ok();
+    let mut looking = Looking { deadline, writers: Writers::new(&wrong.signals, &cpu), trail, scans: 0 };
+    let sources = &build.project.texts.program;
+    let again = runner::run(test, &build.compiled.tests, sources, &mut cpu, limits, &mut looking);
+    // A test that fails elsewhere the second time has nothing to say about the first.
+    if again.wrong.as_ref().is_none_or(|again| again.span != wrong.span) {
+        return Vec::new();
+    }
+    let each = wrong.signals.iter().zip(looking.writers.written());
+    let mut lines: Vec<String> = each
+        .map(|(signal, written)| match written {
+            None if signal.address.area == Area::Input => format!("`{}`: an input that no statement writes", signal.name),
+            None => format!("`{}`: no statement has changed it", signal.name),
+            Some(Written { place, scan, time_us }) => {
+                let at = controller::line_at(build, place).map_or_else(
+                    || place_text(place),
+                    |line| {
+                        let text: String = line.statement.chars().take(60).collect();
+                        format!("{}:{} `{text}` ({})", line.file, line.number, place_text(place))
+                    },
+                );
+                let when = if scan == 0 { "before the first scan".to_owned() } else { format!("in the {} scan", ordinal(scan)) };
+                let time = if time_us == 0 { String::new() } else { format!(", at {}", duration::show(Duration::from_micros(time_us))) };
+                format!("`{}` was changed last by {at}, {when}{time}", signal.name)
+            }
+        })
+        .collect();
+    lines.extend(looking.trail.and_then(|trail| trail.finish().ok()).map_or_else(Vec::new, |trail| diagram(&trail, test, conditions)));
+    lines
+}
+
+/// `1st`, `2nd`, `11th`: a test counts its scans from one, a number of a scan begins with 0.
+fn ordinal(number: u64) -> String {
+    let ending = match (number % 10, number % 100) {
+        (_, 11..=13) => "th",
+        (1, _) => "st",
+        (2, _) => "nd",
+        (3, _) => "rd",
+        _ => "th",
+    };
+    format!("{number}{ending}")
+}
+
+/// What a diagram of a failed test shows: what its assertion reads, then what else the words of the test name.
+fn signals(ready: &Ready, test: &Test, wrong: &runner::Wrong) -> Vec<Signal> {
+    let plan = &ready.build.compiled.tests;
+    let behind = plan.tests.iter().map(|test| test.span.start).filter(|&start| start > test.span.start).min().unwrap_or(u32::MAX);
+    let of_test = plan.words.range(test.span.start..behind).flat_map(|(_, call)| &call.signals);
+    let written = plan.writes.range(test.span.start..behind).map(|(_, signal)| signal);
+    let mut all: Vec<Signal> = Vec::new();
+    for signal in wrong.signals.iter().chain(written).chain(of_test) {
+        let known = all.iter().any(|known| (known.data_block, known.address) == (signal.data_block, signal.address));
+        if !known && all.len() < LANES_MAX {
+            all.push(signal.clone());
+        }
+    }
+    all
+}
+
+/// The channel of a variable.
+fn name(signal: &Signal) -> Name {
+    let operand = match signal.data_block {
+        Some(db) => Operand::InDataBlock { db, address: signal.address },
+        None => Operand::Address(signal.address),
+    };
+    Name::at(signal.name.clone(), operand, Some(signal.data_type.clone()))
+}
+
+/// The trail as text, and as a file if the user wants one.
+fn diagram(trail: &Trace, test: &Test, conditions: &Conditions) -> Vec<String> {
+    if trail.summary().scans < 2 {
+        return Vec::new();
+    }
+    let options = timing_diagram::Options { width: DIAGRAM_WIDTH, ..timing_diagram::Options::text() };
+    let mut lines: Vec<String> =
+        timing_diagram::text(trail, &options).map_or_else(|_| Vec::new(), |text| text.lines().map(str::to_owned).collect());
+    if let Some(folder) = &conditions.svg {
+        let plain = |c: char| if c.is_alphanumeric() { c } else { '-' };
+        let path = folder.join(format!("{}.svg", test.name.chars().map(plain).take(80).collect::<String>()));
+        let drawn = timing_diagram::svg(trail, &timing_diagram::Options::svg()).map_err(|error| error.to_string());
+        let written = drawn.and_then(|svg| {
+            std::fs::create_dir_all(folder).map_err(|error| error.to_string())?;
+            crate::files::write_whole(&path, svg.as_bytes()).map_err(|failure| failure.message)
+        });
+        lines.push(match written {
+            Ok(()) => format!("timing diagram: {}", shown(&path)),
+            Err(error) => format!("the timing diagram could not be written: {error}"),
+        });
+    }
+    lines
+}
+
+/// What a report shows of a test that failed.
+fn failed(build: &Build, test: &Test, wrong: &runner::Wrong, conditions: &Conditions) -> Wrong {
+    let sources = &build.project.texts.program;
+    let in_program = wrong.place.and_then(|place| Some((place, controller::span_at(build, place)?)));
+    let span = wrong.span.or(in_program.map(|(_, span)| span)).unwrap_or(test.span);
+    let (line, _) = sources.line_column(span);
+    let mut lines = Vec::new();
+    if wrong.endless {
+        lines.push(format!("a test has {} of real time (--timeout)", duration::show(conditions.timeout)));
+    }
+    // The statement that stopped the CPU, beside the word of the test.
+    if let Some((place, at)) = in_program.filter(|(_, at)| *at != span) {
+        let (line, _) = sources.line_column(at);
+        lines.push(format!("{}:{line}:  {}  // {}", sources.file(at.file).name, sources.slice(at).trim(), place_text(place)));
+    }
+    let value = |index: usize| wrong.values.get(index).map(|value| (value.value.clone(), value.data_type.clone()));
+    Wrong {
+        message: wrong.message.clone(),
+        place: Some((sources.file(span.file).name.clone(), line)),
+        statement: Some(source_line(build, span)),
+        block: None,
+        values: value(0).zip(value(1)).map(|((left, _), (right, _))| (left, right)),
+        types: value(0).zip(value(1)).map(|((_, left), (_, right))| (left, right)),
+        said: wrong.said.clone(),
+        lines,
+    }
+}
+
+/// The line that a place begins in.
+fn source_line(build: &Build, span: Span) -> String {
+    let text = &build.project.texts.program.file(span.file).text;
+    let start = span.start as usize;
+    let begin = text.get(..start).and_then(|before| before.rfind('\n')).map_or(0, |at| at + 1);
+    let end = text.get(start..).and_then(|behind| behind.find('\n')).map_or(text.len(), |at| start + at);
+    text.get(begin..end).unwrap_or_default().trim().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ordinal;
+
+    #[test]
+    fn scans_of_a_test_are_counted_in_words_of_english() {
+        let all: Vec<String> = [1, 2, 3, 4, 11, 12, 13, 21, 22, 101, 111].into_iter().map(ordinal).collect();
+        assert_eq!(all.join(" "), "1st 2nd 3rd 4th 11th 12th 13th 21st 22nd 101st 111th");
+    }
+}

@@ -1,0 +1,80 @@
+//! What is recorded: the names on the command line, or the inputs and outputs that a program uses.
+
+use sieben_cpu::Cpu;
+use sieben_ide::cross_reference::CrossReference;
+use sieben_ide::target::{Extent, Target};
+use sieben_model::address::{Address, Area, Operand, Width};
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::problems::Problem;
+use sieben_sim::names::Name;
+use sieben_sim::trace::CHANNELS_MAX;
+
+use crate::failure::Failure;
+use crate::names;
+use crate::places::Places;
+use crate::project::Build;
+
+/// The areas whose addresses are recorded when nobody names any.
+const AREAS: [Area; 4] = [Area::Input, Area::PeripheralInput, Area::Output, Area::PeripheralOutput];
+
+/// The channels that the lists name; without any, those of the inputs and outputs that the program uses.
+pub(crate) fn chosen(lists: &[String], build: &Build, cpu: &Cpu) -> Result<Vec<Name>, Failure> {
+    let mut channels = match lists {
+        [] => used(build, cpu),
+        lists => names::resolve_lists(lists, &build.project.symbols, cpu)?,
+    };
+    let mut seen = std::collections::HashSet::new();
+    channels.retain(|name| seen.insert(name.text().to_owned()));
+    match channels.len() {
+        0 if lists.is_empty() => Err(Failure::usage(Problem::P7032, "the program uses no inputs and outputs that could be recorded")),
+        0 => Err(Failure::usage(Problem::P7032, "`--channels` names nothing")),
+        count if count > CHANNELS_MAX => {
+            Err(Failure::usage(Problem::P7032, format!("{count} channels are too many; a trace has at most {CHANNELS_MAX}")))
+        }
+        _ => Ok(channels),
+    }
+}
+
+fn used(build: &Build, cpu: &Cpu) -> Vec<Name> {
+    let references = CrossReference::new(&build.compiled);
+    let mut addresses: Vec<Address> = references
+        .entries()
+        .filter_map(|(target, _)| match target {
+            Target::Memory(memory) if AREAS.contains(&memory.area) => {
+                let width = match memory.extent {
+                    Extent::Width(width) => width,
+                    Extent::Bits(1) => Width::Bit,
+                    Extent::Bits(8) => Width::Byte,
+                    Extent::Bits(16) => Width::Word,
+                    Extent::Bits(32) => Width::DoubleWord,
+                    Extent::Bits(_) | Extent::Unknown => return None,
+                };
+                Some(Address { area: memory.area, width, byte: memory.position / 8, bit: (memory.position % 8) as u8 })
+            }
+            _ => None,
+        })
+        .collect();
+    let order = |area: Area| AREAS.iter().position(|&known| known == area);
+    addresses.sort_by_key(|address| (order(address.area), address.byte, address.bit, address.width.bits()));
+    addresses.dedup();
+    let mnemonics = Places::new(build).mnemonics;
+    addresses.iter().filter_map(|address| name_of(address, build, mnemonics, cpu)).collect()
+}
+
+/// An address as the program calls it: a variable of ST, a symbol, or the address itself.
+fn name_of(address: &Address, build: &Build, mnemonics: Mnemonics, cpu: &Cpu) -> Option<Name> {
+    let operand = Operand::Address(*address);
+    let (program, symbols) = (cpu.program(), &build.project.symbols);
+    let located = program.names.located.iter().find(|(_, (place, _))| *place == operand).map(|(name, _)| name.clone());
+    let symbol = symbols.find_operand(&operand).map(|symbol| match symbol.name.contains('.') {
+        true => format!("\"{}\"", symbol.name),
+        false => symbol.name.clone(),
+    });
+    let spelled = operand.spell(mnemonics);
+    let readable = |text: String| {
+        let name = Name::parse(&text, symbols, program).ok()?;
+        // Eight bytes of Structured Text have no name of their own.
+        (name.read(cpu).is_ok() && (address.width == Width::Bit) == (name.kind().width() == 1)).then_some(name)
+    };
+    [located, symbol, Some(spelled)].into_iter().flatten().find_map(readable)
+}

@@ -1,0 +1,5 @@
+//! Traces beside files: what is recorded, where it is kept, what is written of it.
+
+pub(crate) mod channels;
+pub(crate) mod file;
+pub(crate) mod output;

@@ -1,0 +1,220 @@
+//! `sieben step` as its users call it: what the page about it does not show.
+
+mod command;
+
+use command::{Folder, Run};
+
+const COUNTER: &str = "FUNCTION FC 1 : VOID\nBEGIN\nL MW 10\n+ 1\nT MW 10\nEND_FUNCTION\n\
+    ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA I 0.0\n= Q 4.0\nNETWORK\nUC FC 1\nL MW 10\nL 3\n>=I\nS M 0.0\nEND_ORGANIZATION_BLOCK\n";
+
+fn step(source: &str, commands: &str, arguments: &[&str]) -> (Folder, Run) {
+    let folder = Folder::with(&[("main.awl", source), ("steps.txt", commands)]);
+    let run = folder.run(&[&["step", "main.awl", "--commands", "steps.txt"], arguments].concat());
+    (folder, run)
+}
+
+/// The value of a key in every object that was printed; text keeps its quotes.
+fn values<'a>(run: &'a Run, key: &str) -> Vec<&'a str> {
+    let key = format!("\"{key}\":");
+    let value = |line: &'a str| {
+        let rest = &line[line.find(&key)? + key.len()..];
+        Some(&rest[..rest.find([',', '}'])?])
+    };
+    run.stdout.lines().filter_map(value).collect()
+}
+
+#[test]
+fn every_step_forwards_has_its_step_back() {
+    for (on, back) in [("step 7", "back 7"), ("over 4", "back 4"), ("scan", "back scan"), ("run 40", "goto 5")] {
+        let (_folder, run) = step(COUNTER, &format!("step 5\n{on}\n{back}\n"), &["--json"]);
+        let positions = values(&run, "position");
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        assert_eq!(positions.len(), 3, "{}", run.stdout);
+        match on {
+            // A scan's beginning lies before the five statements.
+            "scan" => assert_eq!(positions[2], "0"),
+            "over 4" => assert!(positions[1].parse::<u64>().expect("a number") > 8),
+            _ => assert_eq!(positions[2], "5"),
+        }
+    }
+}
+
+#[test]
+fn a_breakpoint_with_a_condition_and_a_count_waits_for_both() {
+    let commands = "break FC1:2 if MW10 > 1 every 2\nrun\nprint MW10\nrun\nprint MW10\nrun back\nprint MW10\n";
+    let (_folder, run) = step(COUNTER, commands, &[]);
+    // With MW 10 at 2, 3, 4, 5 it happens; every second time is 3 and 5. Backwards every time counts.
+    let printed: Vec<&str> = run.stdout.lines().filter(|line| line.contains("MW10 =")).collect();
+    assert_eq!(printed, ["  MW10 = 16#0003", "  MW10 = 16#0005", "  MW10 = 16#0004"], "{}", run.stdout);
+}
+
+#[test]
+fn the_last_change_is_found_wherever_it_comes_from() {
+    let commands = "scan 2\nset I0.0=1\nset MW 20=7\nscan 2\nwho Q4.0\nwho I0.0\nwho MW20\nwho MW 22\n";
+    let (_folder, run) = step(COUNTER, commands, &[]);
+    assert!(run.stdout.contains("by main.awl:11: = Q 4.0 (OB 1)"), "{}", run.stdout);
+    assert_eq!(run.stdout.matches("by no statement").count(), 2, "{}", run.stdout);
+    assert!(run.stdout.contains("nothing has changed `MW 22` since the beginning"), "{}", run.stdout);
+}
+
+#[test]
+fn of_a_value_that_stays_the_statement_that_wrote_it_last_is_told() {
+    let (_folder, run) = step(COUNTER, "scan 2\nwho Q4.0\nwho Q4.1\nprint MW10\n", &[]);
+    assert!(
+        run.stdout.contains("nothing has changed `Q4.0` since the beginning\n  main.awl:11: = Q 4.0 (OB 1) wrote it last,"),
+        "{}",
+        run.stdout
+    );
+    assert!(run.stdout.contains(" in scan 1: the RLO is 0, so Q 4.0 becomes 0"), "{}", run.stdout);
+    assert!(run.stdout.contains("nothing has changed `Q4.1` since the beginning\n>"), "{}", run.stdout);
+    assert!(run.stdout.contains("MW10 = 16#0002"), "the run stands where it stood: {}", run.stdout);
+    let (_folder, run) = step(COUNTER, "scan 2\nwho Q4.0\n", &["--json", "--lang", "de"]);
+    assert!(run.stdout.contains("\"who\":null,\"written\":{\"name\":\"Q4.0\""), "{}", run.stdout);
+    assert!(run.stdout.contains("das VKE ist 0"), "{}", run.stdout);
+    let (_folder, run) = step(COUNTER, "scan\n", &["--lang", "de"]);
+    assert!(run.stdout.contains("Ende des Bausteins"), "{}", run.stdout);
+}
+
+#[test]
+fn scans_have_the_numbers_that_exec_gives_them() {
+    let (folder, run) = step(COUNTER, "where\nstep\nscan\nstep\nwho MW10\n", &["--json"]);
+    assert_eq!(values(&run, "scan")[..4], ["null", "0", "0", "1"], "{}", run.stdout);
+    assert!(run.stdout.contains("\"scan\":0,\"before\":\"16#0000\""), "{}", run.stdout);
+    let exec = folder.run(&["exec", "main.awl", "--scans", "2", "--every", "--json", "--show", "MW10"]);
+    assert_eq!(values(&exec, "scan"), ["0", "1"], "{}", exec.stdout);
+}
+
+#[test]
+fn a_loop_without_an_end_can_be_stepped_and_left() {
+    let source = "ORGANIZATION_BLOCK OB 1\nBEGIN\nL 0\nnext: + 1\nT MW 4\nJU next\nEND_ORGANIZATION_BLOCK\n";
+    let commands = "step 10\nrun\nback 999999\nback over\nscan\ngoto 1\n";
+    let (_folder, run) = step(source, commands, &["--json"]);
+    assert_eq!(values(&run, "position"), ["10", "1000010", "11", "10", "1000010", "1"], "{}", run.stdout);
+    assert_eq!(values(&run, "halt"), ["\"reached\"", "\"limit\"", "\"reached\"", "\"reached\"", "\"limit\"", "\"reached\""]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+}
+
+#[test]
+fn a_command_with_a_number_beyond_all_measure_ends_and_says_so() {
+    let empty = "FUNCTION FC 1 : VOID\nBEGIN\nL 1\nEND_FUNCTION\n";
+    for (source, commands, halts) in [
+        (COUNTER, "over 1000000000000\nback over 1000000000000\n", ["\"limit\"", "\"beginning\""]),
+        (COUNTER, "step 1000000000000\nback 1000000000000\n", ["\"limit\"", "\"beginning\""]),
+        // Nothing runs in the cycle: scans without a statement.
+        (empty, "network 1000000000000\nscan 1000000000000\n", ["\"limit\"", "\"limit\""]),
+    ] {
+        let (_folder, run) = step(source, commands, &["--json"]);
+        assert_eq!(values(&run, "halt"), halts, "{commands}{}", run.stdout);
+    }
+}
+
+#[test]
+fn a_stop_is_told_and_can_be_gone_back_from() {
+    let source = "ORGANIZATION_BLOCK OB 1\nBEGIN\nL 7\nT MW 0\nOPN DB [MW 0]\nT MW 2\nEND_ORGANIZATION_BLOCK\n";
+    let (_folder, run) = step(source, "run\nback 2\nprint MW0\nrun\n", &[]);
+    assert_eq!(run.code, Some(4), "{}", run.stderr);
+    assert_eq!(run.stdout.matches("went to STOP").count(), 2, "{}", run.stdout);
+    assert!(run.stdout.contains("MW0 = 16#0000"), "{}", run.stdout);
+}
+
+#[test]
+fn what_is_no_command_changes_nothing_and_is_told() {
+    let wrong = [
+        ("stpe", "P7040"),
+        ("step x", "P7040"),
+        ("step 0", "P7040"),
+        ("back -1", "P7040"),
+        ("goto", "P7040"),
+        ("goto x", "P7040"),
+        ("quit now", "P7040"),
+        ("delete 9", "P7040"),
+        ("break FC9:1", "P7041"),
+        ("break FC1:99", "P7041"),
+        ("to main.awl:999", "P7041"),
+        ("break FC1:0", "P7041"),
+        ("break FC1:2 if MW10", "P7042"),
+        ("break MW10 > x", "P7042"),
+        ("break I0.9 = 1", "P7042"),
+        ("print MW99999", "P7003"),
+        ("who nobody", "P7003"),
+        ("set MW10", "P7003"),
+        ("set MW10=99999999", "P7004"),
+    ];
+    let commands: String = wrong.iter().map(|(command, _)| format!("{command}\n")).collect();
+    let (_folder, run) = step(COUNTER, &format!("step 2\n{commands}where\n"), &["--json"]);
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
+    let codes: Vec<String> = values(&run, "code").iter().map(|code| code.trim_matches('"').to_owned()).collect();
+    assert_eq!(codes, wrong.map(|(_, code)| code.to_owned()), "{}", run.stdout);
+    assert_eq!(values(&run, "position"), ["2", "2"]);
+}
+
+#[test]
+fn a_line_without_a_statement_means_the_next_one() {
+    let (_folder, run) = step(COUNTER, "break main.awl:9\nrun\n", &[]);
+    assert!(run.stdout.contains("no statement stands there; pauses before main.awl:10: A I 0.0"), "{}", run.stdout);
+    assert!(run.stdout.contains("next: main.awl:10: A I 0.0"), "{}", run.stdout);
+}
+
+#[test]
+fn a_recording_is_the_same_run_and_belongs_to_its_program() {
+    let commands = "scan 3\ngoto 20\nset I0.0=1\nscan 2\nstep 3\n";
+    let (folder, run) = step(COUNTER, commands, &["--record", "run.rec", "--json"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let last = run.stdout.lines().last().expect("a line").to_owned();
+    folder.write("where.txt", b"where\n");
+    let again = folder.run(&["step", "main.awl", "--replay", "run.rec", "--commands", "where.txt", "--json"]);
+    let same = |text: &str| text[text.find("\"position\"").expect("a position")..text.find("\"halt\"").expect("a halt")].to_owned();
+    assert_eq!(same(&again.stdout), same(&last), "{}", again.stderr);
+    folder.write("main.awl", COUNTER.replace("+ 1", "+ 2").as_bytes());
+    let other = folder.run(&["step", "main.awl", "--replay", "run.rec", "--commands", "where.txt"]);
+    assert!(other.code == Some(2) && other.stderr.contains("P7043"), "{}", other.stderr);
+}
+
+#[test]
+fn a_damaged_recording_is_told() {
+    let (folder, _) = step(COUNTER, "scan 3\nset MW 4=1\nscan\n", &["--record", "run.rec"]);
+    let sound = String::from_utf8(folder.read("run.rec")).expect("a recording is text");
+    let damages = [
+        sound.replace("end ", "end 1"),
+        sound.replace("end ", "ende "),
+        sound.replace("set MW 4", "set MW 999999"),
+        sound.replace("restart warm", "restart soon"),
+        sound.replace("scan 0", "scan"),
+        sound.replace(" 3\n", " 99999999999\n"),
+        sound.lines().take(3).map(|line| format!("{line}\n")).collect(),
+        String::new(),
+    ];
+    for damage in damages {
+        assert_ne!(damage, sound);
+        folder.write("bad.rec", damage.as_bytes());
+        let run = folder.run(&["step", "main.awl", "--replay", "bad.rec", "--commands", "steps.txt"]);
+        assert!(run.code == Some(2) && run.stderr.contains("P7044"), "{damage}{}", run.stderr);
+    }
+}
+
+#[test]
+fn a_value_that_a_call_delivers_is_the_work_of_the_calling_statement() {
+    let source = "FUNCTION Twice : INT\nVAR_INPUT a : INT; END_VAR\nTwice := a * 2;\nEND_FUNCTION\n\
+        PROGRAM Main\nVAR n : INT := 1; END_VAR\nn := Twice(n);\nEND_PROGRAM\n";
+    let folder = Folder::with(&[("main.st", source), ("steps.txt", "scan 3\nwho n\n")]);
+    let run = folder.run(&["step", "main.st", "--commands", "steps.txt"]);
+    assert!(run.stdout.contains("n: 4 -> 8") && run.stdout.contains("by main.st:7: n := Twice(n)"), "{}{}", run.stdout, run.stderr);
+}
+
+#[test]
+fn plants_of_the_project_run_and_fail_and_a_recording_knows_how() {
+    let folder = Folder::with(&[
+        ("main.awl", "ORGANIZATION_BLOCK OB 1\nBEGIN\nSET\n= Q 0.0\nL IW 2\nT MW 10\nA I 0.1\n= Q 4.1\nEND_ORGANIZATION_BLOCK\n"),
+        ("sieben.toml", "[project]\nname = \"tank\"\n[[module]]\nkind = \"tank\"\nname = \"tank\"\nlevel = 20\nwaves = 0\n"),
+        ("steps.txt", "scan 6000\nprint Q4.1\nprint MW10\n"),
+        ("nothing.txt", "print Q4.1\n"),
+    ]);
+    let step = |arguments: &[&str]| folder.run(&[&["step", ".", "--commands", "steps.txt"], arguments].concat());
+    step(&[]).code(0).stdout("Q4.1 = 1");
+    let fault = ["--fault", "tank.high stuck=0"];
+    step(&[&fault[..], &["--record", "run.txt"]].concat()).code(0).stdout("Q4.1 = 0");
+    let replay = ["step", ".", "--commands", "nothing.txt", "--replay", "run.txt"];
+    folder.run(&[&replay[..], &fault].concat()).code(0).stdout("Q4.1 = 0");
+    folder.run(&replay).code(2).stderr("P7043");
+    step(&["--fault", "tank.hihg stuck=0"]).code(2).stderr("P6272");
+}

@@ -1,0 +1,218 @@
+//! Why a statement of Structured Text did what it did: what was read, and what came of it.
+
+use sieben_engine::ir::{self, Inst};
+use sieben_model::source::Span;
+
+use super::sentences::Sentence as S;
+use super::st_values::{Values, format_scalar};
+use super::text::{Clause, Words, one_line};
+use super::{Language, Moment, Reasons};
+use crate::st::tree::{Argument, Call, Callee, Statement, StatementKind, Value};
+
+/// Values that a sentence shows.
+const SHOWN: usize = 6;
+
+/// A part of a body that a step of the code comes from.
+#[derive(Clone, Copy)]
+enum Part<'t> {
+    Statement(&'t Statement),
+    /// The condition of IF, ELSIF or WHILE.
+    Condition(&'t Value),
+    /// The condition behind UNTIL.
+    Until(&'t Value),
+}
+
+/// The sentence of a step of Structured Text.
+pub(super) fn sentence(reasons: Reasons<'_>, moment: &Moment<'_>, language: Language) -> String {
+    let place = moment.event.place;
+    let Some(code) = reasons.compiled.program.code.get(&place.block) else { return String::new() };
+    let index = place.statement as usize;
+    let Some(&span) = code.spans.get(index) else { return String::new() };
+    let text = one_line(reasons.slice(span));
+    let step = || Clause::new(S::StStep).with("text", text.clone());
+    let typed = reasons.compiled.typed.get(&place.block);
+    let part = typed.and_then(|block| find(&block.body.statements, span));
+    let insts = code.code.statement(index);
+    let values = Values::new(reasons, moment, code);
+    // A statement that takes several steps is over with the last one; before it nothing can be said of the whole.
+    let first = index == 0 || code.spans.get(index - 1) != Some(&span);
+    let last = code.spans.get(index + 1) != Some(&span);
+    let stores = insts.iter().any(|inst| matches!(inst, Inst::Store { .. }));
+    let branches = insts.iter().any(|inst| matches!(inst, Inst::Branch { .. } | Inst::JumpTable { .. }));
+    let calls = insts.iter().find_map(|inst| match inst {
+        Inst::Call { callee: ir::Callee::Block(block), .. } => Some(*block),
+        _ => None,
+    });
+    let clause = match (part, calls) {
+        (None, _) if insts.iter().all(|inst| matches!(inst, Inst::Return)) => Clause::new(S::StEnd),
+        (None, None) => Clause::new(S::StPrepare),
+        (None, Some(block)) => Clause::new(S::StCall).with("block", values.block_name(block)),
+        (Some(Part::Statement(Statement { kind: StatementKind::Call(call), .. })), Some(_)) => called(call, &values),
+        // The step is over where the called block begins; what it delivers is used when it has ended.
+        (Some(_), Some(block)) => Clause::new(S::StCallInside).with("block", values.block_name(block)).with("text", text.clone()),
+        (Some(Part::Statement(Statement { kind: StatementKind::Return, .. })), None) => Clause::new(S::StReturn),
+        (Some(part), None)
+            if writes(part, insts, &values) || last && (!is_assignment(part) || stores) && (!is_decision(part) || branches) =>
+        {
+            explain(part, &values, &text, first).unwrap_or_else(step)
+        }
+        (Some(_), None) if insts.iter().all(|inst| matches!(inst, Inst::Return)) => Clause::new(S::StEnd),
+        (Some(Part::Statement(Statement { kind: StatementKind::While { .. } | StatementKind::Repeat { .. }, .. })), None) => {
+            Clause::new(S::StLoop)
+        }
+        _ => step(),
+    };
+    clause.render(language, &|_| None)
+}
+
+fn is_assignment(part: Part<'_>) -> bool {
+    matches!(part, Part::Statement(Statement { kind: StatementKind::Assign { .. }, .. }))
+}
+
+/// Whether a step certainly writes the target of an assignment: one at a constant address.
+fn writes(part: Part<'_>, insts: &[Inst], values: &Values<'_>) -> bool {
+    let Part::Statement(Statement { kind: StatementKind::Assign { target, .. }, .. }) = part else { return false };
+    let at = values.constant_place(target);
+    insts.iter().any(|inst| matches!(inst, Inst::Store { place, .. } if Some(*place) == at))
+}
+
+fn is_decision(part: Part<'_>) -> bool {
+    match part {
+        Part::Condition(_) | Part::Until(_) => true,
+        Part::Statement(statement) => {
+            matches!(statement.kind, StatementKind::If { .. } | StatementKind::While { .. } | StatementKind::Case { .. })
+        }
+    }
+}
+
+/// The part of a body with this place, the innermost one.
+fn find(statements: &[Statement], span: Span) -> Option<Part<'_>> {
+    for statement in statements {
+        let inner: Option<Part<'_>> = match &statement.kind {
+            StatementKind::If { branches, otherwise } => {
+                let condition = branches.iter().find(|(condition, _)| condition.span == span);
+                condition
+                    .map(|(condition, _)| Part::Condition(condition))
+                    .or_else(|| branches.iter().find_map(|(_, body)| find(body, span)))
+                    .or_else(|| find(otherwise, span))
+            }
+            StatementKind::Case { branches, otherwise, .. } => {
+                branches.iter().find_map(|branch| find(&branch.body, span)).or_else(|| find(otherwise, span))
+            }
+            StatementKind::For(for_loop) => find(&for_loop.body, span),
+            StatementKind::While { condition, body } if condition.span == span => find(body, span).or(Some(Part::Condition(condition))),
+            StatementKind::While { body, .. } => find(body, span),
+            StatementKind::Repeat { body, until } => find(body, span).or((until.span == span).then_some(Part::Until(until))),
+            StatementKind::Block(body) => find(body, span),
+            _ => None,
+        };
+        if inner.is_some() {
+            return inner;
+        }
+        if statement.span == span && !matches!(statement.kind, StatementKind::Block(_)) {
+            return Some(Part::Statement(statement));
+        }
+    }
+    None
+}
+
+/// What can be said of a part; `whole` tells that the step is the only one of it, so that what it read is what lies there now.
+fn explain(part: Part<'_>, values: &Values<'_>, text: &str, whole: bool) -> Option<Clause> {
+    let statement = match part {
+        Part::Condition(condition) => return Some(decision(condition, values, [S::StTrue, S::StFalse], whole)),
+        Part::Until(condition) => return Some(decision(condition, values, [S::StUntilTrue, S::StUntilFalse], whole)),
+        Part::Statement(statement) => statement,
+    };
+    let named = |span: Span| one_line(values.slice(span));
+    Some(match &statement.kind {
+        StatementKind::Assign { target, value } => {
+            let name = named(target.span);
+            let Some(bits) = values.read_behind(target, value.scalar) else {
+                return Some(Clause::new(S::StAssignPart).with("target", name).with("text", named(value.span)));
+            };
+            let read = if whole { values.read_by(value, Some(target)) } else { Vec::new() };
+            let clause = match read.is_empty() {
+                true => Clause::new(S::StAssignConstant),
+                false => Clause::new(S::StAssign).with("values", join(&read)),
+            };
+            clause.with("target", name).with("value", format_scalar(value.scalar, bits))
+        }
+        StatementKind::If { branches, .. } => decision(&branches.first()?.0, values, [S::StTrue, S::StFalse], whole),
+        StatementKind::While { condition, .. } => decision(condition, values, [S::StTrue, S::StFalse], whole),
+        StatementKind::Case { selector, .. } => {
+            let clause = Clause::new(S::StCase);
+            match values.compute(selector) {
+                Some(bits) if whole => {
+                    let shown = format_scalar(selector.scalar, bits).0;
+                    clause.with("values", Words(shown.map(|value| format!("{} = {value}", named(selector.span)))))
+                }
+                _ => clause.with("values", format!("`{}`", named(selector.span))),
+            }
+        }
+        StatementKind::For(for_loop) => {
+            let bits = values.read_behind(&for_loop.variable, for_loop.scalar)?;
+            Clause::new(S::StFor).with("target", named(for_loop.variable.span)).with("value", format_scalar(for_loop.scalar, bits))
+        }
+        StatementKind::Call(call) => called(call, values),
+        StatementKind::Return => Clause::new(S::StReturn),
+        StatementKind::Exit { .. } => Clause::new(S::StExit),
+        StatementKind::Continue { .. } => Clause::new(S::StContinue),
+        StatementKind::Goto(_) => Clause::new(S::StGoto),
+        _ => Clause::new(S::StStep).with("text", text.to_owned()),
+    })
+}
+
+/// A condition, and which way it leads.
+fn decision(condition: &Value, values: &Values<'_>, [holds, fails]: [S; 2], whole: bool) -> Clause {
+    let text = one_line(values.slice(condition.span));
+    let read = if whole { values.read_by(condition, None) } else { Vec::new() };
+    let outcome = if whole { values.compute(condition) } else { None };
+    let clause = match outcome {
+        Some(bits) if !read.is_empty() => Clause::new(if bits & 1 == 1 { holds } else { fails }).with("values", join(&read)),
+        _ => {
+            let shown = if read.is_empty() { Words::from("") } else { Words(join(&read).0.map(|values| format!(": {values}"))) };
+            Clause::new(S::StCondition).with("values", shown)
+        }
+    };
+    clause.with("text", text)
+}
+
+fn called(call: &Call, values: &Values<'_>) -> Clause {
+    let block = match &call.callee {
+        Callee::Function(block) | Callee::Method { block, .. } => values.block_name(*block),
+        Callee::Instance { block, instance, .. } => match one_line(values.slice(instance.span)) {
+            name if name.is_empty() => values.block_name(*block),
+            name => format!("{name} ({block})"),
+        },
+    };
+    let given = call.arguments.iter().filter_map(|argument| match argument {
+        Argument::Value { value, .. } => {
+            let text = one_line(values.slice(value.span));
+            let bits = values.compute(value)?;
+            let shown = format_scalar(value.scalar, bits);
+            // A constant says itself what it is.
+            Some(if shown.0[0] == text { Words::from(text) } else { Words(shown.0.map(|shown| format!("{text} = {shown}"))) })
+        }
+        _ => None,
+    });
+    let given: Vec<Words> = given.collect();
+    match given.is_empty() || !values.has_before() {
+        true => Clause::new(S::StCall).with("block", block),
+        false => Clause::new(S::StCallWith).with("block", block).with("values", list(&given, ", ", ", ")),
+    }
+}
+
+/// `a is TRUE, b is FALSE`.
+fn join(read: &[(String, Words)]) -> Words {
+    let said: Vec<Words> =
+        read.iter().map(|(name, value)| Words([format!("{name} is {}", value.0[0]), format!("{name} ist {}", value.0[1])])).collect();
+    list(&said, ", ", ", ")
+}
+
+fn list(parts: &[Words], english: &str, german: &str) -> Words {
+    let shown = &parts[..parts.len().min(SHOWN)];
+    let more = if parts.len() > SHOWN { ", …" } else { "" };
+    let joined =
+        |language: usize, separator: &str| shown.iter().map(|words| words.0[language].as_str()).collect::<Vec<_>>().join(separator) + more;
+    Words([joined(0, english), joined(1, german)])
+}

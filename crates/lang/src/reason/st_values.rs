@@ -1,0 +1,245 @@
+//! What variables and expressions of Structured Text hold at a moment, as far as the machine tells without running anything.
+
+use std::collections::BTreeMap;
+
+use sieben_engine::ir::{Inst, Place as IrPlace};
+use sieben_engine::program::CodeBlock;
+use sieben_model::address::{Area, Width};
+use sieben_model::block::BlockId;
+use sieben_model::source::Span;
+
+use super::memory::{Found, Reader};
+use super::text::{Words, one_line, real};
+use super::{Moment, Reasons};
+use crate::st::tree::{Base, Bounds, Place, Scalar, Value, ValueKind};
+
+/// Depth of expressions that are looked into; the parser allows more than anyone reads.
+const DEPTH_MAX: u32 = 32;
+
+/// Reads variables around one step.
+pub(super) struct Values<'a> {
+    reasons: Reasons<'a>,
+    moment: Moment<'a>,
+    /// Position in the local data of each parameter of a function that was copied there.
+    copies: BTreeMap<u16, u32>,
+}
+
+impl<'a> Values<'a> {
+    pub(super) fn new(reasons: Reasons<'a>, moment: &Moment<'a>, code: &CodeBlock) -> Self {
+        Self { reasons, moment: *moment, copies: copies(code) }
+    }
+
+    pub(super) fn slice(&self, span: Span) -> &'a str {
+        self.reasons.slice(span)
+    }
+
+    pub(super) fn has_before(&self) -> bool {
+        self.moment.before.is_some()
+    }
+
+    /// `FC 1 "Dosing"`, or what the block is called in the source.
+    pub(super) fn block_name(&self, block: BlockId) -> String {
+        match self.reasons.compiled.block_names.get(&block) {
+            Some(name) => name.clone(),
+            None => block.to_string(),
+        }
+    }
+
+    /// The machine before the step, or else the one behind it.
+    fn before(&self) -> Reader<'a> {
+        let event = self.moment.event;
+        Reader::new(self.moment.before.unwrap_or(self.moment.after), &event.before, event.place.block, false)
+    }
+
+    /// Where a step writes a place that has a constant address.
+    pub(super) fn constant_place(&self, place: &Place) -> Option<IrPlace> {
+        let (area, position) = match place.base {
+            Base::Area(area) => (area, place.offset),
+            Base::Parameter(index) => (Area::Local, self.copies.get(&index)? + place.offset),
+            _ => return None,
+        };
+        place.indexes.is_empty().then_some(IrPlace::Fixed { area, position })
+    }
+
+    /// What a place holds behind the step.
+    pub(super) fn read_behind(&self, place: &Place, scalar: Scalar) -> Option<u64> {
+        let event = self.moment.event;
+        let reader = Reader::new(self.moment.after, &event.before, event.place.block, false);
+        let found = self.find(place, 0)?;
+        reader.read(&found, width(scalar))
+    }
+
+    /// The variables that an expression reads, with their values before the step. What the step itself may have changed is left out
+    /// where the machine before it was not kept.
+    pub(super) fn read_by(&self, value: &Value, target: Option<&Place>) -> Vec<(String, Words)> {
+        let mut loads = Vec::new();
+        collect(value, 0, &mut loads);
+        let written = target.and_then(|target| self.find(target, 0));
+        let mut out: Vec<(String, Words)> = Vec::new();
+        for (place, scalar) in loads {
+            let name = one_line(self.slice(place.span));
+            if name.is_empty() || out.iter().any(|(other, _)| *other == name) {
+                continue;
+            }
+            let Some(found) = self.find(place, 0) else { continue };
+            if !self.has_before() && written.is_some_and(|written| written.area == found.area && written.db == found.db) {
+                continue;
+            }
+            if let Some(bits) = self.before().read(&found, width(scalar)) {
+                out.push((name, format_scalar(scalar, bits)));
+            }
+        }
+        out
+    }
+
+    /// What an expression comes to, if that shows without running anything but operations.
+    pub(super) fn compute(&self, value: &Value) -> Option<u64> {
+        self.value(value, 0)
+    }
+
+    fn value(&self, value: &Value, depth: u32) -> Option<u64> {
+        if depth > DEPTH_MAX {
+            return None;
+        }
+        let of = |value: &Value| self.value(value, depth + 1);
+        match &value.kind {
+            ValueKind::Constant(bits) => Some(*bits),
+            ValueKind::Load(place) => {
+                // Without the machine before the step its own result could be taken for what it read.
+                let found = self.find(place, depth + 1)?;
+                self.before().read(&found, width(value.scalar))
+            }
+            ValueKind::Compute { op, args } => {
+                let mut values = [0; 4];
+                for (slot, arg) in values.iter_mut().zip(args) {
+                    *slot = of(arg)?;
+                }
+                Some(op.eval(values))
+            }
+            ValueKind::AndThen(a, b) => {
+                if of(a)? & 1 == 0 {
+                    Some(0)
+                } else {
+                    of(b)
+                }
+            }
+            ValueKind::OrElse(a, b) => {
+                if of(a)? & 1 == 1 {
+                    Some(1)
+                } else {
+                    of(b)
+                }
+            }
+            ValueKind::Choose { condition, a, b } => {
+                if of(condition)? & 1 == 1 {
+                    of(a)
+                } else {
+                    of(b)
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// The address of a place.
+    fn find(&self, place: &Place, depth: u32) -> Option<Found> {
+        if depth > DEPTH_MAX {
+            return None;
+        }
+        let registers = &self.moment.event.before;
+        let mut offset = i64::from(place.offset);
+        for index in &place.indexes {
+            let bits = self.value(&index.value, depth + 1)?;
+            let number = if index.value.scalar == Scalar::I64 { bits as i64 } else { i64::from(bits as u32 as i32) };
+            let inside = index.count == 0 || (number >= index.low && ((number - index.low) as u64) < index.count);
+            if !inside && index.check != Bounds::None {
+                return None;
+            }
+            offset = offset.checked_add(number.checked_sub(index.low)?.checked_mul(i64::from(index.step))?)?;
+        }
+        let offset = u32::try_from(offset).ok()?;
+        match &place.base {
+            Base::Area(area) => Some(Found { area: *area, position: offset, db: 0 }),
+            Base::DataBlock(db) => Some(Found { area: Area::SharedData, position: offset, db: *db }),
+            Base::Instance => {
+                let position = (registers.ar2 as u32 & 0x00FF_FFFF).checked_add(offset)?;
+                Some(Found { area: Area::InstanceData, position, db: registers.di_number as u16 })
+            }
+            Base::Parameter(index) => {
+                let position = self.copies.get(index)?.checked_add(offset)?;
+                Some(Found { area: Area::Local, position, db: 0 })
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Where a function keeps its elementary parameters: what its first steps load through a parameter and store in the local data, and
+/// what its last ones store back.
+fn copies(code: &CodeBlock) -> BTreeMap<u16, u32> {
+    let mut copies = BTreeMap::new();
+    for window in code.code.insts.windows(3) {
+        let (pointer, index, load, store) = match window {
+            [Inst::Parameter { dst, index }, load @ Inst::Load { .. }, store @ Inst::Store { .. }]
+            | [load @ Inst::Load { .. }, Inst::Parameter { dst, index }, store @ Inst::Store { .. }] => (dst, index, load, store),
+            _ => continue,
+        };
+        let (Inst::Load { dst, place: from, .. }, Inst::Store { src, place: to, .. }) = (load, store) else { continue };
+        let through = |place: &IrPlace| matches!(place, IrPlace::Crossing { pointer: by, offset: 0 } if by == pointer);
+        if dst == src
+            && let (IrPlace::Fixed { area: Area::Local, position }, other) | (other, IrPlace::Fixed { area: Area::Local, position }) =
+                (from, to)
+            && through(other)
+        {
+            copies.entry(*index).or_insert(*position);
+        }
+    }
+    copies
+}
+
+/// The places that an expression loads, from left to right.
+fn collect<'v>(value: &'v Value, depth: u32, out: &mut Vec<(&'v Place, Scalar)>) {
+    if depth > DEPTH_MAX {
+        return;
+    }
+    match &value.kind {
+        ValueKind::Load(place) => {
+            place.indexes.iter().for_each(|index| collect(&index.value, depth + 1, out));
+            out.push((place, value.scalar));
+        }
+        ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } | ValueKind::Intrinsic { args, .. } => {
+            args.iter().for_each(|arg| collect(arg, depth + 1, out));
+        }
+        ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => [a, b].iter().for_each(|value| collect(value, depth + 1, out)),
+        ValueKind::Choose { condition, a, b } => [condition, a, b].iter().for_each(|value| collect(value, depth + 1, out)),
+        _ => {}
+    }
+}
+
+fn width(scalar: Scalar) -> Width {
+    match scalar.bits() {
+        1 => Width::Bit,
+        8 => Width::Byte,
+        16 => Width::Word,
+        32 => Width::DoubleWord,
+        _ => Width::QuadWord,
+    }
+}
+
+/// A value as Structured Text would write it.
+pub(super) fn format_scalar(scalar: Scalar, bits: u64) -> Words {
+    match scalar {
+        Scalar::Bool => if bits & 1 == 1 { "TRUE" } else { "FALSE" }.into(),
+        Scalar::I8 => (bits as u8 as i8).to_string().into(),
+        Scalar::I16 => (bits as u16 as i16).to_string().into(),
+        Scalar::I32 => (bits as u32 as i32).to_string().into(),
+        Scalar::I64 => (bits as i64).to_string().into(),
+        Scalar::F32 => real(bits).into(),
+        Scalar::F64 => format!("{:?}", f64::from_bits(bits)).into(),
+        // A number without sign may as well be a pattern of bits.
+        Scalar::U8 | Scalar::U16 | Scalar::U32 | Scalar::U64 => match bits {
+            0..=9 => bits.to_string().into(),
+            _ => format!("{bits} (16#{bits:X})").into(),
+        },
+    }
+}
