@@ -6,32 +6,26 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::mem::offset_of;
 
-use cranelift_codegen::Context;
-use cranelift_codegen::control::ControlPlane;
-use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I32, I64};
-use cranelift_codegen::ir::{self as clif, AbiParam, BlockArg, FuncRef, InstBuilder, MemFlagsData, Value};
-use cranelift_codegen::isa::OwnedTargetIsa;
-use cranelift_codegen::settings::{self, Configurable};
-use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext, Variable};
-use cranelift_jit::{ArenaMemoryProvider, JITBuilder, JITModule};
-use cranelift_module::{FuncId, Linkage, Module, ModuleError, ModuleReloc};
+use cranelift_codegen::ir::{self as clif, BlockArg, FuncRef, InstBuilder, MemFlagsData, Value};
+use cranelift_frontend::{FunctionBuilder, Variable};
+use cranelift_jit::JITModule;
+use cranelift_module::{FuncId, Module};
 use sieben_engine::Layout;
 use sieben_engine::access::data_registers;
-use sieben_engine::interpreter::weight;
-use sieben_engine::ir::{DataRegister, Inst, Op, Place, Target, Var};
+use sieben_engine::ir::{DataRegister, Inst, Op, Place, Var};
 use sieben_engine::machine::{Register, Registers};
 use sieben_model::address::Area;
-use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::block::BlockKind;
 
 use crate::ask::{GO_ON, LEAVE, Question};
-use crate::entry::Generation;
 use crate::jit::Native;
-use crate::run::{LINKS, Run};
+use crate::run::Run;
 
 mod analysis;
 mod bytes;
 mod calls;
+mod flow;
 mod gates;
 mod inline;
 mod inlining;
@@ -41,6 +35,7 @@ mod instance_pointer;
 mod intrinsics;
 mod loops;
 mod memory;
+mod program;
 mod promote;
 mod ranges;
 mod sized;
@@ -50,253 +45,20 @@ mod words;
 
 use analysis::{SPARED, Summary, open_blocks, set_by_calls};
 use bytes::Bytes;
+use flow::Arrival;
 use inlining::{Outer, Plan};
 use instance::Instance;
 use instance_pointer::InstancePointer;
 use loops::Loop;
+#[cfg(feature = "aarch64")]
+pub(crate) use program::aarch64_bytes;
+use program::{Find, Functions, block_signature, words_signature};
+pub(crate) use program::{Options, listing, program};
 use promote::{Base, Promoted};
 use ranges::Ranges;
 use value::{Lazy, Val};
 use versions::{Known, Versions};
 use words::Words;
-
-/// How a program is compiled.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Options {
-    /// Whether operations that have an inline form use it.
-    pub(crate) inline: bool,
-    /// Whether every status bit is calculated, also where no statement reads it, for those who look at the registers.
-    pub(crate) exact: bool,
-    /// Whether Cranelift optimizes: two to three times the time to compile, for code that is up to half as long.
-    pub(crate) optimize: bool,
-    /// Whether a data block that is not known beforehand may be protected when it is written.
-    pub(crate) asks_before_writing: bool,
-    /// Whether the code is kept as text, for people.
-    pub(crate) lists: bool,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { inline: true, exact: true, optimize: false, asks_before_writing: false, lists: false }
-    }
-}
-
-/// Address space reserved for the code of a program, per IR instruction and at least.
-/// It costs no memory until it is used; a call with exact status bits takes more than 1 KiB.
-const RESERVED_BYTES_PER_INSTRUCTION: usize = 4096;
-const RESERVED_BYTES_MIN: usize = 1 << 20;
-/// What relative calls reach on every machine is more than the code of a program that becomes machine code takes.
-const RESERVED_BYTES_MAX: usize = 1 << 30;
-
-/// Native stack that a run may take; threads have 2 MiB and more.
-const STACK_BYTES: usize = 1 << 20;
-/// What an activation takes beside the frame of its function. The Rust code that enters interrupts comes on top, as often as machine
-/// code nests them: see `INTERRUPTS`.
-const STACK_BYTES_OF_A_CALL: usize = 1 << 10;
-/// The instruction that makes room on the stack is among these bytes.
-const PROLOGUE_BYTES: usize = 16;
-
-/// Finds the index of a loaded block.
-type Find<'a> = &'a dyn Fn(BlockId) -> Option<u32>;
-
-/// The machine that code is for, with the given settings of Cranelift.
-fn instruction_set(level: &str, algorithm: &str, machine: Machine) -> Result<OwnedTargetIsa, String> {
-    let mut flags = settings::builder();
-    let set = |flags: &mut settings::Builder, name: &str, value: &str| flags.set(name, value).map_err(|error| error.to_string());
-    set(&mut flags, "opt_level", level)?;
-    set(&mut flags, "regalloc_algorithm", algorithm)?;
-    set(&mut flags, "use_colocated_libcalls", "false")?;
-    set(&mut flags, "is_pic", "false")?;
-    // Frames have a limit below, so that nobody has to look for the end of the stack.
-    set(&mut flags, "enable_probestack", "false")?;
-    let verified = cfg!(debug_assertions) || machine != Machine::This;
-    set(&mut flags, "enable_verifier", if verified { "true" } else { "false" })?;
-    // Nobody unwinds through machine code: what it calls never panics into it.
-    set(&mut flags, "unwind_info", "false")?;
-    let builder = match machine {
-        Machine::This => cranelift_native::builder().map_err(|message| format!("this machine is not supported: {message}"))?,
-        #[cfg(feature = "aarch64")]
-        Machine::Aarch64 => {
-            cranelift_codegen::isa::lookup_by_name("aarch64-unknown-linux-gnu").map_err(|error| format!("no aarch64: {error}"))?
-        }
-    };
-    builder.finish(settings::Flags::new(flags)).map_err(|error| error.to_string())
-}
-
-/// The machine that code is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Machine {
-    /// This one.
-    This,
-    /// Another one, whose code is checked and never runs.
-    #[cfg(feature = "aarch64")]
-    Aarch64,
-}
-
-/// The code of a program before it becomes executable.
-struct Written {
-    module: JITModule,
-    /// The general version of each block, if somebody may enter it.
-    blocks: Vec<Option<FuncId>>,
-    bytes: usize,
-    frame_max: usize,
-    pinned: BTreeSet<u16>,
-    /// Each block in Cranelift's IR and as instructions of the machine, if somebody wants to read it.
-    listing: String,
-}
-
-/// Compiles all blocks, to be read and not to be run: as text.
-pub(crate) fn listing(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<String, String> {
-    Ok(write(blocks, find, layout, Options { lists: true, ..options }, Machine::This)?.listing)
-}
-
-/// Compiles all blocks. The code takes the data blocks with the returned numbers to be as they were loaded.
-pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<(Generation, BTreeSet<u16>), String> {
-    let Written { mut module, blocks, bytes, frame_max, mut pinned, .. } = write(blocks, find, layout, options, Machine::This)?;
-    module.finalize_definitions().map_err(|error| error.to_string())?;
-    let levels = (STACK_BYTES / (frame_max + STACK_BYTES_OF_A_CALL)).min(LINKS);
-    // Interrupts that come on top go to the interpreter.
-    let needed = usize::from(layout.nesting_depth) + usize::from(layout.nesting_depth_error) + 2;
-    if levels < needed {
-        return Err(format!("its blocks need up to {frame_max} bytes of stack"));
-    }
-    pinned.remove(&0);
-    Ok((Generation::new(module, &blocks, bytes, levels), pinned))
-}
-
-/// Compiles all blocks for aarch64 with Cranelift's checks, to see that it can be done; how many bytes of code there are.
-#[cfg(feature = "aarch64")]
-pub(crate) fn aarch64_bytes(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<usize, String> {
-    Ok(write(blocks, find, layout, options, Machine::Aarch64)?.bytes)
-}
-
-/// Writes the code of all blocks for a machine.
-fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, machine: Machine) -> Result<Written, String> {
-    let isa = instruction_set("none", if options.optimize { "backtracking" } else { "single_pass" }, machine)?;
-    // Cranelift's optimizations move calculations to where their results are used: good in a loop, bad in straight bit logic, where the
-    // bytes that were read wait in registers until then.
-    let for_loops = if options.optimize { Some(instruction_set("speed", "backtracking", machine)?) } else { None };
-    let mut builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
-    let insts: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
-    let reserve = insts.saturating_mul(RESERVED_BYTES_PER_INSTRUCTION).clamp(RESERVED_BYTES_MIN, RESERVED_BYTES_MAX);
-    builder.memory_provider(Box::new(ArenaMemoryProvider::new_with_size(reserve).map_err(|error| error.to_string())?));
-    for &op in Op::ALL {
-        builder.symbol(op.name(), op.shim());
-    }
-    for &question in Question::ALL {
-        let ask = question.ask();
-        builder.symbol(ask.name, ask.address);
-    }
-    let mut module = JITModule::new(builder);
-    let functions = declare(&mut module).map_err(|error| error.to_string())?;
-    let mut versions = Versions::new(&mut module, blocks, find, options.optimize).map_err(|error| error.to_string())?;
-    let pointers = instance_pointer::follow(blocks, find);
-    let summaries = analysis::summaries(blocks, find, options.exact);
-    let plans = inlining::plan(blocks, find);
-    let mut context = module.make_context();
-    let mut frontend = FunctionBuilderContext::new();
-    context.set_disasm(options.lists);
-    let mut listing = String::new();
-    let (mut bytes, mut frame_max) = (0, 0);
-    let (mut pinned, mut asked) = (BTreeSet::new(), BTreeSet::new());
-    while let Some((index, known, function)) = versions.next() {
-        context.func.signature = block_signature(&module);
-        let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
-        let target = module.target_config();
-        let for_loops = for_loops.as_ref().filter(|_| plans[index].loops);
-        let joins = for_loops.is_none();
-        let program = Program {
-            functions: &functions,
-            blocks,
-            summaries: &summaries,
-            plans: &plans,
-            pointers: &pointers,
-            find,
-            layout,
-            options,
-            joins,
-        };
-        let mut found = Translator::new(builder, &mut module, &mut versions, program, index).run(known, target);
-        pinned.append(&mut found.pinned);
-        asked.append(&mut found.asked);
-        if options.lists {
-            listing += &format!("{}\n{}\n{}\n", blocks[index].id, blocks[index].code, context.func.display());
-        }
-        define(&mut module, function, &mut context, for_loops).map_err(|error| format!("{}: {error}", blocks[index].id))?;
-        listing += context.compiled_code().and_then(|code| code.vcode.as_deref()).unwrap_or_default();
-        let code = context.compiled_code().map_or(&[][..], |code| code.code_buffer());
-        bytes += code.len();
-        frame_max = frame_max.max(frame_bytes(code));
-        module.clear_context(&mut context);
-    }
-    bytes += gates::define(&mut module, &functions, &asked, &mut context, &mut frontend).map_err(|error| error.to_string())?;
-    let blocks = (0..blocks.len()).map(|index| versions.general(index)).collect();
-    Ok(Written { module, blocks, bytes, frame_max, pinned, listing })
-}
-
-/// Compiles a function, for the instruction set of the module or another one.
-fn define(module: &mut JITModule, id: FuncId, context: &mut Context, other: Option<&OwnedTargetIsa>) -> Result<(), Box<ModuleError>> {
-    let Some(isa) = other else { return Ok(module.define_function(id, context)?) };
-    let code = context.compile(&**isa, &mut ControlPlane::default()).map_err(|error| Box::new(ModuleError::from(error)))?;
-    let alignment = u64::from(code.buffer.alignment).max(u64::from(isa.function_alignment().minimum)).max(isa.symbol_alignment());
-    let bytes = code.code_buffer().to_vec();
-    let relocations: Vec<_> =
-        code.buffer.relocs().to_vec().iter().map(|relocation| ModuleReloc::from_mach_reloc(relocation, &context.func, id)).collect();
-    Ok(module.define_function_bytes(id, alignment, &bytes, &relocations)?)
-}
-
-/// Bytes of the native stack that a function takes, without what a call takes anyway: read from its first instructions.
-fn frame_bytes(code: &[u8]) -> usize {
-    if !cfg!(target_arch = "x86_64") {
-        // Every value may have its place: at most one for each instruction.
-        return 2 * code.len();
-    }
-    let beginning = &code[..code.len().min(PROLOGUE_BYTES)];
-    let short = beginning.windows(4).find_map(|bytes| match bytes {
-        [0x48, 0x83, 0xEC, size] => Some(usize::from(*size)),
-        _ => None,
-    });
-    let long = beginning.windows(7).find_map(|bytes| match *bytes {
-        [0x48, 0x81, 0xEC, a, b, c, d] => Some(u32::from_le_bytes([a, b, c, d]) as usize),
-        _ => None,
-    });
-    long.or(short).unwrap_or(0)
-}
-
-/// All functions that code refers to, beside those of blocks.
-struct Functions {
-    ops: HashMap<Op, FuncId>,
-    questions: HashMap<Question, FuncId>,
-    /// The same for cold code: see `gates`.
-    gates: HashMap<Question, FuncId>,
-}
-
-fn block_signature(module: &JITModule) -> clif::Signature {
-    words_signature(module, 4)
-}
-
-fn words_signature(module: &JITModule, arguments: usize) -> clif::Signature {
-    let mut signature = module.make_signature();
-    signature.params = vec![AbiParam::new(I64); arguments];
-    signature.returns.push(AbiParam::new(I64));
-    signature
-}
-
-fn declare(module: &mut JITModule) -> Result<Functions, Box<ModuleError>> {
-    let mut ops = HashMap::new();
-    for &op in Op::ALL {
-        let signature = words_signature(module, op.arity());
-        ops.insert(op, module.declare_function(op.name(), Linkage::Import, &signature)?);
-    }
-    let mut questions = HashMap::new();
-    for &question in Question::ALL {
-        let ask = question.ask();
-        let signature = words_signature(module, ask.arguments);
-        questions.insert(question, module.declare_function(ask.name, Linkage::Import, &signature)?);
-    }
-    let gates = gates::declare(module)?;
-    Ok(Functions { ops, questions, gates })
-}
 
 /// Whether a register holds one bit.
 fn is_bit(register: Register) -> bool {
@@ -325,19 +87,6 @@ fn may_be_in_data_block(place: Place) -> bool {
 /// What a called block finds.
 const AT_CALL: &[(Register, u64)] =
     &[(Register::Os, 0), (Register::Or, 0), (Register::Sta, 1), (Register::Fc, 0), (Register::Ma, 0), (Register::Nesting, 0)];
-
-/// What is known where control flow arrives at a statement.
-struct Arrival {
-    block: clif::Block,
-    /// Where the ways from behind it arrive, if it is the head of a loop: `block` is in front of the loop then.
-    again: Option<clif::Block>,
-    /// Some way here comes from behind it.
-    backward: bool,
-    /// Registers whose memory may be older than their variable.
-    dirty: u32,
-    /// Registers that hold a constant on every way here; `None` until one is known.
-    known: Option<[Option<u64>; Register::COUNT]>,
-}
 
 /// Where a path goes on after the Host answered.
 #[derive(Clone, Copy)]
@@ -630,150 +379,6 @@ impl<'a> Translator<'a> {
             }
         }
         self.instance = self.register(Register::Ar2);
-    }
-
-    /// Notes that a later statement jumps back to one.
-    fn expect_way_back(&mut self, to: u32) {
-        let again = self.loops.iter().any(|it| it.first == to).then(|| self.b.create_block());
-        let arrival = self.arrival(to);
-        arrival.backward = true;
-        arrival.again = arrival.again.or(again);
-    }
-
-    fn arrival(&mut self, statement: u32) -> &mut Arrival {
-        let b = &mut self.b;
-        self.arrivals.entry(statement).or_insert_with(|| Arrival {
-            block: b.create_block(),
-            again: None,
-            backward: false,
-            dirty: 0,
-            known: None,
-        })
-    }
-
-    /// The safe point at the beginning of a block.
-    fn enter_block(&mut self) {
-        let weight = weight(self.native().code.statement_count());
-        let go_on = self.b.create_block();
-        self.count_down(weight, 0, go_on);
-        self.b.switch_to_block(go_on);
-        self.b.seal_block(go_on);
-    }
-
-    /// Takes the weight of a safe point from the budget, asks the Host if it is used up, and goes on at `go_on`.
-    fn count_down(&mut self, weight: u16, statement: u32, go_on: clif::Block) {
-        let variable = self.budget();
-        let budget = self.b.use_var(variable);
-        let left = self.b.ins().iadd_imm_s(budget, -i64::from(weight));
-        self.b.def_var(variable, left);
-        let used_up = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, left, 0);
-        let ask = self.cold_block();
-        self.b.ins().brif(used_up, ask, &[], go_on, &[]);
-        self.b.switch_to_block(ask);
-        self.b.seal_block(ask);
-        let before = self.cold.replace(ask);
-        self.spill(self.dirty);
-        let code = self.b.ins().iconst(I64, self.index as i64);
-        let statement_of_head = statement;
-        // The interpreter names the first statement that does something.
-        let statement = self.first_with_code(statement);
-        let statement = self.b.ins().iconst(I64, i64::from(statement));
-        let answer = self.ask(Question::SafePoint, &[self.link, code, statement]);
-        self.cold = before;
-        let go_on = self.verified(statement_of_head, go_on);
-        self.b.ins().brif(answer, self.leave, &[], go_on, &[]);
-        self.write_verifications();
-    }
-
-    fn first_with_code(&self, statement: u32) -> u32 {
-        let code = &self.native().code;
-        (statement as usize..code.statement_count()).find(|&index| !code.statement(index).is_empty()).unwrap_or(0) as u32
-    }
-
-    /// A block for what happens seldom. Memory is as the program left it there.
-    fn cold_block(&mut self) -> clif::Block {
-        self.settle_bytes();
-        let block = self.b.create_block();
-        self.b.set_cold_block(block);
-        block
-    }
-
-    /// Begins a piece of code at a statement, if something arrives there.
-    fn arrive(&mut self) {
-        if !self.arrivals.contains_key(&self.statement) {
-            return;
-        }
-        if !self.ended {
-            self.arriving = true;
-            let block = self.edge(self.statement);
-            self.arriving = false;
-            self.b.ins().jump(block, &[]);
-        }
-        let statement = self.statement;
-        let arrival = self.arrival(statement);
-        let (block, known, dirty, again) = (arrival.block, arrival.known.unwrap_or_default(), arrival.dirty, arrival.again);
-        self.b.switch_to_block(block);
-        self.words.forget_all();
-        self.changed = 0;
-        self.current = known.map(|value| value.map(Val::Const));
-        self.dirty = dirty;
-        self.ended = false;
-        if !self.arrivals[&statement].backward {
-            self.know_instance_again();
-            self.b.seal_block(block);
-            return;
-        }
-        // A register that nothing in the loop changes is what it was in front of it.
-        let inside = |it: &&Loop| it.contains(statement);
-        let smallest = self.loops.iter().filter(inside).min_by_key(|it| it.last - it.first).cloned();
-        let written = smallest.as_ref().map_or(self.written, |it| it.written);
-        for &register in Register::ALL {
-            if written & bit_of(register) != 0 {
-                self.current[register as usize] = None;
-            }
-        }
-        self.know_instance_again();
-        // What is entered in the middle may be reached by a way on which less was stored.
-        let changed = if again.is_some() { written & self.written } else { self.written };
-        self.dirty |= changed & !self.dead_at(statement);
-        if let Some(head) = again {
-            self.b.seal_block(block);
-            if let Some(it) = smallest {
-                self.promote(&it);
-            }
-            self.b.ins().jump(head, &[]);
-            self.b.switch_to_block(head);
-        }
-    }
-
-    /// Makes the variables current and returns where the statement begins; the caller jumps there.
-    fn edge(&mut self, statement: u32) -> clif::Block {
-        self.settle_bytes();
-        let dead = self.dead_at(statement);
-        self.define_variables(!dead);
-        let known = self.current.map(|value| match value {
-            Some(Val::Const(value)) => Some(value),
-            _ => None,
-        });
-        let dirty = self.dirty & !dead;
-        let from_behind = statement <= self.statement && !self.arriving;
-        let arrival = self.arrival(statement);
-        if let (true, Some(head)) = (from_behind, arrival.again) {
-            return head;
-        }
-        arrival.dirty |= dirty;
-        arrival.known = Some(match arrival.known {
-            None => known,
-            Some(mut before) => {
-                before.iter_mut().zip(known).for_each(|(before, now)| {
-                    if *before != now {
-                        *before = None;
-                    }
-                });
-                before
-            }
-        });
-        arrival.block
     }
 
     /// Status bits that nobody needs from a statement on.
@@ -1128,61 +733,5 @@ impl<'a> Translator<'a> {
         let register = register.map_or(Val::Const(0), |register| self.get(register));
         let register = self.word(register);
         self.unless_failed(unmet, Question::Unmet, &[self.link, site, register], after);
-    }
-
-    /// Where a jump goes: the statement itself, or the safe point in front of it if it lies behind.
-    fn way_to(&mut self, Target(to): Target) -> clif::Block {
-        let arrival = self.edge(to);
-        if to > self.statement && !self.leaves_loop(to) {
-            return arrival;
-        }
-        let way = self.b.create_block();
-        self.ways.push((way, to, arrival));
-        way
-    }
-
-    /// Fills the safe points on the ways back, after the jump that goes there.
-    fn fill_ways(&mut self) {
-        for (way, to, arrival) in std::mem::take(&mut self.ways) {
-            self.b.switch_to_block(way);
-            self.b.seal_block(way);
-            self.leave_loops(to);
-            if to > self.statement {
-                self.b.ins().jump(arrival, &[]);
-                continue;
-            }
-            let weight = weight((self.statement - to) as usize);
-            // Who is asked there finds what the loops around both keep.
-            let from = std::mem::replace(&mut self.statement, to);
-            self.count_down(weight, to, arrival);
-            self.statement = from;
-        }
-    }
-
-    fn jump_table(&mut self, index: Var, first: u32, count: u32, otherwise: Target) {
-        let index = self.get(index);
-        let index = self.word(index);
-        let targets = &self.native().code.tables[first as usize..(first + count) as usize];
-        let mut blocks: HashMap<u32, clif::Block> = HashMap::new();
-        let mut block_of = |this: &mut Self, target: Target| {
-            if let Some(&block) = blocks.get(&target.0) {
-                return block;
-            }
-            let block = this.way_to(target);
-            blocks.insert(target.0, block);
-            block
-        };
-        let otherwise = block_of(self, otherwise);
-        let entries: Vec<clif::Block> = targets.iter().map(|&target| block_of(self, target)).collect();
-        let inside = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, index, i64::from(count));
-        let beyond = self.b.ins().iconst(I64, i64::from(count));
-        let index = self.b.ins().select(inside, index, beyond);
-        let index = self.b.ins().ireduce(I32, index);
-        let default = self.b.func.dfg.block_call(otherwise, &[]);
-        let entries: Vec<_> = entries.into_iter().map(|block| self.b.func.dfg.block_call(block, &[])).collect();
-        let table = self.b.create_jump_table(clif::JumpTableData::new(default, &entries));
-        self.b.ins().br_table(index, table);
-        self.fill_ways();
-        self.ended = true;
     }
 }

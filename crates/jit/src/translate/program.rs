@@ -1,0 +1,261 @@
+//! Compiles all blocks of a program: declares their functions, has each one written, and makes machine code of it.
+
+use std::collections::{BTreeSet, HashMap};
+
+use cranelift_codegen::Context;
+use cranelift_codegen::control::ControlPlane;
+use cranelift_codegen::ir::types::I64;
+use cranelift_codegen::ir::{self as clif, AbiParam};
+use cranelift_codegen::isa::OwnedTargetIsa;
+use cranelift_codegen::settings::{self, Configurable};
+use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
+use cranelift_jit::{ArenaMemoryProvider, JITBuilder, JITModule};
+use cranelift_module::{FuncId, Linkage, Module, ModuleError, ModuleReloc};
+use sieben_engine::Layout;
+use sieben_engine::ir::Op;
+use sieben_model::block::BlockId;
+
+use super::versions::Versions;
+use super::{Program, Translator, analysis, gates, inlining, instance_pointer};
+use crate::ask::Question;
+use crate::entry::Generation;
+use crate::jit::Native;
+use crate::run::LINKS;
+
+/// How a program is compiled.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Options {
+    /// Whether operations that have an inline form use it.
+    pub(crate) inline: bool,
+    /// Whether every status bit is calculated, also where no statement reads it, for those who look at the registers.
+    pub(crate) exact: bool,
+    /// Whether Cranelift optimizes: two to three times the time to compile, for code that is up to half as long.
+    pub(crate) optimize: bool,
+    /// Whether a data block that is not known beforehand may be protected when it is written.
+    pub(crate) asks_before_writing: bool,
+    /// Whether the code is kept as text, for people.
+    pub(crate) lists: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { inline: true, exact: true, optimize: false, asks_before_writing: false, lists: false }
+    }
+}
+
+/// Address space reserved for the code of a program, per IR instruction and at least.
+/// It costs no memory until it is used; a call with exact status bits takes more than 1 KiB.
+const RESERVED_BYTES_PER_INSTRUCTION: usize = 4096;
+const RESERVED_BYTES_MIN: usize = 1 << 20;
+/// What relative calls reach on every machine is more than the code of a program that becomes machine code takes.
+const RESERVED_BYTES_MAX: usize = 1 << 30;
+
+/// Native stack that a run may take; threads have 2 MiB and more.
+const STACK_BYTES: usize = 1 << 20;
+/// What an activation takes beside the frame of its function. The Rust code that enters interrupts comes on top, as often as machine
+/// code nests them: see `INTERRUPTS`.
+const STACK_BYTES_OF_A_CALL: usize = 1 << 10;
+/// The instruction that makes room on the stack is among these bytes.
+const PROLOGUE_BYTES: usize = 16;
+
+/// Finds the index of a loaded block.
+pub(super) type Find<'a> = &'a dyn Fn(BlockId) -> Option<u32>;
+
+/// The machine that code is for, with the given settings of Cranelift.
+fn instruction_set(level: &str, algorithm: &str, machine: Machine) -> Result<OwnedTargetIsa, String> {
+    let mut flags = settings::builder();
+    let set = |flags: &mut settings::Builder, name: &str, value: &str| flags.set(name, value).map_err(|error| error.to_string());
+    set(&mut flags, "opt_level", level)?;
+    set(&mut flags, "regalloc_algorithm", algorithm)?;
+    set(&mut flags, "use_colocated_libcalls", "false")?;
+    set(&mut flags, "is_pic", "false")?;
+    // Frames have a limit below, so that nobody has to look for the end of the stack.
+    set(&mut flags, "enable_probestack", "false")?;
+    let verified = cfg!(debug_assertions) || machine != Machine::This;
+    set(&mut flags, "enable_verifier", if verified { "true" } else { "false" })?;
+    // Nobody unwinds through machine code: what it calls never panics into it.
+    set(&mut flags, "unwind_info", "false")?;
+    let builder = match machine {
+        Machine::This => cranelift_native::builder().map_err(|message| format!("this machine is not supported: {message}"))?,
+        #[cfg(feature = "aarch64")]
+        Machine::Aarch64 => {
+            cranelift_codegen::isa::lookup_by_name("aarch64-unknown-linux-gnu").map_err(|error| format!("no aarch64: {error}"))?
+        }
+    };
+    builder.finish(settings::Flags::new(flags)).map_err(|error| error.to_string())
+}
+
+/// The machine that code is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Machine {
+    /// This one.
+    This,
+    /// Another one, whose code is checked and never runs.
+    #[cfg(feature = "aarch64")]
+    Aarch64,
+}
+
+/// The code of a program before it becomes executable.
+struct Written {
+    module: JITModule,
+    /// The general version of each block, if somebody may enter it.
+    blocks: Vec<Option<FuncId>>,
+    bytes: usize,
+    frame_max: usize,
+    pinned: BTreeSet<u16>,
+    /// Each block in Cranelift's IR and as instructions of the machine, if somebody wants to read it.
+    listing: String,
+}
+
+/// Compiles all blocks, to be read and not to be run: as text.
+pub(crate) fn listing(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<String, String> {
+    Ok(write(blocks, find, layout, Options { lists: true, ..options }, Machine::This)?.listing)
+}
+
+/// Compiles all blocks. The code takes the data blocks with the returned numbers to be as they were loaded.
+pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<(Generation, BTreeSet<u16>), String> {
+    let Written { mut module, blocks, bytes, frame_max, mut pinned, .. } = write(blocks, find, layout, options, Machine::This)?;
+    module.finalize_definitions().map_err(|error| error.to_string())?;
+    let levels = (STACK_BYTES / (frame_max + STACK_BYTES_OF_A_CALL)).min(LINKS);
+    // Interrupts that come on top go to the interpreter.
+    let needed = usize::from(layout.nesting_depth) + usize::from(layout.nesting_depth_error) + 2;
+    if levels < needed {
+        return Err(format!("its blocks need up to {frame_max} bytes of stack"));
+    }
+    pinned.remove(&0);
+    Ok((Generation::new(module, &blocks, bytes, levels), pinned))
+}
+
+/// Compiles all blocks for aarch64 with Cranelift's checks, to see that it can be done; how many bytes of code there are.
+#[cfg(feature = "aarch64")]
+pub(crate) fn aarch64_bytes(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<usize, String> {
+    Ok(write(blocks, find, layout, options, Machine::Aarch64)?.bytes)
+}
+
+/// Writes the code of all blocks for a machine.
+fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, machine: Machine) -> Result<Written, String> {
+    let isa = instruction_set("none", if options.optimize { "backtracking" } else { "single_pass" }, machine)?;
+    // Cranelift's optimizations move calculations to where their results are used: good in a loop, bad in straight bit logic, where the
+    // bytes that were read wait in registers until then.
+    let for_loops = if options.optimize { Some(instruction_set("speed", "backtracking", machine)?) } else { None };
+    let mut builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
+    let insts: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
+    let reserve = insts.saturating_mul(RESERVED_BYTES_PER_INSTRUCTION).clamp(RESERVED_BYTES_MIN, RESERVED_BYTES_MAX);
+    builder.memory_provider(Box::new(ArenaMemoryProvider::new_with_size(reserve).map_err(|error| error.to_string())?));
+    for &op in Op::ALL {
+        builder.symbol(op.name(), op.shim());
+    }
+    for &question in Question::ALL {
+        let ask = question.ask();
+        builder.symbol(ask.name, ask.address);
+    }
+    let mut module = JITModule::new(builder);
+    let functions = declare(&mut module).map_err(|error| error.to_string())?;
+    let mut versions = Versions::new(&mut module, blocks, find, options.optimize).map_err(|error| error.to_string())?;
+    let pointers = instance_pointer::follow(blocks, find);
+    let summaries = analysis::summaries(blocks, find, options.exact);
+    let plans = inlining::plan(blocks, find);
+    let mut context = module.make_context();
+    let mut frontend = FunctionBuilderContext::new();
+    context.set_disasm(options.lists);
+    let mut listing = String::new();
+    let (mut bytes, mut frame_max) = (0, 0);
+    let (mut pinned, mut asked) = (BTreeSet::new(), BTreeSet::new());
+    while let Some((index, known, function)) = versions.next() {
+        context.func.signature = block_signature(&module);
+        let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
+        let target = module.target_config();
+        let for_loops = for_loops.as_ref().filter(|_| plans[index].loops);
+        let joins = for_loops.is_none();
+        let program = Program {
+            functions: &functions,
+            blocks,
+            summaries: &summaries,
+            plans: &plans,
+            pointers: &pointers,
+            find,
+            layout,
+            options,
+            joins,
+        };
+        let mut found = Translator::new(builder, &mut module, &mut versions, program, index).run(known, target);
+        pinned.append(&mut found.pinned);
+        asked.append(&mut found.asked);
+        if options.lists {
+            listing += &format!("{}\n{}\n{}\n", blocks[index].id, blocks[index].code, context.func.display());
+        }
+        define(&mut module, function, &mut context, for_loops).map_err(|error| format!("{}: {error}", blocks[index].id))?;
+        listing += context.compiled_code().and_then(|code| code.vcode.as_deref()).unwrap_or_default();
+        let code = context.compiled_code().map_or(&[][..], |code| code.code_buffer());
+        bytes += code.len();
+        frame_max = frame_max.max(frame_bytes(code));
+        module.clear_context(&mut context);
+    }
+    bytes += gates::define(&mut module, &functions, &asked, &mut context, &mut frontend).map_err(|error| error.to_string())?;
+    let blocks = (0..blocks.len()).map(|index| versions.general(index)).collect();
+    Ok(Written { module, blocks, bytes, frame_max, pinned, listing })
+}
+
+/// Compiles a function, for the instruction set of the module or another one.
+fn define(module: &mut JITModule, id: FuncId, context: &mut Context, other: Option<&OwnedTargetIsa>) -> Result<(), Box<ModuleError>> {
+    let Some(isa) = other else { return Ok(module.define_function(id, context)?) };
+    let code = context.compile(&**isa, &mut ControlPlane::default()).map_err(|error| Box::new(ModuleError::from(error)))?;
+    let alignment = u64::from(code.buffer.alignment).max(u64::from(isa.function_alignment().minimum)).max(isa.symbol_alignment());
+    let bytes = code.code_buffer().to_vec();
+    let relocations: Vec<_> =
+        code.buffer.relocs().to_vec().iter().map(|relocation| ModuleReloc::from_mach_reloc(relocation, &context.func, id)).collect();
+    Ok(module.define_function_bytes(id, alignment, &bytes, &relocations)?)
+}
+
+/// Bytes of the native stack that a function takes, without what a call takes anyway: read from its first instructions.
+fn frame_bytes(code: &[u8]) -> usize {
+    if !cfg!(target_arch = "x86_64") {
+        // Every value may have its place: at most one for each instruction.
+        return 2 * code.len();
+    }
+    let beginning = &code[..code.len().min(PROLOGUE_BYTES)];
+    let short = beginning.windows(4).find_map(|bytes| match bytes {
+        [0x48, 0x83, 0xEC, size] => Some(usize::from(*size)),
+        _ => None,
+    });
+    let long = beginning.windows(7).find_map(|bytes| match *bytes {
+        [0x48, 0x81, 0xEC, a, b, c, d] => Some(u32::from_le_bytes([a, b, c, d]) as usize),
+        _ => None,
+    });
+    long.or(short).unwrap_or(0)
+}
+
+/// All functions that code refers to, beside those of blocks.
+pub(super) struct Functions {
+    pub(super) ops: HashMap<Op, FuncId>,
+    pub(super) questions: HashMap<Question, FuncId>,
+    /// The same for cold code: see `gates`.
+    pub(super) gates: HashMap<Question, FuncId>,
+}
+
+pub(super) fn block_signature(module: &JITModule) -> clif::Signature {
+    words_signature(module, 4)
+}
+
+pub(super) fn words_signature(module: &JITModule, arguments: usize) -> clif::Signature {
+    let mut signature = module.make_signature();
+    signature.params = vec![AbiParam::new(I64); arguments];
+    signature.returns.push(AbiParam::new(I64));
+    signature
+}
+
+fn declare(module: &mut JITModule) -> Result<Functions, Box<ModuleError>> {
+    let mut ops = HashMap::new();
+    for &op in Op::ALL {
+        let signature = words_signature(module, op.arity());
+        ops.insert(op, module.declare_function(op.name(), Linkage::Import, &signature)?);
+    }
+    let mut questions = HashMap::new();
+    for &question in Question::ALL {
+        let ask = question.ask();
+        let signature = words_signature(module, ask.arguments);
+        questions.insert(question, module.declare_function(ask.name, Linkage::Import, &signature)?);
+    }
+    let gates = gates::declare(module)?;
+    Ok(Functions { ops, questions, gates })
+}
