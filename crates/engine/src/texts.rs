@@ -10,7 +10,7 @@ use crate::ir::{Place, TextAction};
 use crate::machine::Machine;
 
 /// Bytes before the characters.
-const HEAD: u32 = 2;
+pub const HEAD: u32 = 2;
 
 /// A STRING and how many characters it may have; 0 = as its first byte says.
 #[derive(Clone, Copy, Debug)]
@@ -21,84 +21,151 @@ pub struct Text {
     pub characters_max: u8,
 }
 
-/// What a text instruction will do, all places found.
-#[derive(Clone, Debug)]
-pub enum Plan {
-    /// Nothing but a result.
-    Result(u64),
-    /// Writes characters, and the two bytes before them.
-    Write {
-        /// Arena bytes of the characters that are written.
-        from: Range<usize>,
-        /// Arena byte of the text.
-        to: usize,
-        /// Its greatest length.
-        room: u8,
-        /// Whether characters are left out.
-        cut: bool,
-    },
+/// A STRING that lies inside its area, as far as it counts.
+#[derive(Clone, Copy, Debug)]
+pub struct Found {
+    /// The arena byte where it begins.
+    pub start: usize,
+    /// The greatest number of characters that count; 0 = as its first byte says.
+    pub characters_max: u8,
 }
 
-/// Finds what a text instruction means. `local` is that of [`locate_far`].
+/// The two texts of an instruction.
+#[derive(Clone, Copy, Debug)]
+pub struct Both {
+    /// What is written, or compared, or searched.
+    pub to: Found,
+    /// What is read.
+    pub from: Found,
+}
+
+/// Which characters of a text: what is not there does not count, and a negative number is 0.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Piece {
+    /// The first one, counted from 0.
+    pub first: i32,
+    /// How many.
+    pub count: i32,
+}
+
+/// Finds the texts of an instruction. `local` is that of [`locate_far`].
 ///
 /// # Errors
 /// The programming error of a text that lies outside its area.
-pub fn plan(
+pub fn find(
     machine: &Machine,
     file: &File,
     local: &dyn Fn(usize) -> Range<usize>,
     action: TextAction,
-    to: Text,
-    from: Text,
-) -> Result<Plan, Fault> {
-    let source = characters(machine, file, local, from)?;
-    match action {
-        TextAction::Length => Ok(Plan::Result(source.len() as u64)),
-        TextAction::Compare => {
-            let first = characters(machine, file, local, to)?;
-            let arena = &machine.memory.arena;
-            Ok(Plan::Result(u64::from(arena[first].cmp(&arena[source]) as i32 as u32)))
+    [to, from]: [Text; 2],
+    piece: Piece,
+) -> Result<Both, Fault> {
+    let text = |text: Text, write: bool| {
+        let start = start(machine, file, local, text.place, HEAD, write)?;
+        Ok(Found { start, characters_max: text.characters_max })
+    };
+    let arena = &machine.memory.arena;
+    let inside = |text: Text, characters: usize, write: bool| {
+        start(machine, file, local, text.place, HEAD + characters as u32, write)?;
+        Ok(())
+    };
+    let source = text(from, false)?;
+    let length = source.length(arena);
+    inside(from, length, false)?;
+    let target = match action {
+        TextAction::Length => source,
+        TextAction::Compare | TextAction::Find => {
+            let target = text(to, false)?;
+            inside(to, target.length(arena), false)?;
+            target
         }
-        TextAction::Assign => {
-            let head = start(machine, file, local, to.place, HEAD, true)?;
-            let room = match to.characters_max {
-                0 => machine.memory.arena[head],
-                room => room,
-            };
-            let count = source.len().min(usize::from(room));
-            start(machine, file, local, to.place, HEAD + count as u32, true)?;
-            let cut = count < source.len();
-            Ok(Plan::Write { from: source.start..source.start + count, to: head, room, cut })
+        TextAction::Assign | TextAction::Piece | TextAction::Append => {
+            let target = text(to, true)?;
+            let there = if action == TextAction::Append { target.length(arena) } else { 0 };
+            let piece = if action == TextAction::Assign { Piece::ALL } else { piece };
+            let count = piece.within(length).len().min(target.room(arena) - there);
+            inside(to, there + count, true)?;
+            target
         }
-    }
+    };
+    Ok(Both { to: target, from: source })
 }
 
-impl Plan {
-    /// Does it; the result of the instruction.
-    pub fn run(self, machine: &mut Machine) -> u64 {
-        match self {
-            Self::Result(result) => result,
-            Self::Write { from, to, room, cut } => {
-                let count = from.len();
-                let arena = &mut machine.memory.arena;
-                // The characters first: both texts may overlap.
-                arena.copy_within(from, to + HEAD as usize);
-                arena[to] = room;
-                arena[to + 1] = count as u8;
-                u64::from(cut)
+impl Both {
+    /// Does what a text instruction says; its result.
+    pub fn run(self, arena: &mut [u8], action: TextAction, piece: Piece) -> u64 {
+        let Self { to, from } = self;
+        match action {
+            TextAction::Length => from.length(arena) as u64,
+            TextAction::Compare => u64::from(to.characters(arena).cmp(from.characters(arena)) as i32 as u32),
+            TextAction::Find => position(to.characters(arena), from.characters(arena)) as u64,
+            TextAction::Assign => {
+                let length = from.length(arena);
+                u64::from(to.put(arena, 0, from.start, 0..length) < length)
+            }
+            TextAction::Piece | TextAction::Append => {
+                let behind = if action == TextAction::Append { to.length(arena) } else { 0 };
+                let piece = piece.within(from.length(arena));
+                let count = piece.len();
+                to.put(arena, behind, from.start, piece);
+                count as u64
             }
         }
     }
 }
 
-/// The arena bytes of the characters of a text.
-fn characters(machine: &Machine, file: &File, local: &dyn Fn(usize) -> Range<usize>, text: Text) -> Result<Range<usize>, Fault> {
-    let head = start(machine, file, local, text.place, HEAD, false)?;
-    let [room, length] = [machine.memory.arena[head], machine.memory.arena[head + 1]];
-    let count = length.min(if text.characters_max == 0 { room } else { text.characters_max });
-    start(machine, file, local, text.place, HEAD + u32::from(count), false)?;
-    let first = head + HEAD as usize;
-    Ok(first..first + usize::from(count))
+impl Found {
+    /// How many characters there is room for.
+    fn room(self, arena: &[u8]) -> usize {
+        usize::from(if self.characters_max == 0 { arena[self.start] } else { self.characters_max })
+    }
+
+    /// How many characters count.
+    fn length(self, arena: &[u8]) -> usize {
+        usize::from(arena[self.start + 1]).min(self.room(arena))
+    }
+
+    fn characters(self, arena: &[u8]) -> &[u8] {
+        let first = self.start + HEAD as usize;
+        &arena[first..first + self.length(arena)]
+    }
+
+    /// Writes characters of the text at `from` behind so many of this one, and both length bytes; how many there was room for.
+    fn put(self, arena: &mut [u8], behind: usize, from: usize, piece: Range<usize>) -> usize {
+        let room = self.room(arena);
+        let count = piece.len().min(room - behind);
+        let source = from + HEAD as usize + piece.start;
+        // The characters first: both texts may overlap.
+        arena.copy_within(source..source + count, self.start + HEAD as usize + behind);
+        arena[self.start] = room as u8;
+        arena[self.start + 1] = (behind + count) as u8;
+        count
+    }
+}
+
+impl Piece {
+    /// All characters.
+    pub const ALL: Self = Self { first: 0, count: i32::MAX };
+
+    /// Those of so many characters.
+    fn within(self, length: usize) -> Range<usize> {
+        let first = usize::try_from(self.first).unwrap_or(0).min(length);
+        let count = usize::try_from(self.count).unwrap_or(0).min(length - first);
+        first..first + count
+    }
+}
+
+/// Where characters stand in others first, counted from 1; 0 = nowhere.
+fn position(all: &[u8], wanted: &[u8]) -> usize {
+    let Some((&first, rest)) = wanted.split_first() else { return 0 };
+    let mut from = 0;
+    while let Some(next) = all[from..].iter().position(|&character| character == first) {
+        from += next + 1;
+        if all[from..].starts_with(rest) {
+            return from;
+        }
+    }
+    0
 }
 
 /// The arena byte at which so many bytes begin, all of them inside their area.

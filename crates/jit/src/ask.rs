@@ -4,9 +4,9 @@
 //! nothing when they fail and answer 1; machine code then stores its registers and calls [`failed`], which asks the Host.
 
 use sieben_engine::access::{self, Target};
-use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Place, Var};
+use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Place, TextAction, Var};
 use sieben_engine::machine::{Origin, Register, Registers};
-use sieben_engine::texts::{self, Text};
+use sieben_engine::texts::{self, Both, Found, Piece, Text};
 use sieben_engine::{Abort, Exit, Fault, FaultPlace, Reaction, StopReason};
 use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
@@ -61,7 +61,9 @@ asks! {
     /// Moves bytes.
     TryMove = try_move(link, site, from, to);
     /// Works on texts; the result is in `run.value`.
-    TryText = try_text(link, site, from, to);
+    TryText = try_text(link, site, from, to, piece);
+    /// Works on texts that are inside their areas, which begin at these bytes of the arena; its result.
+    Text = text(kind, from, to, piece);
     /// Runs an intrinsic; the result is in `run.value`.
     TryIntrinsic = try_intrinsic(site, a, b, c);
     /// Opens a data block; its registers are in `run.registers`.
@@ -169,7 +171,7 @@ impl Run<'_, '_> {
         Ok(())
     }
 
-    fn text(&mut self, link: u64, site: u64, pointers: [u64; 2]) -> Result<u64, Fault> {
+    fn text(&mut self, link: u64, site: u64, pointers: [u64; 2], piece: Piece) -> Result<u64, Fault> {
         let Inst::Text { action, to, to_max, from, from_max, .. } = self.inst(site) else {
             unreachable!("a site of `try_text` works on texts")
         };
@@ -178,9 +180,9 @@ impl Run<'_, '_> {
         self.point(to, pointers[1]);
         let depth = self.depth(link);
         let local = |outwards: usize| self.local_data(depth, outwards);
-        let [to, from] = [(to, to_max), (from, from_max)].map(|(place, characters_max)| Text { place, characters_max });
-        let plan = texts::plan(self.context.machine, &self.scratch.file, &local, action, to, from)?;
-        Ok(plan.run(self.context.machine))
+        let texts = [(to, to_max), (from, from_max)].map(|(place, characters_max)| Text { place, characters_max });
+        let found = texts::find(self.context.machine, &self.scratch.file, &local, action, texts, piece)?;
+        Ok(found.run(&mut self.context.machine.memory.arena, action, piece))
     }
 
     /// Ends the run; `None` = the interpreter goes on with the frames as they are.
@@ -451,8 +453,25 @@ extern "C" fn try_move(run: &mut Run<'_, '_>, link: u64, site: u64, from: u64, t
     }
 }
 
-extern "C" fn try_text(run: &mut Run<'_, '_>, link: u64, site: u64, from: u64, to: u64) -> u64 {
-    match run.text(link, site, [from, to]) {
+/// The piece of a text in one word: its first character in the low half, how many in the high half.
+fn piece(word: u64) -> Piece {
+    Piece { first: word as u32 as i32, count: (word >> 32) as u32 as i32 }
+}
+
+/// What is done with texts that are inside their areas, in one word: the greatest numbers of characters and the action.
+pub(crate) fn text_kind(action: TextAction, to_max: u8, from_max: u8) -> u64 {
+    u64::from(to_max) | u64::from(from_max) << 8 | (action as u64) << 16
+}
+
+extern "C" fn text(run: &mut Run<'_, '_>, kind: u64, from: u64, to: u64, word: u64) -> u64 {
+    let found = |start: u64, characters_max: u8| Found { start: start as usize, characters_max };
+    let both = Both { to: found(to, kind as u8), from: found(from, (kind >> 8) as u8) };
+    let action = TextAction::ALL[(kind >> 16) as usize];
+    both.run(&mut run.context.machine.memory.arena, action, piece(word))
+}
+
+extern "C" fn try_text(run: &mut Run<'_, '_>, link: u64, site: u64, from: u64, to: u64, word: u64) -> u64 {
+    match run.text(link, site, [from, to], piece(word)) {
         Ok(value) => {
             run.value = value;
             0

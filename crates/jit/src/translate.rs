@@ -39,6 +39,7 @@ mod program;
 mod promote;
 mod ranges;
 mod sized;
+mod texts;
 mod value;
 mod versions;
 mod words;
@@ -594,15 +595,7 @@ impl<'a> Translator<'a> {
                 let failed = self.ask(Question::TryMove, &[self.link, site, pointers[0], pointers[1]]);
                 self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
             }
-            Inst::Text { dst, from, to, .. } => {
-                let pointers = [self.pointer(from), self.pointer(to)];
-                self.store_open_blocks();
-                let site = self.site(index);
-                let failed = self.ask(Question::TryText, &[self.link, site, pointers[0], pointers[1]]);
-                self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
-                let result = self.result();
-                self.set(dst, Val::Word(result));
-            }
+            Inst::Text { .. } => self.text(index, inst),
             Inst::Parameter { dst, index } => self.parameter(dst, index),
             Inst::PassParameter { src } => self.pass_parameter(src),
             Inst::Intrinsic { dst, intrinsic, args } => self.intrinsic(index, dst, intrinsic, args),

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use noting::{layout, program, run};
-use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, TextAction, Var};
 use sieben_engine::{Entry, Exit, FaultPlace, Interpreter, Machine, Reaction, StopReason};
 use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::{Area, Width};
@@ -117,7 +117,8 @@ fn element(b: &mut Builder, dice: &mut Dice, array: Array, index: Variable) -> (
 fn statement(b: &mut Builder, dice: &mut Dice, index: Variable, sum: Variable) {
     b.begin_statement();
     let from = array(dice);
-    match dice.roll(5) {
+    match dice.roll(6) {
+        5 => text(b, dice, from, index, sum),
         0 | 1 => {
             let (place, gate) = element(b, dice, from, index);
             let mut value = b.load(place, from.width, OnFault::SkipStatement);
@@ -144,6 +145,36 @@ fn statement(b: &mut Builder, dice: &mut Dice, index: Variable, sum: Variable) {
             b.store(place, from.width, value);
         }
     }
+}
+
+/// Something that is done with texts, which may overlap one another and everything else.
+fn text(b: &mut Builder, dice: &mut Dice, from: Array, index: Variable, sum: Variable) {
+    let mut any = |b: &mut Builder| {
+        let area = dice.of(&[Area::BitMemory, Area::Local, Area::SharedData]);
+        match dice.roll(4) {
+            0 => {
+                let step = 8 * dice.of(&[1, 2, 5]);
+                element(b, dice, Array { width: Width::Byte, step, ..from }, index).0
+            }
+            1 => {
+                let number = dice.of(&[0, 1, 2]) << 32;
+                let code = if area == Area::SharedData { 0x8400_0000 } else { u64::from(area.pointer_code()) << 24 };
+                let pointer = b.constant(number | code | (8 * dice.roll(12)));
+                Place::Crossing { pointer, offset: 8 * dice.roll(3) as u32 }
+            }
+            _ => place(dice, area),
+        }
+    };
+    let (from, to) = (any(b), any(b));
+    let first = get(b, sum);
+    let small = b.constant(7);
+    let first = b.compute(Op::AndU32, &[first, small]);
+    let count = b.constant(dice.of(&[0, 1, 3, 20, 0xFFFF_FFFF, 0x7FFF_FFFF]));
+    let dst = b.temporary();
+    let (action, maxima) = (dice.of(&TextAction::ALL), [0, 1, 4, 6, 12]);
+    let (to_max, from_max) = (dice.of(&maxima), dice.of(&maxima));
+    b.push(Inst::Text { action, dst, to, to_max, from, from_max, piece: [first, count] });
+    b.store(sum.place, sum.width, dst);
 }
 
 /// A loop in the middle of others, counted by a variable of its own.

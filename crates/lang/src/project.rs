@@ -304,7 +304,7 @@ fn attempt(
     fill_data(&mut types, &field_names, &found, &items, &data, &generated, &mut compiled.program);
     diagnostics.append(&mut types.diagnostics);
     let known = std::mem::take(&mut types.st_known);
-    let environment = st::declare::environment(&items, &scope, &interfaces, &data, known, globals);
+    let environment = st::declare::environment(&items, (&scope, &links), &interfaces, &data, known, globals);
 
     // Second pass: statements.
     let exists = |id: BlockId| {

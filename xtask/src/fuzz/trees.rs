@@ -176,7 +176,15 @@ impl Generator<'_> {
             arguments.push(Argument::Eno { target: self.place(Scalar::Bool) });
         }
         let result = if result { DataType::DoubleInt } else { DataType::Void };
-        Call { callee: Callee::Function(BlockId::fc(1)), arguments, enable, result, clears_ok: self.choose(2) == 0, span: Span::default() }
+        Call {
+            callee: Callee::Function(BlockId::fc(1)),
+            arguments,
+            enable,
+            result,
+            clears_ok: self.choose(2) == 0,
+            written_out: None,
+            span: Span::default(),
+        }
     }
 
     fn place_in_data(&mut self) -> Place {
@@ -197,6 +205,7 @@ impl Generator<'_> {
             enable,
             result: DataType::Void,
             clears_ok: self.choose(2) == 0,
+            written_out: None,
             span: Span::default(),
         }
     }

@@ -116,7 +116,7 @@ pub(super) struct Block {
     /// From, to, number of bytes.
     pub(super) moves: Vec<(Place, Place, u32)>,
     /// What to do, to, from.
-    pub(super) texts: Vec<(TextAction, Text, Text)>,
+    pub(super) texts: Vec<(TextAction, Text, Text, [u8; 2])>,
     pub(super) callees: Vec<Callee>,
     pub(super) tables: Vec<Table>,
     pub(super) constants: Vec<u64>,
@@ -273,9 +273,9 @@ fn step(inst: &Inst, statement: usize, code: &Code, layout: &Layout, find: &dyn 
             out.moves.push((from, to, bytes));
             Step::Move { index: out.moves.len() as u32 - 1 }
         }
-        Inst::Text { action, dst, to, to_max, from, from_max } => {
+        Inst::Text { action, dst, to, to_max, from, from_max, piece } => {
             let [to, from] = [(to, to_max), (from, from_max)].map(|(place, characters_max)| Text { place, characters_max });
-            out.texts.push((action, to, from));
+            out.texts.push((action, to, from, piece.map(|var| var.0)));
             Step::Text { dst: dst.0, index: out.texts.len() as u32 - 1 }
         }
         Inst::Parameter { dst, index } => Step::Parameter { dst: dst.0, index },

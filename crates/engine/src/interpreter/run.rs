@@ -12,7 +12,7 @@ use crate::access::{
 };
 use crate::fault::{Abort, Fault, Place};
 use crate::host::{Context, Entry, Exit, Reaction, StopReason};
-use crate::ir::{Callee, OnFault, TextAction};
+use crate::ir::{Callee, OnFault};
 use crate::machine::{Frame, Machine, Origin, Register, Registers};
 use crate::texts;
 use crate::tracer::StatementEvent;
@@ -277,14 +277,15 @@ impl Interpreter {
                         }
                     }
                     Step::Text { dst, index } => {
-                        let (action, to, from) = block.texts[index as usize];
-                        if WATCHED && action == TextAction::Assign {
+                        let (action, to, from, [first, count]) = block.texts[index as usize];
+                        if WATCHED && action.writes() {
                             let bytes = 2 + u32::from(to.characters_max);
                             local_data::moved(context, &file, place_of(block, at), (from.place, to.place, bytes));
                         }
                         let machine = &*context.machine;
-                        match texts::plan(machine, &file, &|outwards| machine.local_data(outwards), action, to, from) {
-                            Ok(plan) => var!(dst) = plan.run(context.machine),
+                        let piece = texts::Piece { first: var!(first) as u32 as i32, count: var!(count) as u32 as i32 };
+                        match texts::find(machine, &file, &|outwards| machine.local_data(outwards), action, [to, from], piece) {
+                            Ok(found) => var!(dst) = found.run(&mut context.machine.memory.arena, action, piece),
                             Err(fault) => go!(self.fault(context, &mut file, block, at, &fault, None)),
                         }
                     }

@@ -109,6 +109,27 @@ pub enum TextAction {
     Compare,
     /// The number of characters of `from`.
     Length,
+    /// Where the characters of `from` stand in `to` first, counted from 1; 0 if they do not, or if there are none.
+    Find,
+    /// Writes a piece of `from` to `to`, both length bytes too, cut to the room there. `piece` holds the first character, counted from 0,
+    /// and how many, in 32 bits with a sign: a negative number is 0, and what is not there does not count. The result is how many there are, before they are cut.
+    Piece,
+    /// The same behind the characters that `to` has.
+    Append,
+}
+
+impl TextAction {
+    /// All of them, in their order.
+    pub const ALL: [Self; 6] = [Self::Assign, Self::Compare, Self::Length, Self::Find, Self::Piece, Self::Append];
+
+    /// Whether it writes to `to`.
+    pub fn writes(self) -> bool {
+        matches!(self, Self::Assign | Self::Piece | Self::Append)
+    }
+    /// Whether it takes a piece.
+    pub fn takes_piece(self) -> bool {
+        matches!(self, Self::Piece | Self::Append)
+    }
 }
 
 /// The block that a call enters.
@@ -136,7 +157,7 @@ pub enum Inst {
     Move { from: Place, to: Place, bytes: u32 },
     /// Works on two STRINGs: their first byte is the greatest, the second the actual length. `to_max` and `from_max` limit their
     /// characters; 0 = as the first byte says.
-    Text { action: TextAction, dst: Var, to: Place, to_max: u8, from: Place, from_max: u8 },
+    Text { action: TextAction, dst: Var, to: Place, to_max: u8, from: Place, from_max: u8, piece: [Var; 2] },
     /// `dst := pointer` that the caller gave for parameter `index` of an FC.
     Parameter { dst: Var, index: u16 },
     /// Gives the pointer of the next parameter to the call that follows.

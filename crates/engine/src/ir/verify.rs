@@ -100,7 +100,11 @@ pub fn reads(inst: &Inst) -> Vec<Var> {
         Inst::Intrinsic { intrinsic, args, .. } => args[..intrinsic.arity()].to_vec(),
         Inst::Load { place: from, .. } => place(from).into_iter().collect(),
         Inst::Store { place: to, src, .. } => place(to).into_iter().chain([src]).collect(),
-        Inst::Move { from, to, .. } | Inst::Text { from, to, .. } => place(from).into_iter().chain(place(to)).collect(),
+        Inst::Move { from, to, .. } => place(from).into_iter().chain(place(to)).collect(),
+        Inst::Text { action, from, to, piece, .. } => {
+            let piece = if action.takes_piece() { &piece[..] } else { &[] };
+            place(from).into_iter().chain(place(to)).chain(piece.iter().copied()).collect()
+        }
         Inst::PassParameter { src } => vec![src],
         Inst::Require { condition, register, .. } => vec![condition, register],
         Inst::RequireStack { condition, .. } | Inst::Branch { condition, .. } => vec![condition],

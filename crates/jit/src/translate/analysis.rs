@@ -188,7 +188,10 @@ fn effect(inst: &Inst) -> Effect {
         Inst::Load { dst, place: from, on_fault, .. } => (place(from), register(dst), on_fault != OnFault::DeliverZero),
         Inst::Store { place: to, src, .. } => (place(to) | register(src), 0, true),
         Inst::Move { from, to, .. } => (place(from) | place(to), 0, true),
-        Inst::Text { dst, from, to, .. } => (place(from) | place(to), register(dst), true),
+        Inst::Text { action, dst, from, to, piece, .. } => {
+            let piece = if action.takes_piece() { piece.iter().fold(0, |all, &var| all | register(var)) } else { 0 };
+            (place(from) | place(to) | piece, register(dst), true)
+        }
         Inst::PassParameter { src } => (register(src), 0, false),
         Inst::Intrinsic { dst, intrinsic, args } => {
             (args[..intrinsic.arity()].iter().fold(0, |all, &arg| all | register(arg)), register(dst), true)

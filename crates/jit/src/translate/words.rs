@@ -75,7 +75,7 @@ impl Translator<'_> {
             Inst::Store { place: Place::Indirect { area: Area::Local, pointer, .. } | Place::Crossing { pointer, .. }, .. } => {
                 self.get(pointer).constant().is_none()
             }
-            Inst::Move { .. } | Inst::Text { .. } => true,
+            Inst::Move { .. } => true,
             _ => false,
         };
         if anywhere {

@@ -14,6 +14,7 @@ use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
 pub use super::objects::Dispatch;
+pub use super::standard::texts::TextFunction;
 
 /// What an elementary value is for the operations of the engine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -297,6 +298,8 @@ pub struct Call {
     pub result: DataType,
     /// Whether ENO/OK of this block is cleared if the called one fails (leaves BR = 0).
     pub clears_ok: bool,
+    /// The function of texts that it is, which is written out instead of called.
+    pub written_out: Option<TextFunction>,
     /// Where it is written.
     pub span: Span,
 }

@@ -20,7 +20,9 @@ use crate::st::ast::{self, Direction, Expression, ExpressionKind, MemberKind, Na
 use crate::st::dialect::Construct;
 use crate::st::standard;
 use crate::st::standard::operators::{Beyond, Rounding, convert as steps};
-use crate::st::tree::{Argument, Base, Call, Callee, Dispatch, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
+use crate::st::tree::{
+    Argument, Base, Call, Callee, Dispatch, Place, Scalar, Statement, StatementKind, Text, TextFunction, Value, ValueKind,
+};
 
 /// The output of system functions that is their result.
 const RET_VAL: &str = "RET_VAL";
@@ -530,7 +532,16 @@ impl Checker<'_> {
             .map_or(DataType::Void, |result| result.data_type.clone());
         let Arguments { arguments, enable, before, .. } = all;
         let clears_ok = self.reads_ok && matches!(callee, Callee::Function(block) if self.names.is_of_library(block));
-        sound.then_some((Call { callee, arguments, enable, result, clears_ok, span }, before))
+        let written_out = self.written_out(&callee, &call.callee);
+        sound.then_some((Call { callee, arguments, enable, result, clears_ok, written_out, span }, before))
+    }
+
+    /// The function of texts that a call of a block of the S7 library is. A name in quotation marks calls the block.
+    fn written_out(&self, callee: &Callee, written: &Expression) -> Option<TextFunction> {
+        let (Callee::Function(block), ExpressionKind::Name(name)) = (callee, &written.kind) else { return None };
+        let linked = self.names.linked(*block)?;
+        let by_name = name.quoting != Quoting::Global && name.is(linked.name);
+        by_name.then(|| TextFunction::of_block(linked.name)).flatten()
     }
 
     fn callee_name(&self, callee: &Callee) -> String {

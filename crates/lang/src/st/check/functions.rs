@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use sieben_model::block::BlockId;
 use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
@@ -16,7 +17,7 @@ use crate::st::ast::{self, Direction, Name};
 use crate::st::dialect::Construct;
 use crate::st::standard::s5::S5Function;
 use crate::st::standard::{self, Building, Given, GivenKind, Meaning, Refusal, Resolved};
-use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
+use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, Statement, StatementKind, Text, TextFunction, Value, ValueKind};
 
 impl Checker<'_> {
     /// A call of a standard function.
@@ -65,7 +66,7 @@ impl Checker<'_> {
             // What is wrong with an argument was said; that the function does not take it says nothing new.
             Some(_) if self.diagnostics.len() > before && arguments.iter().any(|(typed, _)| *typed == Typed::Poison) => Typed::Poison,
             Some(Err(refusal)) => self.refused(refusal, &arguments, span),
-            Some(Ok(resolved)) => self.composed(resolved, call, arguments, span),
+            Some(Ok(resolved)) => self.composed(&name.text, resolved, call, arguments, span),
         }
     }
 
@@ -108,7 +109,7 @@ impl Checker<'_> {
         Typed::Poison
     }
 
-    fn composed(&mut self, resolved: Resolved, call: &ast::Call, arguments: Vec<(Typed, Span)>, span: Span) -> Typed {
+    fn composed(&mut self, name: &str, resolved: Resolved, call: &ast::Call, arguments: Vec<(Typed, Span)>, span: Span) -> Typed {
         match resolved.meaning {
             Meaning::Length => {
                 let Some((typed, place)) = arguments.into_iter().next() else { return Typed::Poison };
@@ -155,6 +156,7 @@ impl Checker<'_> {
                     return self.not_built(span, "this function");
                 };
                 let Some(interface) = self.interface(block, call.callee.span) else { return Typed::Poison };
+                let written_out = TextFunction::of(&provided, name).filter(|_| self.names.is_of_library(block));
                 let order = order_of(&resolved.parameters, call);
                 let mut arguments: Vec<Option<(Typed, Span)>> = arguments.into_iter().map(Some).collect();
                 let mut texts = order.into_iter().filter_map(|index| arguments.get_mut(index).and_then(Option::take));
@@ -167,7 +169,7 @@ impl Checker<'_> {
                             return Typed::Poison;
                         }
                     }
-                    folded = self.result_of_function(Callee::Function(block), &interface, passed, before, span);
+                    folded = self.result_of_function((block, written_out), &interface, passed, before, span);
                     place = span;
                 }
                 folded
@@ -177,7 +179,8 @@ impl Checker<'_> {
                     return self.not_built(span, "this function");
                 };
                 let Some(interface) = self.interface(block, call.callee.span) else { return Typed::Poison };
-                self.block_function(Callee::Function(block), &interface, call, arguments, span)
+                let written_out = TextFunction::of(&provided, name).filter(|_| self.names.is_of_library(block));
+                self.block_function((block, written_out), &interface, call, arguments, span)
             }
         }
     }
@@ -185,7 +188,7 @@ impl Checker<'_> {
     /// A standard function that is a block: all its parameters but the result are inputs.
     fn block_function(
         &mut self,
-        callee: Callee,
+        (block, written_out): (BlockId, Option<TextFunction>),
         interface: &Arc<Interface>,
         call: &ast::Call,
         arguments: Vec<(Typed, Span)>,
@@ -210,12 +213,12 @@ impl Checker<'_> {
                 return Typed::Poison;
             }
         }
-        self.result_of_function(callee, interface, passed, before, span)
+        self.result_of_function((block, written_out), interface, passed, before, span)
     }
 
     fn result_of_function(
         &mut self,
-        callee: Callee,
+        (block, written_out): (BlockId, Option<TextFunction>),
         interface: &Interface,
         passed: Vec<Argument>,
         before: Vec<Statement>,
@@ -223,7 +226,9 @@ impl Checker<'_> {
     ) -> Typed {
         let result = interface.variables.iter().find(|variable| variable.section == Section::Return);
         let result = result.map_or(DataType::Void, |result| result.data_type.clone());
-        self.result_of(Call { callee, arguments: passed, enable: None, result, clears_ok: self.reads_ok, span }, before, span)
+        let callee = Callee::Function(block);
+        let call = Call { callee, arguments: passed, enable: None, result, clears_ok: self.reads_ok, written_out, span };
+        self.result_of(call, before, span)
     }
 
     /// Functions of variables and types instead of values: REF, ADR, SIZEOF, WORD_TO_BLOCK_DB.

@@ -8,6 +8,7 @@ use sieben_model::interface::Interface;
 use sieben_model::source::Span;
 use sieben_model::types::{DataType, Structure};
 
+use crate::library::LibraryBlock;
 use crate::st::ast::LiteralKind;
 use crate::st::objects::Objects;
 use crate::st::standard::Provided;
@@ -141,6 +142,8 @@ pub trait Names {
     fn provided(&self, block: &Provided) -> Option<BlockId>;
     /// Whether a block comes with Sieben: as part of the language it tells its caller's ENO/OK that it failed.
     fn is_of_library(&self, block: BlockId) -> bool;
+    /// The block of the S7 library that has this number.
+    fn linked(&self, block: BlockId) -> Option<&'static LibraryBlock>;
     /// Bytes of the declared variables in the local data.
     fn local_size(&self) -> u32;
     /// The variables that the block declares, in order: for warnings about those that nothing uses.

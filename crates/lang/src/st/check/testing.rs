@@ -560,7 +560,15 @@ fn in_order<const N: usize>(values: [Value; N]) -> Vec<Argument> {
 }
 
 fn call_of(block: BlockId, arguments: Vec<Argument>, span: Span) -> Statement {
-    let call = Call { callee: Callee::Function(block), arguments, enable: None, result: DataType::Void, clears_ok: false, span };
+    let call = Call {
+        callee: Callee::Function(block),
+        arguments,
+        enable: None,
+        result: DataType::Void,
+        clears_ok: false,
+        written_out: None,
+        span,
+    };
     Statement { kind: StatementKind::Call(call), span }
 }
 

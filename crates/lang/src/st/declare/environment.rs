@@ -17,7 +17,8 @@ use super::items::{Items, numbered};
 use super::{Declared, Demand, Known, Located, Named};
 use crate::declarations::data_block::DataLayout;
 use crate::declarations::types::{BlockInterface, State};
-use crate::library::{ALL, LibraryBlock};
+use crate::library::LibraryBlock;
+use crate::library::link::Links;
 use crate::scope::{Scope, key};
 use crate::st::check::names::{DataBlockView, Entity, Names, Role, Variable};
 use crate::st::dialect::Dialect;
@@ -31,6 +32,8 @@ pub(crate) use super::globals::Globals;
 pub(crate) struct Environment<'a> {
     pub(crate) items: &'a Items<'a>,
     scope: &'a Scope,
+    /// Blocks of the S7 library that the program has.
+    links: &'a Links,
     pub(super) interfaces: &'a HashMap<BlockId, BlockInterface>,
     data: &'a HashMap<u16, DataLayout>,
     /// Types of TYPE sections by key.
@@ -48,7 +51,7 @@ pub(crate) struct Environment<'a> {
 /// Puts together what is known when everything is declared.
 pub(crate) fn environment<'a>(
     items: &'a Items<'a>,
-    scope: &'a Scope,
+    (scope, links): (&'a Scope, &'a Links),
     interfaces: &'a HashMap<BlockId, BlockInterface>,
     data: &'a HashMap<u16, DataLayout>,
     known: Known,
@@ -61,6 +64,7 @@ pub(crate) fn environment<'a>(
     Environment {
         items,
         scope,
+        links,
         interfaces,
         data,
         named: named.collect(),
@@ -286,8 +290,11 @@ impl Names for BlockNames<'_, '_> {
 
     fn is_of_library(&self, block: BlockId) -> bool {
         let environment = self.environment;
-        let of_stl = |known: &LibraryBlock| environment.scope.block(known.name) == Some(block);
-        environment.items.library.values().any(|&known| known == block) || ALL.iter().any(of_stl)
+        environment.items.library.values().any(|&known| known == block) || environment.links.contains_key(&block)
+    }
+
+    fn linked(&self, block: BlockId) -> Option<&'static LibraryBlock> {
+        self.environment.links.get(&block).copied()
     }
 
     fn local_size(&self) -> u32 {

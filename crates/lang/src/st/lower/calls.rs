@@ -48,6 +48,19 @@ enum Behind<'c> {
 impl Lowering<'_> {
     /// A call with its EN and ENO. The place of the result is left in `self.result`.
     pub(super) fn call(&mut self, call: &Call) {
+        self.call_into(call, None);
+    }
+
+    /// The same. The result of a function of texts may go to a target with room for so many characters; whether it did.
+    pub(super) fn call_into(&mut self, call: &Call, target: Option<(&Place, u8)>) -> bool {
+        if let (Some(function), None) = (call.written_out, &call.enable)
+            && let Some(is_there) = self.write_out(function, call, target)
+        {
+            self.clear_ok_behind(call);
+            // BR has changed: nothing may fail in the same statement.
+            self.part();
+            return is_there;
+        }
         let skip = self.label();
         let done = self.label();
         let result = self.result_place(&call.result);
@@ -64,11 +77,7 @@ impl Lowering<'_> {
             }
             Callee::Instance { block, instance, dispatch } => self.call_instance(*block, instance, dispatch.as_ref(), call),
         }
-        if call.clears_ok && self.ok.is_some() {
-            let failed = self.compute_from(Op::Not, &[Register::Br.into()]);
-            self.clear_ok_if(failed);
-            self.release(failed);
-        }
+        self.clear_ok_behind(call);
         if call.enable.is_some() {
             self.part();
             self.leave_to(done);
@@ -83,6 +92,16 @@ impl Lowering<'_> {
             }
         }
         self.result = result.map(|place| place.offset);
+        false
+    }
+
+    /// ENO/OK is cleared if a call that clears it left BR = 0.
+    fn clear_ok_behind(&mut self, call: &Call) {
+        if call.clears_ok && self.ok.is_some() {
+            let failed = self.compute_from(Op::Not, &[Register::Br.into()]);
+            self.clear_ok_if(failed);
+            self.release(failed);
+        }
     }
 
     /// Room for a result, cleared: what a function leaves unset is 0 or empty.

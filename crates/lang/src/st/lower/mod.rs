@@ -14,6 +14,7 @@ mod places;
 mod pointers;
 mod private;
 mod statements;
+mod text_functions;
 mod texts;
 mod usage;
 mod values;

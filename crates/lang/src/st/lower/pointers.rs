@@ -107,7 +107,7 @@ impl Lowering<'_> {
     /// Behind a wrong index that is to be skipped the rest of the source statement is left out.
     pub(super) fn locate_bytes(&mut self, place: &Place, bytes: u32, write: bool) -> Located {
         let [place] = &self.settle([place]);
-        self.fallible = true;
+        self.fallible |= !matches!(place.base, Base::Area(_) | Base::Instance | Base::DataBlock(_) | Base::Parameter(_));
         let bits = bytes.saturating_mul(8);
         let mut located = match &place.base {
             Base::Area(_) | Base::Instance | Base::Parameter(_) => self.locate(place, bits, write),

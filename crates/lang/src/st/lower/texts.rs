@@ -35,13 +35,16 @@ impl Lowering<'_> {
             }
             Text::Call { call, capacity } => {
                 self.call(call);
-                let position = self.result.take();
-                let place = match position {
-                    Some(position) => self.local(position),
-                    None => self.empty_text(*capacity),
-                };
-                (place, *capacity)
+                (self.text_result(*capacity), *capacity)
             }
+        }
+    }
+
+    /// Where the last call left its result.
+    fn text_result(&mut self, capacity: u8) -> Place {
+        match self.result.take() {
+            Some(position) => self.local(position),
+            None => self.empty_text(capacity),
         }
     }
 
@@ -61,9 +64,20 @@ impl Lowering<'_> {
 
     /// `target := source`, cut to the room there.
     pub(super) fn assign_text(&mut self, target: &Place, capacity: u8, source: &Text) {
+        if let Text::Call { call, capacity: most } = source {
+            if self.call_into(call, Some((target, capacity))) {
+                return;
+            }
+            let place = self.text_result(*most);
+            return self.copy_text(target, capacity, &place, *most);
+        }
         let (place, from_max) = self.text(source);
-        let [place, target] = self.settle([&place, target]);
-        let cut = self.text_instruction(TextAction::Assign, (&target, capacity), (&place, from_max));
+        self.copy_text(target, capacity, &place, from_max);
+    }
+
+    fn copy_text(&mut self, target: &Place, capacity: u8, place: &Place, from_max: u8) {
+        let [place, target] = self.settle([place, target]);
+        let cut = self.text_instruction(TextAction::Assign, (&target, capacity), (&place, from_max), None);
         self.release(cut);
     }
 
@@ -75,25 +89,32 @@ impl Lowering<'_> {
         }
         let second = self.text(b);
         let [a, b] = self.settle([&first.0, &second.0]);
-        self.text_instruction(TextAction::Compare, (&a, first.1), (&b, second.1))
+        self.text_instruction(TextAction::Compare, (&a, first.1), (&b, second.1), None)
     }
 
     /// The number of characters.
     pub(super) fn text_length(&mut self, text: &Text) -> Var {
         let (place, max) = self.text(text);
-        self.text_instruction(TextAction::Length, (&place, max), (&place, max))
+        self.text_instruction(TextAction::Length, (&place, max), (&place, max), None)
     }
 
-    fn text_instruction(&mut self, action: TextAction, (to, to_max): (&Place, u8), (from, from_max): (&Place, u8)) -> Var {
+    /// The result of a text instruction. The piece stays.
+    pub(super) fn text_instruction(
+        &mut self,
+        action: TextAction,
+        (to, to_max): (&Place, u8),
+        (from, from_max): (&Place, u8),
+        piece: Option<[Var; 2]>,
+    ) -> Var {
         let bytes = |max: u8| 2 + if max == 0 { u32::from(u8::MAX) } else { u32::from(max) };
         let from = self.locate_bytes(from, bytes(from_max), false);
         let to = if action == TextAction::Length {
             super::places::Located { pointer: None, gate: None, block: super::places::Block::Any, ..from }
         } else {
-            self.locate_bytes(to, bytes(to_max), action == TextAction::Assign)
+            self.locate_bytes(to, bytes(to_max), action.writes())
         };
         let dst = self.temporary();
-        self.push(Inst::Text { action, dst, to: to.address, to_max, from: from.address, from_max });
+        self.push(Inst::Text { action, dst, to: to.address, to_max, from: from.address, from_max, piece: piece.unwrap_or_default() });
         self.release_pointer(&from);
         self.release_pointer(&to);
         dst

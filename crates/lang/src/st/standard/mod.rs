@@ -12,6 +12,7 @@ mod numeric;
 pub mod operators;
 pub mod s5;
 mod selection;
+pub mod texts;
 mod time;
 
 #[cfg(test)]

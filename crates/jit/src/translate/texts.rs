@@ -1,0 +1,157 @@
+//! Text instructions: Rust code does them, without a question where both texts are known to lie inside their areas.
+
+use std::ops::Range;
+
+use cranelift_codegen::ir::InstBuilder;
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{I32, I64};
+use sieben_engine::ir::{Inst, Place, TextAction, Var};
+use sieben_engine::texts::HEAD;
+use sieben_model::address::{Area, Width};
+
+use super::memory::{Address, Bit, data, moved};
+use super::promote::Base;
+use super::value::Val;
+use super::{After, Translator};
+use crate::ask::{Question, text_kind};
+
+/// Bits of a pointer in front of the number of a data block.
+const NUMBER_SHIFT: u32 = 32;
+
+impl Translator<'_> {
+    pub(super) fn text(&mut self, index: u32, inst: &Inst) {
+        let Inst::Text { action, dst, to, to_max, from, from_max, piece } = *inst else { return };
+        if let Some(result) = self.text_inside(action, (to, to_max), (from, from_max), piece) {
+            return self.set(dst, result);
+        }
+        let pointers = [self.pointer(from), self.pointer(to)];
+        let piece = self.piece(action, piece);
+        self.store_open_blocks();
+        let site = self.site(index);
+        let failed = self.ask(Question::TryText, &[self.link, site, pointers[0], pointers[1], piece]);
+        self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
+        self.words.forget_all();
+        let result = self.result();
+        self.set(dst, Val::Word(result));
+    }
+
+    /// The result of an instruction whose texts are known to lie inside their areas.
+    fn text_inside(&mut self, action: TextAction, to: (Place, u8), from: (Place, u8), piece: [Var; 2]) -> Option<Val> {
+        let source = self.known_text(from, false)?;
+        if action == TextAction::Length {
+            self.settle_bytes();
+            self.store_promoted_in(&touched(source, from.1));
+            let length = self.b.ins().uload8(I32, data(), source.1.base, source.1.offset + 1);
+            let most = self.b.ins().iconst(I32, i64::from(from.1));
+            let over = self.b.ins().icmp(IntCC::UnsignedGreaterThan, length, most);
+            return Some(Val::Int(self.b.ins().select(over, most, length)));
+        }
+        let target = self.known_text(to, action.writes())?;
+        let (read, written) = (touched(source, from.1), touched(target, to.1));
+        self.settle_bytes();
+        self.store_promoted_in(&read);
+        self.store_promoted_in(&written);
+        let kind = self.b.ins().iconst(I64, text_kind(action, to.1, from.1) as i64);
+        let [from, to] = [source.1, target.1].map(|address| self.arena_byte(address));
+        let piece = self.piece(action, piece);
+        let function = self.functions.questions[&Question::Text];
+        let result = self.call(function, &[self.run, kind, from, to, piece]);
+        if action.writes() {
+            self.take_promoted_in(&written);
+            self.forget_words_in(&written);
+        }
+        Some(Val::Int(self.b.ins().ireduce(I32, result)))
+    }
+
+    /// The piece in one word.
+    fn piece(&mut self, action: TextAction, piece: [Var; 2]) -> cranelift_codegen::ir::Value {
+        if !action.takes_piece() {
+            return self.b.ins().iconst(I64, 0);
+        }
+        let [first, count] = piece.map(|var| self.get(var));
+        let (first, count) = (self.force(first), self.force(count));
+        if let (Val::Const(first), Val::Const(count)) = (first, count) {
+            return self.b.ins().iconst(I64, (first & 0xFFFF_FFFF | count << 32) as i64);
+        }
+        let [first, count] = [first, count].map(|value| {
+            let value = self.int(value);
+            self.b.ins().uextend(I64, value)
+        });
+        let count = self.b.ins().ishl_imm_u(count, 32);
+        self.b.ins().bor(first, count)
+    }
+
+    /// The arena byte of an address.
+    fn arena_byte(&mut self, Address { base, offset, .. }: Address) -> cranelift_codegen::ir::Value {
+        if base == self.arena {
+            return self.b.ins().iconst(I64, i64::from(offset));
+        }
+        let start = self.b.ins().isub(base, self.arena);
+        self.b.ins().iadd_imm_s(start, i64::from(offset))
+    }
+
+    /// Where a text lies whose address and greatest length are known, if all of it is inside its area and may be accessed.
+    fn known_text(&mut self, (place, characters_max): (Place, u8), write: bool) -> Option<(Base, Address)> {
+        if characters_max == 0 {
+            return None;
+        }
+        let (area, position) = match place {
+            Place::Fixed { area, position } => (area, position),
+            Place::Indirect { area, pointer, offset } => {
+                let pointer = self.get(pointer);
+                (area, moved(self.force(pointer).constant()?, offset))
+            }
+            Place::Crossing { pointer, offset } => {
+                let pointer = self.get(pointer);
+                let pointer = self.force(pointer).constant()?;
+                let area = sieben_engine::access::pointed_area(pointer, write).ok()?;
+                let number = (pointer >> NUMBER_SHIFT & 0xFFFF) as u16;
+                if number != 0 && area == Area::SharedData {
+                    return self.text_in_block(number, moved(pointer, offset), characters_max, write);
+                }
+                (area, moved(pointer, offset))
+            }
+        };
+        if !position.is_multiple_of(8) || matches!(area, Area::CallerLocal | Area::PeripheralInput | Area::PeripheralOutput) {
+            return None;
+        }
+        let (base, start, length) = self.known_area(area, write)?;
+        inside(start.into(), length, position, characters_max).map(|offset| {
+            let kind = if base == self.local { Base::Local } else { Base::Arena };
+            (kind, Address { base, offset, bit: Bit::Number(0) })
+        })
+    }
+
+    /// The same in a data block that a pointer names.
+    fn text_in_block(&mut self, number: u16, position: u32, characters_max: u8, write: bool) -> Option<(Base, Address)> {
+        if !position.is_multiple_of(8) || write && self.layout.read_only.contains(&number) {
+            return None;
+        }
+        let range = self.layout.data_blocks.get(&number)?;
+        let offset = inside(i64::try_from(range.start).ok()?, range.len() as u64, position, characters_max)?;
+        self.pinned.insert(number);
+        Some((Base::Arena, Address { base: self.arena, offset, bit: Bit::Number(0) }))
+    }
+
+    fn forget_words_in(&mut self, (base, range): &(Base, Range<i64>)) {
+        if *base == Base::Local {
+            for at in range.clone() {
+                let address = Address { base: self.local, offset: at as i32, bit: Bit::Number(0) };
+                self.forget_word(address, Width::Byte);
+            }
+        }
+    }
+}
+
+/// Where a text begins behind a base, if all of it lies in an area that begins at a byte behind it and has so many.
+fn inside(start: i64, length: u64, position: u32, characters_max: u8) -> Option<i32> {
+    let byte = u64::from(position / 8);
+    let end = byte + u64::from(HEAD) + u64::from(characters_max);
+    i32::try_from(start + byte as i64).ok().filter(|_| end <= length)
+}
+
+/// The bytes that a text instruction may touch.
+fn touched((base, address): (Base, Address), characters_max: u8) -> (Base, Range<i64>) {
+    let start = i64::from(address.offset);
+    (base, start..start + i64::from(HEAD) + i64::from(characters_max))
+}

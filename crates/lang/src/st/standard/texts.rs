@@ -1,0 +1,93 @@
+//! Functions of texts that callers write out: what each does is a piece of a text, then others behind it.
+//!
+//! The blocks of the library do the same, for programs that call them as blocks; a test compares both.
+
+use super::Provided;
+
+/// A function of texts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TextFunction {
+    /// What it does.
+    pub action: TextAction,
+    /// What it does with numbers that name no characters.
+    pub manner: Manner,
+}
+
+/// What a function of texts does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)] // The names are those of the functions.
+pub enum TextAction {
+    Left,
+    Right,
+    Mid,
+    Concat,
+    Insert,
+    Delete,
+    Replace,
+    Find,
+}
+
+/// Whose function it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Manner {
+    /// The S7 library.
+    S7,
+    /// IEC 61131-3, where the S7 library does something else.
+    Iec,
+    /// TIA, where the S7 library does something else.
+    Tia,
+    /// CODESYS: without errors.
+    Codesys,
+}
+
+/// The block of each function.
+const BLOCKS: &[(&str, TextAction, Manner)] = &[
+    ("LEFT", TextAction::Left, Manner::S7),
+    ("RIGHT", TextAction::Right, Manner::S7),
+    ("MID", TextAction::Mid, Manner::S7),
+    ("CONCAT", TextAction::Concat, Manner::S7),
+    ("INSERT", TextAction::Insert, Manner::S7),
+    ("DELETE", TextAction::Delete, Manner::S7),
+    ("REPLACE", TextAction::Replace, Manner::S7),
+    ("FIND", TextAction::Find, Manner::S7),
+    ("IEC_DELETE", TextAction::Delete, Manner::Iec),
+    ("IEC_REPLACE", TextAction::Replace, Manner::Iec),
+    ("TIA_REPLACE", TextAction::Replace, Manner::Tia),
+    ("CODESYS_LEFT", TextAction::Left, Manner::Codesys),
+    ("CODESYS_RIGHT", TextAction::Right, Manner::Codesys),
+    ("CODESYS_MID", TextAction::Mid, Manner::Codesys),
+    ("CODESYS_CONCAT", TextAction::Concat, Manner::Codesys),
+    ("CODESYS_INSERT", TextAction::Insert, Manner::Codesys),
+    ("CODESYS_DELETE", TextAction::Delete, Manner::Codesys),
+    ("CODESYS_REPLACE", TextAction::Replace, Manner::Codesys),
+    ("CODESYS_FIND", TextAction::Find, Manner::Codesys),
+];
+
+impl TextFunction {
+    /// What a block of the library does, if callers write it out. Who names a block that has another name than its function calls it.
+    pub fn of(provided: &Provided, called: &str) -> Option<Self> {
+        let name = match provided {
+            Provided::Library(block) => block.name,
+            Provided::Source { name, .. } if !name.eq_ignore_ascii_case(called) => name,
+            Provided::Source { .. } | Provided::System(_) => return None,
+        };
+        Self::of_block(name)
+    }
+
+    /// What the block with this name does, if callers write it out.
+    pub fn of_block(name: &str) -> Option<Self> {
+        let (_, action, manner) = BLOCKS.iter().find(|(block, ..)| *block == name)?;
+        Some(Self { action: *action, manner: *manner })
+    }
+
+    /// How many texts and numbers it takes.
+    pub fn arity(self) -> (usize, usize) {
+        match self.action {
+            TextAction::Left | TextAction::Right => (1, 1),
+            TextAction::Mid | TextAction::Delete => (1, 2),
+            TextAction::Concat | TextAction::Find => (2, 0),
+            TextAction::Insert => (2, 1),
+            TextAction::Replace => (2, 2),
+        }
+    }
+}
