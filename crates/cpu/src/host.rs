@@ -17,8 +17,9 @@ use crate::organization_blocks::{self as ob, StartInformation};
 use crate::settings::TimeSource;
 use crate::system;
 
-/// Greatest budget handed out at once: bounds how long a STOP request or the watchdog can go unseen.
-const BUDGET_MAX: i64 = 1024;
+/// Greatest budget handed out at once: bounds how long a STOP request or the watchdog can go unseen. As machine code that is some
+/// microseconds to some tens of them, in the interpreter below a millisecond for loops of a few statements.
+pub const BUDGET_MAX: i64 = 8192;
 
 /// Readings without progress after which a clock is taken to stand still.
 const CLOCK_STANDS_STILL: u32 = 1_000_000;

@@ -31,6 +31,7 @@ pub use cpu::{ChangeRefused, Cpu, DataLoss, Loaded, ScanReport, Snapshot, StopCa
 pub use cycle::CycleTimes;
 pub use diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 pub use forcing::Forced;
+pub use host::BUDGET_MAX;
 pub use interrupts::{Coming, CyclicInterrupt, Interrupt};
 pub use io::{IoModule, Rack, RackError, SimulatedModule};
 pub use mode::{OperatingMode, Restart};

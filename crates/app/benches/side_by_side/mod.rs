@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::{env, fs};
 
 use rustix::time::{ClockId, clock_gettime};
+use sieben_cpu::BUDGET_MAX;
 use sieben_engine::{Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Layout, Machine, Program, Reaction, Tracer};
 use sieben_lang::{Options, compile};
 use sieben_model::address::{Area, Width};
@@ -43,7 +44,7 @@ impl Host for Quiet {
         false
     }
     fn safe_point(&mut self, machine: &mut Machine, _: FaultPlace) -> Reaction {
-        machine.budget = 1024;
+        machine.budget = BUDGET_MAX;
         Reaction::Continue
     }
     fn system_function(&mut self, _: &mut Machine, _: BlockId, _: usize) -> Reaction {
@@ -111,7 +112,7 @@ pub(crate) fn load(program: &Program, engine: impl FnOnce(&Program, &Layout) -> 
 impl Loaded {
     /// One run of OB 1, 10 ms later.
     pub(crate) fn scan(&mut self, tracer: Option<&mut dyn Tracer>) {
-        self.machine.budget = 1024;
+        self.machine.budget = BUDGET_MAX;
         self.machine.clock_us += 10_000;
         let entry = Entry { block: BlockId::ob(1), start_information: [0; 20], registers: None };
         let (mut host, tracer) = (Quiet, tracer.map(|tracer| tracer as &mut dyn Tracer));

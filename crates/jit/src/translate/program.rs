@@ -157,11 +157,12 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     let plans = inlining::plan(blocks, find);
     let mut context = module.make_context();
     let mut frontend = FunctionBuilderContext::new();
-    context.set_disasm(options.lists);
     let mut listing = String::new();
     let (mut bytes, mut frame_max) = (0, 0);
     let (mut pinned, mut asked) = (BTreeSet::new(), BTreeSet::new());
     while let Some((index, known, function)) = versions.next() {
+        // Whoever clears the context forgets it.
+        context.set_disasm(options.lists);
         context.func.signature = block_signature(&module);
         let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
         let target = module.target_config();
