@@ -40,6 +40,7 @@ mod promote;
 mod ranges;
 mod sized;
 mod texts;
+mod turns;
 mod value;
 mod versions;
 mod words;
@@ -170,6 +171,8 @@ struct Translator<'a> {
     verifying: HashMap<clif::Block, clif::Block>,
     /// Those that are still to be written, and for which statement.
     verify_later: Vec<(clif::Block, u32, clif::Block)>,
+    /// Loops in front of which turns are written that nobody looks at: the block, first and last statement.
+    at_once: Vec<(usize, u32, u32)>,
     /// Values whose bits above so many are 0.
     narrow: HashMap<Value, u32>,
     /// All registers that the block may change.
@@ -255,6 +258,7 @@ impl<'a> Translator<'a> {
             writes: HashMap::new(),
             verifying: HashMap::new(),
             verify_later: Vec::new(),
+            at_once: Vec::new(),
             narrow: HashMap::new(),
             written: 0,
             instance: Val::Const(0),

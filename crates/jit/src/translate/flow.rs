@@ -136,6 +136,7 @@ impl Translator<'_> {
             self.b.seal_block(block);
             if let Some(it) = smallest {
                 self.promote(&it);
+                self.turns_at_once(&it);
             }
             self.b.ins().jump(head, &[]);
             self.b.switch_to_block(head);

@@ -69,6 +69,12 @@ impl Translator<'_> {
         self.words.known.retain(|&(at, width, _)| at + width.bytes() as i32 <= end);
     }
 
+    /// Forgets all memory: code meets here.
+    pub(super) fn forget_memory(&mut self) {
+        self.settle_bytes();
+        self.words.forget_all();
+    }
+
     /// Forgets what an instruction may have written at an address that is not known beforehand.
     pub(super) fn forget_words_behind(&mut self, inst: &Inst) {
         let anywhere = match *inst {

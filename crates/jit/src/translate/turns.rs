@@ -1,0 +1,207 @@
+//! Turns of a counted loop that nobody looks at: when the budget lasts for them and all they touch is inside its area, they are done
+//! without safe points and comparisons, with variables and accumulators in registers of the machine, and where turns do not depend on
+//! one another, several side by side.
+//!
+//! In front of the loop the number of turns is computed that can be done so. Where the loop as it stands goes on behind them, memory,
+//! registers and budget are as if it had made them.
+
+use sieben_engine::ir::Op;
+
+use super::Translator;
+use super::loops::Loop;
+
+mod count;
+mod kernel;
+mod line;
+mod vector;
+mod write;
+
+use count::Count;
+use kernel::{Access, Cell, Kernel, Level, Node, What};
+use line::{Carried, Shape};
+use write::Writing;
+
+/// Loops of a function of which there are such versions.
+const LOOPS_MAX: usize = 24;
+
+/// How a loop is written.
+pub(super) struct Plan {
+    kernel: Kernel,
+    count: Count,
+    /// Turns of the inner loop.
+    inner_turns: i64,
+    /// Registers that somebody needs behind the loop.
+    live: u32,
+}
+
+impl Plan {
+    /// What a cell holds when the inner loop begins.
+    fn entry(&self, cell: Cell) -> Node {
+        let inner = self.kernel.turn(Level::Inner);
+        inner.entry[&cell]
+    }
+
+    /// The step of a pointer whose address is counted on from turn to turn.
+    fn counted_on(&self, access: &Access, level: Level) -> Option<u32> {
+        self.kernel.counted_on(access, level)
+    }
+}
+
+impl Translator<'_> {
+    /// Writes versions of a loop whose turns nobody looks at, in front of it.
+    pub(super) fn turns_at_once(&mut self, it: &Loop) {
+        if !self.options.optimize || self.at_once.len() >= LOOPS_MAX {
+            return;
+        }
+        let around = |&(index, first, last): &(usize, u32, u32)| index == self.index && first <= it.first && it.last <= last;
+        if self.at_once.iter().any(around) {
+            return;
+        }
+        let Some(plan) = self.plan(it) else { return };
+        self.at_once.push((self.index, it.first, it.last));
+        for lanes in plan.lanes() {
+            Writing::write(self, &plan, it, lanes);
+        }
+        Writing::write(self, &plan, it, 1);
+    }
+
+    fn plan(&mut self, it: &Loop) -> Option<Plan> {
+        let kernel = kernel::read(self, it)?;
+        let count = count::condition(&kernel, Level::Outer)?;
+        let inner_turns = match &kernel.inner {
+            None => 0,
+            Some(_) => {
+                let count = count::condition(&kernel, Level::Inner)?;
+                let counter = kernel.constant_at_entry(count.counter)?;
+                let limit = match count.limit {
+                    Some(limit) => kernel.constant_at_entry(limit)?,
+                    None => 0,
+                };
+                count.constant(counter, limit)?
+            }
+        };
+        let dead = self.dead_at(it.first) & self.dead_at(it.last + 1);
+        let plan = Plan { kernel, count, inner_turns, live: !dead };
+        plan.can_be_written().then_some(plan)
+    }
+}
+
+impl Plan {
+    /// Whether all access is known to stay inside its area, or can be looked at in front of the loop.
+    fn can_be_written(&self) -> bool {
+        self.kernel
+            .accesses
+            .iter()
+            .all(|access| access.inside.is_some() || access.level == Level::Outer && self.counted_on(access, Level::Outer).is_some())
+    }
+
+    /// How many turns are done side by side, the greatest number first.
+    fn lanes(&self) -> Vec<u32> {
+        let kernel = &self.kernel;
+        let halves = kernel.accesses.iter().any(|access| matches!(access.width, sieben_model::address::Width::Word));
+        let least = if halves { 8 } else { 4 };
+        if !self.side_by_side() {
+            return Vec::new();
+        }
+        match kernel.inner {
+            Some(_) => vec![4 * least, least],
+            None => vec![2 * least],
+        }
+    }
+
+    /// Whether turns can be done side by side: none needs what another one left, and all values have a form for it.
+    fn side_by_side(&self) -> bool {
+        let kernel = &self.kernel;
+        let fits = |node: Node, wanted: Shape| match (kernel.shape(node), wanted) {
+            (Some(Shape::Line(_) | Shape::Halves), Shape::Halves) => true,
+            (Some(Shape::Line(line)), Shape::Words) => line.bits == 32 || line.is_same(),
+            (Some(Shape::Line(line)), _) => line.is_same(),
+            (Some(Shape::Halves | Shape::Words), Shape::Words) => true,
+            (Some(Shape::Words | Shape::Reals), Shape::Reals) => true,
+            _ => false,
+        };
+        for (cell, end, carried) in kernel.carried(Level::Outer) {
+            let possible = match carried {
+                Carried::Line(_) => true,
+                Carried::Chain => false,
+                Carried::Sum { added, bits } => fits(added, if bits == 16 { Shape::Halves } else { Shape::Words }),
+                Carried::Nothing => !kernel.is_wanted(cell, self.live) || kernel.shape(end).is_some(),
+            };
+            if !possible {
+                return false;
+            }
+        }
+        if kernel.inner.is_some() {
+            for (cell, end, carried) in kernel.carried(Level::Inner) {
+                let possible = match carried {
+                    Carried::Line(_) => matches!(kernel.shape(self.entry(cell)), Some(Shape::Line(_))),
+                    Carried::Nothing => true,
+                    Carried::Chain | Carried::Sum { .. } => {
+                        let shape = kernel.shape_of_inner(cell);
+                        shape.is_some() && shape == kernel.shape(end) && shape.is_some_and(|shape| fits(self.entry(cell), shape))
+                    }
+                };
+                if !possible {
+                    return false;
+                }
+            }
+        }
+        kernel.accesses.iter().enumerate().all(|(number, access)| {
+            let form = match access.value {
+                None => kernel.shape(kernel.read_of(number)).is_some(),
+                Some(value) => {
+                    let follows = matches!(kernel.shape(access.pointer), Some(Shape::Line(line)) if line.bits == 32
+                        && line.step == access.width.bytes() * 8);
+                    let form = match access.width {
+                        sieben_model::address::Width::Word => fits(value, Shape::Halves),
+                        sieben_model::address::Width::DoubleWord => fits(value, Shape::Words) || fits(value, Shape::Reals),
+                        _ => false,
+                    };
+                    follows && form
+                }
+            };
+            form && kernel.accesses[..number].iter().all(|other| kernel.are_apart(access, other))
+        })
+    }
+}
+
+impl Kernel {
+    fn counted_on(&self, access: &Access, level: Level) -> Option<u32> {
+        if access.level != level || access.width == sieben_model::address::Width::Bit {
+            return None;
+        }
+        self.line(access.pointer, level).filter(|line| line.bits == 32 && line.step % 8 == 0).map(|line| line.step)
+    }
+
+    /// Whether two accesses touch different bytes, or the same ones in each turn, or only read.
+    fn are_apart(&self, a: &Access, b: &Access) -> bool {
+        if a.value.is_none() && b.value.is_none() {
+            return true;
+        }
+        let ((base, bytes), (other_base, other)) = (a.bytes(), b.bytes());
+        if base != other_base || bytes.end <= other.start || other.end <= bytes.start {
+            return true;
+        }
+        let same = (a.pointer, a.offset, a.width, a.area) == (b.pointer, b.offset, b.width, b.area);
+        same && a.level == Level::Outer && b.level == Level::Outer && self.inner.is_none()
+    }
+
+    /// A value when the inner loop begins, if it is a constant.
+    fn constant_at_entry(&self, node: Node) -> Option<u64> {
+        match self.what(node) {
+            What::Constant(value) => Some(value),
+            What::Start(Level::Inner, cell) => {
+                let entry = self.inner.as_ref()?.entry.get(&cell)?;
+                self.constant(*entry)
+            }
+            What::Compute(op, args) => {
+                let mut words = [0; 4];
+                for (word, &arg) in words.iter_mut().zip(&args[..op.arity()]) {
+                    *word = self.constant_at_entry(arg)?;
+                }
+                Some(Op::eval(op, words))
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! How many turns a loop makes.
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::I64;
+use cranelift_codegen::ir::{InstBuilder, Value};
+use sieben_engine::ir::Op;
+
+use super::super::Translator;
+use super::super::value::Val;
+use super::kernel::{Kernel, Level, Node, What};
+use super::line::Line;
+
+/// Turns of an inner loop, which all turns of the outer one make alike.
+const INNER_TURNS_MAX: i64 = 1 << 20;
+
+/// The condition under which another turn follows: a value on a line, compared.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Count {
+    /// What is compared, as it is at the end of a turn.
+    pub(super) counter: Node,
+    /// With what; `None` = with 0, as a number without sign that goes down to it.
+    pub(super) limit: Option<Node>,
+    step: i64,
+    bits: u32,
+    /// Whether the limit itself is one more turn.
+    inclusive: bool,
+}
+
+/// What decides about another turn of a loop, if it can be counted.
+pub(super) fn condition(kernel: &Kernel, level: Level) -> Option<Count> {
+    let What::Compute(op, [counter, limit, ..]) = kernel.what(kernel.turn(level).again) else { return None };
+    let Line { step, bits } = kernel.line(counter, level)?;
+    let up = match op {
+        Op::IsNonzero if bits == 16 && step == 0xFFFF => {
+            return Some(Count { counter, limit: None, step: -1, bits, inclusive: false });
+        }
+        Op::LeI32 | Op::LtI32 | Op::LeI16 | Op::LtI16 => true,
+        Op::GeI32 | Op::GtI32 | Op::GeI16 | Op::GtI16 => false,
+        _ => return None,
+    };
+    let halves = matches!(op, Op::LeI16 | Op::LtI16 | Op::GeI16 | Op::GtI16);
+    if halves != (bits == 16) || !kernel.line(limit, level)?.is_same() {
+        return None;
+    }
+    let step = if halves { i64::from(step as u16 as i16) } else { i64::from(step as i32) };
+    let inclusive = matches!(op, Op::LeI32 | Op::LeI16 | Op::GeI32 | Op::GeI16);
+    (step != 0 && (step > 0) == up).then_some(Count { counter, limit: Some(limit), step, bits, inclusive })
+}
+
+impl Count {
+    /// How many turns follow in all when these are the numbers of the first one.
+    fn turns(self, counter: i64, limit: i64) -> i64 {
+        let Some(_) = self.limit else { return counter + 1 };
+        let way = if self.step > 0 { limit - counter } else { counter - limit };
+        let way = if self.inclusive { way } else { way - 1 };
+        if way < 0 { 1 } else { way / self.step.abs() + 2 }
+    }
+
+    /// The greatest and the least number of its type.
+    fn limits(self) -> (i64, i64) {
+        if self.bits == 16 { (i64::from(i16::MIN), i64::from(i16::MAX)) } else { (i64::from(i32::MIN), i64::from(i32::MAX)) }
+    }
+
+    fn signed(self, value: u64) -> i64 {
+        match (self.limit, self.bits) {
+            (None, _) => i64::from(value as u16),
+            (_, 16) => i64::from(value as u16 as i16),
+            _ => i64::from(value as u32 as i32),
+        }
+    }
+
+    /// How many turns a loop makes whose first counter and limit are constants.
+    pub(super) fn constant(self, counter: u64, limit: u64) -> Option<i64> {
+        let turns = self.turns(self.signed(counter), self.signed(limit));
+        let last = self.signed(counter) + (turns - 1) * self.step;
+        let (least, most) = self.limits();
+        let inside = self.limit.is_none() || (least..=most).contains(&last);
+        (inside && turns <= INNER_TURNS_MAX).then_some(turns)
+    }
+}
+
+impl Translator<'_> {
+    /// How many turns a loop makes, and whether the counter stays inside its type as long.
+    pub(super) fn turns(&mut self, count: Count, counter: Val, limit: Val) -> (Value, Option<Value>) {
+        let counter = self.counted(count, counter);
+        if count.limit.is_none() {
+            return (self.b.ins().iadd_imm_s(counter, 1), None);
+        }
+        let limit = self.counted(count, limit);
+        let way = if count.step > 0 { self.b.ins().isub(limit, counter) } else { self.b.ins().isub(counter, limit) };
+        let way = if count.inclusive { way } else { self.b.ins().iadd_imm_s(way, -1) };
+        let steps = match count.step.unsigned_abs() {
+            1 => way,
+            step if step.is_power_of_two() => self.b.ins().ushr_imm_u(way, i64::from(step.trailing_zeros())),
+            step => self.b.ins().udiv_imm_u(way, step as i64),
+        };
+        let steps = self.b.ins().iadd_imm_s(steps, 2);
+        let none = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, way, 0);
+        let one = self.b.ins().iconst(I64, 1);
+        let turns = self.b.ins().select(none, one, steps);
+        let before = self.b.ins().iadd_imm_s(turns, -1);
+        let distance = self.b.ins().imul_imm_s(before, count.step);
+        let last = self.b.ins().iadd(counter, distance);
+        let (least, most) = count.limits();
+        // Nor may the first step turn over: what the counter held before lies on the line, too.
+        let before = self.b.ins().iadd_imm_s(counter, -count.step);
+        let (low, high) = if count.step > 0 { (before, last) } else { (last, before) };
+        let low = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, low, least);
+        let high = self.b.ins().icmp_imm_s(IntCC::SignedLessThanOrEqual, high, most);
+        (turns, Some(self.b.ins().band(low, high)))
+    }
+
+    fn counted(&mut self, count: Count, value: Val) -> Value {
+        if count.limit.is_none() {
+            let value = self.int(value);
+            let low = self.b.ins().band_imm_u(value, 0xFFFF);
+            return self.b.ins().uextend(I64, low);
+        }
+        let value = if count.bits == 16 { self.i16(value) } else { self.int(value) };
+        self.b.ins().sextend(I64, value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::kernel::Node;
+    use super::*;
+
+    /// Counts by doing.
+    fn counted(count: Count, mut counter: i64, limit: i64) -> i64 {
+        let mut turns = 1;
+        loop {
+            let again = match (count.step > 0, count.inclusive) {
+                (true, true) => counter <= limit,
+                (true, false) => counter < limit,
+                (false, true) => counter >= limit,
+                (false, false) => counter > limit,
+            };
+            if !again {
+                return turns;
+            }
+            (turns, counter) = (turns + 1, counter + count.step);
+        }
+    }
+
+    #[test]
+    fn turns_are_those_that_the_condition_makes() {
+        for step in [-7, -2, -1, 1, 2, 3, 8] {
+            for inclusive in [false, true] {
+                let count = Count { counter: Node::FIRST, limit: Some(Node::FIRST), step, bits: 32, inclusive };
+                for counter in -20..20 {
+                    for limit in -20..20 {
+                        assert_eq!(count.turns(counter, limit), counted(count, counter, limit), "{count:?} {counter} {limit}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,323 @@
+//! Which values of a loop grow by the same step in each turn, which cells carry something from turn to turn, and which form a value has
+//! when several turns are done side by side.
+
+use std::collections::BTreeSet;
+
+use sieben_engine::ir::Op;
+use sieben_model::address::Width;
+
+use super::kernel::{Cell, Kernel, Level, Node, Step, What};
+
+/// A value that grows by the same step in each turn, modulo 2 to the power of `bits`; zero-extended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Line {
+    pub(super) step: u32,
+    pub(super) bits: u32,
+}
+
+impl Line {
+    pub(super) const SAME: Self = Self { step: 0, bits: 32 };
+
+    pub(super) fn is_same(self) -> bool {
+        self.step == 0
+    }
+
+    fn halves(step: u32) -> Self {
+        Self { step: step & 0xFFFF, bits: 16 }
+    }
+}
+
+/// What a value is for turns side by side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shape {
+    /// On a line, or the same in all of them.
+    Line(Line),
+    /// Numbers of 16 bits.
+    Halves,
+    /// Numbers of 32 bits.
+    Words,
+    /// REALs.
+    Reals,
+}
+
+/// How a cell is carried from turn to turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Carried {
+    /// On a line.
+    Line(Line),
+    /// It grows by a value that does not depend on it, and nothing else looks at it: modulo 2 to the power of `bits`.
+    Sum { added: Node, bits: u32 },
+    /// Each turn needs what the one before left.
+    Chain,
+    /// No turn looks at what the one before left.
+    Nothing,
+}
+
+impl Kernel {
+    /// The line on which a value lies from turn to turn of a loop.
+    pub(super) fn line(&self, node: Node, level: Level) -> Option<Line> {
+        match self.what(node) {
+            What::Constant(_) => Some(Line::SAME),
+            What::Start(of, cell) if of == level => self.cell_line(level, cell),
+            What::Start(Level::Outer, _) => Some(Line::SAME),
+            // The inner loop is the same for all turns of the outer one as far as where it begins.
+            What::Start(Level::Inner, cell) => {
+                self.cell_line(Level::Inner, cell)?;
+                self.line(*self.inner.as_ref()?.entry.get(&cell)?, level)
+            }
+            What::After(_) | What::Read(_) => None,
+            What::Compute(op, args) => self.line_of_result(op, args, level),
+        }
+    }
+
+    fn line_of_result(&self, op: Op, args: [Node; 4], level: Level) -> Option<Line> {
+        let mut lines = [Line::SAME; 4];
+        for (line, &arg) in lines.iter_mut().zip(&args[..op.arity()]) {
+            *line = self.line(arg, level)?;
+        }
+        if lines.iter().all(|line| line.is_same()) {
+            return Some(Line::SAME);
+        }
+        let [a, b, ..] = lines;
+        let factor = |at: usize| self.constant(args[at]).map(|factor| factor as u32);
+        let whole = a.bits == 32 && b.bits == 32;
+        match op {
+            Op::AddU32 if whole => Some(Line { step: a.step.wrapping_add(b.step), bits: 32 }),
+            Op::SubU32 if whole => Some(Line { step: a.step.wrapping_sub(b.step), bits: 32 }),
+            Op::MulU32 if whole && b.is_same() => factor(1).map(|factor| Line { step: a.step.wrapping_mul(factor), bits: 32 }),
+            Op::MulU32 if whole && a.is_same() => factor(0).map(|factor| Line { step: b.step.wrapping_mul(factor), bits: 32 }),
+            Op::Shl32 if whole && b.is_same() => {
+                factor(1).filter(|&count| count < 32).map(|count| Line { step: a.step << count, bits: 32 })
+            }
+            Op::AddU16 => Some(Line::halves(a.step.wrapping_add(b.step))),
+            Op::SubU16 => Some(Line::halves(a.step.wrapping_sub(b.step))),
+            Op::MulU16 if b.is_same() => factor(1).map(|factor| Line::halves(a.step.wrapping_mul(factor))),
+            Op::MulU16 if a.is_same() => factor(0).map(|factor| Line::halves(b.step.wrapping_mul(factor))),
+            Op::Low16 | Op::Decrement16 => Some(Line::halves(a.step)),
+            Op::Low32 => Some(a),
+            // The counter of a loop does not leave its type while turns follow: see `count`.
+            Op::Extend16 if level == Level::Outer && self.is_counter(args[0]) => {
+                Some(Line { step: i32::from(a.step as u16 as i16) as u32, bits: 32 })
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether a value is what the cell holds when a turn begins whose end decides, as an INT, whether another turn follows.
+    fn is_counter(&self, node: Node) -> bool {
+        let (What::Start(Level::Outer, cell), What::Compute(op, [counter, ..])) = (self.what(node), self.what(self.outer.again)) else {
+            return false;
+        };
+        matches!(op, Op::LeI16 | Op::LtI16 | Op::GeI16 | Op::GtI16) && self.outer.ends.get(&cell) == Some(&counter)
+    }
+
+    /// The line of a cell, if it is what the cell held before plus a constant.
+    pub(super) fn cell_line(&self, level: Level, cell: Cell) -> Option<Line> {
+        let Some(&end) = self.turn(level).ends.get(&cell) else { return Some(Line::SAME) };
+        if self.is_start(end, level, cell) {
+            return Some(Line::SAME);
+        }
+        let What::Compute(op, [a, b, ..]) = self.what(end) else { return None };
+        let step =
+            |own: Node, other: Node| if self.is_start(own, level, cell) { self.constant(other).map(|step| step as u32) } else { None };
+        let low = |node: Node| match self.what(node) {
+            What::Compute(Op::Low16, [of, ..]) => of,
+            _ => node,
+        };
+        match op {
+            Op::AddU32 => step(a, b).or_else(|| step(b, a)).map(|step| Line { step, bits: 32 }),
+            Op::SubU32 => step(a, b).map(|step| Line { step: step.wrapping_neg(), bits: 32 }),
+            Op::AddU16 => step(low(a), b).or_else(|| step(low(b), a)).map(Line::halves),
+            Op::SubU16 => step(low(a), b).map(|step| Line::halves(step.wrapping_neg())),
+            Op::Decrement16 if self.is_start(low(a), level, cell) => Some(Line::halves(u32::MAX)),
+            _ => None,
+        }
+    }
+
+    /// Values that a turn of a loop cannot do without, in no order: what it writes to memory and where, whether another turn follows,
+    /// and what it hands on. Pointers on a line are counted on beside it.
+    pub(super) fn needed(&self, level: Level, carried: &dyn Fn(Cell) -> bool) -> BTreeSet<Node> {
+        let mut needed = BTreeSet::new();
+        let mut waiting = Vec::new();
+        for step in &self.turn(level).steps {
+            match step {
+                Step::Access(access) => {
+                    let access = &self.accesses[*access];
+                    waiting.extend(access.value);
+                    if self.counted_on(access, level).is_none() {
+                        waiting.push(access.pointer);
+                    }
+                }
+                Step::Inner => {
+                    if let Some(inner) = &self.inner {
+                        waiting.extend(inner.entry.values());
+                        let all = |_: Cell| true;
+                        waiting.extend(self.needed(Level::Inner, &all));
+                        // What addresses in the inner loop begin with.
+                        for step in &inner.steps {
+                            if let Step::Access(access) = step {
+                                waiting.push(self.accesses[*access].pointer);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        loop {
+            while let Some(node) = waiting.pop() {
+                if needed.insert(node)
+                    && let What::Compute(op, args) = self.what(node)
+                {
+                    waiting.extend(&args[..op.arity()]);
+                }
+            }
+            for (&cell, &end) in &self.turn(level).ends {
+                let start = needed.iter().any(|&node| self.is_start(node, level, cell));
+                if start && carried(cell) && !needed.contains(&end) {
+                    waiting.push(end);
+                }
+            }
+            if waiting.is_empty() {
+                return needed;
+            }
+        }
+    }
+
+    /// How the cells of a loop are carried.
+    pub(super) fn carried(&self, level: Level) -> Vec<(Cell, Node, Carried)> {
+        let turn = self.turn(level);
+        let needed = self.needed(level, &|cell| self.cell_line(level, cell).is_none());
+        let cells = turn.ends.iter().map(|(&cell, &end)| {
+            if let Some(line) = self.cell_line(level, cell) {
+                return (cell, end, Carried::Line(line));
+            }
+            if let Some((added, bits)) = self.sum(level, cell, end) {
+                return (cell, end, Carried::Sum { added, bits });
+            }
+            let looked_at = needed.iter().any(|&node| self.is_start(node, level, cell))
+                || turn.ends.values().any(|&end| self.rests_on(end, level, cell));
+            (cell, end, if looked_at { Carried::Chain } else { Carried::Nothing })
+        });
+        cells.collect()
+    }
+
+    /// What is added to a cell in each turn, if nothing else looks at the cell.
+    fn sum(&self, level: Level, cell: Cell, end: Node) -> Option<(Node, u32)> {
+        let What::Compute(op @ (Op::AddU32 | Op::AddU16), [a, b, ..]) = self.what(end) else { return None };
+        let added = match () {
+            () if self.is_start(a, level, cell) => b,
+            () if self.is_start(b, level, cell) => a,
+            () => return None,
+        };
+        let others = self.turn(level).ends.iter().filter(|&(&other, _)| other != cell).map(|(_, &end)| end);
+        let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
+        let entries = self.inner.iter().flat_map(|inner| inner.entry.values().chain(inner.ends.values()).copied());
+        let mut all = others.chain(of_accesses).chain(entries).chain([added, self.turn(level).again]);
+        (!all.any(|node| self.rests_on(node, level, cell))).then_some((added, if op == Op::AddU16 { 16 } else { 32 }))
+    }
+
+    /// Whether a value rests on what a cell holds when a turn begins.
+    fn rests_on(&self, node: Node, level: Level, cell: Cell) -> bool {
+        let mut seen = BTreeSet::new();
+        let mut waiting = vec![node];
+        while let Some(node) = waiting.pop() {
+            if self.is_start(node, level, cell) {
+                return true;
+            }
+            if seen.insert(node) {
+                match self.what(node) {
+                    What::Compute(op, args) => waiting.extend(&args[..op.arity()]),
+                    What::After(after) => {
+                        if let Some(inner) = &self.inner {
+                            waiting.extend(inner.ends.get(&after).into_iter().chain(inner.entry.get(&after)));
+                        }
+                    }
+                    What::Start(Level::Inner, start) => {
+                        if let Some(inner) = &self.inner {
+                            waiting.extend(inner.ends.get(&start).into_iter().chain(inner.entry.get(&start)));
+                        }
+                    }
+                    What::Read(access) => waiting.push(self.accesses[access].pointer),
+                    What::Constant(_) | What::Start(Level::Outer, _) => {}
+                }
+            }
+        }
+        false
+    }
+
+    /// The form of a value when turns of the outer loop are done side by side; `None` if it has none.
+    pub(super) fn shape(&self, node: Node) -> Option<Shape> {
+        if let Some(line) = self.line(node, Level::Outer) {
+            return Some(Shape::Line(line));
+        }
+        match self.what(node) {
+            What::Constant(_) => None,
+            What::Start(Level::Outer, _) => None,
+            What::Start(Level::Inner, cell) | What::After(cell) => self.shape_of_inner(cell),
+            What::Read(access) => {
+                let access = &self.accesses[access];
+                let line = match self.shape(access.pointer)? {
+                    Shape::Line(line) if line.bits == 32 => line,
+                    _ => return None,
+                };
+                match access.width {
+                    Width::Byte | Width::Word | Width::DoubleWord if line.is_same() => Some(Shape::Line(Line::SAME)),
+                    Width::Word if line.step == 16 => Some(Shape::Halves),
+                    Width::DoubleWord if line.step == 32 => Some(Shape::Words),
+                    _ => None,
+                }
+            }
+            What::Compute(op, args) => {
+                let mut shapes = [Shape::Line(Line::SAME); 4];
+                for (shape, &arg) in shapes.iter_mut().zip(&args[..op.arity()]) {
+                    *shape = self.shape(arg)?;
+                }
+                shape_of_result(op, &shapes[..op.arity()])
+            }
+        }
+    }
+
+    /// The form of a cell that the inner loop carries.
+    pub(super) fn shape_of_inner(&self, cell: Cell) -> Option<Shape> {
+        let inner = self.inner.as_ref()?;
+        let &end = inner.ends.get(&cell)?;
+        let &entry = inner.entry.get(&cell)?;
+        if self.cell_line(Level::Inner, cell).is_some() {
+            return self.shape(entry);
+        }
+        // What the last operation makes.
+        let shape = match self.what(end) {
+            What::Compute(Op::AddU16 | Op::SubU16 | Op::MulU16, _) => Shape::Halves,
+            What::Compute(Op::AddU32 | Op::SubU32 | Op::MulU32, _) => Shape::Words,
+            What::Compute(Op::AddF32 | Op::SubF32 | Op::MulF32, _) => Shape::Reals,
+            _ if self.rests_on(end, Level::Inner, cell) => return None,
+            _ => return self.shape(end),
+        };
+        Some(shape)
+    }
+}
+
+/// The form of a result.
+pub(super) fn shape_of_result(op: Op, args: &[Shape]) -> Option<Shape> {
+    let halves = |shape: &Shape| matches!(shape, Shape::Line(_) | Shape::Halves);
+    let words = |shape: &Shape| match shape {
+        Shape::Line(line) => line.bits == 32 || line.is_same(),
+        Shape::Halves | Shape::Words => true,
+        Shape::Reals => false,
+    };
+    let reals = |shape: &Shape| match shape {
+        Shape::Line(line) => line.is_same(),
+        Shape::Words | Shape::Reals => true,
+        Shape::Halves => false,
+    };
+    match op {
+        _ if args.iter().all(|shape| matches!(shape, Shape::Line(line) if line.is_same())) => Some(Shape::Line(Line::SAME)),
+        Op::AddU16 | Op::SubU16 | Op::MulU16 if args.iter().all(halves) => Some(Shape::Halves),
+        Op::AddU32 | Op::SubU32 | Op::MulU32 | Op::AndU32 | Op::OrU32 | Op::XorU32 if args.iter().all(words) => Some(Shape::Words),
+        Op::Extend16 if matches!(args[0], Shape::Halves | Shape::Line(Line { bits: 16, .. })) => Some(Shape::Words),
+        Op::AddI16Wide | Op::SubI16Wide | Op::MulI16Wide if args.iter().all(halves) => Some(Shape::Words),
+        Op::I32ToF32 if args.iter().all(words) => Some(Shape::Reals),
+        Op::AddF32 | Op::SubF32 | Op::MulF32 | Op::DivF32 if args.iter().all(reals) => Some(Shape::Reals),
+        _ => None,
+    }
+}

@@ -1,0 +1,322 @@
+//! Turns side by side: a value of each in the lanes of vectors of 128 bits.
+
+use cranelift_codegen::ir::condcodes::FloatCC;
+use cranelift_codegen::ir::types::{F32, F32X4, I8X16, I16, I16X8, I32, I32X4, I64};
+use cranelift_codegen::ir::{ConstantData, Endianness, Immediate, InstBuilder, MemFlagsData, Type, Value};
+use sieben_engine::ir::Op;
+
+use super::super::Translator;
+use super::super::memory::data;
+use super::super::value::Val;
+use super::line::{Line, Shape, shape_of_result};
+
+/// Bytes of a vector.
+pub(super) const VECTOR_BYTES: u32 = 16;
+
+/// A value of one turn, or of several side by side.
+#[derive(Clone, Debug)]
+pub(super) enum Lanes {
+    /// The same in all.
+    One(Val),
+    /// That of the first one; the others follow on a line.
+    Line(Val, Line),
+    /// Numbers of 16 bits.
+    Halves(Vec<Value>),
+    /// Numbers of 32 bits.
+    Words(Vec<Value>),
+    /// REALs. What is no number is written in its one form.
+    Reals(Vec<Value>),
+}
+
+impl Lanes {
+    pub(super) fn shape(&self) -> Shape {
+        match self {
+            Self::One(_) => Shape::Line(Line::SAME),
+            Self::Line(_, line) => Shape::Line(*line),
+            Self::Halves(_) => Shape::Halves,
+            Self::Words(_) => Shape::Words,
+            Self::Reals(_) => Shape::Reals,
+        }
+    }
+}
+
+impl Shape {
+    /// Its vectors: their type, and how many there are for so many turns.
+    pub(super) fn vectors(self, lanes: u32) -> (Type, u32) {
+        match self {
+            Self::Halves => (I16X8, lanes / 8),
+            Self::Reals => (F32X4, lanes / 4),
+            Self::Words | Self::Line(_) => (I32X4, lanes / 4),
+        }
+    }
+
+    /// Vectors in this form.
+    pub(super) fn of(self, vectors: Vec<Value>) -> Lanes {
+        match self {
+            Self::Halves => Lanes::Halves(vectors),
+            Self::Reals => Lanes::Reals(vectors),
+            Self::Words | Self::Line(_) => Lanes::Words(vectors),
+        }
+    }
+}
+
+fn little() -> MemFlagsData {
+    MemFlagsData::new().with_endianness(Endianness::Little)
+}
+
+impl Translator<'_> {
+    fn constant_vector(&mut self, ty: Type, bytes: Vec<u8>) -> Value {
+        let constant = self.b.func.dfg.constants.insert(ConstantData::from(bytes));
+        self.b.ins().vconst(ty, constant)
+    }
+
+    /// The steps of the lanes of one vector.
+    fn steps(&mut self, ty: Type, step: u32, number: u32) -> Value {
+        let count = ty.lane_count();
+        let bytes = (0..count).flat_map(|lane| {
+            let value = step.wrapping_mul(number * count + lane);
+            value.to_le_bytes().into_iter().take(ty.lane_type().bytes() as usize)
+        });
+        let bytes = bytes.collect();
+        self.constant_vector(ty, bytes)
+    }
+
+    /// As numbers of 16 bits.
+    pub(super) fn halves(&mut self, value: &Lanes, lanes: u32) -> Vec<Value> {
+        let (first, line) = match value {
+            Lanes::Halves(vectors) => return vectors.clone(),
+            Lanes::One(first) => (*first, Line::SAME),
+            Lanes::Line(first, line) => (*first, *line),
+            Lanes::Words(_) | Lanes::Reals(_) => unreachable!("the shapes were looked at"),
+        };
+        let first = self.int(first);
+        let first = self.b.ins().ireduce(I16, first);
+        let all = self.b.ins().splat(I16X8, first);
+        self.along(all, I16X8, line, lanes)
+    }
+
+    /// As numbers of 32 bits.
+    pub(super) fn words(&mut self, value: &Lanes, lanes: u32) -> Vec<Value> {
+        let (first, line) = match value {
+            Lanes::Words(vectors) => return vectors.clone(),
+            Lanes::Halves(vectors) => return self.widened(&vectors.clone(), false),
+            Lanes::One(first) => (*first, Line::SAME),
+            Lanes::Line(first, line) => (*first, *line),
+            Lanes::Reals(_) => unreachable!("the shapes were looked at"),
+        };
+        let first = self.int(first);
+        let all = self.b.ins().splat(I32X4, first);
+        self.along(all, I32X4, line, lanes)
+    }
+
+    /// As REALs.
+    pub(super) fn reals(&mut self, value: &Lanes, lanes: u32) -> Vec<Value> {
+        match value {
+            Lanes::Reals(vectors) => vectors.clone(),
+            Lanes::One(value) => {
+                let real = self.f32(*value);
+                let all = self.b.ins().splat(F32X4, real);
+                vec![all; (lanes / 4) as usize]
+            }
+            value => {
+                let words = self.words(value, lanes);
+                words.into_iter().map(|word| self.b.ins().bitcast(F32X4, little(), word)).collect()
+            }
+        }
+    }
+
+    fn along(&mut self, all: Value, ty: Type, line: Line, lanes: u32) -> Vec<Value> {
+        let count = lanes / ty.lane_count();
+        if line.is_same() {
+            return vec![all; count as usize];
+        }
+        let one = |number| {
+            let steps = self.steps(ty, line.step, number);
+            self.b.ins().iadd(all, steps)
+        };
+        (0..count).map(one).collect()
+    }
+
+    fn widened(&mut self, halves: &[Value], signed: bool) -> Vec<Value> {
+        let mut words = Vec::new();
+        for &half in halves {
+            let both = match signed {
+                true => [self.b.ins().swiden_low(half), self.b.ins().swiden_high(half)],
+                false => [self.b.ins().uwiden_low(half), self.b.ins().uwiden_high(half)],
+            };
+            words.extend(both);
+        }
+        words
+    }
+
+    /// The result of an operation in all lanes.
+    pub(super) fn compute_lanes(&mut self, op: Op, args: &[Lanes], lanes: u32) -> Lanes {
+        let shapes: Vec<Shape> = args.iter().map(Lanes::shape).collect();
+        let shape = shape_of_result(op, &shapes).expect("the shapes were looked at");
+        let pair = |this: &mut Self, of: &mut dyn FnMut(&mut Self, Value, Value) -> Value| -> Vec<Value> {
+            let (a, b) = match shape {
+                Shape::Halves => (this.halves(&args[0], lanes), this.halves(&args[1], lanes)),
+                Shape::Reals => (this.reals(&args[0], lanes), this.reals(&args[1], lanes)),
+                _ => (this.words(&args[0], lanes), this.words(&args[1], lanes)),
+            };
+            a.into_iter().zip(b).map(|(a, b)| of(this, a, b)).collect()
+        };
+        let vectors = match op {
+            Op::AddU16 | Op::AddU32 => pair(self, &mut |this, a, b| this.b.ins().iadd(a, b)),
+            Op::SubU16 | Op::SubU32 => pair(self, &mut |this, a, b| this.b.ins().isub(a, b)),
+            Op::MulU16 | Op::MulU32 => pair(self, &mut |this, a, b| this.b.ins().imul(a, b)),
+            Op::AndU32 => pair(self, &mut |this, a, b| this.b.ins().band(a, b)),
+            Op::OrU32 => pair(self, &mut |this, a, b| this.b.ins().bor(a, b)),
+            Op::XorU32 => pair(self, &mut |this, a, b| this.b.ins().bxor(a, b)),
+            Op::AddF32 => pair(self, &mut |this, a, b| this.b.ins().fadd(a, b)),
+            Op::SubF32 => pair(self, &mut |this, a, b| this.b.ins().fsub(a, b)),
+            Op::MulF32 => pair(self, &mut |this, a, b| this.b.ins().fmul(a, b)),
+            Op::DivF32 => pair(self, &mut |this, a, b| this.b.ins().fdiv(a, b)),
+            Op::Extend16 => {
+                let halves = self.halves(&args[0], lanes);
+                self.widened(&halves, true)
+            }
+            Op::AddI16Wide | Op::SubI16Wide | Op::MulI16Wide => {
+                let [a, b] = [0, 1].map(|at: usize| {
+                    let halves = self.halves(&args[at], lanes);
+                    self.widened(&halves, true)
+                });
+                let both = a.into_iter().zip(b);
+                let one = |(a, b)| match op {
+                    Op::AddI16Wide => self.b.ins().iadd(a, b),
+                    Op::SubI16Wide => self.b.ins().isub(a, b),
+                    _ => self.b.ins().imul(a, b),
+                };
+                both.map(one).collect()
+            }
+            Op::I32ToF32 => {
+                let words = self.words(&args[0], lanes);
+                words.into_iter().map(|word| self.b.ins().fcvt_from_sint(F32X4, word)).collect()
+            }
+            _ => unreachable!("the shapes were looked at"),
+        };
+        shape.of(vectors)
+    }
+
+    /// Turns the bytes of each number of a vector around.
+    fn turned(&mut self, vector: Value, bytes: u8) -> Value {
+        let mask: Vec<u8> = (0..VECTOR_BYTES as u8).map(|at| at / bytes * bytes + (bytes - 1 - at % bytes)).collect();
+        let mask: Immediate = self.b.func.dfg.immediates.push(ConstantData::from(mask));
+        self.b.ins().shuffle(vector, vector, mask)
+    }
+
+    /// Reads numbers that follow one another.
+    pub(super) fn read_lanes(&mut self, address: Value, offset: i32, shape: Shape, lanes: u32) -> Lanes {
+        let (ty, count) = shape.vectors(lanes);
+        let bytes = ty.lane_type().bytes() as u8;
+        let one = |number: u32| {
+            let vector = self.b.ins().load(I8X16, data(), address, offset + (number * VECTOR_BYTES) as i32);
+            let vector = self.turned(vector, bytes);
+            self.b.ins().bitcast(ty, little(), vector)
+        };
+        shape.of((0..count).map(one).collect())
+    }
+
+    /// Writes numbers of so many bytes that follow one another.
+    pub(super) fn write_lanes(&mut self, address: Value, offset: i32, value: &Lanes, bytes: u8, lanes: u32) {
+        let vectors = match (bytes, value) {
+            (2, value) => self.halves(value, lanes),
+            (_, Lanes::Reals(reals)) => reals.clone().into_iter().map(|real| self.quiet_vector(real)).collect(),
+            (_, value) => self.words(value, lanes),
+        };
+        for (number, vector) in (0..).zip(vectors) {
+            let vector = self.b.ins().bitcast(I8X16, little(), vector);
+            let vector = self.turned(vector, bytes);
+            self.b.ins().store(data(), vector, address, offset + number * VECTOR_BYTES as i32);
+        }
+    }
+
+    /// The bits of REALs; what is no number becomes the one NaN that the project shows.
+    fn quiet_vector(&mut self, real: Value) -> Value {
+        let none = self.b.ins().fcmp(FloatCC::Unordered, real, real);
+        let bits = self.b.ins().bitcast(I32X4, little(), real);
+        let nan = self.constant_vector(I32X4, f32::NAN.to_bits().to_le_bytes().repeat(4));
+        self.b.ins().bitselect(none, nan, bits)
+    }
+
+    /// The value of the last turn.
+    pub(super) fn last_lane(&mut self, value: &Lanes, lanes: u32) -> Val {
+        match value {
+            Lanes::One(value) => *value,
+            Lanes::Line(first, line) => self.further(*first, *line, lanes - 1),
+            Lanes::Halves(vectors) => {
+                let half = self.b.ins().extractlane(vectors[vectors.len() - 1], 7);
+                Val::Int(self.b.ins().uextend(I32, half))
+            }
+            Lanes::Words(vectors) => Val::Int(self.b.ins().extractlane(vectors[vectors.len() - 1], 3)),
+            Lanes::Reals(vectors) => {
+                let real = self.b.ins().extractlane(vectors[vectors.len() - 1], 3);
+                debug_assert_eq!(self.b.func.dfg.value_type(real), F32);
+                self.quiet(real)
+            }
+        }
+    }
+
+    /// A value so many turns later.
+    pub(super) fn further(&mut self, value: Val, line: Line, turns: u32) -> Val {
+        let value = self.int(value);
+        let sum = self.b.ins().iadd_imm_u(value, i64::from(line.step.wrapping_mul(turns)));
+        self.on_line(sum, line)
+    }
+
+    /// A sum on a line, in the form of its values.
+    pub(super) fn on_line(&mut self, sum: Value, line: Line) -> Val {
+        if line.bits == 32 {
+            return Val::Int(sum);
+        }
+        let low = self.b.ins().band_imm_u(sum, 0xFFFF);
+        self.narrow.insert(low, 16);
+        Val::Int(low)
+    }
+
+    /// A value so many turns later, as a number of 64 bits.
+    pub(super) fn behind(&mut self, value: Val, line: Line, turns: Value) -> Val {
+        if line.is_same() {
+            return value;
+        }
+        let turns = self.b.ins().ireduce(I32, turns);
+        let way = self.b.ins().imul_imm_u(turns, i64::from(line.step));
+        let value = self.int(value);
+        let sum = self.b.ins().iadd(value, way);
+        self.on_line(sum, line)
+    }
+
+    /// The sum of all lanes of some vectors.
+    pub(super) fn sum_of_lanes(&mut self, vectors: &[Value]) -> Value {
+        let mut sum = vectors[0];
+        for &vector in &vectors[1..] {
+            sum = self.b.ins().iadd(sum, vector);
+        }
+        let ty = self.b.func.dfg.value_type(sum);
+        let mut total = None;
+        for lane in 0..ty.lane_count() as u8 {
+            let value = self.b.ins().extractlane(sum, lane);
+            let value = if ty == I16X8 { self.b.ins().uextend(I32, value) } else { value };
+            total = Some(match total {
+                Some(total) => self.b.ins().iadd(total, value),
+                None => value,
+            });
+        }
+        total.unwrap_or_else(|| unreachable!("a vector has lanes"))
+    }
+
+    /// A vector of zeros.
+    pub(super) fn zeros(&mut self, ty: Type) -> Value {
+        self.constant_vector(ty, vec![0; VECTOR_BYTES as usize])
+    }
+
+    /// A distance of pointers in bits, as one of bytes in 64 bits.
+    pub(super) fn bytes_of_step(step: u32, turns: u32) -> i64 {
+        i64::from(step as i32) / 8 * i64::from(turns)
+    }
+
+    /// A constant number of turns.
+    pub(super) fn turns_constant(&mut self, turns: i64) -> Value {
+        self.b.ins().iconst(I64, turns)
+    }
+}

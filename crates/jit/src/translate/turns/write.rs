@@ -1,0 +1,689 @@
+//! Writes turns of a loop that nobody looks at between them.
+
+use std::collections::{BTreeSet, HashMap};
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{F32, I32, I64};
+use cranelift_codegen::ir::{BlockArg, InstBuilder, MemFlagsData, Value};
+use sieben_engine::ir::Op;
+use sieben_engine::machine::Register;
+use sieben_model::address::Width;
+
+use super::super::loops::Loop;
+use super::super::memory::{Address, Bit};
+use super::super::promote::Base;
+use super::super::value::Val;
+use super::super::{Translator, is_bit};
+use super::Plan;
+use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Step, What};
+use super::line::{Carried, Line, Shape};
+use super::vector::Lanes;
+
+/// What one of the loops has while its turns are written.
+#[derive(Default)]
+struct Scope {
+    values: HashMap<Node, Lanes>,
+    /// What cells hold when a turn begins.
+    starts: HashMap<Cell, Lanes>,
+    /// Addresses that are counted on, by their pointers and offsets.
+    addresses: HashMap<(Base, Node, u32), Value>,
+}
+
+/// What a loop hands from turn to turn, and how.
+enum Handed {
+    Line(Cell, Line),
+    /// A sum: its vectors.
+    Sum(Cell, Node, Shape),
+    Chain(Cell, Node, Form),
+    Address(Base, Node, u32, i64),
+}
+
+/// How a value is handed on.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Form {
+    Bit,
+    Int,
+    Real,
+    Lanes(Shape),
+}
+
+/// Writes one version of the turns of a loop.
+pub(super) struct Writing<'t, 'a, 'k> {
+    t: &'t mut Translator<'a>,
+    plan: &'k Plan,
+    kernel: &'k Kernel,
+    /// Turns side by side.
+    lanes: u32,
+    outer: Scope,
+    inner: Scope,
+    /// What cells hold in front of the loop.
+    before: HashMap<Cell, Val>,
+    sums: HashMap<Cell, Vec<Value>>,
+}
+
+impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
+    /// Writes turns, as many as there are and as nobody asks about, and goes on where more turns may follow. Goes to the statement
+    /// behind the loop if there are none.
+    pub(super) fn write(t: &'t mut Translator<'a>, plan: &'k Plan, it: &Loop, lanes: u32) {
+        let kernel = &plan.kernel;
+        let mut this = Writing {
+            t,
+            plan,
+            kernel,
+            lanes,
+            outer: Scope::default(),
+            inner: Scope::default(),
+            before: HashMap::new(),
+            sums: HashMap::new(),
+        };
+        this.version(it);
+    }
+
+    fn version(&mut self, it: &Loop) {
+        self.t.settle_bytes();
+        for cell in self.kernel.cells_at_start() {
+            let value = self.read(cell);
+            self.before.insert(cell, value);
+        }
+        let (turns, guard, all) = self.how_many();
+        let [enter, go_on] = [self.t.b.create_block(), self.t.b.create_block()];
+        self.t.b.ins().brif(guard, enter, &[], go_on, &[]);
+        self.t.b.switch_to_block(enter);
+        self.t.b.seal_block(enter);
+        let done = self.turns(Level::Outer, turns);
+        debug_assert!(done.is_empty() || self.lanes > 1);
+        self.finish(it, turns);
+        let weight = i64::from(self.kernel.outer.weight);
+        let left = self.take_budget(turns);
+        let budget = self.t.budget();
+        let ended = self.t.b.ins().icmp(IntCC::Equal, turns, all);
+        let leave = self.t.b.create_block();
+        self.t.b.def_var(budget, left);
+        self.t.b.ins().brif(ended, leave, &[], go_on, &[]);
+        self.t.b.switch_to_block(leave);
+        self.t.b.seal_block(leave);
+        // Behind the last turn there is no way back.
+        let left = self.t.b.ins().iadd_imm_s(left, weight);
+        self.t.b.def_var(budget, left);
+        let exit = it.last + 1;
+        self.t.leave_loops(exit);
+        let next = self.t.edge(exit);
+        self.t.b.ins().jump(next, &[]);
+        self.t.b.switch_to_block(go_on);
+        self.t.b.seal_block(go_on);
+        self.t.forget_memory();
+    }
+
+    /// What a turn takes from the budget, with the way back behind it.
+    fn weight(&self) -> i64 {
+        let inner = self.kernel.inner.as_ref().map_or(0, |inner| i64::from(inner.weight) * (self.plan.inner_turns - 1));
+        i64::from(self.kernel.outer.weight) + inner
+    }
+
+    fn take_budget(&mut self, turns: Value) -> Value {
+        let weight = self.weight();
+        let budget = self.t.budget();
+        let budget = self.t.b.use_var(budget);
+        let taken = if weight == 1 { turns } else { self.t.b.ins().imul_imm_s(turns, weight) };
+        self.t.b.ins().isub(budget, taken)
+    }
+
+    /// How many turns are made here, whether any are, and how many the loop has.
+    fn how_many(&mut self) -> (Value, Value, Value) {
+        let count = self.plan.count;
+        let counter = self.value_before(count.counter);
+        let limit = count.limit.map_or(Val::Const(0), |limit| self.value_before(limit));
+        let (all, inside) = self.t.turns(count, counter, limit);
+        let budget = self.t.budget();
+        let budget = self.t.b.use_var(budget);
+        let possible = match self.weight() {
+            1 => budget,
+            weight => {
+                let none = self.t.b.ins().iconst(I64, 0);
+                let budget = self.t.b.ins().smax(budget, none);
+                self.t.b.ins().udiv_imm_u(budget, weight)
+            }
+        };
+        let turns = self.t.b.ins().smin(all, possible);
+        let turns = match self.lanes {
+            1 => turns,
+            lanes => self.t.b.ins().band_imm_s(turns, -i64::from(lanes)),
+        };
+        let mut guard = self.t.b.ins().icmp_imm_s(IntCC::SignedGreaterThan, turns, 0);
+        let mut also = |this: &mut Self, condition: Value| guard = this.t.b.ins().band(guard, condition);
+        if let Some(inside) = inside {
+            also(self, inside);
+        }
+        for &cell in self.before.clone().keys() {
+            let line = self.kernel.cell_line(Level::Outer, cell);
+            if line.is_some_and(|line| line.bits == 16) && matches!(self.kernel.kept(cell), Kept::Register(_)) {
+                let value = self.before[&cell];
+                let value = self.t.int(value);
+                let short = self.t.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, value, 0xFFFF);
+                also(self, short);
+            }
+        }
+        for access in self.kernel.accesses.iter().filter(|access| access.inside.is_none()) {
+            let inside = self.stays_inside(access, turns);
+            also(self, inside);
+        }
+        (turns, guard, all)
+    }
+
+    /// Whether an access whose pointer is on a line stays inside its area for so many turns.
+    fn stays_inside(&mut self, access: &Access, turns: Value) -> Value {
+        let line = self.kernel.line(access.pointer, Level::Outer).unwrap_or(Line::SAME);
+        let position = self.position_before(access.pointer, access.offset);
+        let first = self.t.b.ins().uextend(I64, position);
+        let more = self.t.b.ins().iadd_imm_s(turns, -1);
+        let way = self.t.b.ins().imul_imm_s(more, i64::from(line.step as i32));
+        let last = self.t.b.ins().iadd(first, way);
+        let (low, high) = if (line.step as i32) < 0 { (last, first) } else { (first, last) };
+        let (_, _, length) = access.area;
+        let bits = if access.width == Width::Bit { 1 } else { u64::from(access.width.bytes()) * 8 };
+        let end = (length * 8) as i64 - bits as i64;
+        let low = self.t.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, low, 0);
+        let high = self.t.b.ins().icmp_imm_s(IntCC::SignedLessThanOrEqual, high, end);
+        let both = self.t.b.ins().band(low, high);
+        if access.width == Width::Bit {
+            return both;
+        }
+        let odd = self.t.b.ins().band_imm_u(position, 7);
+        let even = self.t.b.ins().icmp_imm_u(IntCC::Equal, odd, 0);
+        self.t.b.ins().band(both, even)
+    }
+
+    /// A pointer with its offset, 24 bits, as it is in the first turn.
+    fn position_before(&mut self, pointer: Node, offset: u32) -> Value {
+        let pointer = self.value_before(pointer);
+        self.position(pointer, offset)
+    }
+
+    fn position(&mut self, pointer: Val, offset: u32) -> Value {
+        let pointer = self.t.int(pointer);
+        let moved = if offset == 0 { pointer } else { self.t.b.ins().iadd_imm_u(pointer, i64::from(offset)) };
+        self.t.b.ins().band_imm_u(moved, 0x00FF_FFFF)
+    }
+
+    /// A value as it is in the first turn of the loop, in front of it. It rests on no memory that the loop reads.
+    fn value_before(&mut self, node: Node) -> Val {
+        match self.kernel.what(node) {
+            What::Constant(value) => Val::Const(value),
+            What::Start(Level::Outer, cell) => self.before[&cell],
+            What::Start(Level::Inner, cell) => {
+                let entry = self.plan.entry(cell);
+                self.value_before(entry)
+            }
+            What::Compute(op, args) => {
+                let args: Vec<Val> = args[..op.arity()].iter().map(|&arg| self.value_before(arg)).collect();
+                self.t.compute_now(op, &args)
+            }
+            What::After(_) | What::Read(_) => unreachable!("a value on a line rests on no memory"),
+        }
+    }
+
+    /// The same for the inner loop, in a turn of the outer one.
+    fn value_at_entry(&mut self, node: Node) -> Val {
+        if let What::Start(Level::Inner, cell) = self.kernel.what(node) {
+            let entry = self.plan.entry(cell);
+            return self.first(entry, Level::Outer);
+        }
+        match self.kernel.what(node) {
+            What::Compute(op, args) => {
+                let args: Vec<Val> = args[..op.arity()].iter().map(|&arg| self.value_at_entry(arg)).collect();
+                self.t.compute_now(op, &args)
+            }
+            _ => self.first(node, Level::Outer),
+        }
+    }
+
+    /// A value of the first of the turns side by side.
+    fn first(&mut self, node: Node, level: Level) -> Val {
+        match self.value(node, level) {
+            Lanes::One(value) | Lanes::Line(value, _) => value,
+            _ => unreachable!("addresses are on a line"),
+        }
+    }
+
+    fn scope(&mut self, level: Level) -> &mut Scope {
+        match level {
+            Level::Outer => &mut self.outer,
+            Level::Inner => &mut self.inner,
+        }
+    }
+
+    /// Writes turns of a loop; the vectors of its sums behind it.
+    fn turns(&mut self, level: Level, turns: Value) -> Vec<Value> {
+        let step = if level == Level::Outer { self.lanes } else { 1 };
+        let handed = self.handed(level);
+        let mut first = vec![turns];
+        for one in &handed {
+            self.first_of(level, one, &mut first);
+        }
+        let head = self.t.b.create_block();
+        let arguments: Vec<BlockArg> = first.iter().map(|&value| BlockArg::Value(value)).collect();
+        self.t.b.ins().jump(head, &arguments);
+        self.t.b.switch_to_block(head);
+        let parameters: Vec<Value> = first
+            .iter()
+            .map(|&value| {
+                let ty = self.t.b.func.dfg.value_type(value);
+                self.t.b.append_block_param(head, ty)
+            })
+            .collect();
+        self.begin(level, &handed, &parameters[1..]);
+        for step in &self.kernel.turn(level).steps {
+            match step {
+                Step::Access(access) => self.access(*access, level),
+                Step::Inner => {
+                    let turns = self.t.turns_constant(self.plan.inner_turns);
+                    self.inner = Scope::default();
+                    self.turns(Level::Inner, turns);
+                }
+            }
+        }
+        let left = self.t.b.ins().iadd_imm_s(parameters[0], -i64::from(step));
+        let mut next = vec![left];
+        for (one, own) in handed.iter().zip(self.owned(&handed, &parameters[1..])) {
+            self.next_of(level, one, &own, &mut next);
+        }
+        let behind = self.t.b.create_block();
+        let arguments: Vec<BlockArg> = next.iter().map(|&value| BlockArg::Value(value)).collect();
+        self.t.b.ins().brif(left, head, &arguments, behind, &[]);
+        self.t.b.seal_block(head);
+        self.t.b.switch_to_block(behind);
+        self.t.b.seal_block(behind);
+        let mut all = Vec::new();
+        let mut at = 1;
+        for one in &handed {
+            let count = self.count_of(one);
+            if let Handed::Sum(cell, ..) = one {
+                self.sums.insert(*cell, next[at..at + count].to_vec());
+                all.extend(&next[at..at + count]);
+            }
+            at += count;
+        }
+        all
+    }
+
+    /// What a loop hands from turn to turn.
+    fn handed(&mut self, level: Level) -> Vec<Handed> {
+        let kernel = self.kernel;
+        let carried = kernel.carried(level);
+        let mut needed = kernel.needed(level, &|cell| kernel.cell_line(level, cell).is_none());
+        // What is left behind the last turn may rest on what a turn began with.
+        let mut ends: BTreeSet<Node> = BTreeSet::new();
+        for (cell, end, carried) in &carried {
+            match carried {
+                Carried::Line(_) if level == Level::Outer => {}
+                Carried::Sum { added, .. } => kernel.rests(*added, &mut ends),
+                _ if kernel.is_wanted(*cell, self.plan.live) => kernel.rests(*end, &mut ends),
+                _ => {}
+            }
+        }
+        if let (Level::Outer, Some(inner)) = (level, &kernel.inner) {
+            for (&cell, &end) in inner.ends.iter().chain(&inner.entry) {
+                if kernel.is_wanted(cell, self.plan.live) {
+                    kernel.rests(end, &mut ends);
+                }
+            }
+        }
+        needed.extend(ends);
+        let mut handed = Vec::new();
+        for (cell, end, carried) in carried {
+            let looked_at = needed.iter().any(|&node| kernel.is_start(node, level, cell));
+            match carried {
+                Carried::Line(line) if looked_at && !line.is_same() => handed.push(Handed::Line(cell, line)),
+                Carried::Line(_) | Carried::Nothing => {}
+                Carried::Sum { added, bits } if self.lanes > 1 && level == Level::Outer => {
+                    let shape = if bits == 16 { Shape::Halves } else { Shape::Words };
+                    handed.push(Handed::Sum(cell, added, shape));
+                }
+                Carried::Sum { .. } | Carried::Chain => {
+                    let form = self.form(level, cell, end, &needed);
+                    handed.push(Handed::Chain(cell, end, form));
+                }
+            }
+        }
+        let step_of = |access: &Access| self.plan.counted_on(access, level);
+        let mut known: Vec<(Base, Node, u32)> = Vec::new();
+        for step in &kernel.turn(level).steps {
+            if let Step::Access(access) = step
+                && let access = &kernel.accesses[*access]
+                && let Some(step) = step_of(access)
+                && !known.contains(&(access.area.0, access.pointer, access.offset))
+            {
+                known.push((access.area.0, access.pointer, access.offset));
+                let turns = if level == Level::Outer { self.lanes } else { 1 };
+                handed.push(Handed::Address(access.area.0, access.pointer, access.offset, Translator::bytes_of_step(step, turns)));
+            }
+        }
+        handed
+    }
+
+    fn form(&self, level: Level, cell: Cell, end: Node, needed: &BTreeSet<Node>) -> Form {
+        if self.lanes > 1 {
+            return self.kernel.shape(self.kernel.turn(level).ends[&cell]).map_or(Form::Int, Form::Lanes);
+        }
+        if let Kept::Register(register) = self.kernel.kept(cell)
+            && is_bit(register)
+        {
+            return Form::Bit;
+        }
+        if matches!(self.kernel.kept(cell), Kept::Memory { width: Width::Bit, .. }) {
+            return Form::Bit;
+        }
+        let real = |op: Op| matches!(op, Op::AddF32 | Op::SubF32 | Op::MulF32 | Op::DivF32);
+        let is_real = matches!(self.kernel.what(end), What::Compute(op, _) if real(op));
+        let others = needed.iter().any(|&node| match self.kernel.what(node) {
+            What::Compute(op, args) => !real(op) && args[..op.arity()].iter().any(|&arg| self.kernel.is_start(arg, level, cell)),
+            _ => false,
+        });
+        let written = self.kernel.accesses.iter().filter_map(|access| access.value).any(|value| self.kernel.is_start(value, level, cell));
+        let handed_on = self.kernel.all_ends().any(|end| self.kernel.is_start(end, level, cell));
+        if is_real && !others && !written && !handed_on { Form::Real } else { Form::Int }
+    }
+
+    /// Whether somebody needs what a cell holds behind the loop.
+    fn is_wanted(&self, cell: Cell, level: Level) -> bool {
+        level == Level::Outer && self.kernel.is_wanted(cell, self.plan.live)
+    }
+
+    fn count_of(&self, one: &Handed) -> usize {
+        match one {
+            Handed::Line(..) | Handed::Address(..) => 1,
+            Handed::Sum(.., shape) | Handed::Chain(.., Form::Lanes(shape)) => shape.vectors(self.lanes).1 as usize,
+            Handed::Chain(..) => 1,
+        }
+    }
+
+    /// The parameters of each thing that is handed on.
+    fn owned(&self, handed: &[Handed], parameters: &[Value]) -> Vec<Vec<Value>> {
+        let mut at = 0;
+        let mut owned = Vec::new();
+        for one in handed {
+            let count = self.count_of(one);
+            owned.push(parameters[at..at + count].to_vec());
+            at += count;
+        }
+        owned
+    }
+
+    /// What a cell holds in front of a loop.
+    fn entry(&mut self, level: Level, cell: Cell) -> Lanes {
+        match level {
+            Level::Outer => Lanes::One(self.before[&cell]),
+            Level::Inner => {
+                let entry = self.plan.entry(cell);
+                self.value(entry, Level::Outer)
+            }
+        }
+    }
+
+    fn first_of(&mut self, level: Level, one: &Handed, all: &mut Vec<Value>) {
+        match *one {
+            Handed::Line(cell, _) => {
+                let value = match self.entry(level, cell) {
+                    Lanes::One(value) | Lanes::Line(value, _) => value,
+                    _ => unreachable!("what begins a line is on one"),
+                };
+                all.push(self.t.int(value));
+            }
+            Handed::Sum(_, _, shape) => {
+                let (ty, count) = shape.vectors(self.lanes);
+                for _ in 0..count {
+                    all.push(self.t.zeros(ty));
+                }
+            }
+            Handed::Chain(cell, _, form) => {
+                let value = self.entry(level, cell);
+                self.in_form(&value, form, all);
+            }
+            Handed::Address(base, pointer, offset, _) => {
+                let value = match level {
+                    Level::Outer => self.value_before(pointer),
+                    Level::Inner => self.value_at_entry(pointer),
+                };
+                let address = self.address(base, value, offset);
+                all.push(address);
+            }
+        }
+    }
+
+    fn in_form(&mut self, value: &Lanes, form: Form, all: &mut Vec<Value>) {
+        let one = |value: &Lanes| match value {
+            Lanes::One(value) => *value,
+            _ => unreachable!("one turn has one value"),
+        };
+        match form {
+            Form::Bit => all.push(self.t.flag(one(value))),
+            Form::Int => all.push(self.t.int(one(value))),
+            Form::Real => all.push(self.t.f32(one(value))),
+            Form::Lanes(Shape::Halves) => all.extend(self.t.halves(value, self.lanes)),
+            Form::Lanes(Shape::Reals) => all.extend(self.t.reals(value, self.lanes)),
+            Form::Lanes(_) => all.extend(self.t.words(value, self.lanes)),
+        }
+    }
+
+    /// The address to which a pointer goes, without the first byte of its area.
+    fn address(&mut self, base: Base, value: Val, offset: u32) -> Value {
+        let position = self.position(value, offset);
+        let byte = self.t.b.ins().ushr_imm_u(position, 3);
+        let byte = self.t.b.ins().uextend(I64, byte);
+        let base = self.base(base);
+        self.t.b.ins().iadd(base, byte)
+    }
+
+    fn base(&self, base: Base) -> Value {
+        if base == Base::Local { self.t.local } else { self.t.arena }
+    }
+
+    /// Takes what was handed on.
+    fn begin(&mut self, level: Level, handed: &[Handed], parameters: &[Value]) {
+        for (one, own) in handed.iter().zip(self.owned(handed, parameters)) {
+            match *one {
+                Handed::Line(cell, line) => {
+                    let value = Val::Int(own[0]);
+                    if line.bits == 16 {
+                        self.t.narrow.insert(own[0], 16);
+                    }
+                    // An inner loop's line is the same for turns side by side, or begins on a line of the outer one.
+                    let across = match level {
+                        Level::Outer => line,
+                        Level::Inner => self.kernel.line(self.plan.entry(cell), Level::Outer).unwrap_or(Line::SAME),
+                    };
+                    let value = if self.lanes > 1 && !across.is_same() { Lanes::Line(value, across) } else { Lanes::One(value) };
+                    self.scope(level).starts.insert(cell, value);
+                }
+                Handed::Sum(..) => {}
+                Handed::Chain(cell, _, form) => {
+                    let value = match form {
+                        Form::Bit => Lanes::One(Val::Bit { value: own[0], clean: true }),
+                        Form::Int => Lanes::One(Val::Int(own[0])),
+                        Form::Real => {
+                            let bits = self.t.b.ins().bitcast(I32, MemFlagsData::new(), own[0]);
+                            debug_assert_eq!(self.t.b.func.dfg.value_type(own[0]), F32);
+                            Lanes::One(Val::Real { real: own[0], bits })
+                        }
+                        Form::Lanes(shape) => shape.of(own),
+                    };
+                    self.scope(level).starts.insert(cell, value);
+                }
+                Handed::Address(base, pointer, offset, _) => {
+                    self.scope(level).addresses.insert((base, pointer, offset), own[0]);
+                }
+            }
+        }
+    }
+
+    /// What is handed on to the next turn.
+    fn next_of(&mut self, level: Level, one: &Handed, own: &[Value], all: &mut Vec<Value>) {
+        match *one {
+            Handed::Line(_, line) => {
+                let turns = if level == Level::Outer { self.lanes } else { 1 };
+                let next = self.t.further(Val::Int(own[0]), line, turns);
+                all.push(self.t.int(next));
+            }
+            Handed::Sum(_, added, shape) => {
+                let added = self.value(added, level);
+                let mut vectors = Vec::new();
+                self.in_form(&added, Form::Lanes(shape), &mut vectors);
+                for (&sum, vector) in own.iter().zip(vectors) {
+                    all.push(self.t.b.ins().iadd(sum, vector));
+                }
+            }
+            Handed::Chain(_, end, form) => {
+                let value = self.value(end, level);
+                self.in_form(&value, form, all);
+            }
+            Handed::Address(.., step) => all.push(self.t.b.ins().iadd_imm_s(own[0], step)),
+        }
+    }
+
+    /// A value in the running turn.
+    fn value(&mut self, node: Node, level: Level) -> Lanes {
+        if let Some(value) = self.outer.values.get(&node) {
+            return value.clone();
+        }
+        if level == Level::Inner
+            && let Some(value) = self.inner.values.get(&node)
+        {
+            return value.clone();
+        }
+        let value = match self.kernel.what(node) {
+            What::Constant(value) => return Lanes::One(Val::Const(value)),
+            What::Start(of, cell) => {
+                let known = self.scope(of).starts.get(&cell).cloned();
+                match known {
+                    Some(value) => value,
+                    None => {
+                        let same = self.kernel.cell_line(of, cell).is_some_and(Line::is_same);
+                        assert!(same, "what a turn begins with is handed on where turns change it");
+                        self.entry(of, cell)
+                    }
+                }
+            }
+            What::After(cell) => {
+                let end = self.kernel.turn(Level::Inner).ends[&cell];
+                self.value(end, Level::Inner)
+            }
+            What::Read(_) => unreachable!("what is read is read in its turn"),
+            What::Compute(op, args) => {
+                let args: Vec<Lanes> = args[..op.arity()].iter().map(|&arg| self.value(arg, level)).collect();
+                self.compute(node, op, &args)
+            }
+        };
+        self.scope(level).values.insert(node, value.clone());
+        value
+    }
+
+    fn compute(&mut self, node: Node, op: Op, args: &[Lanes]) -> Lanes {
+        let firsts: Option<Vec<Val>> = args
+            .iter()
+            .map(|arg| match arg {
+                Lanes::One(value) | Lanes::Line(value, _) => Some(*value),
+                _ => None,
+            })
+            .collect();
+        if let Some(firsts) = firsts {
+            if args.iter().all(|arg| matches!(arg, Lanes::One(_))) {
+                return Lanes::One(self.t.compute_now(op, &firsts));
+            }
+            if let Some(line) = self.kernel.line(node, Level::Outer) {
+                return Lanes::Line(self.t.compute_now(op, &firsts), line);
+            }
+        }
+        self.t.compute_lanes(op, args, self.lanes)
+    }
+
+    fn access(&mut self, number: usize, level: Level) {
+        let access = &self.kernel.accesses[number];
+        let (_, start, _) = access.area;
+        let address = match self.scope(level).addresses.get(&(access.area.0, access.pointer, access.offset)) {
+            Some(&base) => Address { base, offset: start, bit: Bit::Number(0) },
+            None => {
+                let pointer = self.first(access.pointer, level);
+                let base = self.base(access.area.0);
+                let area = (base, start, access.area.2);
+                self.t.address_inside(area, pointer, access.offset, (access.width, access.width.bytes()))
+            }
+        };
+        let shape = self.kernel.shape(self.kernel.read_of(number));
+        match access.value {
+            None => {
+                let value = match shape {
+                    Some(shape @ (Shape::Halves | Shape::Words)) if self.lanes > 1 => {
+                        self.t.read_lanes(address.base, address.offset, shape, self.lanes)
+                    }
+                    _ => Lanes::One(self.t.read(address, access.width)),
+                };
+                let node = self.kernel.read_of(number);
+                self.scope(level).values.insert(node, value);
+            }
+            Some(value) => {
+                let value = self.value(value, level);
+                if self.lanes > 1 {
+                    self.t.write_lanes(address.base, address.offset, &value, access.width.bytes() as u8, self.lanes);
+                } else if let Lanes::One(value) = value {
+                    self.t.write(address, access.width, value);
+                }
+            }
+        }
+    }
+
+    fn read(&mut self, cell: Cell) -> Val {
+        match self.kernel.kept(cell) {
+            Kept::Register(register) => self.t.register(register),
+            Kept::Memory { base, offset, width, bit } => {
+                let base = self.base(base);
+                self.t.read_known(Address { base, offset, bit: Bit::Number(bit) }, width)
+            }
+        }
+    }
+
+    /// Writes what cells hold behind the turns.
+    fn finish(&mut self, it: &Loop, turns: Value) {
+        debug_assert!(it.first <= it.last);
+        let mut last = Vec::new();
+        for (cell, end, carried) in self.kernel.carried(Level::Outer) {
+            if !self.is_wanted(cell, Level::Outer) {
+                continue;
+            }
+            let value = match carried {
+                Carried::Line(line) => {
+                    let before = self.before[&cell];
+                    self.t.behind(before, line, turns)
+                }
+                Carried::Sum { bits, .. } if self.lanes > 1 => {
+                    let vectors = self.sums.get(&cell).cloned().unwrap_or_default();
+                    let sum = self.t.sum_of_lanes(&vectors);
+                    let before = self.before[&cell];
+                    let before = self.t.int(before);
+                    let sum = self.t.b.ins().iadd(before, sum);
+                    self.t.on_line(sum, Line { step: 0, bits })
+                }
+                _ => {
+                    let value = self.value(end, Level::Outer);
+                    self.t.last_lane(&value, self.lanes)
+                }
+            };
+            last.push((cell, value));
+        }
+        for (cell, value) in last {
+            match self.kernel.kept(cell) {
+                Kept::Register(register) => self.write_register(register, value),
+                Kept::Memory { base, offset, width, bit } => {
+                    let base = self.base(base);
+                    self.t.write_known(Address { base, offset, bit: Bit::Number(bit) }, width, value);
+                }
+            }
+        }
+        self.t.settle_bytes();
+    }
+
+    fn write_register(&mut self, register: Register, value: Val) {
+        let value = if is_bit(register) { self.t.flag(value) } else { self.t.word(value) };
+        let variable = self.t.variables[register as usize];
+        self.t.b.def_var(variable, value);
+    }
+}
