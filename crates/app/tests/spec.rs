@@ -161,15 +161,19 @@ fn run(section: &Section, scenario: &Scenario) -> Vec<(usize, String)> {
     };
     let mut out = Vec::new();
     for (variant, compiled) in variants {
-        let compiled = match compiled {
-            Ok(compiled) => Arc::new(compiled.program),
+        let (compiled, settings) = match compiled {
+            Ok(compiled) => {
+                let settings = program::settings(&compiled);
+                (Arc::new(compiled.program), settings)
+            }
             Err(message) => {
                 out.push((0, format!("[{variant}] {message}")));
                 continue;
             }
         };
         for (engine, load) in program::ENGINES {
-            let failed = scenario.run(&SymbolTable::default(), &mut || program::cpu(&compiled, cpu_type, *load, scenario.modules.clone()));
+            let mut cpu = || program::cpu_with(&compiled, cpu_type, *load, scenario.modules.clone(), settings.clone());
+            let failed = scenario.run(&SymbolTable::default(), &mut cpu);
             out.extend(failed.into_iter().map(|failure| (failure.line, format!("[{variant}, {engine}] {}", failure.message))));
         }
     }

@@ -366,7 +366,7 @@ fn attempt(
     compiled.tests = bodies.tests;
     mocking::prepare(&mut compiled.program, &compiled.tests);
     diagnostics.extend(bodies.diagnostics.into_iter().filter(|diagnostic| compiled.is_of_user(diagnostic.span.file)));
-    compiled.program.names = environment.program_names();
+    compiled.program.names = environment.program_names(&mut diagnostics);
     let has_main = blocks.contains_key(&BlockId::ob(1)) || compiled.program.code.contains_key(&BlockId::ob(1)) || bodies.failed;
     let nothing = files.is_empty() && st.is_empty();
     if !nothing && !has_main {

@@ -272,6 +272,11 @@ problems! {
     P6286 Error "THIS or SUPER where there is none" "Use them in methods and statements of a FUNCTION_BLOCK or CLASS; SUPER where it extends another one.";
     P6287 Error "a property that is used in a way that it does not have" "Give the property a GET to read it and a SET to assign to it.";
 
+    // 631x configurations
+    P6310 Error "a variable that waits for its address" "Give it one in VAR_CONFIG of a CONFIGURATION, or write the address where it is declared.";
+    P6311 Error "a path of VAR_CONFIG or VAR_ACCESS that leads nowhere" "Write the instance of the PROGRAM, the instances inside it and the variable, with points between them.";
+    P6312 Error "an array of unknown length as a whole" "Use its elements from LOWER_BOUND to UPPER_BOUND, or give it to another ARRAY[*].";
+
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";
     P7002 Error "a CPU type that does not exist" "Use a CPU type that the message names; `sieben explain cpu` shows what each has.";

@@ -26,7 +26,7 @@ pub enum DataType {
     DateAndTime,
     /// STRING with its maximum length.
     String(u8),
-    /// ARRAY with its bounds, first dimension first.
+    /// ARRAY with its bounds, first dimension first; a low one above the high one is `*` of an ARRAY[*].
     Array {
         bounds: Vec<(i32, i32)>,
         element: Box<DataType>,
@@ -389,7 +389,8 @@ impl fmt::Display for DataType {
         match self {
             Self::String(length) => write!(f, "STRING[{length}]"),
             Self::Array { element, bounds } => {
-                let bounds: Vec<String> = bounds.iter().map(|(low, high)| format!("{low}..{high}")).collect();
+                let shown = |&(low, high): &(i32, i32)| if low > high { "*".to_owned() } else { format!("{low}..{high}") };
+                let bounds: Vec<String> = bounds.iter().map(shown).collect();
                 write!(f, "ARRAY[{}] OF {element}", bounds.join(", "))
             }
             Self::Struct(structure) => f.write_str(structure.name.as_deref().unwrap_or("STRUCT")),

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use sieben_cpu::{Cpu, IoModule, Rack, Settings, SimulatedModule};
+use sieben_cpu::{Cpu, CyclicInterrupt, IoModule, Rack, Settings, SimulatedModule};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
 use sieben_jit::{Jit, StatusBits};
 use sieben_lang::st::dialect::Dialect;
@@ -78,7 +78,19 @@ pub(crate) fn compile_sources(
 }
 
 /// A CPU in STOP with the program loaded. `modules` are the peripheral bytes that answer; `None` = all.
+#[allow(dead_code)] // Some tests have settings of their own.
 pub(crate) fn cpu(program: &Arc<Program>, cpu: &'static CpuType, load: Load, modules: Option<std::ops::Range<u32>>) -> Cpu {
+    cpu_with(program, cpu, load, modules, Settings::default())
+}
+
+/// The same with settings.
+pub(crate) fn cpu_with(
+    program: &Arc<Program>,
+    cpu: &'static CpuType,
+    load: Load,
+    modules: Option<std::ops::Range<u32>>,
+    settings: Settings,
+) -> Cpu {
     let rack = match modules {
         None => Rack::simulated(cpu),
         Some(bytes) => {
@@ -86,5 +98,12 @@ pub(crate) fn cpu(program: &Arc<Program>, cpu: &'static CpuType, load: Load, mod
             Rack::with_only(cpu, vec![module]).expect("the modules of a page lie inside the peripheral area")
         }
     };
-    Cpu::load(cpu, Arc::clone(program), load, rack, Settings::default())
+    Cpu::load(cpu, Arc::clone(program), load, rack, settings)
+}
+
+/// How a CPU is set up whose program has tasks with intervals.
+#[allow(dead_code)] // Not every test that shares this file has programs with tasks.
+pub(crate) fn settings(compiled: &Compiled) -> Settings {
+    let tasks = compiled.intervals.iter().map(|(&number, &interval_ms)| (number, CyclicInterrupt { interval_ms, phase_ms: 0 }));
+    Settings { cyclic: tasks.collect(), ..Settings::default() }
 }

@@ -10,6 +10,7 @@ mod lexer;
 mod literals;
 pub mod lower;
 pub mod objects;
+mod open_arrays;
 pub mod parser;
 pub mod standard;
 pub mod syntax;

@@ -1,6 +1,6 @@
 //! CONFIGURATION with its resources, tasks and instances of programs.
 
-use super::{Argument, Name, Path, Qualifier, VarSection};
+use super::{Argument, Expression, Name, Path, Qualifier, VarSection};
 use sieben_model::source::Span;
 
 /// CONFIGURATION.
@@ -61,4 +61,12 @@ pub struct ProgramInstance {
     pub bound: Vec<(Name, Name)>,
     /// The whole line.
     pub span: Span,
+}
+
+impl Task {
+    /// The value of SINGLE, INTERVAL or PRIORITY, if it is written.
+    pub fn argument(&self, name: &str) -> Option<&Expression> {
+        let named = self.arguments.iter().find(|argument| argument.name.as_ref().is_some_and(|known| known.is(name)));
+        named.and_then(|argument| argument.value.as_ref())
+    }
 }

@@ -18,6 +18,7 @@ use crate::library;
 use crate::scope::nearest;
 use crate::st::ast::{self, Direction, Expression, ExpressionKind, MemberKind, Name, Quoting};
 use crate::st::dialect::Construct;
+use crate::st::open_arrays::{is_bound, is_open};
 use crate::st::standard;
 use crate::st::standard::operators::{Beyond, Rounding, convert as steps};
 use crate::st::tree::{
@@ -757,6 +758,13 @@ impl Checker<'_> {
             return self.input(formal, typed, value.span, &mut all.arguments, &mut all.before);
         }
         let Some(target) = self.target(value) else { return false };
+        if is_open(&formal.data_type)
+            && let Some(mut bounds) = self.bounds_of(formal, &target, all.interface)
+        {
+            all.arguments.append(&mut bounds);
+            all.arguments.push(Argument::InOut { parameter: formal.offset, place: target.place, data_type: target.data_type });
+            return true;
+        }
         let lengths = matches!((&formal.data_type, &target.data_type), (DataType::String(_), DataType::String(_)));
         let extends = match (&formal.data_type, &target.data_type) {
             (DataType::Instance { block: wanted, .. }, DataType::Instance { block, .. }) => self.names.objects().is_a(*block, *wanted),
@@ -827,6 +835,7 @@ impl Checker<'_> {
 pub(super) struct Arguments<'a> {
     /// The formal ones in the order of their declaration.
     formals: Vec<&'a Variable>,
+    interface: &'a Interface,
     given: Vec<(String, Span)>,
     arguments: Vec<Argument>,
     enable: Option<Value>,
@@ -835,10 +844,11 @@ pub(super) struct Arguments<'a> {
 
 impl<'a> Arguments<'a> {
     fn new(interface: &'a Interface) -> Self {
-        let mut formals: Vec<&Variable> = interface.parameters().filter(|variable| variable.section != Section::Return).collect();
+        let is_formal = |variable: &&Variable| variable.section != Section::Return && !is_bound(interface, variable);
+        let mut formals: Vec<&Variable> = interface.parameters().filter(is_formal).collect();
         // The interface has its sections in order; arguments by position follow the source. Blocks without one keep their order.
         formals.sort_by_key(|variable| variable.span.start);
-        Self { formals, given: Vec::new(), arguments: Vec::new(), enable: None, before: Vec::new() }
+        Self { formals, interface, given: Vec::new(), arguments: Vec::new(), enable: None, before: Vec::new() }
     }
 }
 

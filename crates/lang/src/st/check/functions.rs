@@ -14,7 +14,8 @@ use super::typed::{Target, Typed};
 use super::{Checker, literals, operators};
 use crate::scope::nearest;
 use crate::st::ast::{self, Direction, Name};
-use crate::st::dialect::Construct;
+use crate::st::dialect::{Construct, Judgement};
+use crate::st::open_arrays::End;
 use crate::st::standard::s5::S5Function;
 use crate::st::standard::{self, Building, Given, GivenKind, Meaning, Refusal, Resolved};
 use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, Statement, StatementKind, Text, TextFunction, Value, ValueKind};
@@ -25,6 +26,9 @@ impl Checker<'_> {
         if self.test_word(name).is_some() && self.misplaced_word(name) {
             self.look_at(&call.arguments);
             return Typed::Poison;
+        }
+        if let Some(typed) = self.peek(name, call, span) {
+            return typed;
         }
         if let Some(typed) = self.built_in(name, call, span) {
             return typed;
@@ -77,6 +81,9 @@ impl Checker<'_> {
         }
         if let Some(function) = S5Function::find(&name.text, self.dialect) {
             return self.s5_function(function, name, call, span).map(|(statements, _)| StatementKind::Block(statements));
+        }
+        if let Some(done) = self.memory_statement(name, call, span) {
+            return done;
         }
         match self.standard(name, call, span) {
             Typed::Poison => None,
@@ -237,6 +244,12 @@ impl Checker<'_> {
         let construct = match upper.as_str() {
             "REF" => Some(Construct::RefTo),
             "ADR" => Some(Construct::PointerTo),
+            "LOWER_BOUND" if self.dialect.judge(Construct::OpenArray) != Judgement::Reject => {
+                return Some(self.bound_function(End::Low, call, span));
+            }
+            "UPPER_BOUND" if self.dialect.judge(Construct::OpenArray) != Judgement::Reject => {
+                return Some(self.bound_function(End::High, call, span));
+            }
             "SIZEOF" | "WORD_TO_BLOCK_DB" | "BLOCK_DB_TO_WORD" => None,
             _ => return None,
         };
@@ -260,6 +273,7 @@ impl Checker<'_> {
             },
             "SIZEOF" => {
                 let data_type = match self.reach(argument) {
+                    Reached::Target(target) if !self.is_whole(&target) => return Some(Typed::Poison),
                     Reached::Target(target) => target.data_type,
                     Reached::Other(Typed::Type(data_type)) => data_type,
                     Reached::Other(other) => match self.scalar(other, argument.span) {

@@ -7,7 +7,9 @@ mod literals;
 mod locals;
 mod loops;
 pub(crate) mod members;
+mod memory;
 pub mod names;
+mod open_arrays;
 mod operators;
 mod places;
 mod ranges;
@@ -76,27 +78,7 @@ pub struct Checked {
 
 /// Checks the body of a block.
 pub fn check(block: &Block<'_>, names: &dyn Names) -> Checked {
-    let mut checker = Checker {
-        names,
-        block,
-        dialect: block.dialect,
-        diagnostics: Vec::new(),
-        failed: false,
-        loops: Vec::new(),
-        labels: HashMap::new(),
-        known: Vec::new(),
-        called: BTreeSet::new(),
-        reads_ok: statements::mentions_ok(block),
-        quiet: false,
-        held: None,
-        locals: Locals::new(names.local_size()),
-        lists: Vec::new(),
-        next_list: 0,
-        noted: BTreeSet::new(),
-        inside_actions: Vec::new(),
-        words: BTreeMap::new(),
-        writes: BTreeMap::new(),
-    };
+    let mut checker = Checker::new(block, names);
     checker.collect_labels(block.body);
     let statements = checker.statements(block.body);
     let local_size = checker.locals.bytes();
@@ -107,6 +89,45 @@ pub fn check(block: &Block<'_>, names: &dyn Names) -> Checked {
     }
     let Checker { failed, diagnostics, called, words, writes, .. } = checker;
     Checked { body: (!failed).then_some(body), diagnostics, called, words, writes }
+}
+
+/// Where a path outside all blocks leads: from where, bits from there, and the type; and what is wrong with it.
+pub fn place_of(path: &ast::Expression, dialect: Dialect, names: &dyn Names) -> (Option<(tree::Base, u32, DataType)>, Vec<Diagnostic>) {
+    let block = Block { id: BlockId::ob(1), dialect, body: &[], labels: &[], actions: &[], result: None, end: path.span };
+    let mut checker = Checker::new(&block, names);
+    let found = match checker.reach(path) {
+        places::Reached::Target(target) if target.place.indexes.is_empty() => {
+            Some((target.place.base, target.place.offset, target.data_type))
+        }
+        _ => None,
+    };
+    (found, checker.diagnostics)
+}
+
+impl<'a> Checker<'a> {
+    fn new(block: &'a Block<'a>, names: &'a dyn Names) -> Self {
+        Checker {
+            names,
+            block,
+            dialect: block.dialect,
+            diagnostics: Vec::new(),
+            failed: false,
+            loops: Vec::new(),
+            labels: HashMap::new(),
+            known: Vec::new(),
+            called: BTreeSet::new(),
+            reads_ok: statements::mentions_ok(block),
+            quiet: false,
+            held: None,
+            locals: Locals::new(names.local_size()),
+            lists: Vec::new(),
+            next_list: 0,
+            noted: BTreeSet::new(),
+            inside_actions: Vec::new(),
+            words: BTreeMap::new(),
+            writes: BTreeMap::new(),
+        }
+    }
 }
 
 /// A loop that is being checked.

@@ -15,6 +15,7 @@ use super::{Checker, literals, operators, words};
 use crate::scope::nearest;
 use crate::st::ast::{self, Expression, ExpressionKind, LiteralKind, Name, Position, Quoting};
 use crate::st::dialect::{AddressUnit, Construct, IndexFault};
+use crate::st::open_arrays::is_open;
 use crate::st::tree::{Base, Bounds, Index, Place, Scalar, Text, Value, ValueKind};
 
 /// What a path leads to.
@@ -95,6 +96,7 @@ impl Checker<'_> {
                 Typed::Number { data_type: number, value: Value { kind, scalar: Scalar::U16, span } }
             }
             DataType::WideString(_) => self.not_built(span, "a WSTRING in an expression"),
+            _ if !self.is_whole(&target) => Typed::Poison,
             _ => Typed::Aggregate(target),
         }
     }
@@ -334,7 +336,7 @@ impl Checker<'_> {
             }
             return POISON;
         };
-        if through == Through::InstanceInternal && !self.judge(Construct::ForeignInternal, name.span) {
+        if through == Through::InstanceInternal && !self.names.knows_instances() && !self.judge(Construct::ForeignInternal, name.span) {
             return POISON;
         }
         // What was reached through an instance stays part of it: `inst.out.x` is no more writable than `inst.out`.
@@ -482,6 +484,13 @@ impl Checker<'_> {
                     }
                     let (own, behind) = rest.split_at(dimensions);
                     rest = behind;
+                    if is_open(&target.data_type) {
+                        match self.open_element(target, own, expression.span) {
+                            Some(element) => target = element,
+                            None => return POISON,
+                        }
+                        continue;
+                    }
                     self.element(target, own, expression.span)
                 }
                 DataType::String(_) => {
@@ -566,7 +575,7 @@ impl Checker<'_> {
         Some(Target { data_type, through: Through::Part, name: format!("{}[…]", target.name), ..target })
     }
 
-    fn bounds_check(&mut self) -> Bounds {
+    pub(super) fn bounds_check(&mut self) -> Bounds {
         match self.dialect.switches().index_fault {
             IndexFault::Skip => Bounds::Skip,
             IndexFault::CheckBounds if self.names.global("CheckBounds").is_some() => Bounds::Clamp,
@@ -575,7 +584,7 @@ impl Checker<'_> {
     }
 
     /// An index as I32 or I64, with the least and the greatest value that it can have.
-    fn index_value(&mut self, expression: &Expression) -> Option<(Value, (i128, i128))> {
+    pub(super) fn index_value(&mut self, expression: &Expression) -> Option<(Value, (i128, i128))> {
         let typed = self.expression(expression);
         let (value, data_type) = self.scalar(typed, expression.span)?;
         let kind = Kind::of(&data_type)?;
@@ -783,7 +792,7 @@ fn word(number: u16, span: Span) -> Value {
 }
 
 /// Bits from one element to the next.
-fn element_step(element: &DataType) -> u32 {
+pub(super) fn element_step(element: &DataType) -> u32 {
     if *element == DataType::Bool { 1 } else { u32::try_from(element.bits()).unwrap_or(u32::MAX) }
 }
 

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use sieben_engine::CodeBlock;
 use sieben_engine::program::Names as ProgramNames;
-use sieben_model::address::{Address, Operand, Width};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::{Diagnostic, Severity};
@@ -13,6 +12,7 @@ use sieben_model::interface::Interface;
 use sieben_model::problems::Problem;
 use sieben_model::testing::TestPlan;
 
+use super::access::operand;
 use super::ast;
 use super::environment::{Environment, starting};
 use super::items::Code;
@@ -56,7 +56,10 @@ impl Environment<'_> {
         let wrong = self.object_rules();
         bodies.failed |= !wrong.is_empty();
         bodies.diagnostics.extend(wrong);
-        let mut generated = organization_blocks(self.items, exists, &mut bodies.diagnostics);
+        let mut generated = match self.is_configured() {
+            true => self.configured(exists, &mut bodies),
+            false => organization_blocks(self.items, exists, &mut bodies.diagnostics),
+        };
         self.restarts(cpu, exists, &mut generated, &mut bodies.diagnostics);
         for (id, generated) in generated {
             let Some(block) = lay_out(id, Vec::new()) else { continue };
@@ -64,7 +67,7 @@ impl Environment<'_> {
                 crate::st::tree::StatementKind::Call(call) => Some(call.callee.block()),
                 _ => None,
             });
-            bodies.calls.insert(id, calls.collect());
+            bodies.calls.entry(id).or_insert_with(|| calls.collect());
             bodies.code.insert(id, lower(id, &block.interface, &generated.body, &|block| self.interface_of(block)));
             bodies.typed.insert(id, TypedBlock { interface: block.interface, body: generated.body });
             bodies.intervals.extend(generated.interval_ms.map(|interval| (id.number, interval)));
@@ -185,7 +188,7 @@ impl Environment<'_> {
     }
 
     /// What people call the variables of the program.
-    pub(crate) fn program_names(&self) -> ProgramNames {
+    pub(crate) fn program_names(&self, diagnostics: &mut Vec<Diagnostic>) -> ProgramNames {
         let mut names = ProgramNames::default();
         for (id, name) in &self.items.names {
             if id.kind == BlockKind::DataBlock {
@@ -193,6 +196,10 @@ impl Environment<'_> {
             }
         }
         for program in &self.items.programs {
+            // The name of a PROGRAM is enough where it has one instance.
+            if self.items.program(&key(&program.of)).is_some_and(|only| only.instance == program.instance) {
+                names.blocks.entry(key(&program.of)).or_insert(program.instance);
+            }
             names.open.push(program.instance);
             if let Some(declared) = self.declared(program.block) {
                 declared.variables.iter().for_each(|variable| locate(&mut names, variable));
@@ -204,6 +211,7 @@ impl Environment<'_> {
                 locate(&mut names, variable);
             }
         }
+        self.access_names(&mut names, diagnostics);
         names
     }
 }
@@ -241,7 +249,7 @@ fn locate(names: &mut ProgramNames, variable: &Variable) {
     if area == sieben_model::address::Area::Local {
         return;
     }
-    let bit = if width == Width::Bit { (variable.offset % 8) as u8 } else { 0 };
-    let address = Address { area, width, byte: variable.offset / 8, bit };
-    names.located.entry(key(&variable.name)).or_insert((Operand::Address(address), variable.data_type.clone()));
+    if let Some(operand) = operand(&variable.base, variable.offset, width) {
+        names.located.entry(key(&variable.name)).or_insert((operand, variable.data_type.clone()));
+    }
 }

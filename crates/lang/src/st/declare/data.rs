@@ -10,7 +10,7 @@ use sieben_model::types::{DataType, Structure, place};
 
 use super::items::{Data, Items};
 use super::types::{Resolver, instance_of};
-use super::{ast, globals};
+use super::{access, ast, globals, instances};
 use crate::declarations::data_block::{DataLayout, instance};
 use crate::declarations::types::{Types, describe};
 use crate::scope::{did_you_mean, key};
@@ -29,6 +29,8 @@ pub(crate) fn layouts<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: &mu
         }
     }
     let globals = globals::globals(types, items, data);
+    instances::tasks(items, data);
+    access::rootless(types, items);
     for (number, structure) in &types.st_known.statics {
         data.insert(*number, DataLayout { structure: Arc::clone(structure), based_on: None });
     }
@@ -79,7 +81,13 @@ fn number_of_type(items: &Items<'_>, name: &str) -> Option<BlockId> {
 
 /// Whether the variables of a data block that was made for a program or for global variables begin anew at a warm restart:
 /// without RETAIN they do. A data block is the smallest thing that keeps its values, so that one RETAIN keeps all of them.
-fn non_retain(items: &Items<'_>, number: u16) -> bool {
+pub(super) fn non_retain(items: &Items<'_>, number: u16) -> bool {
+    if let Some(retain) = items.programs.iter().find(|program| program.instance == number).and_then(|program| program.retain) {
+        return !retain;
+    }
+    if items.tasks == Some(number) {
+        return true;
+    }
     let keeps = |section: &ast::VarSection| section.has(ast::Qualifier::Retain) || section.has(ast::Qualifier::Persistent);
     let program = items.own_instances().find(|&(_, instance, _)| instance == number).and_then(|(block, ..)| items.code.get(&block));
     let kept = items.kept.iter().find(|(_, kept)| **kept == number).and_then(|(owner, _)| items.code.get(owner));
@@ -93,8 +101,7 @@ fn non_retain(items: &Items<'_>, number: u16) -> bool {
 /// The bytes of a data block of ST.
 pub(crate) fn fill<'a>(types: &mut Types<'a>, items: &'a Items<'a>, number: u16, layout: &DataLayout) -> Option<DataBlock> {
     let Some(&Data { block, dialect }) = items.data.get(&number) else {
-        let data = instance(number, layout);
-        return Some(DataBlock { non_retain: non_retain(items, number), ..data });
+        return Some(access::configured(types, items, number, layout));
     };
     let flag = |name: &str| block.header.flags.iter().any(|flag| flag.is(name));
     let mut data = instance(number, layout);

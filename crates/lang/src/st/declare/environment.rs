@@ -28,6 +28,9 @@ use crate::st::tree::{self, Base, Local, Place, Scalar, Statement, StatementKind
 
 pub(crate) use super::globals::Globals;
 
+/// The place of names outside all files, in [`Items::spaces`].
+const OUTSIDE: usize = usize::MAX;
+
 /// Everything that the statements of ST may name.
 pub(crate) struct Environment<'a> {
     pub(crate) items: &'a Items<'a>,
@@ -155,7 +158,7 @@ impl<'a> Environment<'a> {
 
     /// A variable of a program: `PLC_PRG.x`.
     fn of_program(&self, program: &str, wanted: &str) -> Option<Entity> {
-        let program = self.items.programs.iter().find(|one| key(&one.name) == program)?;
+        let program = self.items.program(program)?;
         let structure = &self.data.get(&program.instance)?.structure;
         let field = structure.fields.iter().find(|field| key(&field.name) == wanted)?;
         Some(Entity::Variable(Variable {
@@ -196,6 +199,10 @@ impl Names for BlockNames<'_, '_> {
         }
         if let Some(block) = environment.items.block_in(self.space, name) {
             return Some(Entity::Block(block));
+        }
+        // An instance that a CONFIGURATION makes: `p1.x`.
+        if let Some(program) = environment.items.programs.iter().find(|one| key(&one.name) == wanted && one.name != one.of) {
+            return Some(Entity::Block(BlockId::db(program.instance)));
         }
         let named = environment.items.spellings(self.space, name);
         if let Some(entity) = named.iter().find_map(|full| environment.type_entity(full)).or_else(|| environment.enumeration_value(&wanted))
@@ -322,12 +329,21 @@ impl Names for BlockNames<'_, '_> {
         declared.names.get(&key(name)).filter(|entity| entity.is_of_instance()).cloned()
     }
 
+    fn knows_instances(&self) -> bool {
+        self.space == OUTSIDE
+    }
+
     fn instance(&self, block: BlockId) -> Option<Arc<Structure>> {
         self.environment.interfaces.get(&block).map(|found| Arc::clone(&found.instance))
     }
 }
 
-impl BlockNames<'_, '_> {
+impl<'e, 'a> BlockNames<'e, 'a> {
+    /// What names mean outside all blocks, to statements that no source writes.
+    pub(super) fn outside(environment: &'e Environment<'a>, declared: &'e Declared, block: BlockId, dialect: Dialect) -> Self {
+        Self { environment, declared, owner: None, this: None, dialect, block, space: OUTSIDE }
+    }
+
     /// The result of the block, if it is a function with one.
     pub(super) fn result(&self) -> Option<Variable> {
         self.declared.result.as_ref().map(|(variable, _)| variable.clone())

@@ -129,7 +129,8 @@ pub(super) fn located(resolver: &mut Resolver<'_, '_>, address: &ast::Address, d
     let numbers: Vec<u64> = match &address.position {
         ast::Position::Fixed(numbers) => numbers.clone(),
         ast::Position::Open => {
-            resolver.not_built(span, "an address that VAR_CONFIG tells");
+            let message = "an address that VAR_CONFIG tells is for variables in VAR of a PROGRAM or FUNCTION_BLOCK";
+            resolver.report(Problem::P6127, span, message);
             return None;
         }
         ast::Position::Computed(_) => {

@@ -11,6 +11,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::{DataType, Field, Structure, place};
 
+use super::access::{OpenAddress, open_type};
 use super::initial::bytes;
 use super::items::{Code, Items};
 use super::types::{Resolver, holds_instance};
@@ -23,6 +24,7 @@ use crate::st::check::members::is_super;
 use crate::st::check::names::{Entity, Role, Variable};
 use crate::st::check::walk;
 use crate::st::objects::TYPE_NUMBER;
+use crate::st::open_arrays::bound_names;
 use crate::st::tree::{Base, Local};
 
 /// Where the variables of a section lie.
@@ -425,6 +427,8 @@ impl<'a> Sections<'_, 'a> {
     }
 
     fn declaration(&mut self, declaration: &'a ast::Declaration, store: Store, role: Role, retain: bool) {
+        self.resolver.open_arrays =
+            store == Store::Interface(Section::InOut) && matches!(declaration.data_type.kind, ast::TypeKind::Array { .. });
         let Some((data_type, named)) = self.resolver.type_and_initial(&declaration.data_type) else {
             return self.unknown(declaration);
         };
@@ -465,6 +469,33 @@ impl<'a> Sections<'_, 'a> {
                     self.resolver.not_built(path.span, "AT with a part of a variable");
                     self.resolver.names.insert(key(&name.text), unknown(name));
                 }
+                Some(ast::Location::Address(address))
+                    if address.position == ast::Position::Open
+                        && self.id.kind == BlockKind::FunctionBlock
+                        && store == Store::Interface(Section::Static) =>
+                {
+                    let open = OpenAddress {
+                        block: self.id,
+                        name: name.text.clone(),
+                        data_type: data_type.clone(),
+                        area: address.area,
+                        span: name.span,
+                    };
+                    self.resolver.types.st_known.open.push(open);
+                    if let Some(initial) = &declaration.initial {
+                        let message = "a variable that VAR_CONFIG gives an address has no initial value";
+                        self.resolver.report(Problem::P2212, initial.span, message);
+                    }
+                    self.pending.push(Pending {
+                        name: name.text.clone(),
+                        store,
+                        role,
+                        data_type: open_type(&data_type),
+                        initial: Vec::new(),
+                        comment: declaration.comment.clone(),
+                        span: name.span,
+                    });
+                }
                 Some(ast::Location::Address(address)) => match globals::located(&mut self.resolver, address, &data_type) {
                     Some((base, offset)) => {
                         let variable =
@@ -491,15 +522,29 @@ impl<'a> Sections<'_, 'a> {
                         self.pending.push(Pending { name: name_inside, store, role, data_type: DataType::Bool, initial, comment, span });
                     }
                 }
-                None => self.pending.push(Pending {
-                    name: name.text.clone(),
-                    store,
-                    role,
-                    data_type: data_type.clone(),
-                    initial: initial.clone(),
-                    comment: declaration.comment.clone(),
-                    span: name.span,
-                }),
+                None => {
+                    // The caller tells the bounds of an ARRAY[*].
+                    for bound in bound_names(&name.text, &data_type) {
+                        self.pending.push(Pending {
+                            name: bound,
+                            store: Store::Interface(Section::Input),
+                            role: Role::Input,
+                            data_type: DataType::DoubleInt,
+                            initial: Vec::new(),
+                            comment: String::new(),
+                            span: name.span,
+                        });
+                    }
+                    self.pending.push(Pending {
+                        name: name.text.clone(),
+                        store,
+                        role,
+                        data_type: data_type.clone(),
+                        initial: initial.clone(),
+                        comment: declaration.comment.clone(),
+                        span: name.span,
+                    });
+                }
             }
         }
     }

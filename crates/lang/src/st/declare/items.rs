@@ -51,12 +51,17 @@ pub(crate) struct Type<'a> {
     pub(crate) space: usize,
 }
 
-/// A PROGRAM, or statements outside any block: a function block with its instance.
+/// An instance of a PROGRAM, or of statements outside any block.
 #[derive(Clone, Debug)]
 pub(crate) struct Program {
+    /// What the instance is called: as a CONFIGURATION says, else like the PROGRAM.
     pub(crate) name: String,
+    /// The name of the PROGRAM.
+    pub(crate) of: String,
     pub(crate) block: BlockId,
     pub(crate) instance: u16,
+    /// RETAIN (`true`) or NON_RETAIN that a CONFIGURATION says of all its variables.
+    pub(crate) retain: Option<bool>,
     /// The place of its name.
     pub(crate) span: Span,
     /// It has no name.
@@ -101,6 +106,12 @@ pub(crate) struct Items<'a> {
     /// Names of blocks as they are spelled.
     pub(crate) names: BTreeMap<BlockId, String>,
     pub(crate) programs: Vec<Program>,
+    /// RETAIN (`true`) and NON_RETAIN of the instances that a CONFIGURATION makes, by the key of their names.
+    pub(crate) retained: HashMap<String, bool>,
+    /// The data block of what tasks with SINGLE remember.
+    pub(crate) tasks: Option<u16>,
+    /// VAR_CONFIG and VAR_ACCESS.
+    pub(crate) access: Vec<(&'a ast::VarSection, Dialect)>,
     /// The parts of the test file in their order.
     pub(crate) tests: Vec<TestBlock<'a>>,
     pub(crate) lists: Vec<List<'a>>,
@@ -142,20 +153,22 @@ const NAMED_ORGANIZATION_BLOCKS: &[(&str, u16)] = &[
 ];
 
 /// Something that needs a number, on the way to it.
-enum Pending<'a> {
+pub(super) enum Pending<'a> {
     Code(Code<'a>),
     Data(Data<'a>),
-    /// The instance of the program at this position.
+    /// An instance of the program at this position.
     Instance(usize),
     List(usize),
     /// What the function at this position keeps.
     Kept(usize),
+    /// What the tasks with SINGLE remember.
+    Tasks,
 }
 
-struct Collector<'a, 's> {
-    items: Items<'a>,
+pub(super) struct Collector<'a, 's> {
+    pub(super) items: Items<'a>,
     scope: &'s Scope,
-    pending: Vec<(Wanted, Pending<'a>)>,
+    pub(super) pending: Vec<(Wanted, Pending<'a>)>,
     /// Where names were declared.
     places: HashMap<(Space, String), Span>,
     diagnostics: Vec<Diagnostic>,
@@ -171,7 +184,7 @@ struct Collector<'a, 's> {
 
 /// What may have the same name without being confused.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-enum Space {
+pub(super) enum Space {
     /// Blocks and types.
     Block,
     Global,
@@ -204,6 +217,7 @@ pub(crate) fn collect<'a>(
         collector.library = file.library.map(|source| source.path);
         collector.space(&file.file.items, file.dialect);
     }
+    collector.configured_instances();
     let Collector { mut items, pending, usings, diagnostics: mut found, .. } = collector;
     for path in usings {
         if !items.namespaces.contains(&key(&joined(path))) {
@@ -213,12 +227,12 @@ pub(crate) fn collect<'a>(
     }
     let wanted: Vec<&Wanted> = pending.iter().map(|(wanted, _)| wanted).collect();
     let numbers = assign(&wanted, scope, cpu, replacing, taken, &mut found);
-    let mut instances: HashMap<BlockId, u16> = HashMap::new();
+    let mut instances: Vec<(BlockId, String, u16, Span)> = Vec::new();
     for ((wanted, pending), id) in pending.into_iter().zip(numbers.iter().copied()) {
         let Some(id) = id else { continue };
         if !wanted.name.is_empty() {
             items.names.insert(id, wanted.name.clone());
-            if !matches!(pending, Pending::Instance(_) | Pending::List(_) | Pending::Kept(_)) {
+            if !matches!(pending, Pending::Instance(_) | Pending::List(_) | Pending::Kept(_) | Pending::Tasks) {
                 match wanted.library {
                     Some(path) => drop(items.library.insert((path, key(&wanted.name)), id)),
                     None => drop(items.blocks.insert(key(&wanted.name), id)),
@@ -231,25 +245,28 @@ pub(crate) fn collect<'a>(
                 if let ast::BlockKind::Test(part) = code.block.kind {
                     items.tests.push(TestBlock { part, block: id, instance: 0, source: code.block });
                 }
-                if matches!(code.block.kind, ast::BlockKind::Program | ast::BlockKind::Implicit) {
-                    let implicit = code.block.kind == ast::BlockKind::Implicit;
-                    let span = if implicit { code.block.span } else { code.block.name.span };
-                    items.programs.push(Program { name: wanted.name, block: id, instance: 0, span, implicit });
-                }
             }
             Pending::Data(data) => {
                 items.data.insert(id.number, data);
             }
-            Pending::Instance(owner) => instances.extend(numbers[owner].map(|owner| (owner, id.number))),
+            Pending::Instance(owner) => instances.extend(numbers[owner].map(|owner| (owner, wanted.name, id.number, wanted.span))),
+            Pending::Tasks => items.tasks = Some(id.number),
             Pending::List(list) => items.lists[list].number = id.number,
             Pending::Kept(owner) => items.kept.extend(numbers[owner].map(|owner| (owner, id.number))),
         }
     }
-    for program in &mut items.programs {
-        program.instance = instances.get(&program.block).copied().unwrap_or_default();
-    }
-    for test in &mut items.tests {
-        test.instance = instances.get(&test.block).copied().unwrap_or_default();
+    for (block, name, instance, span) in instances {
+        let Some(code) = items.code.get(&block) else { continue };
+        let implicit = code.block.kind == ast::BlockKind::Implicit;
+        match code.block.kind {
+            ast::BlockKind::Test(_) => items.tests.iter_mut().filter(|test| test.block == block).for_each(|test| test.instance = instance),
+            _ => {
+                let of = items.names.get(&block).cloned().unwrap_or_default();
+                let retain = items.retained.get(&key(&name)).copied();
+                let span = if implicit { code.block.span } else { span };
+                items.programs.push(Program { name, of, block, instance, retain, span, implicit });
+            }
+        }
     }
     items.tests.sort_by_key(|test| test.source.span.start);
     for (name, id) in items.blocks.iter().filter(|(_, id)| items.code.get(id).is_none_or(|code| code.block.member.is_none())) {
@@ -271,6 +288,14 @@ const KEPT: &str = ".static";
 const IMPLICIT: &str = "MAIN";
 
 impl Items<'_> {
+    /// The instance of a PROGRAM of this name; the name of the PROGRAM itself is enough if there is one only.
+    pub(crate) fn program(&self, wanted: &str) -> Option<&Program> {
+        self.programs.iter().find(|program| key(&program.name) == wanted).or_else(|| {
+            let mut all = self.programs.iter().filter(|program| key(&program.of) == wanted);
+            all.next().filter(|_| all.next().is_none())
+        })
+    }
+
     /// Blocks that have one instance from the beginning: programs, and the parts of a test file. The block, its instance, its place.
     pub(crate) fn own_instances(&self) -> impl Iterator<Item = (BlockId, u16, Span)> {
         let programs = self.programs.iter().map(|program| (program.block, program.instance, program.span));
@@ -412,10 +437,6 @@ impl<'a> Collector<'a, '_> {
         }
     }
 
-    fn not_built(&mut self, span: Span, what: &str) {
-        self.diagnostics.push(Diagnostic::new(Problem::P6199, span, format!("{what} cannot be compiled yet")));
-    }
-
     fn block(&mut self, block: &'a ast::Block, dialect: Dialect) {
         let kind = match block.kind {
             ast::BlockKind::Function | ast::BlockKind::Method => BlockKind::Function,
@@ -461,7 +482,7 @@ impl<'a> Collector<'a, '_> {
     }
 
     /// A name that no block has, made from this one.
-    fn free_name(&self, name: &str) -> String {
+    pub(super) fn free_name(&self, name: &str) -> String {
         let taken = |name: &str| self.places.contains_key(&(Space::Block, key(name)));
         if !taken(name) {
             return name.to_owned();
@@ -470,7 +491,7 @@ impl<'a> Collector<'a, '_> {
     }
 
     /// Declares a name; whether it is the first of its kind.
-    fn declare(&mut self, space: Space, name: &str, span: Span) -> bool {
+    pub(super) fn declare(&mut self, space: Space, name: &str, span: Span) -> bool {
         match self.places.get(&(space, key(name))) {
             Some(&first) => {
                 let message = format!("`{name}` is declared twice");
@@ -551,9 +572,7 @@ impl<'a> Collector<'a, '_> {
 
     fn globals(&mut self, section: &'a ast::VarSection, dialect: Dialect) {
         if section.kind != ast::SectionKind::Global {
-            if !section.declarations.is_empty() {
-                self.not_built(section.span, "VAR_CONFIG and VAR_ACCESS");
-            }
+            self.items.access.push((section, dialect));
             return;
         }
         let name = section.name.as_ref().map_or("Globals", |name| name.text.as_str());

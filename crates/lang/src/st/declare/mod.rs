@@ -4,12 +4,15 @@
 //! organization block calls, VAR_GLOBAL a data block. Types, interfaces and data blocks are the same ones that STL works with,
 //! so that each language calls the blocks of the other.
 
+mod access;
 mod bodies;
+mod configured;
 mod constants;
 mod data;
 mod environment;
 mod globals;
 mod initial;
+mod instances;
 mod interface;
 mod items;
 mod members;
@@ -111,6 +114,8 @@ pub(crate) struct Known {
     pub(crate) demands: Vec<Demand>,
     /// Variables with an address that begin with a value.
     pub(crate) located: Vec<Located>,
+    /// Variables whose address VAR_CONFIG tells.
+    pub(crate) open: Vec<access::OpenAddress>,
 }
 
 /// A variable with an address and an initial value, which a restart writes.

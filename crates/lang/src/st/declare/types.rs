@@ -19,6 +19,7 @@ use crate::scope::{did_you_mean, key};
 use crate::st::ast::{Dimension, TypeKind, TypeSpec};
 use crate::st::check::names::Entity;
 use crate::st::dialect::{Calendar, Construct, Dialect, Judgement};
+use crate::st::open_arrays::OPEN;
 use crate::st::standard::Provided;
 use crate::st::standard::library::block_type;
 
@@ -64,11 +65,13 @@ pub(super) struct Resolver<'t, 'a> {
     pub(super) names: HashMap<String, Entity>,
     /// Constants of the block that nobody has asked for yet.
     pub(super) constant_declarations: HashMap<String, &'a ast::Declaration>,
+    /// Whether the type that comes next may be an ARRAY[*].
+    pub(super) open_arrays: bool,
 }
 
 impl<'t, 'a> Resolver<'t, 'a> {
     pub(super) fn new(types: &'t mut Types<'a>, items: &'a Items<'a>, dialect: Dialect) -> Self {
-        Self { types, items, dialect, space: NOWHERE, names: HashMap::new(), constant_declarations: HashMap::new() }
+        Self { types, items, dialect, space: NOWHERE, names: HashMap::new(), constant_declarations: HashMap::new(), open_arrays: false }
     }
 
     /// The same for names that are written at this place.
@@ -429,6 +432,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
     }
 
     fn array(&mut self, dimensions: &[Dimension], element: &TypeSpec, span: Span) -> Option<DataType> {
+        let open = std::mem::take(&mut self.open_arrays);
         let element = self.data_type(element);
         if dimensions.is_empty() || dimensions.len() > DIMENSIONS_MAX {
             let message = format!("an array has 1 to {DIMENSIONS_MAX} dimensions, not {}", dimensions.len());
@@ -439,8 +443,13 @@ impl<'t, 'a> Resolver<'t, 'a> {
         let mut whole = true;
         for dimension in dimensions {
             let Dimension::Bounds(pair) = dimension else {
-                self.not_built(span, "ARRAY[*]");
-                return None;
+                if !open {
+                    let message = "ARRAY[*] is only for VAR_IN_OUT: the caller has the array";
+                    self.report(Problem::P4009, span, message).help = Some("Give the array its bounds here.".to_owned());
+                    return None;
+                }
+                bounds.push(OPEN);
+                continue;
             };
             let (low, high) = (self.integer(&pair.0), self.integer(&pair.1));
             let (Some(low), Some(high)) = (low, high) else {
@@ -465,6 +474,10 @@ impl<'t, 'a> Resolver<'t, 'a> {
         }
         if element == DataType::Void || element.is_number() {
             self.report(Problem::P4009, span, format!("an array cannot consist of {}", describe(&element)));
+            return None;
+        }
+        if bounds.contains(&OPEN) && bounds.iter().any(|bounds| *bounds != OPEN) {
+            self.report(Problem::P4009, span, "the bounds of an ARRAY[*] are all `*`, or none is");
             return None;
         }
         let array = DataType::Array { bounds, element: Box::new(element) };

@@ -208,7 +208,7 @@ fn by_name(call: &Call<'_>) -> Answer {
         };
         let source_word = from.map_or_else(|| source.base().word().unwrap_or("INT").to_owned(), str::to_owned);
         if text(to) || matches!(source, DataType::String(_)) {
-            return of_text(call, &source, &target);
+            return of_text(call, &source, &target, source_word.starts_with('L'));
         }
         let none = || call.wrong(given[0], "a type that can be converted");
         let (Some(a), Some(b)) = (scalar_of(&source, dialect), scalar_of(&target, dialect)) else {
@@ -339,7 +339,9 @@ fn clock_of(source: &DataType, target: &DataType) -> Option<bool> {
 }
 
 /// A conversion to or from STRING, which is a block.
-fn of_text(call: &Call<'_>, source: &DataType, target: &DataType) -> Result<Resolved, Refusal> {
+///
+/// `long`: the name of the function tells a type with L, whose text has nanoseconds where the other one has milliseconds.
+fn of_text(call: &Call<'_>, source: &DataType, target: &DataType, long: bool) -> Result<Resolved, Refusal> {
     let dialect = call.dialect;
     let s7 = matches!(dialect, Dialect::Scl | Dialect::Tia);
     let class = |data_type: &DataType| {
@@ -353,6 +355,10 @@ fn of_text(call: &Call<'_>, source: &DataType, target: &DataType) -> Result<Reso
             DataType::Byte | DataType::Word | DataType::DoubleWord | DataType::LongWord if dialect == Dialect::Codesys => Some("ULINT"),
             DataType::Time => Some("TIME"),
             DataType::TimeOfDay => Some("TOD"),
+            DataType::LongTime => Some("LTIME"),
+            DataType::LongTimeOfDay => Some("LTOD"),
+            DataType::LongDate if long => Some("LDATE"),
+            DataType::LongDateAndTime if long => Some("LDT"),
             DataType::LongDate => Some("DATE"),
             DataType::LongDateAndTime => Some("DT"),
             other if is_integer(other) => Some(if scalar.is_some_and(is_signed) { "LINT" } else { "ULINT" }),

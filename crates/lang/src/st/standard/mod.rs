@@ -3,7 +3,7 @@
 //! Most functions are a few operations, which [`Meaning::Build`] composes; what is larger is a block of the library.
 
 mod bits;
-mod build;
+pub(crate) mod build;
 mod call;
 mod conversions;
 mod generic;
