@@ -1,9 +1,12 @@
-//! The terminal as a screen: whether there is one, and Ctrl-C while it is drawn on.
+//! The terminal as a screen: whether there is one, what comes from it, its end, and Ctrl-C while it is drawn on.
 
 use std::io::{self, IsTerminal};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
+use ratatui::DefaultTerminal;
+use ratatui::crossterm::event::{self, Event};
 use sieben_model::problems::Problem;
 
 use crate::failure::Failure;
@@ -21,6 +24,64 @@ pub(crate) fn interrupted() -> Arc<AtomicBool> {
     // Without a handler Ctrl-C still ends the program, only less tidily.
     let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
     interrupted
+}
+
+/// What came from a terminal.
+#[derive(Debug)]
+pub(crate) enum Input {
+    /// A key, a new size.
+    Event(Event),
+    /// Nothing within the time.
+    Nothing,
+    /// The terminal itself has gone: its window was closed, the connection broke.
+    Gone,
+}
+
+/// Waits for the next thing from the terminal, so long at most.
+///
+/// # Errors
+/// The terminal does not work.
+pub(crate) fn input(wait: Duration) -> io::Result<Input> {
+    // Reading from a terminal that has gone fails at once, which crossterm answers by reading again, without end.
+    if has_gone(Duration::ZERO) {
+        return Ok(Input::Gone);
+    }
+    if !event::poll(Duration::ZERO)? {
+        if has_gone(wait) {
+            return Ok(Input::Gone);
+        }
+        // Where only crossterm can wait, the time has not passed yet.
+        if !event::poll(if cfg!(unix) { Duration::ZERO } else { wait })? {
+            return Ok(Input::Nothing);
+        }
+    }
+    event::read().map(Input::Event)
+}
+
+/// Gives the terminal back as it was. One that has gone takes nothing back, not even the complaint about that, which would panic.
+pub(crate) fn restore(mut display: DefaultTerminal) {
+    let cursor = display.show_cursor();
+    if ratatui::try_restore().and(cursor).is_err() {
+        std::mem::forget(display);
+    }
+}
+
+/// Waits until something can be read, so long at most; whether the terminal has gone.
+#[cfg(unix)]
+fn has_gone(wait: Duration) -> bool {
+    use rustix::event::{PollFd, PollFlags, Timespec, poll};
+    let stdin = io::stdin();
+    let mut waiting = [PollFd::new(&stdin, PollFlags::IN)];
+    let wait = Timespec { tv_sec: wait.as_secs().cast_signed(), tv_nsec: wait.subsec_nanos().into() };
+    // A signal, such as that of a new size, ends the waiting.
+    let _ = poll(&mut waiting, Some(&wait));
+    waiting[0].revents().intersects(PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL)
+}
+
+/// Whether the terminal has gone: only Unix has terminals that do.
+#[cfg(not(unix))]
+fn has_gone(_wait: Duration) -> bool {
+    false
 }
 
 /// A terminal that does not do what it is asked for.

@@ -5,11 +5,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use ratatui::DefaultTerminal;
-use ratatui::crossterm::event::{self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use ratatui::crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use sieben_sim::devices::dosing::Button;
 
 use super::draw::{self, View};
 use super::session::{Action, CYCLE_US, Session};
+use crate::terminal::{self, Input};
 
 /// Time between two pictures.
 const FRAME: Duration = Duration::from_millis(33);
@@ -31,19 +32,19 @@ enum Command {
     Slower,
 }
 
-/// Takes over the terminal until the user quits, the time is up or `interrupted` is set.
+/// Takes over the terminal until the user quits, the time is up, the terminal goes or `interrupted` is set.
 ///
 /// # Errors
 /// The terminal does not work. It is restored in any case, also if we panic.
 pub(crate) fn run(session: &mut Session, speed: f64, time: Option<Duration>, colour: bool, interrupted: &AtomicBool) -> io::Result<()> {
-    let mut terminal = ratatui::try_init()?;
-    let result = play(&mut terminal, session, speed, time, colour, interrupted);
-    ratatui::restore();
+    let mut display = ratatui::try_init()?;
+    let result = play(&mut display, session, speed, time, colour, interrupted);
+    terminal::restore(display);
     result
 }
 
 fn play(
-    terminal: &mut DefaultTerminal,
+    display: &mut DefaultTerminal,
     session: &mut Session,
     mut speed: f64,
     time: Option<Duration>,
@@ -66,11 +67,16 @@ fn play(
         }
         last = now;
         view.speed = format!("{speed}×");
-        terminal.draw(|frame| draw::draw(frame, session, &view))?;
+        display.draw(|frame| draw::draw(frame, session, &view))?;
         let mut wait = FRAME.saturating_sub(now.elapsed());
-        while event::poll(wait)? {
+        loop {
+            let event = match terminal::input(wait)? {
+                Input::Gone => return Ok(()),
+                Input::Nothing => break,
+                Input::Event(event) => event,
+            };
             wait = Duration::ZERO;
-            let Event::Key(key) = event::read()? else { continue };
+            let Event::Key(key) = event else { continue };
             match command(key) {
                 None => {}
                 Some(Command::Quit) => return Ok(()),
