@@ -44,8 +44,12 @@ impl Failure {
     }
     /// The message as it is printed when it belongs to no place in a source.
     pub(crate) fn render(&self, colour: bool) -> String {
-        let help = crate::report::capitalized(self.help.as_deref().unwrap_or(self.problem.help()));
+        self.render_with(colour, "Error", "Help", self.problem.help())
+    }
+    /// The same with other words for what it is and what to do, and this help where the failure has none of its own.
+    pub(crate) fn render_with(&self, colour: bool, error: &str, help_word: &str, help: &str) -> String {
+        let help = crate::report::capitalized(self.help.as_deref().unwrap_or(help));
         let (red, green, plain) = if colour { ("\x1b[31m", "\x1b[38;5;115m", "\x1b[0m") } else { ("", "", "") };
-        format!("{red}[{}] Error:{plain} {}\n  {green}Help{plain}: {help}\n", self.problem.code(), self.message)
+        format!("{red}[{}] {error}:{plain} {}\n  {green}{help_word}{plain}: {help}\n", self.problem.code(), self.message)
     }
 }

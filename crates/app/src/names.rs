@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::nearest::nearest;
 
 /// Splits a list of names at commas outside brackets and quotes: `MW 10,DB1.field[1,2],"a,b"`.
-fn split_list(list: &str) -> Vec<&str> {
+pub(crate) fn split_list(list: &str) -> Vec<&str> {
     split_outside(list, ',', usize::MAX).into_iter().map(str::trim).filter(|name| !name.is_empty()).collect()
 }
 

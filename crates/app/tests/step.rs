@@ -218,3 +218,138 @@ fn plants_of_the_project_run_and_fail_and_a_recording_knows_how() {
     folder.run(&replay).code(2).stderr("P7043");
     step(&["--fault", "tank.hihg stuck=0"]).code(2).stderr("P6272");
 }
+
+/// Every kind of variable that a block can have.
+const VARIABLES: &str = "FUNCTION_BLOCK FB 5\nVAR_INPUT\n raw : INT;\nEND_VAR\nVAR_IN_OUT\n s : STRUCT k : INT; END_STRUCT;\nEND_VAR\n\
+    VAR\n count : INT;\n list : ARRAY[1..3] OF INT;\nEND_VAR\nVAR_TEMP\n i : INT;\n r : REAL;\nEND_VAR\nBEGIN\n\
+    L #raw\nT #i\nL #count\n+ 1\nT #count\nL #raw\nT #list[2]\nL 1.5\nT #r\nL 9\nT #s.k\nEND_FUNCTION_BLOCK\n\
+    DATA_BLOCK DB 7 FB 5\nBEGIN\nEND_DATA_BLOCK\nDATA_BLOCK DB 8 FB 5\nBEGIN\nEND_DATA_BLOCK\n\
+    DATA_BLOCK DB 3\nSTRUCT\n p : STRUCT k : INT; END_STRUCT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n\
+    FUNCTION FC 1 : INT\nVAR_INPUT\n a : INT;\n q : TIMER;\nEND_VAR\nVAR_IN_OUT\n x : INT;\nEND_VAR\nBEGIN\n\
+    L #a\nL #x\n+I\nT #x\nT #RET_VAL\nA #q\n= M 5.0\nEND_FUNCTION\n\
+    ORGANIZATION_BLOCK OB 1\nVAR_TEMP\n info : ARRAY[1..20] OF BYTE;\n r : INT;\nEND_VAR\nBEGIN\n\
+    CALL FB 5, DB 7 (raw := 17, s := DB3.p);\nCALL FB 5, DB 8 (raw := 18, s := DB3.p);\n\
+    CALL FC 1 (a := 3, q := T 2, x := MW 30, RET_VAL := #r);\nEND_ORGANIZATION_BLOCK\n";
+
+#[test]
+fn every_variable_of_a_block_has_its_name_and_its_value() {
+    let commands = "to FB5:11\nstep\nprint #raw, #i, #count, #list[2], #r, #s.k\nlocals\nto FC1:6\nlocals\nset #x=77\nprint MW30\nback out\nprint FC 1.#a\n";
+    let (_folder, run) = step(VARIABLES, commands, &[]);
+    assert!(run.stdout.contains("  #raw = 17\n  #i = 17\n  #count = 1\n  #list[2] = 17\n  #r = 1.5e+000\n  #s.k = 9\n"), "{}", run.stdout);
+    for line in [
+        "variables of FB 5",
+        "    IN      #raw      INT   17",
+        "    IN_OUT  #s.k      INT   9",
+        "    STAT    #list[2]  INT   17",
+        "    TEMP    #r        REAL  1.5e+000",
+        "    IN      #q        TIMER  T 2",
+        "    IN_OUT  #x        INT    3",
+        "    RETURN  #RET_VAL  INT    3",
+        "  MW30 = 16#004D",
+        "  FC 1.#a = no value here: FC 1 is not the block that runs",
+    ] {
+        assert!(run.stdout.contains(line), "`{line}` is missing in\n{}", run.stdout);
+    }
+}
+
+#[test]
+fn a_variable_of_an_instance_is_watched_in_this_instance_alone() {
+    let commands = "step 2\nwatch #count\nrun\nrun\nwho #count\nbreak FC1:2 if #a = 3\nrun\nprint #a\n";
+    let (_folder, run) = step(VARIABLES, commands, &[]);
+    assert_eq!(run.stdout.matches("breakpoint 1: #count: 0 -> 1").count(), 1, "{}", run.stdout);
+    // The next change of it is a scan later: the other instance is none of it.
+    assert!(run.stdout.contains("breakpoint 1: #count: 1 -> 2"), "{}", run.stdout);
+    assert!(run.stdout.contains("  #a = 3\n"), "{}", run.stdout);
+    let (_folder, elsewhere) = step(VARIABLES, "step\nwatch FB5.#count\nwatch FB 5.#nope\nprint #raw2\n", &[]);
+    assert_eq!(elsewhere.code, Some(2));
+    for message in ["`FB 5` has no `#nope`; its variables begin with `#raw`", "`FB 5` has no `#raw2`", "Did you mean `#raw`?"] {
+        assert!(elsewhere.stderr.contains(message), "{}", elsewhere.stderr);
+    }
+    let (_folder, before) = step(VARIABLES, "watch FB5.#count\nprint #raw\n", &[]);
+    assert!(before.stderr.contains("`FB5.#count` lies in an instance, and `FB 5` is not the block that runs"), "{}", before.stderr);
+    assert!(before.stderr.contains("`#raw` is a variable of a block, and here is none"), "{}", before.stderr);
+}
+
+#[test]
+fn a_variable_that_was_set_is_set_again_by_a_recording() {
+    let folder =
+        Folder::with(&[("main.awl", VARIABLES), ("steps.txt", "to FB5:2\nset #raw=5\nset LW 0=6\nto FB5:8\nprint #list[2], #i\n")]);
+    let run = folder.run(&["step", "main.awl", "--commands", "steps.txt", "--record", "run.rec"]);
+    assert!(run.stdout.ends_with("  #list[2] = 5\n  #i = 17\n"), "{}", run.stdout);
+    folder.write("steps.txt", b"print #list[2], #i\n");
+    let again = folder.run(&["step", "main.awl", "--commands", "steps.txt", "--replay", "run.rec"]);
+    assert!(again.stdout.ends_with("  #list[2] = 5\n  #i = 17\n"), "{}{}", again.stdout, again.stderr);
+}
+
+#[test]
+fn variables_of_structured_text_are_called_as_they_are_written() {
+    let source = "FUNCTION Scale : INT\nVAR_INPUT raw : INT; END_VAR\nVAR_OUTPUT over : BOOL; END_VAR\nVAR t : INT; END_VAR\n\
+        t := raw * 30 + raw;\nIF t > 100 THEN t := 100; over := TRUE; END_IF;\nScale := t;\nEND_FUNCTION\n\
+        PROGRAM Main\nVAR x : INT := 5; y : INT; o : BOOL; END_VAR\ny := Scale(raw := x, over => o);\nEND_PROGRAM\n";
+    let folder = Folder::with(&[
+        ("main.st", source),
+        ("steps.txt", "break t > 100\nto Scale:1\nbreak t > 100\nrun\nprint raw, t, over, #t\nlocals\n"),
+    ]);
+    let run = folder.run(&["step", "main.st", "--commands", "steps.txt"]);
+    assert!(run.stdout.contains("  raw = 5\n  t = 155\n  over = 0\n  #t = 155\n"), "{}{}", run.stdout, run.stderr);
+    assert!(run.stdout.contains("t: 0 -> 155"), "{}", run.stdout);
+}
+
+#[test]
+fn a_write_of_the_same_value_is_found_there_and_back() {
+    let source = "ORGANIZATION_BLOCK OB 1\nBEGIN\nA I 0.0\n= Q 4.0\nS Q 4.1\nLAR1 P#M 20.0\nL 0\nT W[AR1,P#0.0]\nT MB 31\n\
+        CALL SFC 20 (SRCBLK := P#M 0.0 BYTE 4, RET_VAL := MW 90, DSTBLK := P#M 50.0 BYTE 4);\nL S5T#1S\nAN I 0.0\nSE T 1\n\
+        T PQW 8\nEND_ORGANIZATION_BLOCK\n";
+    for (name, place, back) in [
+        ("Q4.0", "= Q 4.0", "0 -> 0"),
+        ("M21.3", "T W[AR1,P#0.0]", "0 -> 0"),
+        ("MW30", "T MB 31", "16#0000 -> 16#0000"),
+        ("MB53", "CALL SFC 20 (", "16#00 -> 16#00"),
+    ] {
+        let commands = format!("break write {name}\nscan\nrun back\ngoto 0\nrun\nwho {name}\n");
+        let (_folder, run) = step(source, &commands, &[]);
+        assert_eq!(run.stdout.matches(&format!("breakpoint 1: write {name}: {back}")).count(), 2, "{name}\n{}", run.stdout);
+        assert!(
+            run.stdout.contains(&format!(": {place}")) && run.stdout.contains("wrote it last, after statement"),
+            "{name}\n{}",
+            run.stdout
+        );
+    }
+    // `S` with an RLO of 0 writes nothing, nor does a byte beside the four that are copied.
+    for name in ["Q4.1", "MB54", "MB49"] {
+        let (_folder, run) = step(source, &format!("break write {name}\nrun 40\nwho {name}\n"), &[]);
+        assert!(!run.stdout.contains("breakpoint 1: write"), "{name}\n{}", run.stdout);
+        assert!(!run.stdout.contains("wrote it last"), "{name}\n{}", run.stdout);
+    }
+    // A timer is written by what starts it, not by running on; an input by the process image.
+    let (_folder, timer) = step(source, "break write T1\nrun\nrun\n", &[]);
+    assert_eq!(timer.stdout.matches("SE T 1\n").count(), 2, "{}", timer.stdout);
+    let (_folder, input) = step(source, "break write I0.0\nrun\nset I0.0=1\nrun\nwho I0.0\n", &[]);
+    assert_eq!(input.stdout.matches("breakpoint 1: write I0.0").count(), 2, "{}", input.stdout);
+    assert!(input.stdout.contains("by no statement: the process image of the inputs was read"), "{}", input.stdout);
+    let (_folder, output) = step(source, "break write QW8\nrun\nbreak write RLO\n", &["--json"]);
+    assert!(!output.stdout.contains("no breakpoints") && output.stdout.contains("is a register"), "{}", output.stdout);
+}
+
+#[test]
+fn in_german_every_answer_is_german() {
+    let commands = "step 2\nbreak write Q4.0\nwatch MW10\nrun\nrun\nbreakpoints\nlocals\nwho MW10\nwho Q4.0\nwalk\nto FC1:9\nbreak MW10\n\
+        delete 7\nset I0.0=1\nscan 2\nback scan\nhelp\n";
+    let (_folder, run) = step(COUNTER, commands, &["--lang", "de"]);
+    for english in
+        ["breakpoint", "next:", " by ", "nothing", "statement", "pauses", "is set", "no command", "there are", "Error", "Help", "variables"]
+    {
+        let all = format!("{}{}", run.stdout, run.stderr);
+        // The commands themselves are the same words in every language.
+        let found = all.lines().find(|line| {
+            !line.starts_with('>') && !line.contains("  breakpoints") && !line.contains("`breakpoints`") && line.contains(english)
+        });
+        assert_eq!(found, None, "{english}");
+    }
+    assert!(
+        run.stdout.contains("Haltepunkt 2: MW10: 16#0000 -> 16#0001") && run.stderr.contains("Fehler: `walk` ist kein Befehl"),
+        "{}{}",
+        run.stdout,
+        run.stderr
+    );
+}

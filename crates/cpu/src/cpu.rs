@@ -179,14 +179,18 @@ impl Cpu {
         self.preset = Some(registers);
     }
 
-    /// The registers that OB 1 of the next scan begins with, to change: at first those of a fresh priority class.
+    /// The registers that OB 1 of the next scan begins with, to change: at first those of a fresh priority class. While the CPU is paused
+    /// between two statements, those that the next statement finds.
     pub fn preset_registers_mut(&mut self) -> &mut Registers {
+        if self.is_paused() {
+            return &mut self.machine.registers;
+        }
         self.preset.get_or_insert_with(Registers::fresh)
     }
 
-    /// The registers after the last run of OB 1, before its end took effect.
+    /// The registers after the last run of OB 1, before its end took effect; while the CPU is paused between two statements, those of this moment.
     pub fn registers(&self) -> &Registers {
-        &self.registers
+        if self.is_paused() { &self.machine.registers } else { &self.registers }
     }
 
     /// What the CPU is.

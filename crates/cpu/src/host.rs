@@ -147,6 +147,8 @@ pub(crate) struct CpuHost<'a> {
     pub(crate) slice: Option<Slice>,
     /// A test runs, outside of the cycle: nothing interrupts it.
     pub(crate) testing: bool,
+    /// Bytes of the arena that the last system function has written.
+    pub(crate) written: Vec<std::ops::Range<usize>>,
 }
 
 impl CpuHost<'_> {
@@ -407,7 +409,18 @@ impl Host for CpuHost<'_> {
         }
     }
 
+    fn written(&self, machine: &Machine, block: BlockId) -> Vec<std::ops::Range<usize>> {
+        let mut written = self.written.clone();
+        if let Some(bytes) = system::instance_bytes(block) {
+            // All of its instance: what a system function block leaves as it is was written by the call.
+            let start = (machine.registers.di_base + (machine.registers.ar2 & 0x00FF_FFFF) / 8) as usize;
+            written.push(start..start + bytes as usize);
+        }
+        written
+    }
+
     fn system_function(&mut self, machine: &mut Machine, block: BlockId, first_parameter: usize) -> Reaction {
+        self.written.clear();
         if !self.system.mocks.is_empty()
             && system::testing::system_function(&mut system::Call { machine, host: self, first: first_parameter }, block)
         {

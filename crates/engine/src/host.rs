@@ -86,6 +86,11 @@ pub trait Host {
     fn safe_point(&mut self, machine: &mut Machine, place: Place) -> Reaction;
     /// Runs system function (block) `block`; its parameters are `machine.parameters[first..]` (pointers), its instance the DI register.
     fn system_function(&mut self, machine: &mut Machine, block: BlockId, first_parameter: usize) -> Reaction;
+    /// The bytes of the arena that this system function (block), the last one that was called, has written, whether they changed or not.
+    fn written(&self, machine: &Machine, block: BlockId) -> Vec<std::ops::Range<usize>> {
+        let _ = (machine, block);
+        Vec::new()
+    }
     /// Whether the CPU has this system function (block); calling one that it lacks is programming error 3D or 3F.
     fn has_system_function(&self, block: BlockId) -> bool {
         let _ = block;

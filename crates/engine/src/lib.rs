@@ -17,4 +17,4 @@ pub use host::{Context, Engine, Entry, Exit, Host, Reaction, StopReason};
 pub use interpreter::Interpreter;
 pub use machine::{Layout, Machine};
 pub use program::{CodeBlock, Program};
-pub use tracer::{LocalAccess, StatementEvent, Tracer};
+pub use tracer::{LocalAccess, StatementEvent, Stored, Tracer};

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use sieben_model::address::{Operand, Width};
+use sieben_model::address::{Area, Operand, Width};
 use sieben_model::block::BlockId;
 use sieben_model::interface::Interface;
 use sieben_model::program::DataBlock;
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
-use crate::ir::Code;
+use crate::ir::{Code, Inst, Place};
 
 /// One code block, compiled.
 #[derive(Clone, Debug, Default)]
@@ -25,6 +25,31 @@ pub struct CodeBlock {
     /// Values in the local data that are only reached by their constant address, always in this width: position in bits and
     /// width. No pointer, no index and no called block can see them.
     pub private: Vec<(u32, Width)>,
+}
+
+impl CodeBlock {
+    /// Where a function of Structured Text keeps its elementary parameters, by their index, in bits of its local data: what its first
+    /// statements load through a parameter and store there, and what its last ones store back.
+    pub fn copied_parameters(&self) -> BTreeMap<u16, u32> {
+        let mut copies = BTreeMap::new();
+        for window in self.code.insts.windows(3) {
+            let (pointer, index, load, store) = match window {
+                [Inst::Parameter { dst, index }, load @ Inst::Load { .. }, store @ Inst::Store { .. }]
+                | [load @ Inst::Load { .. }, Inst::Parameter { dst, index }, store @ Inst::Store { .. }] => (dst, index, load, store),
+                _ => continue,
+            };
+            let (Inst::Load { dst, place: from, .. }, Inst::Store { src, place: to, .. }) = (load, store) else { continue };
+            let through = |place: &Place| matches!(place, Place::Crossing { pointer: by, offset: 0 } if by == pointer);
+            if dst == src
+                && let (Place::Fixed { area: Area::Local, position }, other) | (other, Place::Fixed { area: Area::Local, position }) =
+                    (from, to)
+                && through(other)
+            {
+                copies.entry(*index).or_insert(*position);
+            }
+        }
+        copies
+    }
 }
 
 /// Names of the variables of a program that has names without addresses.

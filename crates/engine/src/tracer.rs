@@ -1,4 +1,4 @@
-//! Statement events: what stepping, program status and coverage read; and accesses to the local data.
+//! Statement events: what stepping, program status and coverage read; what statements store; and accesses to the local data.
 
 use crate::fault::Place;
 use crate::machine::{Machine, Registers};
@@ -46,14 +46,45 @@ pub enum LocalAccess {
     },
 }
 
+/// Something that is written, whether its value changes or not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stored {
+    /// Bytes of the arena.
+    Memory {
+        /// The first byte.
+        first: usize,
+        /// How many.
+        bytes: usize,
+        /// The bits of each byte.
+        mask: u8,
+    },
+    /// Bytes of modules.
+    Peripheral {
+        /// The first byte.
+        first: u32,
+        /// How many.
+        bytes: u32,
+    },
+    /// A timer is started, reset or enabled.
+    Timer(u16),
+    /// A counter counts, is set, reset or enabled.
+    Counter(u16),
+}
+
 /// Someone who is told of every statement.
 pub trait Tracer {
     /// A statement was executed.
     fn statement(&mut self, machine: &Machine, event: &StatementEvent);
-    /// Asked before every statement whether the run pauses there ([`crate::Exit::Paused`]); the event of the statement before it has been told.
+    /// Asked before every statement whether the run pauses there ([`crate::Exit::Paused`]); the event of the statement before it has been told,
+    /// and the registers of the machine are those of this moment.
     fn pauses_before(&mut self, machine: &Machine, place: Place) -> bool {
         let _ = (machine, place);
         false
+    }
+    /// The statement that runs, or a system function that it calls, stores something. `S` and `R` store in any case: what they read where
+    /// the RLO is 0.
+    fn stores(&mut self, machine: &Machine, stored: Stored) {
+        let _ = (machine, stored);
     }
     /// A statement does something to the local data. What a system function does there is not told: what it is given counts as written.
     fn local_data(&mut self, machine: &Machine, place: Place, access: LocalAccess) {

@@ -2,21 +2,28 @@
 //!
 //! `exec`, scenarios and recordings speak of the same things in the same words; the words are read here.
 
+mod assignments;
+mod local;
+mod parsing;
 mod reading;
 
 use std::fmt;
+use std::ops::Range;
 
+pub use assignments::assignments;
+use local::{Local, Spot};
+pub use local::{Scope, variables_of};
+use parsing::{STATUS_NAMES, absolute, named, symbolic};
 pub use reading::{Displayed, Kind, Sample, TEXT_BYTES_MAX};
 use sieben_cpu::{Cpu, Station};
-use sieben_engine::Machine;
-use sieben_engine::Program;
 use sieben_engine::machine::{Register, Registers, StatusWord};
+use sieben_engine::{Machine, Program, Stored};
 use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::bcd;
-use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::block::BlockId;
 use sieben_model::literal::{self, Value};
 use sieben_model::symbols::SymbolTable;
-use sieben_model::types::{DataType, Structure};
+use sieben_model::types::DataType;
 
 /// Why a name or a value is of no use, in one sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,6 +59,8 @@ enum Target {
     TimerStatus(u16),
     /// Field of a data block that is no single address: DATE_AND_TIME, STRING, POINTER and longer ones.
     Field { db: u16, byte: u32, data_type: DataType },
+    /// A variable of a block, while it runs.
+    Local(Local),
     /// A register of 32 bits, or one status bit.
     Register(Register),
     /// All nine status bits.
@@ -98,53 +107,34 @@ impl fmt::Display for Shown {
     }
 }
 
-/// Names of the status bits, in either mnemonic language.
-const STATUS_NAMES: &[(&str, Register)] = &[
-    ("BR", Register::Br),
-    ("BIE", Register::Br),
-    ("CC1", Register::Cc1),
-    ("A1", Register::Cc1),
-    ("CC0", Register::Cc0),
-    ("A0", Register::Cc0),
-    ("OV", Register::Ov),
-    ("OS", Register::Os),
-    ("OR", Register::Or),
-    ("STA", Register::Sta),
-    ("RLO", Register::Rlo),
-    ("VKE", Register::Rlo),
-    ("/FC", Register::Fc),
-    ("FC", Register::Fc),
-    ("/ER", Register::Fc),
-    ("ER", Register::Fc),
-];
-
-/// Names of the other registers.
-const REGISTER_NAMES: &[(&str, Register)] = &[
-    ("ACCU1", Register::Accu1),
-    ("ACCU2", Register::Accu2),
-    ("ACCU3", Register::Accu3),
-    ("ACCU4", Register::Accu4),
-    ("AR1", Register::Ar1),
-    ("AR2", Register::Ar2),
-    ("DBNO", Register::DbNumber),
-    ("DBLG", Register::DbLength),
-    ("DINO", Register::DiNumber),
-    ("DILG", Register::DiLength),
-];
-
 impl Name {
     /// What lies at an address, called as the user likes; with its type, if it has one that says more than its width.
     pub fn at(text: impl Into<String>, operand: Operand, data_type: Option<DataType>) -> Self {
         Self { text: text.into(), target: Target::Operand(operand, data_type) }
     }
 
-    /// Reads a name: `I 0.0`, `MW10`, `DB1.DBD4`, `DB1.speed`, `"Motor on"`, `T 1`, `T1.q`, `C 1`, `ACCU1`, `AR1`, `STW`, `STW.RLO`;
+    /// Reads a name: `I 0.0`, `MW10`, `DB1.DBD4`, `DB1.speed`, `"Motor on"`, `T 1`, `T1.q`, `C 1`, `ACCU1`, `AR1`, `STW`, `STW.RLO`, `RLO`;
     /// addresses in either mnemonic language, blanks optional, letters in either case.
     ///
     /// # Errors
     /// Nothing is called that.
     pub fn parse(text: &str, symbols: &SymbolTable, program: &Program) -> Result<Self, NameError> {
+        Self::parse_in(text, None, symbols, program)
+    }
+
+    /// Reads a name where a block's variables can be meant too: `#level`, `#list[2].name`; `FC 1.#level` means the block's from anywhere.
+    ///
+    /// # Errors
+    /// Nothing is called that.
+    pub fn parse_in(text: &str, scope: Option<Scope>, symbols: &SymbolTable, program: &Program) -> Result<Self, NameError> {
         let text = text.trim();
+        if let Some(local) = parsing::local(text, scope, symbols, program)? {
+            if matches!(local.data_type, DataType::Array { .. } | DataType::Struct(_) | DataType::Instance { .. }) {
+                let example = if matches!(local.data_type, DataType::Array { .. }) { "`[1]`" } else { "`.name`" };
+                return Err(NameError::new(format!("`{text}` is no single value; name one of its elements, such as {example}")));
+            }
+            return Ok(Self { text: text.to_owned(), target: Target::Local(local) });
+        }
         if let Some(target) = named(text, program)? {
             return Ok(Self { text: text.to_owned(), target });
         }
@@ -161,12 +151,33 @@ impl Name {
         &self.text
     }
 
+    /// The name as it can be read again wherever a run stands: a variable of a block with its block.
+    pub fn full_text(&self) -> String {
+        match &self.target {
+            Target::Local(local) => local.full_text(&self.text),
+            _ => self.text.clone(),
+        }
+    }
+
+    /// The block whose variable it is.
+    pub fn block(&self) -> Option<BlockId> {
+        match &self.target {
+            Target::Local(local) => Some(local.block),
+            _ => None,
+        }
+    }
+
     /// The address, timer or counter that it means, if it is a single one.
     pub fn operand(&self) -> Option<&Operand> {
         match &self.target {
             Target::Operand(operand, _) => Some(operand),
             _ => None,
         }
+    }
+
+    /// Whether the name means a timer, which changes by itself.
+    pub fn is_timer(&self) -> bool {
+        matches!(self.target, Target::Operand(Operand::Timer(_), _) | Target::TimerStatus(_))
     }
 
     /// Whether the name means a register.
@@ -183,6 +194,14 @@ impl Name {
             && !is_one_number(data_type)
         {
             return self.read_long(cpu, *db, *byte, data_type);
+        }
+        if let Target::Local(local) = &self.target
+            && self.kind() == Kind::Text
+        {
+            return match self.shown_in(cpu.machine(), cpu.registers()) {
+                Some(shown) => Ok(shown),
+                None => Err(self.does_not_run(local)),
+            };
         }
         let bits = self.bits(cpu)?;
         Ok(self.show_bits(bits))
@@ -201,8 +220,12 @@ impl Name {
             }
             return Ok(());
         }
+        if let Target::Local(local) = &self.target {
+            return self.write_local(cpu, local, value);
+        }
         let bits = self.value(value)?;
         match &self.target {
+            Target::Local(_) => Ok(()),
             Target::Operand(operand, _) => {
                 cpu.modify(operand, bits as u32).map_err(|error| NameError::new(format!("cannot set `{}`: {error}", self.text)))
             }
@@ -229,6 +252,29 @@ impl Name {
                 Ok(())
             }
         }
+    }
+
+    fn write_local(&self, cpu: &mut Cpu, local: &Local, value: &str) -> Result<(), NameError> {
+        let spot = local.spot(cpu.machine(), cpu.registers());
+        let Some(Spot::Arena(at, bit)) = spot else {
+            return Err(match spot {
+                Some(_) => NameError::new(format!("`{}` is given by the caller and cannot be set", self.text)),
+                None => self.does_not_run(local),
+            });
+        };
+        let set = match (self.characters(value)?, local.width()) {
+            (Some(bytes), _) => (at..).zip(bytes).all(|(at, byte)| cpu.modify_memory(at, 0, Width::Byte, u64::from(byte))),
+            (None, Some(width)) => {
+                let bits = self.value(value)?;
+                cpu.modify_memory(at, bit, width, bits)
+            }
+            (None, None) => return Err(NameError::new(format!("`{}` can only be read", self.text))),
+        };
+        if set { Ok(()) } else { Err(self.does_not_run(local)) }
+    }
+
+    fn does_not_run(&self, local: &Local) -> NameError {
+        NameError::new(format!("`{}` has no value here: `{}` is not the block that runs", self.text, local.block))
     }
 
     /// Forces it to this value, until [`Self::unforce`].
@@ -264,9 +310,7 @@ impl Name {
     /// # Errors
     /// The expected value is none or does not fit, or the CPU has nothing of that name.
     pub fn holds(&self, cpu: &Cpu, expected: &str) -> Result<bool, NameError> {
-        if let Target::Field { data_type, .. } = &self.target
-            && !is_one_number(data_type)
-        {
+        if self.kind() == Kind::Text && !matches!(self.target, Target::Operand(..)) {
             return Ok(self.read(cpu)?.to_string() == expected);
         }
         if expected.eq_ignore_ascii_case("NaN") {
@@ -291,7 +335,11 @@ impl Name {
 
     /// The bytes of a STRING with these characters: maximum length, length, characters; `None` if this is no STRING.
     fn characters(&self, text: &str) -> Result<Option<Vec<u8>>, NameError> {
-        let Target::Field { data_type: DataType::String(length_max), .. } = &self.target else { return Ok(None) };
+        let (Target::Field { data_type: DataType::String(length_max), .. }
+        | Target::Local(Local { data_type: DataType::String(length_max), .. })) = &self.target
+        else {
+            return Ok(None);
+        };
         let value = match text.trim() {
             "''" => Value::Characters(Vec::new()),
             text => literal::parse(text).map_err(|error| NameError::new(error.to_string()))?,
@@ -393,6 +441,7 @@ impl Name {
                 }
                 Ok(bits)
             }
+            Target::Local(local) => self.bits_in(cpu.machine(), cpu.registers()).ok_or_else(|| self.does_not_run(local)),
             Target::Status => Ok(u64::from(cpu.registers().status().0)),
             Target::Register(register) => {
                 self.check_register(*register, cpu)?;
@@ -433,8 +482,90 @@ impl Name {
                 Some(half(0)? << 32 | half(4)?)
             }
             Target::Field { .. } => None,
+            Target::Local(local) => local.read(machine, registers),
             Target::Status => Some(u64::from(registers.status().0)),
             Target::Register(register) => Some(registers.get(*register)),
+        }
+    }
+
+    /// The bytes of the arena where it lies in a machine whose registers are these, and which bits of them; `None` if it lies elsewhere.
+    pub fn extent(&self, machine: &Machine, registers: &Registers) -> Option<(Range<usize>, u8)> {
+        let at = |first: usize, width: Width, bit: u8| {
+            let mask = if width == Width::Bit { 1 << (bit & 7) } else { 0xFF };
+            (first..first + width.bytes() as usize, mask)
+        };
+        let long = |first: usize, data_type: &DataType| Some((first..first + usize::try_from(data_type.bits().div_ceil(8)).ok()?, 0xFF));
+        match &self.target {
+            Target::Operand(operand @ (Operand::Address(address) | Operand::InDataBlock { address, .. }), _) => {
+                machine.memory.locate(operand).map(|first| at(first, address.width, address.bit))
+            }
+            Target::Field { db, byte, data_type } => {
+                machine.memory.data_block(u64::from(*db)).and_then(|entry| long((entry.base + byte) as usize, data_type))
+            }
+            Target::Local(local) => match (local.spot(machine, registers)?, local.width()) {
+                (Spot::Arena(first, bit), Some(width)) => Some(at(first, width, bit)),
+                (Spot::Arena(first, _), None) => long(first, &local.data_type),
+                (Spot::Number(_), _) => None,
+            },
+            Target::Operand(..) | Target::TimerStatus(_) | Target::Register(_) | Target::Status => None,
+        }
+    }
+
+    /// Whether what is stored lies where this name does, in a machine whose registers are these. Registers are no place.
+    pub fn is_stored(&self, machine: &Machine, registers: &Registers, stored: &Stored) -> bool {
+        match (&self.target, *stored) {
+            (Target::Operand(Operand::Timer(number), _) | Target::TimerStatus(number), Stored::Timer(other)) => *number == other,
+            (Target::Operand(Operand::Counter(number), _), Stored::Counter(other)) => *number == other,
+            // `T PQW` writes the process image as well.
+            (Target::Operand(Operand::Address(address), _), Stored::Peripheral { first, bytes }) => {
+                matches!(address.area, Area::Output | Area::PeripheralOutput)
+                    && address.byte < first + bytes
+                    && first < address.byte + address.width.bytes()
+            }
+            (_, Stored::Memory { first, bytes, mask }) => self
+                .extent(machine, registers)
+                .is_some_and(|(own, own_mask)| own.start < first + bytes && first < own.end && own_mask & mask != 0),
+            _ => false,
+        }
+    }
+
+    /// What setting it from outside stores, at once: an input only comes with the next process image.
+    pub(crate) fn stores(&self, machine: &Machine) -> Option<Stored> {
+        match &self.target {
+            Target::Operand(Operand::Timer(number), _) => Some(Stored::Timer(*number)),
+            Target::Operand(Operand::Counter(number), _) => Some(Stored::Counter(*number)),
+            Target::Operand(Operand::Address(Address { area: Area::Input | Area::PeripheralInput, .. }), _) => None,
+            Target::Operand(Operand::Address(address @ Address { area: Area::PeripheralOutput, .. }), _) => {
+                Some(Stored::Peripheral { first: address.byte, bytes: address.width.bytes() })
+            }
+            _ => {
+                let (range, mask) = self.extent(machine, &machine.registers)?;
+                Some(Stored::Memory { first: range.start, bytes: range.len(), mask })
+            }
+        }
+    }
+
+    /// A variable of an instance as the address that it has now; everything else as it is.
+    ///
+    /// # Errors
+    /// The block is not the one that runs: which instance is meant is not known.
+    pub fn of_this_instance(self, machine: &Machine, registers: &Registers) -> Result<Self, NameError> {
+        let Target::Local(local) = &self.target else { return Ok(self) };
+        if !local.is_in_instance() {
+            return Ok(self);
+        }
+        let here = || {
+            let Some(Spot::Arena(at, bit)) = local.spot(machine, registers) else { return None };
+            let db = u16::try_from(registers.di_number).ok()?;
+            let byte = u32::try_from(at).ok()?.checked_sub(machine.memory.data_block(u64::from(db))?.base)?;
+            parsing::target_of_field(db, byte * 8 + u32::from(bit), local.data_type.clone(), &self.text).ok()
+        };
+        match here() {
+            Some(target) => Ok(Self { text: self.text, target }),
+            None => Err(NameError::new(format!(
+                "`{}` lies in an instance, and `{}` is not the block that runs; step into it, or name the data block: `DB1.name`",
+                self.text, local.block
+            ))),
         }
     }
 
@@ -446,6 +577,7 @@ impl Name {
                 shown(bits, operand_width(operand), data_type.as_ref())
             }
             Target::Field { data_type, .. } => shown(bits, 64, Some(data_type)),
+            Target::Local(local) => shown_number(bits, local),
             _ => self.kind().shown(bits),
         }
     }
@@ -472,21 +604,18 @@ impl Name {
             .filter(|entry| end <= u64::from(entry.length))
             .and_then(|entry| memory.arena.get((entry.base + byte) as usize..).and_then(|from| from.get(..usize::try_from(length).ok()?)))
             .ok_or_else(|| NameError::new(format!("cannot read `{}`: it lies outside its data block", self.text)))?;
-        Ok(Shown::Text(match data_type {
-            DataType::String(_) => {
-                let count = usize::from(bytes.get(1).copied().unwrap_or(0));
-                Value::Characters(bytes.iter().skip(2).take(count).copied().collect()).spell()
-            }
-            DataType::WideString(_) => {
-                let word = |at: usize| bytes.get(at..at + 2).map_or(0, |pair| u16::from_be_bytes([pair[0], pair[1]]));
-                let units: Vec<u16> = (0..usize::from(word(2))).map(|index| word(4 + 2 * index)).collect();
-                format!("'{}'", String::from_utf16_lossy(&units))
-            }
-            DataType::Any => <[u8; 10]>::try_from(bytes).map(|bytes| Value::Any(bytes).spell()).unwrap_or_default(),
-            _ => bytes.iter().map(|byte| format!("{byte:02X}")).collect::<Vec<_>>().join(" "),
-        }))
+        Ok(Shown::Text(text_of(bytes, data_type)))
     }
 
+    /// The value in a machine whose registers are these, ready to be shown; `None` if it has none there.
+    pub fn shown_in(&self, machine: &Machine, registers: &Registers) -> Option<Shown> {
+        match &self.target {
+            Target::Local(local) if local.width().is_none() => {
+                local.bytes(machine, registers).map(|bytes| Shown::Text(text_of(bytes, &local.data_type)))
+            }
+            _ => self.bits_in(machine, registers).map(|bits| self.show_bits(bits)),
+        }
+    }
     fn check_register(&self, register: Register, cpu: &Cpu) -> Result<(), NameError> {
         let beyond = matches!(register, Register::Accu3 | Register::Accu4) && cpu.cpu_type().accumulators < 4;
         match beyond {
@@ -502,7 +631,7 @@ impl Name {
     fn data_type(&self) -> Option<&DataType> {
         match &self.target {
             Target::Operand(_, data_type) => data_type.as_ref(),
-            Target::Field { data_type, .. } => Some(data_type),
+            Target::Field { data_type, .. } | Target::Local(Local { data_type, .. }) => Some(data_type),
             _ => None,
         }
     }
@@ -513,6 +642,7 @@ impl Name {
             Target::Operand(operand, _) => operand_width(operand),
             Target::TimerStatus(_) => 1,
             Target::Field { .. } => 64,
+            Target::Local(local) => local.bits().min(64),
             Target::Register(register) if is_status(*register) => 1,
             Target::Register(_) => 32,
             Target::Status => 9,
@@ -529,6 +659,37 @@ fn operand_width(operand: &Operand) -> u32 {
         Operand::Address(address) | Operand::InDataBlock { address, .. } => address.width.bits(),
         Operand::Timer(_) | Operand::Counter(_) | Operand::Block(_) => 16,
     }
+}
+
+/// Bytes of a type that is no number, as people read them.
+fn text_of(bytes: &[u8], data_type: &DataType) -> String {
+    match data_type {
+        DataType::String(_) => {
+            let count = usize::from(bytes.get(1).copied().unwrap_or(0));
+            Value::Characters(bytes.iter().skip(2).take(count).copied().collect()).spell()
+        }
+        DataType::WideString(_) => {
+            let word = |at: usize| bytes.get(at..at + 2).map_or(0, |pair| u16::from_be_bytes([pair[0], pair[1]]));
+            let units: Vec<u16> = (0..usize::from(word(2))).map(|index| word(4 + 2 * index)).collect();
+            format!("'{}'", String::from_utf16_lossy(&units))
+        }
+        DataType::Any => <[u8; 10]>::try_from(bytes).map(|bytes| Value::Any(bytes).spell()).unwrap_or_default(),
+        _ => bytes.iter().map(|byte| format!("{byte:02X}")).collect::<Vec<_>>().join(" "),
+    }
+}
+
+/// A variable of a block: timers, counters and blocks that it was given by their names.
+fn shown_number(bits: u64, local: &Local) -> Shown {
+    let letters = match local.data_type {
+        DataType::Timer => "T",
+        DataType::Counter => "C",
+        DataType::BlockFunction => "FC",
+        DataType::BlockFunctionBlock => "FB",
+        DataType::BlockData => "DB",
+        DataType::BlockSystemData => "SDB",
+        _ => return shown(bits, local.bits().min(64), Some(&local.data_type)),
+    };
+    Shown::Text(format!("{letters} {bits}"))
 }
 
 /// Whether a value of more than 32 bits is read and written as one number of 64.
@@ -552,213 +713,4 @@ fn shown(bits: u64, width: u32, data_type: Option<&DataType>) -> Shown {
         }
         _ => Shown::Hex { bits, digits: (width / 4) as usize },
     }
-}
-
-/// What the status bits are called in German, beside what they are called here.
-const GERMAN_STATUS_NAMES: &[(&str, &str)] = &[("BIE", "BR"), ("A1", "CC1"), ("A0", "CC0"), ("VKE", "RLO"), ("/ER", "/FC"), ("ER", "/FC")];
-
-/// Why a text that is almost an address is none: a bit number above 7.
-fn bit_above_seven(text: &str) -> Option<NameError> {
-    let (byte, bit) = text.rsplit_once('.')?;
-    let above = bit.parse::<u32>().is_ok_and(|bit| bit > 7);
-    let address = Operand::parse(&format!("{byte}.0"));
-    (above && matches!(address, Some(Operand::Address(_) | Operand::InDataBlock { .. })))
-        .then(|| NameError::new(format!("`{text}` has a bit number above 7; the bits of a byte are 0 to 7")))
-}
-
-/// A register, timer, counter or address; `None` if it is none of them.
-fn absolute(text: &str) -> Result<Option<Target>, NameError> {
-    let plain: String = text.chars().filter(|c| !c.is_whitespace()).collect::<String>().to_ascii_uppercase();
-    if plain == "STW" {
-        return Ok(Some(Target::Status));
-    }
-    if let Some(bit) = plain.strip_prefix("STW.") {
-        let german = GERMAN_STATUS_NAMES.iter().find(|&&(german, _)| german == bit);
-        let bit = german.map_or(bit, |&(_, english)| english);
-        return match STATUS_NAMES.iter().find(|&&(name, _)| name == bit) {
-            Some(&(_, register)) => Ok(Some(Target::Register(register))),
-            None => {
-                let message = format!("the status word has no bit `{bit}`; its bits are BR, CC1, CC0, OV, OS, OR, STA, RLO and /FC");
-                Err(NameError::new(message))
-            }
-        };
-    }
-    let register = plain.strip_prefix("AKKU").map_or_else(|| plain.clone(), |number| format!("ACCU{number}"));
-    if let Some(&(_, register)) = REGISTER_NAMES.iter().find(|&&(name, _)| name == register) {
-        return Ok(Some(Target::Register(register)));
-    }
-    if let Some(timer) = plain.strip_suffix(".Q")
-        && let Some(Operand::Timer(number)) = Operand::parse(timer)
-    {
-        return Ok(Some(Target::TimerStatus(number)));
-    }
-    match Operand::parse(&plain) {
-        Some(Operand::Block(block)) => {
-            Err(NameError::new(format!("`{block}` is a block, which has no value; name an address or a field in it")))
-        }
-        Some(operand) => Ok(Some(Target::Operand(operand, None))),
-        None => Ok(None),
-    }
-}
-
-/// A variable that the program calls by this name alone, or a field of a data block with a name.
-fn named(text: &str, program: &Program) -> Result<Option<Target>, NameError> {
-    let names = &program.names;
-    if names.open.is_empty() && names.blocks.is_empty() && names.located.is_empty() {
-        return Ok(None);
-    }
-    if let Some((operand, data_type)) = names.located.get(&text.trim_matches('"').to_lowercase()) {
-        return Ok(Some(Target::Operand(*operand, Some(data_type.clone()))));
-    }
-    let found = names.open.iter().find_map(|number| {
-        let (offset, data_type) = field(&program.data.get(number)?.structure, text).ok()?;
-        Some((*number, offset, data_type))
-    });
-    let (first, path) = split_first(text);
-    let in_block = || {
-        let number = *names.blocks.get(&first.to_lowercase())?;
-        let (offset, data_type) = field(&program.data.get(&number)?.structure, path).ok()?;
-        Some((number, offset, data_type))
-    };
-    match found.or_else(in_block) {
-        Some((number, offset, data_type)) => target_of_field(number, offset, data_type, text).map(Some),
-        None => Ok(None),
-    }
-}
-
-/// A symbol, or a field of a data block.
-fn symbolic(text: &str, symbols: &SymbolTable, program: &Program) -> Result<Target, NameError> {
-    if let Some(error) = bit_above_seven(text) {
-        return Err(error);
-    }
-    let (first, path) = split_first(text);
-    if path.is_empty()
-        && let Some(symbol) = symbols.find(first)
-    {
-        return match symbol.operand() {
-            Some(Operand::Block(block)) => Err(NameError::new(format!("`{text}` is {block}, which has no value; name a field in it"))),
-            Some(operand) => Ok(Target::Operand(operand, DataType::from_word(symbol.data_type.trim()).filter(DataType::is_elementary))),
-            None => Err(NameError::new(format!("the symbol `{text}` has the address `{}`, which is none", symbol.address))),
-        };
-    }
-    let block = match (symbols.operand(first), Operand::parse(first)) {
-        (Some(Operand::Block(block)), _) | (None, Some(Operand::Block(block))) => Some(block),
-        _ => None,
-    };
-    let Some(BlockId { kind: BlockKind::DataBlock, number }) = block.filter(|_| !path.is_empty()) else {
-        return Err(NameError::new(format!(
-            "nothing is called `{text}`; write an address such as `I 0.0`, `MW 10`, `T 1` or `DB1.DBW 0`, a symbol, `DB1.name`, or one of `ACCU1`, `AR1`, `STW`, `STW.RLO`"
-        )));
-    };
-    // `"Data".DBW 2`: the symbol stands for the block.
-    if let Some(operand @ Operand::InDataBlock { .. }) = Operand::parse(&format!("DB{number}.{path}")) {
-        return Ok(Target::Operand(operand, None));
-    }
-    let Some(data) = program.data.get(&number) else {
-        return Err(NameError::new(format!("the program has no `DB {number}`, which `{text}` wants")));
-    };
-    let (offset, data_type) = field(&data.structure, path).map_err(|part| {
-        let names: Vec<&str> = data.structure.fields.iter().take(8).map(|field| field.name.as_str()).collect();
-        NameError::new(format!("`DB {number}` has no `{part}`; its fields begin with {}", names.join(", ")))
-    })?;
-    target_of_field(number, offset, data_type, text)
-}
-
-fn target_of_field(db: u16, offset: u32, data_type: DataType, text: &str) -> Result<Target, NameError> {
-    if matches!(data_type, DataType::Array { .. } | DataType::Struct(_) | DataType::Instance { .. }) {
-        return Err(NameError::new(format!("`{text}` is no single value; name one of its elements, such as `[1]` or `.name`")));
-    }
-    // A short STRING has as many bits as a number, but is none.
-    let bits = if matches!(data_type, DataType::String(_)) { 0 } else { data_type.bits() };
-    let width = match bits {
-        1 => Width::Bit,
-        8 => Width::Byte,
-        16 => Width::Word,
-        32 => Width::DoubleWord,
-        _ => return Ok(Target::Field { db, byte: offset / 8, data_type }),
-    };
-    let address = Address { area: Area::SharedData, width, byte: offset / 8, bit: (offset % 8) as u8 };
-    Ok(Target::Operand(Operand::InDataBlock { db, address }, Some(data_type)))
-}
-
-/// Splits `"a name".path` and `name.path`.
-fn split_first(text: &str) -> (&str, &str) {
-    if let Some(quoted) = text.strip_prefix('"') {
-        let (first, rest) = quoted.split_once('"').unwrap_or((quoted, ""));
-        return (first, rest.strip_prefix('.').unwrap_or(rest));
-    }
-    text.split_once('.').unwrap_or((text, ""))
-}
-
-/// Offset in bits and type of `a.b[3].c` in a structure; the part that does not exist if it has none.
-fn field<'a>(structure: &Structure, path: &'a str) -> Result<(u32, DataType), &'a str> {
-    let (head, rest) = path.split_at(path.find(['.', '[']).unwrap_or(path.len()));
-    let head_field = structure.field(head.trim().trim_matches('"')).ok_or(path)?;
-    let (mut offset, mut data_type, mut rest) = (u64::from(head_field.offset), head_field.data_type.clone(), rest);
-    while let Some(bracket) = rest.strip_prefix('[') {
-        let (indices, behind) = bracket.split_once(']').ok_or(path)?;
-        let DataType::Array { element, .. } = &data_type else { return Err(path) };
-        let indices: Vec<i64> = indices.split(',').map(|index| index.trim().parse().map_err(|_| path)).collect::<Result<_, _>>()?;
-        let number = data_type.element_number(&indices).ok_or(path)?;
-        offset = offset.saturating_add(data_type.element_offset(number));
-        data_type = (**element).clone();
-        rest = behind;
-    }
-    let offset = u32::try_from(offset).map_err(|_| path)?;
-    match (rest.strip_prefix('.'), &data_type) {
-        (None, _) if rest.is_empty() => Ok((offset, data_type)),
-        (Some(inner), DataType::Struct(structure) | DataType::Instance { structure, .. }) => {
-            let (inner_offset, data_type) = field(structure, inner)?;
-            Ok((offset.saturating_add(inner_offset), data_type))
-        }
-        _ => Err(path),
-    }
-}
-
-/// Splits `I 0.0=1 MW10=16#0102` into names and values; blanks around `=` and inside names are free.
-///
-/// # Errors
-/// A part has no `=`, no name or no value; the message says which.
-pub fn assignments(text: &str) -> Result<Vec<(String, String)>, NameError> {
-    let mut out = Vec::new();
-    let mut rest = text.trim();
-    while !rest.is_empty() {
-        let Some((name, behind)) = split_at_equals(rest) else {
-            return Err(NameError::new(format!("`{rest}` is no `NAME=VALUE`")));
-        };
-        let behind = behind.trim_start();
-        let end = value_end(behind);
-        let (value, next) = behind.split_at(end);
-        if name.trim().is_empty() || value.is_empty() {
-            return Err(NameError::new(format!("`{}` is no `NAME=VALUE`", rest.trim())));
-        }
-        out.push((name.trim().to_owned(), value.to_owned()));
-        rest = next.trim_start();
-    }
-    Ok(out)
-}
-
-/// Splits at the first `=` outside of quotes.
-fn split_at_equals(text: &str) -> Option<(&str, &str)> {
-    let mut quoted = false;
-    let at = text.char_indices().find_map(|(at, c)| {
-        quoted ^= c == '"';
-        (c == '=' && !quoted).then_some(at)
-    })?;
-    Some((&text[..at], &text[at + 1..]))
-}
-
-/// Where a value ends: at the next blank that is not inside apostrophes or brackets.
-fn value_end(text: &str) -> usize {
-    let (mut quoted, mut depth) = (false, 0_u32);
-    for (at, c) in text.char_indices() {
-        match c {
-            '\'' => quoted = !quoted,
-            '(' if !quoted => depth += 1,
-            ')' if !quoted => depth = depth.saturating_sub(1),
-            c if c.is_whitespace() && !quoted && depth == 0 => return at,
-            _ => {}
-        }
-    }
-    text.len()
 }

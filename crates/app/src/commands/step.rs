@@ -64,13 +64,13 @@ pub(crate) struct Arguments {
     /// Print one JSON object per command
     #[arg(long)]
     json: bool,
-    /// Language of the reasons, en or de
+    /// Language of answers and reasons, en or de
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = language_argument)]
     lang: Language,
 }
 
 fn language_argument(text: &str) -> Result<Language, String> {
-    Language::from_code(text).ok_or_else(|| format!("`{text}` is no language of the reasons; there are en and de"))
+    Language::from_code(text).ok_or_else(|| format!("`{text}` is no language of the microscope; there are en and de"))
 }
 
 /// Reads and carries out commands.
@@ -91,8 +91,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Some(path) => replay(path, &build, cpu, plan)?,
         None => Stepper::new(&build, cpu, plan),
     };
+    stepper.language = arguments.lang;
     let exit = if arguments.commands.is_none() && !arguments.json && terminal::has_screen() {
-        on_screen(arguments, &mut stepper)?
+        on_screen(&mut stepper)?
     } else {
         let input = open(arguments)?;
         read_commands(arguments, &mut stepper, input)?
@@ -110,9 +111,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 }
 
 /// The microscope with keys, until the user leaves it.
-fn on_screen(arguments: &Arguments, stepper: &mut Stepper<'_>) -> Result<Exit, Failure> {
+fn on_screen(stepper: &mut Stepper<'_>) -> Result<Exit, Failure> {
     let interrupted = terminal::interrupted();
-    screen::run(stepper, arguments.lang, output::colour(), &interrupted).map_err(|error| terminal::broken(&error))?;
+    screen::run(stepper, output::colour(), &interrupted).map_err(|error| terminal::broken(&error))?;
     Ok(Exit::Success)
 }
 
@@ -164,11 +165,10 @@ fn open(arguments: &Arguments) -> Result<Box<dyn BufRead>, Failure> {
 }
 
 fn read_commands(arguments: &Arguments, stepper: &mut Stepper<'_>, mut input: Box<dyn BufRead>) -> Result<Exit, Failure> {
-    let language = arguments.lang;
     let prompts = arguments.commands.is_none() && std::io::stdin().is_terminal() && !arguments.json;
     let mut wrong = false;
     if !arguments.json {
-        output::print(table::HEAD)?;
+        output::print(table::head(stepper.language))?;
     }
     loop {
         if prompts {
@@ -180,21 +180,21 @@ fn read_commands(arguments: &Arguments, stepper: &mut Stepper<'_>, mut input: Bo
             output::print(&format!("> {command}\n"))?;
         }
         let mut rows = String::new();
-        let outcome = carry_out(stepper, &line, &mut |stepper| rows.push_str(&table::row(stepper, language)));
+        let outcome = carry_out(stepper, &line, &mut |stepper| rows.push_str(&table::row(stepper)));
         if !arguments.json {
             output::print(&rows)?;
         }
         match outcome {
             Ok(Answer::Quit) => break,
             Ok(Answer::Nothing) => {}
-            Ok(answer) if arguments.json => output::print_json(&table::answer_json(stepper, &command, &answer, language), false)?,
-            Ok(answer) => output::print(&table::answer(stepper, &answer, language))?,
+            Ok(answer) if arguments.json => output::print_json(&table::answer_json(stepper, &command, &answer), false)?,
+            Ok(answer) => output::print(&table::answer(stepper, &answer))?,
             Err(failure) => {
                 wrong = true;
                 if arguments.json {
                     output::print_json(&table::failure_json(&command, &failure), false)?;
                 } else {
-                    output::message(&failure.render(output::colour()));
+                    output::message(&table::failure(&failure, output::colour(), stepper.language));
                 }
             }
         }

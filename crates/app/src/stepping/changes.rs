@@ -1,7 +1,7 @@
 //! What a statement has changed: values of memory, timers and counters, registers.
 
-use sieben_engine::Machine;
 use sieben_engine::machine::{Register, Registers};
+use sieben_engine::{Machine, Program};
 use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::mnemonics::Mnemonics;
 use sieben_sim::names::Name;
@@ -21,22 +21,19 @@ pub(crate) struct Change {
 }
 
 /// What differs between two machines; `written` is the operand of the statement, if it has one that means a single value.
-pub(crate) fn of_memory(before: &Machine, after: &Machine, written: Option<&Name>, mnemonics: Mnemonics) -> Vec<Change> {
+/// Hidden local data, which the compiler needs for calls, are left out: nobody has given them a name.
+pub(crate) fn of_memory(before: &Machine, after: &Machine, written: Option<&Name>, program: &Program, mnemonics: Mnemonics) -> Vec<Change> {
     let mut changes = Vec::new();
     let mut covered = 0..0;
-    if let Some((name, operand)) = written.and_then(|name| Some((name, name.operand()?))) {
-        let values = [before, after].map(|machine| name.bits_in(machine, &machine.registers));
-        if let (Some(at), [Some(old), Some(new)]) = (after.memory.locate(operand), values)
-            && let Operand::Address(address) | Operand::InDataBlock { address, .. } = operand
-            && old != new
-        {
-            covered = at..at + address.width.bytes() as usize;
-            changes.push(Change {
-                name: name.text().to_owned(),
-                before: name.show_bits(old).to_string(),
-                after: name.show_bits(new).to_string(),
-            });
-        }
+    // Where a variable of a block lies is known before the statement: it may call or end the block.
+    let registers = &before.registers;
+    if let Some((name, (range, _))) = written.and_then(|name| Some((name, name.extent(before, registers)?)))
+        && let Some(old) = name.shown_in(before, registers)
+        && let Some(new) = name.shown_in(after, registers)
+        && old != new
+    {
+        covered = range;
+        changes.push(Change { name: name.text().to_owned(), before: old.to_string(), after: new.to_string() });
     }
     let (old, new) = (&before.memory.arena, &after.memory.arena);
     let mut at = 0;
@@ -53,7 +50,9 @@ pub(crate) fn of_memory(before: &Machine, after: &Machine, written: Option<&Name
             continue;
         }
         let run = (at..length.min(at + 4)).take_while(|&byte| old[byte] != new[byte] && !covered.contains(&byte)).count();
-        changes.extend(bytes(after, at, if run == 3 { 2 } else { run }, old, new, mnemonics));
+        if !is_hidden(after, at, program) {
+            changes.extend(bytes(after, at, if run == 3 { 2 } else { run }, old, new, mnemonics));
+        }
         at += if run == 3 { 2 } else { run };
     }
     for (number, (old, new)) in (0_u16..).zip(before.timers.iter().zip(&after.timers)) {
@@ -77,6 +76,17 @@ pub(crate) fn of_memory(before: &Machine, after: &Machine, written: Option<&Name
         }
     }
     changes
+}
+
+/// Whether an arena byte is one of the local data that the block has not declared.
+fn is_hidden(machine: &Machine, at: usize, program: &Program) -> bool {
+    let local = &machine.memory.layout.local;
+    let Some(at) = local.contains(&at).then(|| at - local.start) else { return false };
+    let frame = machine.frames.iter().rev().find(|frame| frame.local_base as usize <= at);
+    frame.is_some_and(|frame| {
+        let declared = program.code.get(&frame.block).map_or(0, |code| code.interface.local_size as usize);
+        at - frame.local_base as usize >= declared
+    })
 }
 
 /// Bytes next to each other that have changed, under the address that people give them.

@@ -1,10 +1,12 @@
 //! The commands of `sieben step`, one line each.
 
+use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_sim::history::{Condition, Halt, Target};
 use sieben_sim::names::Name;
 
-use super::{Direction, STATEMENTS_MAX, Stepper, Unit, Who};
+use super::texts::{self, Text, pick};
+use super::{Direction, Language, LocalValue, STATEMENTS_MAX, Stepper, Unit, Who};
 use crate::failure::Failure;
 use crate::names as command_names;
 use crate::nearest::{nearest, one_of};
@@ -29,6 +31,7 @@ pub(crate) enum Verb {
     Delete,
     Breakpoints,
     Print,
+    Locals,
     Show,
     Who,
     Set,
@@ -44,43 +47,59 @@ pub(crate) struct Row {
     /// Its names, the first one is the usual one.
     pub(crate) names: &'static [&'static str],
     /// What stands behind it.
-    pub(crate) operand: &'static str,
+    pub(crate) operand: Text,
     /// What it does.
-    pub(crate) help: &'static str,
+    pub(crate) help: Text,
     verb: Verb,
 }
 
 macro_rules! rows {
-    ($($verb:expr, [$($name:literal),+], $operand:literal, $help:literal;)*) => {
+    ($($verb:expr, [$($name:literal),+], $operand:expr, $help:expr;)*) => {
         /// All commands.
         pub(crate) const ROWS: &[Row] = &[$(Row { names: &[$($name),+], operand: $operand, help: $help, verb: $verb },)*];
     };
 }
 
+const NOTHING: Text = ["", ""];
+const N: Text = ["[N]", "[N]"];
+const NAME: Text = ["NAME", "NAME"];
+const NAMES: Text = ["NAME,…", "NAME,…"];
+
 rows! {
-    Verb::Step(Unit::Statement), ["step", "s", "into"], "[N]", "the next statement, or N of them, into blocks that are called";
-    Verb::Step(Unit::Over), ["over", "n"], "[N]", "the next statement, over a block that it calls";
-    Verb::Step(Unit::Out), ["out"], "[N]", "out of this block";
-    Verb::Step(Unit::Network), ["network"], "[N]", "to the next network";
-    Verb::Step(Unit::Block), ["block"], "[N]", "to another block, into it or out of it";
-    Verb::Step(Unit::Scan), ["scan"], "[N]", "to the end of this scan, or of N scans";
-    Verb::Back, ["back", "b"], "[N | over | out | network | block | scan] [N]", "back: by N statements, or the same steps the other way";
-    Verb::Run, ["run", "r"], "[N | back]", "to the next breakpoint, N statements at most; or back to the last one";
-    Verb::To, ["to"], "PLACE", "on to a place: FC1:4 (statement), FC1:label, main.awl:12, 12 (line)";
-    Verb::Goto, ["goto"], "N", "to the moment after N statements of the run";
-    Verb::Break, ["break"], "PLACE | NAME OP VALUE [if NAME OP VALUE] [every N]", "a breakpoint at a statement, or where a condition becomes true: MW10 > 5";
-    Verb::Watch, ["watch"], "NAME", "a breakpoint where a value changes";
-    Verb::Delete, ["delete"], "N", "deletes a breakpoint";
-    Verb::Breakpoints, ["breakpoints"], "", "lists them";
-    Verb::Print, ["print", "p"], "NAME,…", "values here";
-    Verb::Show, ["show"], "NAME,…", "values here and after every movement";
-    Verb::Who, ["who"], "NAME", "the statement that changed a value last, or wrote it without a change";
-    Verb::Set, ["set"], "NAME=VALUE", "sets a value here and now; what was recorded ahead is dropped";
-    Verb::Where, ["where", "why"], "", "shows the last statement again: place, registers, reason";
-    Verb::Stack, ["stack"], "", "the blocks that run, outermost first";
-    Verb::List, ["list", "l"], "", "the source around the next statement";
-    Verb::Help, ["help", "?"], "", "these commands";
-    Verb::Quit, ["quit", "q"], "", "ends";
+    Verb::Step(Unit::Statement), ["step", "s", "into"], N,
+        ["the next statement, or N of them, into blocks that are called", "die nächste Anweisung, oder N davon, in aufgerufene Bausteine hinein"];
+    Verb::Step(Unit::Over), ["over", "n"], N, ["the next statement, over a block that it calls", "die nächste Anweisung, über einen Aufruf hinweg"];
+    Verb::Step(Unit::Out), ["out"], N, ["out of this block", "aus diesem Baustein heraus"];
+    Verb::Step(Unit::Network), ["network"], N, ["to the next network", "zum nächsten Netzwerk"];
+    Verb::Step(Unit::Block), ["block"], N, ["to another block, into it or out of it", "zu einem anderen Baustein, hinein oder heraus"];
+    Verb::Step(Unit::Scan), ["scan"], N, ["to the end of this scan, or of N scans", "bis zum Ende dieses Zyklus, oder von N Zyklen"];
+    Verb::Back, ["back", "b"], ["[N | over | out | network | block | scan] [N]", "[N | over | out | network | block | scan] [N]"],
+        ["back: by N statements, or the same steps the other way", "zurück: um N Anweisungen, oder dieselben Schritte andersherum"];
+    Verb::Run, ["run", "r"], ["[N | back]", "[N | back]"],
+        ["to the next breakpoint, N statements at most; or back to the last one", "bis zum nächsten Haltepunkt, höchstens N Anweisungen; oder zurück zum letzten"];
+    Verb::To, ["to"], ["PLACE", "STELLE"],
+        ["on to a place: FC1:4 (statement), FC1:label, main.awl:12, 12 (line)", "weiter bis zu einer Stelle: FC1:4 (Anweisung), FC1:marke, main.awl:12, 12 (Zeile)"];
+    Verb::Goto, ["goto"], ["N", "N"], ["to the moment after N statements of the run", "zu dem Augenblick nach N Anweisungen des Laufs"];
+    Verb::Break, ["break"],
+        ["PLACE | NAME OP VALUE | write NAME [if NAME OP VALUE] [every N]", "STELLE | NAME OP WERT | write NAME [if NAME OP WERT] [every N]"],
+        ["a breakpoint: at a statement, where a condition becomes true (MW10 > 5), where a value is written",
+         "ein Haltepunkt: an einer Anweisung, wo eine Bedingung wahr wird (MW10 > 5), wo ein Wert geschrieben wird"];
+    Verb::Watch, ["watch"], NAME, ["a breakpoint where a value changes", "ein Haltepunkt, wo sich ein Wert ändert"];
+    Verb::Delete, ["delete"], ["N", "N"], ["deletes a breakpoint", "löscht einen Haltepunkt"];
+    Verb::Breakpoints, ["breakpoints"], NOTHING, ["lists them", "zeigt sie"];
+    Verb::Print, ["print", "p"], NAMES, ["values here: MW10, \"symbol\", DB1.name, #variable", "Werte hier: MW10, \"symbol\", DB1.name, #variable"];
+    Verb::Locals, ["locals", "v"], NOTHING, ["all variables of this block", "alle Variablen dieses Bausteins"];
+    Verb::Show, ["show"], NAMES, ["values here and after every movement", "Werte hier und nach jeder Bewegung"];
+    Verb::Who, ["who"], NAME,
+        ["the statement that changed a value last, or wrote it without a change", "die Anweisung, die einen Wert zuletzt geändert oder unverändert geschrieben hat"];
+    Verb::Set, ["set"], ["NAME=VALUE", "NAME=WERT"],
+        ["sets a value here and now; what was recorded ahead is dropped", "setzt einen Wert hier und jetzt; was danach aufgezeichnet war, entfällt"];
+    Verb::Where, ["where", "why"], NOTHING,
+        ["shows the last statement again: place, registers, reason", "zeigt die letzte Anweisung noch einmal: Stelle, Register, Grund"];
+    Verb::Stack, ["stack"], NOTHING, ["the blocks that run, outermost first", "die Bausteine, die laufen, der äußerste zuerst"];
+    Verb::List, ["list", "l"], NOTHING, ["the source around the next statement", "die Quelle um die nächste Anweisung"];
+    Verb::Help, ["help", "?"], NOTHING, ["these commands", "diese Befehle"];
+    Verb::Quit, ["quit", "q"], NOTHING, ["ends", "Ende"];
 }
 
 /// What a command came to.
@@ -92,6 +111,8 @@ pub(crate) enum Answer {
     Text(String),
     /// Values by name.
     Values(Vec<Name>),
+    /// The variables of the block that runs, if one does.
+    Locals(Option<(BlockId, Vec<LocalValue>)>),
     /// A value was set.
     Set(Name, String),
     /// The last change of a value.
@@ -121,7 +142,7 @@ fn no_place(message: String) -> Failure {
 pub(crate) fn carry_out(stepper: &mut Stepper<'_>, line: &str, row: &mut dyn FnMut(&mut Stepper<'_>)) -> Result<Answer, Failure> {
     let line = line.trim();
     if line.len() > LINE_MAX {
-        return Err(wrong(format!("a command has at most {LINE_MAX} bytes, this one has {}", line.len())));
+        return Err(wrong(stepper.say(texts::COMMAND_TOO_LONG, &[&LINE_MAX, &line.len()])));
     }
     if line.is_empty() || line.starts_with('#') || line.starts_with("//") {
         return Ok(Answer::Nothing);
@@ -130,24 +151,26 @@ pub(crate) fn carry_out(stepper: &mut Stepper<'_>, line: &str, row: &mut dyn FnM
     let found = ROWS.iter().find(|row| row.names.iter().any(|name| name.eq_ignore_ascii_case(word)));
     let Some(found) = found else {
         let names = ROWS.iter().map(|row| row.names[0]);
-        let failure = wrong(format!("`{word}` is no command; there are {}", one_of(names.clone())));
+        let and = pick(stepper.language, ["or", "und"]);
+        let failure = wrong(stepper.say(texts::NO_COMMAND, &[&word, &one_of(names.clone()).replace(" or ", &format!(" {and} "))]));
         return Err(match nearest(word, names) {
-            Some(near) => failure.help(format!("did you mean `{near}`?")),
+            Some(near) => failure.help(stepper.say(texts::DID_YOU_MEAN, &[&near])),
             None => failure,
         });
     };
-    if found.operand.is_empty() && !operand.is_empty() {
-        return Err(wrong(format!("`{}` takes nothing behind it, not `{operand}`", found.names[0])));
+    let takes = pick(stepper.language, found.operand);
+    if takes.is_empty() && !operand.is_empty() {
+        return Err(wrong(stepper.say(texts::NOTHING_BEHIND, &[&found.names[0], &operand])));
     }
-    if operand.is_empty() && !found.operand.is_empty() && !found.operand.starts_with('[') {
-        return Err(wrong(format!("`{}` needs something behind it: {}", found.names[0], found.operand)));
+    if operand.is_empty() && !takes.is_empty() && !takes.starts_with('[') {
+        return Err(wrong(stepper.say(texts::SOMETHING_BEHIND, &[&found.names[0], &takes])));
     }
     verb(stepper, found, operand, row)
 }
 
 fn verb(stepper: &mut Stepper<'_>, found: &Row, operand: &str, row: &mut dyn FnMut(&mut Stepper<'_>)) -> Result<Answer, Failure> {
     Ok(match found.verb {
-        Verb::Step(unit) => steps(stepper, unit, Direction::Forward, count(operand)?, row),
+        Verb::Step(unit) => steps(stepper, unit, Direction::Forward, count(stepper, operand)?, row),
         Verb::Back => {
             let (word, rest) = operand.split_once(char::is_whitespace).unwrap_or((operand, ""));
             let unit = ROWS.iter().find_map(|row| match row.verb {
@@ -155,28 +178,26 @@ fn verb(stepper: &mut Stepper<'_>, found: &Row, operand: &str, row: &mut dyn FnM
                 _ => None,
             });
             match unit {
-                Some(unit) => steps(stepper, unit, Direction::Back, count(rest)?, row),
-                None => steps(stepper, Unit::Statement, Direction::Back, count(operand)?, row),
+                Some(unit) => steps(stepper, unit, Direction::Back, count(stepper, rest)?, row),
+                None => steps(stepper, Unit::Statement, Direction::Back, count(stepper, operand)?, row),
             }
         }
         Verb::Run if operand.eq_ignore_ascii_case("back") => Answer::Moved(stepper.run(Direction::Back, STATEMENTS_MAX)),
         Verb::Run if operand.is_empty() => Answer::Moved(stepper.run(Direction::Forward, STATEMENTS_MAX)),
-        Verb::Run => Answer::Moved(stepper.run(Direction::Forward, count(operand)?.min(STATEMENTS_MAX * 10))),
+        Verb::Run => Answer::Moved(stepper.run(Direction::Forward, count(stepper, operand)?.min(STATEMENTS_MAX * 10))),
         Verb::To => {
             let goal = stepper.goal(operand).map_err(no_place)?;
             Answer::Moved(stepper.run_to(goal))
         }
         Verb::Goto => {
-            let position = operand
-                .parse()
-                .map_err(|_| wrong(format!("`{operand}` is no position; write how many statements of the run lie before it")))?;
+            let position = operand.parse().map_err(|_| wrong(stepper.say(texts::NO_POSITION, &[&operand])))?;
             Answer::Moved(stepper.go_to(position))
         }
         Verb::Break => set_breakpoint(stepper, operand)?,
         Verb::Watch => {
-            let name = name(stepper, operand)?;
+            let name = bound(stepper, operand, stepper.here())?;
             let number = stepper.add(operand, Target::Change(name), None, 1).map_err(wrong)?;
-            Answer::Breakpoint(number, format!("pauses when `{operand}` changes"))
+            Answer::Breakpoint(number, stepper.say(texts::PAUSES_WHEN_CHANGED, &[&operand]))
         }
         Verb::Delete => {
             let number = operand.parse().ok().filter(|&number| stepper.delete(number));
@@ -184,26 +205,30 @@ fn verb(stepper: &mut Stepper<'_>, found: &Row, operand: &str, row: &mut dyn FnM
                 Some(_) => Answer::Breakpoints,
                 None => {
                     let known: Vec<String> = stepper.breakpoints().iter().map(|one| one.number.to_string()).collect();
-                    let known = if known.is_empty() { "there are none".to_owned() } else { format!("there are {}", known.join(", ")) };
-                    return Err(wrong(format!("`{operand}` is the number of no breakpoint; {known}")));
+                    let known = match known.is_empty() {
+                        true => stepper.say(texts::THERE_ARE_NONE, &[]),
+                        false => stepper.say(texts::THERE_ARE, &[&known.join(", ")]),
+                    };
+                    return Err(wrong(stepper.say(texts::NO_BREAKPOINT, &[&operand, &known])));
                 }
             }
         }
         Verb::Breakpoints => Answer::Breakpoints,
         Verb::Print => Answer::Values(values(stepper, operand)?),
+        Verb::Locals => Answer::Locals(stepper.locals()),
         Verb::Show => {
             let names = values(stepper, operand)?;
             names.iter().try_for_each(|name| stepper.show(name.clone())).map_err(wrong)?;
             Answer::Values(names)
         }
         Verb::Who => {
-            let name = name(stepper, operand)?;
+            let name = bound(stepper, operand, stepper.here())?;
             let who = stepper.who(&name);
             Answer::Who(name, who)
         }
         Verb::Set => {
             let (text, value) = command_names::split_assignment(operand)?;
-            let name = name(stepper, text)?;
+            let name = name(stepper, text, stepper.here())?;
             let unfit = |error: sieben_sim::names::NameError| Failure::usage(Problem::P7004, format!("`{operand}`: {error}"));
             name.accepts(value).map_err(unfit)?;
             stepper.set(&name, value).map_err(unfit)?;
@@ -212,7 +237,7 @@ fn verb(stepper: &mut Stepper<'_>, found: &Row, operand: &str, row: &mut dyn FnM
         Verb::Where => Answer::Moved(Halt::Reached),
         Verb::Stack => Answer::Text(stack(stepper)),
         Verb::List => Answer::Text(around(stepper)),
-        Verb::Help => Answer::Text(help()),
+        Verb::Help => Answer::Text(help(stepper.language)),
         Verb::Quit => Answer::Quit,
     })
 }
@@ -235,54 +260,98 @@ fn steps(stepper: &mut Stepper<'_>, unit: Unit, direction: Direction, times: u64
     Answer::Moved(halt)
 }
 
-fn count(text: &str) -> Result<u64, Failure> {
+fn count(stepper: &Stepper<'_>, text: &str) -> Result<u64, Failure> {
     if text.is_empty() {
         return Ok(1);
     }
     match text.parse() {
         Ok(count) if count > 0 => Ok(count),
-        _ => Err(wrong(format!("`{text}` is no number of steps; write a whole number from 1 on"))),
+        _ => Err(wrong(stepper.say(texts::NO_COUNT, &[&text]))),
     }
 }
 
-fn name(stepper: &Stepper<'_>, text: &str) -> Result<Name, Failure> {
-    command_names::resolve(text, &stepper.build().project.symbols, stepper.cpu())
+/// A name; a variable is one of this block.
+fn name(stepper: &Stepper<'_>, text: &str, block: Option<BlockId>) -> Result<Name, Failure> {
+    let variables = block.and_then(|block| stepper.cpu().program().code.get(&block));
+    let variables = variables.map_or(&[][..], |code| &code.interface.variables);
+    stepper.name_in(text, block).map_err(|error| {
+        let failure = Failure::usage(Problem::P7003, error.to_string());
+        let plain = text.trim_matches(['"', '#']);
+        let known = stepper.build().project.symbols.symbols().iter().map(|symbol| symbol.name.clone());
+        let known: Vec<String> = known.chain(variables.iter().map(|variable| format!("#{}", variable.name))).collect();
+        let near = nearest(text, known.iter().map(String::as_str)).or_else(|| nearest(plain, known.iter().map(String::as_str)));
+        match near {
+            Some(near) if !near.trim_start_matches('#').eq_ignore_ascii_case(plain) => {
+                failure.help(stepper.say(texts::DID_YOU_MEAN, &[&near]))
+            }
+            _ => failure,
+        }
+    })
+}
+
+/// A name that means the same wherever the run goes.
+fn bound(stepper: &Stepper<'_>, text: &str, block: Option<BlockId>) -> Result<Name, Failure> {
+    let name = name(stepper, text, block)?;
+    stepper.bound(name).map_err(|error| Failure::usage(Problem::P7003, error.to_string()))
 }
 
 fn values(stepper: &Stepper<'_>, operand: &str) -> Result<Vec<Name>, Failure> {
-    command_names::resolve_lists(&[operand.to_owned()], &stepper.build().project.symbols, stepper.cpu())
+    command_names::split_list(operand).into_iter().map(|text| name(stepper, text, stepper.here())).collect()
 }
 
-/// `FC1:4 if MW10 > 5 every 3`, `MW10 > 5`.
+/// `FC1:4 if MW10 > 5 every 3`, `MW10 > 5`, `write MW10`.
 fn set_breakpoint(stepper: &mut Stepper<'_>, operand: &str) -> Result<Answer, Failure> {
     let (rest, every) = match operand.rsplit_once(" every ") {
-        Some((rest, times)) => (rest.trim(), count(times.trim())?),
+        Some((rest, times)) => (rest.trim(), count(stepper, times.trim())?),
         None => (operand, 1),
     };
-    let (what, only_if) = match rest.split_once(" if ") {
-        Some((what, condition)) => (what.trim(), Some(condition_of(stepper, condition)?)),
+    let (what, condition) = match rest.split_once(" if ") {
+        Some((what, condition)) => (what.trim(), Some(condition)),
         None => (rest, None),
     };
+    let here = stepper.here();
+    let only_if = |stepper: &Stepper<'_>, block| condition.map(|text| condition_of(stepper, text, block, false)).transpose();
+    if let Some((word, written)) = what.split_once(char::is_whitespace)
+        && word.eq_ignore_ascii_case("write")
+    {
+        let name = bound(stepper, written.trim(), here)?;
+        if name.is_register() {
+            return Err(wrong(stepper.say(texts::REGISTER_WRITTEN, &[&name.text()])));
+        }
+        let only_if = only_if(stepper, here)?;
+        let text = stepper.say(texts::PAUSES_WHEN_WRITTEN, &[&name.text()]);
+        let number = stepper.add(operand, Target::Write(name), only_if, every).map_err(wrong)?;
+        return Ok(Answer::Breakpoint(number, text));
+    }
     if what.contains(['<', '>', '=']) {
-        let condition = condition_of(stepper, what)?;
-        let number = stepper.add(operand, Target::Condition(condition), only_if, every).map_err(wrong)?;
-        return Ok(Answer::Breakpoint(number, format!("pauses when `{what}` becomes true")));
+        let target = Target::Condition(condition_of(stepper, what, here, true)?);
+        let only_if = only_if(stepper, here)?;
+        let number = stepper.add(operand, target, only_if, every).map_err(wrong)?;
+        return Ok(Answer::Breakpoint(number, stepper.say(texts::PAUSES_WHEN_TRUE, &[&what])));
     }
     let goal = stepper.goal(what).map_err(no_place)?;
+    // At a place the variables are those of its block.
+    let only_if = only_if(stepper, Some(goal.place.block))?;
     let number = stepper.add(operand, Target::Statement(goal.place, goal.last), only_if, every).map_err(wrong)?;
     let line = stepper.listing().line(goal.place);
-    let moved = if goal.moved { "no statement stands there; " } else { "" };
-    Ok(Answer::Breakpoint(number, format!("{moved}pauses before {}:{}: {}", line.file, line.line, line.text)))
+    let moved = if goal.moved { pick(stepper.language, texts::MOVED) } else { "" };
+    let text = stepper.say(texts::PAUSES_BEFORE, &[&line.file, &line.line, &line.said(stepper.language)]);
+    Ok(Answer::Breakpoint(number, format!("{moved}{text}")))
 }
 
-fn condition_of(stepper: &Stepper<'_>, text: &str) -> Result<Condition, Failure> {
-    Condition::parse(text, |name| stepper.name(name)).map_err(|error| Failure::usage(Problem::P7042, error.to_string()))
+/// A condition about variables of this block; `anywhere`: it is looked at in other blocks too.
+fn condition_of(stepper: &Stepper<'_>, text: &str, block: Option<BlockId>, anywhere: bool) -> Result<Condition, Failure> {
+    let name = |text: &str| {
+        let name = stepper.name_in(text, block)?;
+        if anywhere { stepper.bound(name) } else { Ok(name) }
+    };
+    Condition::parse(text, name).map_err(|error| Failure::usage(Problem::P7042, error.to_string()))
 }
 
 fn stack(stepper: &Stepper<'_>) -> String {
     let frames = &stepper.cpu().machine().frames;
     if frames.is_empty() {
-        return "no block runs: the CPU is between two scans\n".to_owned();
+        return stepper.say(texts::NO_BLOCK_RUNS, &[]) + "\n";
     }
     frames.iter().map(|frame| format!("{}\n", stepper.listing().places.block(frame.block))).collect()
 }
@@ -293,7 +362,7 @@ const AROUND: usize = 5;
 fn around(stepper: &Stepper<'_>) -> String {
     let history = stepper.history();
     let place = history.next_place().or(history.last().map(|event| event.place));
-    let Some(span) = place.and_then(|place| stepper.listing().span(place)) else { return "no statement has run\n".to_owned() };
+    let Some(span) = place.and_then(|place| stepper.listing().span(place)) else { return stepper.say(texts::NOTHING_RAN, &[]) + "\n" };
     let here = stepper.listing().places.line(span);
     let text = &stepper.build().project.texts.program.file(span.file).text;
     let first = here.saturating_sub(AROUND).max(1);
@@ -309,17 +378,13 @@ fn around(stepper: &Stepper<'_>) -> String {
 }
 
 /// All commands with what they do.
-pub(crate) fn help() -> String {
-    let left = |row: &Row| format!("{} {}", row.names.join(", "), row.operand);
+pub(crate) fn help(language: Language) -> String {
+    let left = |row: &Row| format!("{} {}", row.names.join(", "), pick(language, row.operand));
     let width = ROWS.iter().map(|row| left(row).chars().count()).filter(|&width| width <= 24).max().unwrap_or(24);
     ROWS.iter()
         .map(|row| {
-            let left = left(row);
-            if left.chars().count() > width {
-                format!("  {left}\n  {:width$}  {}\n", "", row.help)
-            } else {
-                format!("  {left:width$}  {}\n", row.help)
-            }
+            let (left, help) = (left(row), pick(language, row.help));
+            if left.chars().count() > width { format!("  {left}\n  {:width$}  {help}\n", "") } else { format!("  {left:width$}  {help}\n") }
         })
         .collect()
 }

@@ -7,6 +7,7 @@ use sieben_lang::reason::Language;
 use sieben_model::block::BlockId;
 use sieben_model::source::{FileId, Span};
 
+use super::texts::{self, END_OF_BLOCK, fill};
 use crate::nearest::nearest;
 use crate::places::Places;
 use crate::project::Build;
@@ -47,14 +48,11 @@ pub(crate) struct Listing<'b> {
     lines: BTreeMap<FileId, BTreeMap<usize, FaultPlace>>,
 }
 
-/// What stands for the end of a block that no statement says.
-const END_OF_BLOCK: &str = "end of the block";
-
 impl Line {
     /// The statement as it is shown to people who read this language.
     pub(crate) fn said(&self, language: Language) -> &str {
         match language {
-            Language::German if self.text == END_OF_BLOCK => "Ende des Bausteins",
+            Language::German if self.text == END_OF_BLOCK[0] => END_OF_BLOCK[1],
             _ => &self.text,
         }
     }
@@ -80,7 +78,7 @@ impl<'b> Listing<'b> {
     pub(crate) fn line(&self, place: FaultPlace) -> Line {
         let span = self.span(place).unwrap_or_default();
         let known = self.span(place).is_some();
-        let text = if known && is_written(self.build, place) { self.places.text(span) } else { END_OF_BLOCK.to_owned() };
+        let text = if known && is_written(self.build, place) { self.places.text(span) } else { END_OF_BLOCK[0].to_owned() };
         Line {
             place,
             block: place.block.to_string(),
@@ -108,22 +106,22 @@ impl<'b> Listing<'b> {
     ///
     /// # Errors
     /// There is no such place; the sentence says what there is.
-    pub(crate) fn goal(&self, text: &str, here: Option<FaultPlace>) -> Result<Goal, String> {
+    pub(crate) fn goal(&self, text: &str, here: Option<FaultPlace>, language: Language) -> Result<Goal, String> {
         let text = text.trim();
+        let say = |text, values: &[&dyn std::fmt::Display]| fill(language, text, values);
         let (first, second) = text.rsplit_once(':').map_or((None, text), |(first, second)| (Some(first.trim()), second.trim()));
         let Some(first) = first else {
             if let Some(block) = self.block(text) {
-                return self.statement(block, 0);
+                return self.statement(block, 0, language);
             }
-            let line =
-                text.parse().map_err(|_| format!("`{text}` is no place; write `FC 1:3` (statement), `FC 1:label` or `file:line`"))?;
+            let line = text.parse().map_err(|_| say(texts::NO_PLACE, &[&text]))?;
             let file = here.and_then(|place| self.span(place)).map(|span| span.file).or_else(|| self.lines.keys().next().copied());
-            return file.map_or_else(|| Err("the program has no statements".to_owned()), |file| self.line_of(file, line));
+            return file.map_or_else(|| Err(say(texts::NO_STATEMENTS, &[])), |file| self.line_of(file, line, language));
         };
         if let Some(block) = self.block(first) {
             return match second.parse::<u32>() {
-                Ok(number) => self.statement(block, number.checked_sub(1).ok_or("statements are counted from 1")?),
-                Err(_) => self.label(block, second),
+                Ok(number) => self.statement(block, number.checked_sub(1).ok_or_else(|| say(texts::COUNTED_FROM_ONE, &[]))?, language),
+                Err(_) => self.label(block, second, language),
             };
         }
         let texts = &self.build.project.texts.program;
@@ -131,10 +129,9 @@ impl<'b> Listing<'b> {
         let same = |id: &&FileId| of(id) == first || of(id).rsplit(['/', '\\']).next() == Some(first);
         let Some(&file) = self.lines.keys().find(same) else {
             let known = self.lines.keys().map(of);
-            let near = nearest(first, known).map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
-            return Err(format!("the program has neither a block nor a file `{first}`{near}"));
+            return Err(say(texts::NEITHER, &[&first]) + &meant(nearest(first, known), language));
         };
-        self.line_of(file, second.parse().map_err(|_| format!("`{second}` is no line of `{first}`; lines are counted from 1"))?)
+        self.line_of(file, second.parse().map_err(|_| say(texts::NO_LINE, &[&second, &first]))?, language)
     }
 
     /// A block by its number or its symbol, if it has code.
@@ -150,11 +147,11 @@ impl<'b> Listing<'b> {
         numbered.filter(|block| code.contains_key(block)).or_else(named)
     }
 
-    fn statement(&self, block: BlockId, statement: u32) -> Result<Goal, String> {
+    fn statement(&self, block: BlockId, statement: u32, language: Language) -> Result<Goal, String> {
         let code = &self.build.compiled.program.code[&block];
         let count = code.code.statements.len() as u32;
         if statement >= count {
-            return Err(format!("`{block}` has {count} statements"));
+            return Err(fill(language, texts::STATEMENTS_OF, &[&block, &count]));
         }
         let place = FaultPlace { block, statement };
         // A statement without an instruction of its own, such as NOP 0, is one with the next.
@@ -164,7 +161,7 @@ impl<'b> Listing<'b> {
         Ok(Goal { place, last, moved: false })
     }
 
-    fn label(&self, block: BlockId, label: &str) -> Result<Goal, String> {
+    fn label(&self, block: BlockId, label: &str, language: Language) -> Result<Goal, String> {
         let texts = &self.build.project.texts.program;
         let count = self.build.compiled.program.code[&block].spans.len() as u32;
         let label_of = |statement: u32| {
@@ -175,24 +172,28 @@ impl<'b> Listing<'b> {
         };
         let labels: Vec<(u32, &str)> = (0..count).filter_map(|statement| Some((statement, label_of(statement)?))).collect();
         match labels.iter().find(|(_, name)| *name == label) {
-            Some(&(statement, _)) => self.statement(block, statement),
+            Some(&(statement, _)) => self.statement(block, statement, language),
             None => {
                 let near = nearest(label, labels.iter().map(|(_, name)| *name));
-                let near = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
-                Err(format!("`{block}` has no label `{label}`{near}"))
+                Err(fill(language, texts::NO_LABEL, &[&block, &label]) + &meant(near, language))
             }
         }
     }
 
-    fn line_of(&self, file: FileId, line: usize) -> Result<Goal, String> {
+    fn line_of(&self, file: FileId, line: usize, language: Language) -> Result<Goal, String> {
         let lines = &self.lines[&file];
         let Some((&found, &place)) = lines.range(line..).next() else {
             let last = lines.keys().next_back().copied().unwrap_or_default();
             let name = &self.build.project.texts.program.file(file).name;
-            return Err(format!("no statement stands in `{name}` from line {line} on; the last one is in line {last}"));
+            return Err(fill(language, texts::NO_STATEMENT_FROM, &[name, &line, &last]));
         };
-        Ok(Goal { moved: found != line, ..self.statement(place.block, place.statement)? })
+        Ok(Goal { moved: found != line, ..self.statement(place.block, place.statement, language)? })
     }
+}
+
+/// What may have been meant.
+fn meant(near: Option<&str>, language: Language) -> String {
+    near.map_or_else(String::new, |near| format!("; {}", fill(language, texts::DID_YOU_MEAN, &[&near])))
 }
 
 /// Whether a statement stands in a source; the end of a block need not.

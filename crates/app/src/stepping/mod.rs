@@ -12,17 +12,21 @@ mod movement;
 pub(crate) mod recording;
 pub(crate) mod screen;
 pub(crate) mod table;
-
-use std::collections::BTreeSet;
+pub(crate) mod texts;
 
 use sieben_cpu::{Cpu, OperatingMode};
+use sieben_engine::FaultPlace;
 use sieben_engine::machine::Registers;
-use sieben_engine::{FaultPlace, StatementEvent};
+use sieben_lang::reason::why::Why;
 use sieben_lang::reason::{Moment, Reasons};
 use sieben_model::block::BlockId;
+use sieben_model::interface::Section;
 use sieben_model::symbols::SymbolTable;
-use sieben_sim::history::{Breakpoint, Breakpoints, Condition, Halt, History, Hit, Plan, Target, Until, Unwatched, Watch};
-use sieben_sim::names::{Name, NameError};
+use sieben_model::types::DataType;
+use sieben_sim::history::{
+    Breakpoint, Breakpoints, By, Condition, Halt, History, Hit, Plan, Position, StoreIfRlo, Target, Until, Unwatched, Watch,
+};
+use sieben_sim::names::{Name, NameError, Scope, Shown};
 
 pub(crate) use changes::Change;
 pub(crate) use listing::{Goal, Line, Listing};
@@ -30,7 +34,6 @@ pub(crate) use movement::{Direction, Unit};
 use movement::{Networks, StepEnd};
 pub(crate) use sieben_lang::reason::Language;
 
-use crate::names;
 use crate::project::Build;
 
 /// Statements that one movement runs at most: a program that never comes to a breakpoint must come to an end.
@@ -70,9 +73,25 @@ pub(crate) struct View {
     pub(crate) hits: Vec<String>,
 }
 
+/// Values of one variable of a block that are shown at most.
+const LOCALS_MAX: usize = 32;
+
+/// A variable of the block where the run stands.
+#[derive(Clone, Debug)]
+pub(crate) struct LocalValue {
+    pub(crate) section: Section,
+    /// `#level`, `#list[2]`.
+    pub(crate) name: Name,
+    pub(crate) data_type: DataType,
+    /// `None` if it lies nowhere: a parameter in the peripheral.
+    pub(crate) value: Option<Shown>,
+}
+
 /// Who changed a value last.
 #[derive(Clone, Debug)]
 pub(crate) struct Who {
+    /// Who it was.
+    pub(crate) by: By,
     /// The statement after which it had changed; `None` if no statement did it.
     pub(crate) line: Option<Line>,
     /// Statements executed then.
@@ -105,7 +124,10 @@ pub(crate) struct Stepper<'b> {
     breakpoints: Vec<Breakpoint>,
     watched: Vec<Name>,
     numbered: u32,
-    hits: Vec<String>,
+    hits: Vec<Hit>,
+    if_rlo: StoreIfRlo,
+    /// The language that everything is said in.
+    pub(crate) language: Language,
 }
 
 impl<'b> Stepper<'b> {
@@ -128,7 +150,14 @@ impl<'b> Stepper<'b> {
             watched: Vec::new(),
             numbered: 0,
             hits: Vec::new(),
+            if_rlo: if_rlo(build),
+            language: Language::English,
         }
+    }
+
+    /// A text in the language of this microscope, with values in their places.
+    pub(crate) fn say(&self, text: texts::Text, values: &[&dyn std::fmt::Display]) -> String {
+        texts::fill(self.language, text, values)
     }
 
     /// The history of the run.
@@ -227,26 +256,24 @@ impl<'b> Stepper<'b> {
 
     /// Runs to a breakpoint, or so many statements; back too.
     pub(crate) fn run(&mut self, direction: Direction, statements: u64) -> Halt {
-        let registers = self.registers();
         self.hits.clear();
         match direction {
             Direction::Forward => {
-                let mut watch = Breakpoints::new(&mut self.breakpoints, &registers);
+                let mut watch = Breakpoints::new(&mut self.breakpoints, &self.if_rlo);
                 let halt = self.history.run(Until { statements, scans: u64::MAX }, &mut watch);
                 let hits = std::mem::take(&mut watch.hits);
                 if halt == Halt::Watch {
-                    self.note(&hits);
+                    self.hits = hits;
                 }
                 if halt == Halt::Reached { Halt::Limit } else { halt }
             }
             Direction::Back => {
                 // Counting backwards has no meaning: every one counts.
                 let mut breakpoints: Vec<Breakpoint> = self.breakpoints.iter().map(|one| Breakpoint { every: 1, ..one.clone() }).collect();
-                let mut watch = Breakpoints::new(&mut breakpoints, &registers);
+                let mut watch = Breakpoints::new(&mut breakpoints, &self.if_rlo);
                 match self.history.find_back(false, &mut watch) {
                     Ok(found) => {
-                        let hits = std::mem::take(&mut watch.hits);
-                        self.note(&hits);
+                        self.hits = std::mem::take(&mut watch.hits);
                         self.history.go_to_position(found);
                         Halt::Watch
                     }
@@ -263,18 +290,17 @@ impl<'b> Stepper<'b> {
         halt
     }
 
-    fn note(&mut self, hits: &[Hit]) {
-        for hit in hits {
-            let Some(breakpoint) = self.breakpoints.iter().find(|breakpoint| breakpoint.number == hit.number) else { continue };
-            let mut text = format!("breakpoint {}: {}", hit.number, breakpoint.text);
-            if let (Target::Change(name), Some((before, after))) = (&breakpoint.target, hit.change) {
-                text.push_str(&format!(": {} -> {}", shown(name, before), shown(name, after)));
-                if hit.by.is_none() {
-                    text.push_str(", between two statements");
-                }
+    /// Which breakpoint paused, and what changed.
+    fn hit_text(&self, hit: &Hit) -> Option<String> {
+        let breakpoint = self.breakpoints.iter().find(|breakpoint| breakpoint.number == hit.number)?;
+        let mut text = self.say(texts::BREAKPOINT, &[&hit.number, &breakpoint.text]);
+        if let (Target::Change(name) | Target::Write(name), Some((before, after))) = (&breakpoint.target, hit.change) {
+            text.push_str(&format!(": {} -> {}", self.shown(name, before), self.shown(name, after)));
+            if !matches!(hit.by, By::Statement(_)) {
+                text.push_str(&self.say(texts::BETWEEN, &[]));
             }
-            self.hits.push(text);
         }
+        Some(text)
     }
 
     /// Runs on to a place.
@@ -305,17 +331,51 @@ impl<'b> Stepper<'b> {
     /// There is no such place.
     pub(crate) fn goal(&self, text: &str) -> Result<Goal, String> {
         let here = self.history.next_place().or(self.history.last().map(|event| event.place));
-        self.listing.goal(text, here)
+        self.listing.goal(text, here, self.language)
     }
 
-    /// Reads the name of a value.
+    /// The block whose variables are called by their names alone: where the run stands.
+    pub(crate) fn here(&self) -> Option<BlockId> {
+        self.history.next_place().or(self.history.last().map(|event| event.place)).map(|place| place.block)
+    }
+
+    /// Variables of a block by their names alone; those of ST are written without `#`.
+    pub(crate) fn scope(&self, block: Option<BlockId>) -> Option<Scope> {
+        block.map(|block| Scope { block, bare: !self.build.compiled.blocks.contains_key(&block) })
+    }
+
+    /// Reads the name of a value; a variable is one of this block. One of a block that does not run now has a value when it runs.
     ///
     /// # Errors
     /// Nothing is called that.
-    pub(crate) fn name(&self, text: &str) -> Result<Name, NameError> {
-        let name = Name::parse(text, self.symbols(), self.cpu().program())?;
-        name.read(self.cpu())?;
+    pub(crate) fn name_in(&self, text: &str, block: Option<BlockId>) -> Result<Name, NameError> {
+        let name = Name::parse_in(text, self.scope(block), self.symbols(), self.cpu().program())?;
+        if name.block().is_none() {
+            name.read(self.cpu())?;
+        }
         Ok(name)
+    }
+
+    /// A name that goes on meaning the same when another instance of its block runs.
+    ///
+    /// # Errors
+    /// It is a variable of an instance, and which one cannot be told here.
+    pub(crate) fn bound(&self, name: Name) -> Result<Name, NameError> {
+        name.of_this_instance(self.cpu().machine(), self.cpu().registers())
+    }
+
+    /// The variables of the block where the run stands, with their values; `None` if no block runs.
+    pub(crate) fn locals(&self) -> Option<(BlockId, Vec<LocalValue>)> {
+        let block = self.history.next_place()?.block;
+        let (machine, registers) = (self.cpu().machine(), self.cpu().registers());
+        let values = sieben_sim::names::variables_of(block, self.cpu().program(), LOCALS_MAX);
+        let value = |(section, name, data_type): (Section, Name, DataType)| LocalValue {
+            section,
+            value: name.shown_in(machine, registers),
+            name,
+            data_type,
+        };
+        Some((block, values.into_iter().map(value).collect()))
     }
 
     /// Sets a breakpoint; the number that it got.
@@ -324,7 +384,7 @@ impl<'b> Stepper<'b> {
     /// There are too many.
     pub(crate) fn add(&mut self, text: &str, target: Target, only_if: Option<Condition>, every: u64) -> Result<u32, String> {
         if self.breakpoints.len() >= BREAKPOINTS_MAX {
-            return Err(format!("there are {BREAKPOINTS_MAX} breakpoints already; delete one"));
+            return Err(self.say(texts::BREAKPOINTS_FULL, &[&BREAKPOINTS_MAX]));
         }
         self.numbered += 1;
         let number = self.numbered;
@@ -356,7 +416,7 @@ impl<'b> Stepper<'b> {
     /// There are too many.
     pub(crate) fn show(&mut self, name: Name) -> Result<(), String> {
         if self.watched.len() >= BREAKPOINTS_MAX {
-            return Err(format!("{BREAKPOINTS_MAX} values are shown already"));
+            return Err(self.say(texts::WATCHED_FULL, &[&BREAKPOINTS_MAX]));
         }
         self.watched.push(name);
         Ok(())
@@ -372,49 +432,38 @@ impl<'b> Stepper<'b> {
 
     /// Who changed a value last, before now; `None` if nobody did since the beginning, or since what is kept.
     pub(crate) fn who(&mut self, name: &Name) -> Option<Who> {
-        let registers = self.registers();
-        let target = Target::Change(name.clone());
-        let mut one = [Breakpoint { number: 0, text: String::new(), target, only_if: None, every: 1, times: 0 }];
+        let (position, hit) = self.last_hit(Target::Change(name.clone()))?;
         let here = self.history.position();
-        let mut watch = Breakpoints::new(&mut one, &registers);
-        let found = self.history.find_back(true, &mut watch).ok()?;
-        let hit = watch.hits.first();
-        let (before, after) = hit.and_then(|hit| hit.change).unwrap_or_default();
-        let line = hit.and_then(|hit| hit.by).map(|place| self.listing.line(place));
-        self.history.go_to_position(found);
+        self.history.go_to_position(position);
         let scan = self.history.scans().checked_sub(1);
         self.history.go_to_position(here);
-        Some(Who { line, position: found.statements, scan, change: (shown(name, before), shown(name, after)) })
+        let (before, after) = hit.change.unwrap_or_default();
+        let line = match hit.by {
+            By::Statement(place) => Some(self.listing.line(place)),
+            _ => None,
+        };
+        Some(Who { line, by: hit.by, position: position.statements, scan, change: (self.shown(name, before), self.shown(name, after)) })
     }
 
-    /// The statement that wrote a value last without changing it, for a value that stays what it is; `None` if no statement that names it has run.
-    pub(crate) fn writer(&mut self, name: &Name, language: Language) -> Option<Writer> {
-        let code = &self.build.compiled.program.code;
-        let places = code.iter().flat_map(|(&block, code)| (0..code.spans.len() as u32).map(move |statement| (block, statement)));
-        let writes = |&(block, statement): &(BlockId, u32)| {
-            let place = FaultPlace { block, statement };
-            let text = self.listing.line(place).text;
-            let is_stl = self.build.compiled.blocks.contains_key(&block);
-            let store = if is_stl { matches!(text.split(' ').next(), Some("=" | "S" | "R" | "T")) } else { text.contains(":=") };
-            store && self.written(place).is_some_and(|other| other.operand().is_some() && other.operand() == name.operand())
-        };
-        let mut writing = Writing(places.filter(writes).collect());
-        if writing.0.is_empty() {
-            return None;
-        }
+    /// When something happened last, at or before now.
+    fn last_hit(&mut self, target: Target) -> Option<(Position, Hit)> {
+        let mut one = [Breakpoint { number: 0, text: String::new(), target, only_if: None, every: 1, times: 0 }];
+        let mut watch = Breakpoints::new(&mut one, &self.if_rlo);
+        let found = self.history.find_back(true, &mut watch).ok()?;
+        Some((found, watch.hits.into_iter().next()?))
+    }
+
+    /// The statement that wrote a value last without changing it, for a value that stays what it is; `None` if none has.
+    pub(crate) fn writer(&mut self, name: &Name) -> Option<Writer> {
+        let (found, hit) = self.last_hit(Target::Write(name.clone()))?;
+        let By::Statement(place) = hit.by else { return None };
         let here = self.history.position();
-        let found = self.history.find_back(true, &mut writing).ok()?;
         self.history.go_to_position(found);
         self.history.look_closely();
-        let line = self.history.last().map(|event| self.listing.line(event.place));
-        let writer = line.map(|line| Writer {
-            line,
-            position: found.statements,
-            scan: self.history.scans().checked_sub(1),
-            reason: self.reason(language),
-        });
+        let scan = self.history.scans().checked_sub(1);
+        let writer = Writer { line: self.listing.line(place), position: found.statements, scan, reason: self.reason() };
         self.history.go_to_position(here);
-        writer
+        Some(writer)
     }
 
     /// Where the run stands.
@@ -428,7 +477,8 @@ impl<'b> Stepper<'b> {
             changed = changes::of_registers(&event.before, &event.after, accumulators);
             if let Some(around) = history.around() {
                 let written = self.written(event.place);
-                changed.extend(changes::of_memory(&around.before, &around.after, written.as_ref(), self.listing.places.mnemonics));
+                let (program, mnemonics) = (self.cpu().program(), self.listing.places.mnemonics);
+                changed.extend(changes::of_memory(&around.before, &around.after, written.as_ref(), program, mnemonics));
             }
         }
         let place = |place: Option<FaultPlace>| place.map(|place| self.listing.line(place));
@@ -444,18 +494,18 @@ impl<'b> Stepper<'b> {
             changed,
             stack: history.cpu().machine().frames.iter().map(|frame| frame.block).collect(),
             mode: history.cpu().mode(),
-            hits: self.hits.clone(),
+            hits: self.hits.iter().filter_map(|hit| self.hit_text(hit)).collect(),
         }
     }
 
     /// Why the last statement did what it did, in one sentence; empty if nothing has run.
-    pub(crate) fn reason(&mut self, language: Language) -> String {
+    pub(crate) fn reason(&mut self) -> String {
         self.history.look_closely();
         let (Some(event), Some(around)) = (self.history.last(), self.history.around()) else { return String::new() };
         let stopped = self.cpu().stop_cause().filter(|_| self.cpu().mode() == OperatingMode::Stop);
         let fault = stopped.filter(|cause| cause.place == Some(event.place)).map(|cause| cause.first_event);
         let moment = Moment { event, before: Some(&around.before), after: &around.after, fault };
-        Reasons::new(&self.build.compiled, &self.build.project.texts.program, self.symbols()).sentence(&moment, language)
+        Reasons::new(&self.build.compiled, &self.build.project.texts.program, self.symbols()).sentence(&moment, self.language)
     }
 
     /// The operand of a statement, if it names a single value.
@@ -465,27 +515,30 @@ impl<'b> Stepper<'b> {
             Some((target, _)) if !self.build.compiled.blocks.contains_key(&place.block) => target.trim(),
             _ => text.split_once(' ')?.1.trim(),
         };
-        Name::parse(operand, self.symbols(), self.cpu().program()).ok()
+        Name::parse_in(operand, self.scope(Some(place.block)), self.symbols(), self.cpu().program()).ok()
     }
 
     /// The value of a name here, as people read it.
     pub(crate) fn value(&self, name: &Name) -> String {
-        names::text(name, self.cpu())
+        match (name.read(self.cpu()), name.block()) {
+            (Ok(shown), _) => shown.to_string(),
+            (Err(_), Some(block)) => self.say(texts::NOT_HERE, &[&block]),
+            (Err(_), None) => self.say(texts::NOT_LOADED, &[]),
+        }
+    }
+
+    /// A value as people read it, or that it is not there.
+    fn shown(&self, name: &Name, bits: Option<u64>) -> String {
+        bits.map_or_else(|| self.say(texts::NOT_THERE, &[]), |bits| name.show_bits(bits).to_string())
     }
 }
 
-/// A value as people read it, or that it is not there.
-fn shown(name: &Name, bits: Option<u64>) -> String {
-    bits.map_or("not there".to_owned(), |bits| name.show_bits(bits).to_string())
-}
-
-/// Pauses behind each of these statements.
-struct Writing(BTreeSet<(BlockId, u32)>);
-
-impl Watch for Writing {
-    fn after(&mut self, _machine: &sieben_engine::Machine, event: &StatementEvent) -> bool {
-        self.0.contains(&(event.place.block, event.place.statement))
-    }
+/// The statements that store something only where the RLO is 1.
+fn if_rlo(build: &Build) -> StoreIfRlo {
+    let blocks = build.compiled.blocks.iter();
+    let statements =
+        blocks.flat_map(|(&block, resolved)| (0_u32..).zip(&resolved.statements).map(move |(index, one)| ((block, index), one)));
+    statements.filter(|(_, one)| matches!(one.instruction.why(), Why::Set | Why::Reset)).map(|(place, _)| place).collect()
 }
 
 /// Pauses at a place.

@@ -73,8 +73,8 @@ pub(crate) fn write(stepper: &Stepper<'_>) -> Option<String> {
         match action {
             Action::Scan { now_us } => scans = Some(Scans { first_us: *now_us, step_us: 0, count: 1 }),
             Action::Restart(restart) => text.push_str(&format!("restart {}\n", restart_word(*restart))),
-            Action::Set { name, value } if inside => text.push_str(&format!("set @{at} {}={value}\n", name.text())),
-            Action::Set { name, value } => text.push_str(&format!("set {}={value}\n", name.text())),
+            Action::Set { name, value } if inside => text.push_str(&format!("set @{at} {}={value}\n", name.full_text())),
+            Action::Set { name, value } => text.push_str(&format!("set {}={value}\n", name.full_text())),
         }
     }
     if let Some(run) = scans {

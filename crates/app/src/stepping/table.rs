@@ -2,22 +2,27 @@
 
 use serde_json::{Map, Value, json};
 use sieben_cpu::OperatingMode;
-use sieben_sim::history::Halt;
+use sieben_model::block::BlockId;
+use sieben_model::interface::Section;
+use sieben_sim::history::{Breakpoint, By, Halt};
 use sieben_sim::names::Name;
 
 use super::commands::Answer;
-use super::{Change, Language, Line, Stepper, View, Who};
+use super::{Change, Language, Line, LocalValue, Stepper, View, Who, texts};
 use crate::failure::Failure;
 use crate::{controller, names};
 
 /// The head of the columns.
-pub(crate) const HEAD: &str = "      pos  scan  place           RLO STA /FC OR CC OV OS BR  ACCU1        ACCU2        statement\n";
+pub(crate) fn head(language: Language) -> &'static str {
+    texts::pick(language, texts::HEAD)
+}
 
 /// The row of the last statement: place, registers, text; below it what it changed and why.
-pub(crate) fn row(stepper: &mut Stepper<'_>, language: Language) -> String {
+pub(crate) fn row(stepper: &mut Stepper<'_>) -> String {
+    let language = stepper.language;
     let view = stepper.view();
     let mut text = match &view.executed {
-        None => format!("{:>9}  {:>4}  the run begins\n", 0, number(view.scan)),
+        None => format!("{:>9}  {:>4}  {}\n", 0, number(view.scan), stepper.say(texts::RUN_BEGINS, &[])),
         Some(line) => {
             let value = |name: &str| view.registers.iter().find(|(found, _)| *found == name).map_or("", |(_, value)| value.as_str());
             let bits: Vec<String> = ["RLO", "STA", "/FC"].iter().map(|name| format!("{:>3}", value(name))).collect();
@@ -38,7 +43,7 @@ pub(crate) fn row(stepper: &mut Stepper<'_>, language: Language) -> String {
             )
         }
     };
-    let reason = stepper.reason(language);
+    let reason = stepper.reason();
     if !reason.is_empty() {
         text.push_str(&format!("                 {reason}\n"));
     }
@@ -65,15 +70,15 @@ fn number(scan: Option<u64>) -> String {
 }
 
 /// In which scan.
-fn when(scan: Option<u64>) -> String {
-    scan.map_or_else(|| "while the CPU started".to_owned(), |scan| format!("in scan {scan}"))
+fn when(stepper: &Stepper<'_>, scan: Option<u64>) -> String {
+    scan.map_or_else(|| stepper.say(texts::WHILE_STARTING, &[]), |scan| stepper.say(texts::IN_SCAN, &[&scan]))
 }
 
 /// What an answer prints.
-pub(crate) fn answer(stepper: &mut Stepper<'_>, answer: &Answer, language: Language) -> String {
+pub(crate) fn answer(stepper: &mut Stepper<'_>, answer: &Answer) -> String {
     match answer {
         Answer::Moved(halt) => {
-            let mut text = row(stepper, language);
+            let mut text = row(stepper);
             let view = stepper.view();
             for hit in &view.hits {
                 text.push_str(&format!("  {hit}\n"));
@@ -82,11 +87,12 @@ pub(crate) fn answer(stepper: &mut Stepper<'_>, answer: &Answer, language: Langu
             if let Some(words) = halt_text(stepper, halt, &view) {
                 text.push_str(&format!("  {words}\n"));
             }
-            text.push_str(&match &view.next {
-                Some(next) => format!("  next: {}:{}: {}\n", next.file, next.line, next.said(language)),
-                None if view.mode == OperatingMode::Run => format!("  next: scan {} begins\n", stepper.history().scans()),
-                None => String::new(),
-            });
+            let next = match &view.next {
+                Some(next) => Some(stepper.say(texts::NEXT, &[&next.file, &next.line, &next.said(stepper.language)])),
+                None if view.mode == OperatingMode::Run => Some(stepper.say(texts::NEXT_SCAN, &[&stepper.history().scans()])),
+                None => None,
+            };
+            text.push_str(&next.map_or_else(String::new, |next| format!("  {next}\n")));
             for name in stepper.watched() {
                 text.push_str(&format!("  {} = {}\n", name.text(), stepper.value(name)));
             }
@@ -94,18 +100,48 @@ pub(crate) fn answer(stepper: &mut Stepper<'_>, answer: &Answer, language: Langu
         }
         Answer::Text(text) => text.clone(),
         Answer::Values(names) => names.iter().map(|name| format!("  {} = {}\n", name.text(), stepper.value(name))).collect(),
+        Answer::Locals(locals) => locals_text(stepper, locals.as_ref()),
         Answer::Set(name, value) => {
             let taken = name.accepts(value).is_ok() && name.holds(stepper.cpu(), value).unwrap_or(true);
-            let later = if taken { "" } else { ", seen at the next cycle control point" };
-            format!("  {} is set to {value}{later}\n", name.text())
+            let later = if taken { "" } else { texts::pick(stepper.language, texts::SEEN_LATER) };
+            format!("  {}{later}\n", stepper.say(texts::IS_SET, &[&name.text(), value]))
         }
-        Answer::Who(name, who) => format!("  {}\n", who_text(stepper, name, who.as_ref(), language)),
-        Answer::Breakpoint(number, text) => format!("  breakpoint {number}: {text}\n"),
-        Answer::Breakpoints if stepper.breakpoints().is_empty() => "  no breakpoints\n".to_owned(),
+        Answer::Who(name, who) => format!("  {}\n", who_text(stepper, name, who.as_ref())),
+        Answer::Breakpoint(number, text) => format!("  {}\n", stepper.say(texts::BREAKPOINT, &[number, text])),
+        Answer::Breakpoints if stepper.breakpoints().is_empty() => format!("  {}\n", stepper.say(texts::NO_BREAKPOINTS, &[])),
         Answer::Breakpoints => {
-            stepper.breakpoints().iter().map(|one| format!("  {}: {} (seen {} times)\n", one.number, one.text, one.times)).collect()
+            let line = |one: &Breakpoint| format!("  {}\n", stepper.say(texts::BREAKPOINT_SEEN, &[&one.number, &one.text, &one.times]));
+            stepper.breakpoints().iter().map(line).collect()
         }
         Answer::Nothing | Answer::Quit => String::new(),
+    }
+}
+
+/// The variables of a block, in columns.
+fn locals_text(stepper: &Stepper<'_>, locals: Option<&(BlockId, Vec<LocalValue>)>) -> String {
+    let Some((block, values)) = locals else { return format!("  {}\n", stepper.say(texts::NO_BLOCK_RUNS, &[])) };
+    if values.is_empty() {
+        return format!("  {}\n", stepper.say(texts::NO_VARIABLES, &[block]));
+    }
+    let width = |width: &dyn Fn(&LocalValue) -> usize| values.iter().map(width).max().unwrap_or_default();
+    let names = width(&|one| one.name.text().chars().count());
+    let types = width(&|one| one.data_type.to_string().chars().count());
+    let line = |one: &LocalValue| {
+        let value = one.value.as_ref().map_or_else(|| "-".to_owned(), ToString::to_string);
+        format!("    {:<7} {:names$}  {:types$}  {value}\n", section(one.section), one.name.text(), one.data_type.to_string())
+    };
+    format!("  {}\n", stepper.say(texts::VARIABLES_OF, &[block])) + &values.iter().map(line).collect::<String>()
+}
+
+/// The short word for a part of a declaration.
+pub(crate) fn section(section: Section) -> &'static str {
+    match section {
+        Section::Input => "IN",
+        Section::Output => "OUT",
+        Section::InOut => "IN_OUT",
+        Section::Static => "STAT",
+        Section::Temp => "TEMP",
+        Section::Return => "RETURN",
     }
 }
 
@@ -113,38 +149,49 @@ pub(crate) fn answer(stepper: &mut Stepper<'_>, answer: &Answer, language: Langu
 fn halt_text(stepper: &Stepper<'_>, halt: Halt, view: &View) -> Option<String> {
     Some(match halt {
         Halt::Reached | Halt::Watch => return None,
-        Halt::ScanEnd => format!("the end of scan {}", number(view.scan)),
-        Halt::Limit => "it has not come there yet; the same command goes on".to_owned(),
+        Halt::ScanEnd => stepper.say(texts::END_OF_SCAN, &[&number(view.scan)]),
+        Halt::Limit => stepper.say(texts::NOT_YET, &[]),
         Halt::Stopped => stepper.cpu().stop_cause().map_or_else(
-            || "the CPU is in STOP".to_owned(),
+            || stepper.say(texts::STOPPED, &[]),
             |cause| controller::stop_text(stepper.build(), cause).trim_end().replace('\n', "\n  "),
         ),
-        Halt::NoMoreScans => format!("all {} scans have run", stepper.history().scans()),
-        Halt::Beginning => "this is the beginning".to_owned(),
-        Halt::Forgotten => {
-            format!("what lies further back is no longer kept; the history begins after statement {}", stepper.history().first())
-        }
+        Halt::NoMoreScans => stepper.say(texts::ALL_SCANS, &[&stepper.history().scans()]),
+        Halt::Beginning => stepper.say(texts::BEGINNING, &[]),
+        Halt::Forgotten => stepper.say(texts::FORGOTTEN, &[&stepper.history().first()]),
     })
 }
 
-fn who_text(stepper: &mut Stepper<'_>, name: &Name, who: Option<&Who>, language: Language) -> String {
+fn who_text(stepper: &mut Stepper<'_>, name: &Name, who: Option<&Who>) -> String {
     let Some(who) = who else {
         let since = match stepper.history().first() {
-            0 => "since the beginning".to_owned(),
-            first => format!("since statement {first}, where the kept history begins"),
+            0 => stepper.say(texts::SINCE_BEGINNING, &[]),
+            first => stepper.say(texts::SINCE_KEPT, &[&first]),
         };
-        let written = stepper.writer(name, language).map_or_else(String::new, |by| {
+        let written = stepper.writer(name).map_or_else(String::new, |by| {
             let Line { file, line, text, block, .. } = &by.line;
-            format!("\n  {file}:{line}: {text} ({block}) wrote it last, after statement {} {}: {}", by.position, when(by.scan), by.reason)
+            let when = when(stepper, by.scan);
+            format!("\n  {}", stepper.say(texts::WROTE_LAST, &[file, line, text, block, &by.position, &when, &by.reason]))
         });
-        return format!("nothing has changed `{}` {since}{written}", name.text());
+        return stepper.say(texts::NOTHING_CHANGED, &[&name.text(), &since]) + &written;
     };
     let (before, after) = &who.change;
-    let what = match &who.line {
-        Some(line) => format!("{}:{}: {} ({})", line.file, line.line, line.text, line.block),
-        None => "no statement: the process image, a value set from outside, or the CPU".to_owned(),
+    let what = match (&who.line, who.by) {
+        (Some(line), _) => format!("{}:{}: {} ({})", line.file, line.line, line.said(stepper.language), line.block),
+        (None, By::ProcessImage) => stepper.say(texts::BY_IMAGE, &[]),
+        (None, By::Set) => stepper.say(texts::BY_SET, &[]),
+        (None, _) => stepper.say(texts::BY_CPU, &[]),
     };
-    format!("{}: {before} -> {after} after statement {} {}, by {what}", name.text(), who.position, when(who.scan))
+    stepper.say(texts::CHANGED_BY, &[&name.text(), before, after, &who.position, &when(stepper, who.scan), &what])
+}
+
+/// A command that could not be carried out, as people read it.
+pub(crate) fn failure(failure: &Failure, colour: bool, language: Language) -> String {
+    let german = texts::HELP_GERMAN.iter().find(|(code, _)| *code == failure.problem.code());
+    let help = match language {
+        Language::German => german.map_or(failure.problem.help(), |(_, help)| help),
+        Language::English => failure.problem.help(),
+    };
+    failure.render_with(colour, texts::pick(language, texts::ERROR), texts::pick(language, texts::HELP_WORD), help)
 }
 
 fn line_json(line: &Line) -> Value {
@@ -171,7 +218,7 @@ fn halt_word(halt: Halt) -> &'static str {
 }
 
 /// What an answer is for programs: where the run stands, and what the command asked for.
-pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Answer, language: Language) -> Value {
+pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Answer) -> Value {
     let view = stepper.view();
     let registers: Map<String, Value> = view.registers.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect();
     let stop = stepper.cpu().stop_cause().filter(|_| view.mode == OperatingMode::Stop).map(controller::stop_json);
@@ -186,7 +233,7 @@ pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Ans
         "next": view.next.as_ref().map(line_json),
         "registers": registers,
         "changed": view.changed.iter().map(change_json).collect::<Vec<_>>(),
-        "reason": stepper.reason(language),
+        "reason": stepper.reason(),
         "stack": view.stack.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "mode": view.mode.to_string(),
         "stop": stop,
@@ -202,6 +249,15 @@ pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Ans
                 object["values"] = Value::Object(shown(stepper.watched(), stepper));
             }
         }
+        Answer::Locals(locals) => {
+            object["locals"] = locals.as_ref().map_or(Value::Null, |(block, values)| {
+                let value = |one: &LocalValue| {
+                    json!({ "section": section(one.section), "name": one.name.text(), "type": one.data_type.to_string(),
+                            "value": one.value.as_ref().map_or(Value::Null, names::shown_json) })
+                };
+                json!({ "block": block.to_string(), "variables": values.iter().map(value).collect::<Vec<_>>() })
+            });
+        }
         Answer::Values(names) => object["values"] = Value::Object(shown(names, stepper)),
         Answer::Set(name, value) => object["set"] = json!({ "name": name.text(), "value": value }),
         Answer::Who(name, who) => {
@@ -210,7 +266,7 @@ pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Ans
                         "place": who.line.as_ref().map(line_json) })
             });
             if who.is_none() {
-                object["written"] = stepper.writer(name, language).map_or(Value::Null, |by| {
+                object["written"] = stepper.writer(name).map_or(Value::Null, |by| {
                     json!({ "name": name.text(), "position": by.position, "scan": by.scan, "place": line_json(&by.line), "reason": by.reason })
                 });
             }

@@ -13,7 +13,7 @@ use crate::arguments::EngineArgument;
 use crate::controller;
 use crate::project::{Build, Overrides, Project};
 
-const SOURCE: &str = "DATA_BLOCK DB 1\nSTRUCT\n n : INT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\nFUNCTION FC 1 : VOID\nBEGIN\nL DB1.n\n+ 1\nT DB1.n\n\
+const SOURCE: &str = "DATA_BLOCK DB 1\nSTRUCT\n n : INT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\nFUNCTION FC 1 : VOID\nVAR_TEMP\n n : INT;\nEND_VAR\nBEGIN\nL DB1.n\nT #n\n+ 1\nT DB1.n\n\
     END_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA I 0.0\n= Q 4.0\nend: NOP 0\nNETWORK\nUC FC 1\nL DB1.n\nT MW 10\nEND_ORGANIZATION_BLOCK\n";
 
 fn build() -> Build {
@@ -35,6 +35,13 @@ fn word() -> impl Strategy<Value = String> {
         "-1",
         "99999999999999999999",
         "FC1:2",
+        "#n",
+        "#n=3",
+        "write #n",
+        "write Q4.0",
+        "FC 1.#n",
+        "LW 0",
+        "if #n > 1",
         "FC1:9",
         "OB1:end",
         "OB 1:1",
@@ -84,12 +91,13 @@ fn no_line_of_commands_breaks_the_stepper() {
     proptest!(ProptestConfig { cases: 256, failure_persistence: None, ..ProptestConfig::default() }, |(lines in proptest::collection::vec(line(), 1..25))| {
         let cpu = controller::load(&build, EngineArgument::Interpreter, StatusBits::All, settings.clone());
         let mut stepper = Stepper::new(&build, cpu, Plan::new(10_000, Some(40), Vec::new()));
+        stepper.language = Language::German;
         for line in &lines {
             let before = stepper.history().position();
             match carry_out(&mut stepper, line, &mut |_| {}) {
                 Ok(answer) => {
-                    let _ = table::answer(&mut stepper, &answer, Language::German);
-                    let _ = table::answer_json(&mut stepper, line, &answer, Language::English);
+                    let _ = table::answer(&mut stepper, &answer);
+                    let _ = table::answer_json(&mut stepper, line, &answer);
                 }
                 Err(failure) => {
                     prop_assert!(!failure.message.is_empty());

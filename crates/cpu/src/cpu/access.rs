@@ -105,6 +105,16 @@ fn check_bit(operand: &Operand) -> Result<(), AccessError> {
 }
 
 impl Cpu {
+    /// Sets bytes of the memory of the program: a variable of a block that runs, which has no address of its own. `at` is a byte of the arena;
+    /// `false` if it lies outside.
+    pub fn modify_memory(&mut self, at: usize, bit: u8, width: Width, value: u64) -> bool {
+        let inside = at.checked_add(width.bytes() as usize).is_some_and(|end| end <= self.machine.memory.arena.len());
+        if inside {
+            self.machine.memory.write_wide(at, bit & 7, width, value);
+        }
+        inside
+    }
+
     /// What is forced.
     pub fn forced(&self) -> &Forced {
         &self.forced

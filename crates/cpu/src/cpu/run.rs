@@ -74,6 +74,7 @@ impl Cpu {
                 clock_set: std::mem::take(&mut clock_set),
                 slice: self.slice,
                 testing: self.testing,
+                written: Vec::new(),
             };
             if let Go::Enter(entry) = &go {
                 host.system.begin(host.class);

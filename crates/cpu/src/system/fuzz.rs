@@ -119,6 +119,7 @@ pub(super) fn with_host(cpu_type: &'static CpuType, memory: &[u8], parameters: &
         clock_set: false,
         slice: None,
         testing: false,
+        written: Vec::new(),
     };
     check(&mut Call { machine: &mut machine, host: &mut host, first: 0 });
 }

@@ -111,7 +111,7 @@ mod unavailable;
 
 use sieben_engine::{Machine, Reaction};
 use sieben_model::address::Width;
-use sieben_model::block::BlockId;
+use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::{Interface, SystemBlock};
 
 use crate::host::CpuHost;
@@ -233,6 +233,12 @@ pub fn extension_interfaces() -> Vec<SystemBlock> {
 /// The interfaces of what the code of tests asks, which only programs with a test file call.
 pub fn test_interfaces() -> Vec<SystemBlock> {
     testing::CALLED.iter().map(Row::system_block).collect()
+}
+
+/// Bytes of the instance of a system function block; `None` for a function.
+pub(crate) fn instance_bytes(block: BlockId) -> Option<u32> {
+    let is_function_block = block.kind == BlockKind::SystemFunctionBlock;
+    row(block).filter(|_| is_function_block).map(|row| row.system_block().interface.instance_size)
 }
 
 /// How wide the result of a function is; `None` if it has none that is elementary.

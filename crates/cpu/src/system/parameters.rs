@@ -1,5 +1,7 @@
 //! Parameters of system functions: values and places behind pointers, and the general error codes.
 
+use std::ops::Range;
+
 use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT};
 use sieben_engine::{Host, Machine};
 use sieben_model::address::{Area, Width};
@@ -123,7 +125,10 @@ impl Call<'_, '_> {
     /// Writes an elementary output.
     pub(super) fn output(&mut self, index: usize, width: Width, value: u32) -> Result<(), u16> {
         match self.place(index, width, true)? {
-            (Place::Arena(at), bit) => self.machine.memory.write_at(at, bit, width, value),
+            (Place::Arena(at), bit) => {
+                self.machine.memory.write_at(at, bit, width, value);
+                self.wrote(at..at + width.bytes() as usize);
+            }
             // No bit of the peripheral can be an actual parameter.
             (Place::Peripheral(byte), _) if width != Width::Bit => {
                 if !self.host.peripheral_write(self.machine, byte, width, value) {
@@ -133,6 +138,11 @@ impl Call<'_, '_> {
             (Place::Peripheral(_), _) => return Err(Refused::AREA.when(true).of(index)),
         }
         Ok(())
+    }
+
+    /// Notes that these bytes of the arena have been written, for whoever watches.
+    pub(super) fn wrote(&mut self, bytes: Range<usize>) {
+        self.host.written.push(bytes);
     }
 
     /// The bytes passed behind a parameter: a POINTER or an ANY itself.
@@ -182,6 +192,7 @@ impl Call<'_, '_> {
     pub(super) fn complex_output(&mut self, index: usize, bytes: &[u8]) -> Result<(), u16> {
         let at = self.complex(index, bytes.len(), true)?;
         self.machine.memory.arena[at..at + bytes.len()].copy_from_slice(bytes);
+        self.wrote(at..at + bytes.len());
         Ok(())
     }
 

@@ -104,8 +104,9 @@ fn fill(call: &mut Call<'_, '_>, any: [u8; 10], bytes: &[u8]) -> Result<(), u32>
         return Ok(());
     }
     let area = call.area(any, true).map_err(|_| BAD_AREA)?;
-    for (at, &byte) in area.zip(bytes) {
+    for (at, &byte) in area.clone().zip(bytes) {
         call.machine.memory.arena[at] = byte;
     }
+    call.wrote(area.start..area.end.min(area.start + bytes.len()));
     Ok(())
 }

@@ -12,9 +12,10 @@ const PARAMETERS: &[Parameter] = &[input("LADDR", DataType::Word), ret_val(), ou
 
 fn run(call: &mut Call<'_, '_>) -> Answer {
     let (first, record) = call.record(2, false)?;
-    for (byte, at) in (first..).zip(record) {
+    for (byte, at) in (first..).zip(record.clone()) {
         let value = call.host.rack.read_for_program(byte, Width::Byte).unwrap_or_default();
         call.machine.memory.arena[at] = value as u8;
     }
+    call.wrote(record);
     Ok(0)
 }

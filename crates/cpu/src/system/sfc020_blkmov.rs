@@ -14,5 +14,6 @@ fn run(call: &mut Call<'_, '_>) -> Answer {
     let destination = call.any(2, true)?;
     let bytes = source.len().min(destination.len());
     call.machine.memory.arena.copy_within(source.start..source.start + bytes, destination.start);
+    call.wrote(destination.start..destination.start + bytes);
     Ok(0)
 }

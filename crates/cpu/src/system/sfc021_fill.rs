@@ -14,8 +14,9 @@ fn run(call: &mut Call<'_, '_>) -> Answer {
     let block = call.any(2, true)?;
     // The pattern as it was before: it may lie in the block.
     let pattern = call.machine.memory.arena[pattern].to_vec();
-    for (byte, &value) in call.machine.memory.arena[block].iter_mut().zip(pattern.iter().cycle()) {
+    for (byte, &value) in call.machine.memory.arena[block.clone()].iter_mut().zip(pattern.iter().cycle()) {
         *byte = value;
     }
+    call.wrote(block);
     Ok(0)
 }

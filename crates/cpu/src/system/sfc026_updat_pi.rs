@@ -13,5 +13,6 @@ const PARAMETERS: &[Parameter] = &[input("PART", DataType::Byte), ret_val(), out
 fn run(call: &mut Call<'_, '_>) -> Answer {
     call.partition()?;
     let failed = call.host.rack.get_image(call.machine.memory.area_mut(Area::Input));
+    call.wrote(call.machine.memory.layout.inputs.clone());
     call.exchanged(&failed)
 }

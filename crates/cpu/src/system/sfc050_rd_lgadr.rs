@@ -44,6 +44,7 @@ fn run(call: &mut Call<'_, '_>) -> Answer {
     }
     for ((index, bytes), field) in addresses.into_iter().enumerate().zip(fields) {
         let count = bytes.len() as u32;
+        call.wrote(field.start..field.start + 2 * bytes.len());
         for (address, at) in bytes.zip(field.step_by(2)) {
             call.machine.memory.write_at(at, 0, Width::Word, address);
         }

@@ -64,9 +64,10 @@ fn run(call: &mut Call<'_, '_>) -> Answer {
     let area = call.any(6, true)?;
     let room = area.len() / length.max(1);
     let fit = records.len().min(room);
-    for (at, &byte) in area.zip(records[..fit].iter().flatten()) {
+    for (at, &byte) in area.clone().zip(records[..fit].iter().flatten()) {
         call.machine.memory.arena[at] = byte;
     }
+    call.wrote(area.start..area.start + fit * length);
     // Who asks for the header alone is told how many there are, else how many were delivered.
     let count = if records.is_empty() { list.count } else { fit as u16 };
     let bytes = [list.record_bytes.to_be_bytes(), count.to_be_bytes()].concat();

@@ -23,5 +23,6 @@ fn run(call: &mut Call<'_, '_>) -> Answer {
         return Err(Refused::LENGTH.of(0));
     }
     call.machine.memory.arena.copy_within(source.start..source.start + bytes, destination.start);
+    call.wrote(destination.start..destination.start + bytes);
     Ok(0)
 }

@@ -21,8 +21,9 @@ fn run(call: &mut Call<'_, '_>) -> Result<[usize; 2], u16> {
     let changed = call.host.system.load_memory.get(&source.number);
     let image = changed.or(call.host.program.data.get(&source.number).map(|block| &block.image));
     let bytes = image.and_then(|image| image.get(source.bytes)).unwrap_or_default();
-    for (at, &byte) in destination.zip(bytes) {
+    for (at, &byte) in destination.clone().zip(bytes) {
         call.machine.memory.arena[at] = byte;
     }
+    call.host.written.push(destination.start..destination.end.min(destination.start + bytes.len()));
     Ok(lengths)
 }

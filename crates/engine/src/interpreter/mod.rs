@@ -3,6 +3,7 @@
 mod local_data;
 mod prepare;
 mod run;
+mod stores;
 
 use std::collections::HashMap;
 use std::sync::Arc;

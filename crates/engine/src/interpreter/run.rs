@@ -6,6 +6,7 @@ use sieben_model::block::{BlockId, BlockKind};
 use super::Interpreter;
 use super::local_data;
 use super::prepare::{Block, Step};
+use super::stores;
 use crate::access::{
     File, Target, after_call, caller_registers, in_data_block, load_file, locate, move_bytes, open, plan_move, read_peripheral, registers,
     restore_caller, store_file, write_peripheral, write_start_information,
@@ -138,16 +139,24 @@ impl Interpreter {
                     file[usize::from($var)]
                 };
             }
+            macro_rules! store {
+                ($at:expr, $bit:expr, $width:expr, $value:expr) => {{
+                    if WATCHED {
+                        stores::value(context, $at, $bit, $width);
+                    }
+                    write(context.machine, $at, $bit, $width, $value)
+                }};
+            }
             loop {
                 if WATCHED && block.statements.binary_search(&(at as u32)).is_ok() {
                     self.finish_event(context, &file, &mut watched);
                     let statement = block.statements.partition_point(|&first| first as usize <= at) - 1;
                     let place = Place { block: block.id, statement: statement as u32 };
+                    store_file(context.machine, &file);
                     if let Some(tracer) = context.tracer.as_deref_mut()
                         && tracer.pauses_before(context.machine, place)
                     {
                         interrupt_at(context.machine, at);
-                        store_file(context.machine, &file);
                         return Exit::Paused;
                     }
                     watched = Some(Watched { place, before: registers(&file) });
@@ -168,6 +177,9 @@ impl Interpreter {
                         file[Register::Fc as usize] = 1;
                     }
                     Step::Assign { bit, at } => {
+                        if WATCHED {
+                            stores::value(context, at as usize, bit, Width::Bit);
+                        }
                         let rlo = file[Register::Rlo as usize];
                         let byte = &mut context.machine.memory.arena[at as usize];
                         *byte = *byte & !(1 << (bit & 7)) | ((rlo & 1) as u8) << (bit & 7);
@@ -190,14 +202,17 @@ impl Interpreter {
                     Step::LoadDouble { dst, at } => var!(dst) = read(context.machine, at as usize, 0, Width::DoubleWord),
                     Step::LoadQuad { dst, at } => var!(dst) = read(context.machine, at as usize, 0, Width::QuadWord),
                     Step::StoreBit { src, bit, at } => {
+                        if WATCHED {
+                            stores::value(context, at as usize, bit, Width::Bit);
+                        }
                         let value = (var!(src) & 1) as u8;
                         let byte = &mut context.machine.memory.arena[at as usize];
                         *byte = *byte & !(1 << (bit & 7)) | value << (bit & 7);
                     }
-                    Step::StoreByte { src, at } => context.machine.memory.arena[at as usize] = var!(src) as u8,
-                    Step::StoreWord { src, at } => write(context.machine, at as usize, 0, Width::Word, var!(src)),
-                    Step::StoreDouble { src, at } => write(context.machine, at as usize, 0, Width::DoubleWord, var!(src)),
-                    Step::StoreQuad { src, at } => write(context.machine, at as usize, 0, Width::QuadWord, var!(src)),
+                    Step::StoreByte { src, at } => store!(at as usize, 0, Width::Byte, var!(src)),
+                    Step::StoreWord { src, at } => store!(at as usize, 0, Width::Word, var!(src)),
+                    Step::StoreDouble { src, at } => store!(at as usize, 0, Width::DoubleWord, var!(src)),
+                    Step::StoreQuad { src, at } => store!(at as usize, 0, Width::QuadWord, var!(src)),
                     Step::LoadLocal { dst, bit, width, byte } => {
                         if WATCHED {
                             local_data::read(context, place_of(block, at), local + byte as usize, bit, width);
@@ -208,7 +223,7 @@ impl Interpreter {
                         if WATCHED {
                             local_data::written(context, place_of(block, at), local + byte as usize, bit, width);
                         }
-                        write(context.machine, local + byte as usize, bit, width, var!(src));
+                        store!(local + byte as usize, bit, width, var!(src));
                     }
                     Step::LoadData { dst, register, width, on_fault, position } => {
                         let write = on_fault == OnFault::SkipWrite;
@@ -219,7 +234,7 @@ impl Interpreter {
                     }
                     Step::StoreData { src, register, width, position } => {
                         match in_data_block(context.machine, &file, register, position, width, true) {
-                            Ok((byte, bit)) => write(context.machine, byte, bit, width, var!(src)),
+                            Ok((byte, bit)) => store!(byte, bit, width, var!(src)),
                             Err(fault) => go!(self.fault(context, &mut file, block, at, &fault, None)),
                         }
                     }
@@ -254,10 +269,15 @@ impl Interpreter {
                                 if WATCHED {
                                     local_data::written(context, place_of(block, at), byte, bit, width);
                                 }
-                                write(context.machine, byte, bit, width, value);
+                                store!(byte, bit, width, value);
                                 Ok(())
                             }
-                            Ok(Target::Peripheral(byte)) if write_peripheral(context, byte, width, value) => Ok(()),
+                            Ok(Target::Peripheral(byte)) if write_peripheral(context, byte, width, value) => {
+                                if WATCHED {
+                                    stores::peripheral(context, byte, width);
+                                }
+                                Ok(())
+                            }
                             Ok(Target::Peripheral(byte)) => Err(Fault::IoAccess { write: true, width, byte }),
                             Err(fault) => Err(fault),
                         };
@@ -269,6 +289,7 @@ impl Interpreter {
                         let (from, to, bytes) = block.moves[index as usize];
                         if WATCHED {
                             local_data::moved(context, &file, place_of(block, at), (from, to, bytes));
+                            stores::moved(context, &file, to, bytes);
                         }
                         let machine = &*context.machine;
                         match plan_move(machine, &file, &|outwards| machine.local_data(outwards), (from, to, bytes)) {
@@ -281,6 +302,7 @@ impl Interpreter {
                         if WATCHED && action.writes() {
                             let bytes = 2 + u32::from(to.characters_max);
                             local_data::moved(context, &file, place_of(block, at), (from.place, to.place, bytes));
+                            stores::moved(context, &file, to.place, bytes);
                         }
                         let machine = &*context.machine;
                         let piece = texts::Piece { first: var!(first) as u32 as i32, count: var!(count) as u32 as i32 };
@@ -297,7 +319,12 @@ impl Interpreter {
                     Step::Intrinsic { dst, intrinsic, args } => {
                         let [a, b, c, d] = args;
                         match intrinsic.run(context.machine, [var!(a), var!(b), var!(c), var!(d)]) {
-                            Ok(value) => var!(dst) = value,
+                            Ok(value) => {
+                                if WATCHED {
+                                    stores::intrinsic(context, intrinsic, [var!(a), var!(b)]);
+                                }
+                                var!(dst) = value;
+                            }
                             Err(fault) => go!(self.fault(context, &mut file, block, at, &fault, None)),
                         }
                     }
@@ -456,6 +483,9 @@ impl Interpreter {
         let mut reaction = context.host.system_function(context.machine, callee, first);
         if let Reaction::Stop(reason) = &mut reaction {
             reason.place.get_or_insert(Place { block: block.id, statement: block.statement_of(at) });
+        }
+        if context.tracer.is_some() {
+            stores::system_function(context, callee);
         }
         *file = load_file(&context.machine.registers);
         context.machine.parameters.truncate(first);

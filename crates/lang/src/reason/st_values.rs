@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use sieben_engine::ir::{Inst, Place as IrPlace};
+use sieben_engine::ir::Place as IrPlace;
 use sieben_engine::program::CodeBlock;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
@@ -26,7 +26,7 @@ pub(super) struct Values<'a> {
 
 impl<'a> Values<'a> {
     pub(super) fn new(reasons: Reasons<'a>, moment: &Moment<'a>, code: &CodeBlock) -> Self {
-        Self { reasons, moment: *moment, copies: copies(code) }
+        Self { reasons, moment: *moment, copies: code.copied_parameters() }
     }
 
     pub(super) fn slice(&self, span: Span) -> &'a str {
@@ -172,29 +172,6 @@ impl<'a> Values<'a> {
             _ => None,
         }
     }
-}
-
-/// Where a function keeps its elementary parameters: what its first steps load through a parameter and store in the local data, and
-/// what its last ones store back.
-fn copies(code: &CodeBlock) -> BTreeMap<u16, u32> {
-    let mut copies = BTreeMap::new();
-    for window in code.code.insts.windows(3) {
-        let (pointer, index, load, store) = match window {
-            [Inst::Parameter { dst, index }, load @ Inst::Load { .. }, store @ Inst::Store { .. }]
-            | [load @ Inst::Load { .. }, Inst::Parameter { dst, index }, store @ Inst::Store { .. }] => (dst, index, load, store),
-            _ => continue,
-        };
-        let (Inst::Load { dst, place: from, .. }, Inst::Store { src, place: to, .. }) = (load, store) else { continue };
-        let through = |place: &IrPlace| matches!(place, IrPlace::Crossing { pointer: by, offset: 0 } if by == pointer);
-        if dst == src
-            && let (IrPlace::Fixed { area: Area::Local, position }, other) | (other, IrPlace::Fixed { area: Area::Local, position }) =
-                (from, to)
-            && through(other)
-        {
-            copies.entry(*index).or_insert(*position);
-        }
-    }
-    copies
 }
 
 /// The places that an expression loads, from left to right.

@@ -1,6 +1,8 @@
 //! The tracer that counts statements, pauses where it is told, and asks a watcher.
 
-use sieben_engine::{FaultPlace, Machine, StatementEvent, Tracer};
+use sieben_engine::{FaultPlace, Machine, StatementEvent, Stored, Tracer};
+
+use super::plan::Action;
 
 /// Someone who looks at every statement and says where to pause.
 pub trait Watch {
@@ -12,6 +14,14 @@ pub trait Watch {
     fn before(&mut self, machine: &Machine, place: FaultPlace) -> bool {
         let _ = (machine, place);
         false
+    }
+    /// Something comes from outside: the process image with a scan, a value that is set, a restart.
+    fn outside(&mut self, machine: &Machine, action: &Action) {
+        let _ = (machine, action);
+    }
+    /// A statement stores something; what happens [`Self::after`] it or, if it called a block, before the next one.
+    fn stores(&mut self, machine: &Machine, stored: Stored) {
+        let _ = (machine, stored);
     }
     /// After a statement: whether to pause before the next one.
     fn after(&mut self, machine: &Machine, event: &StatementEvent) -> bool {
@@ -57,6 +67,10 @@ impl<'w> Drive<'w> {
 }
 
 impl Tracer for Drive<'_> {
+    fn stores(&mut self, machine: &Machine, stored: Stored) {
+        self.watching.watch.stores(machine, stored);
+    }
+
     fn statement(&mut self, machine: &Machine, event: &StatementEvent) {
         if let Some((at, _, after)) = &mut self.around
             && *at == self.executed

@@ -22,7 +22,7 @@ use kept::Kept;
 
 pub use drive::{Unwatched, Watch};
 pub use plan::{Action, Plan};
-pub use watch::{Breakpoint, Breakpoints, Condition, Hit, Relation, Target};
+pub use watch::{Breakpoint, Breakpoints, By, Condition, Hit, Relation, StoreIfRlo, Target};
 
 /// Where a run stands in its history.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -405,9 +405,13 @@ impl History {
         if let Some(Action::Set { name, value }) = entry.as_ref().filter(|_| !paused || set_inside == Some(here)) {
             // It was accepted when it was recorded, but a recording may have been changed.
             self.refused |= name.write(&mut self.cpu, value).is_err();
+            drive.watch.outside(self.cpu.machine(), &Action::Set { name: name.clone(), value: value.clone() });
             self.position.actions += 1;
             self.keep_if_due();
             return Went { wanted: false, reached: false, scan_ended: false };
+        }
+        if let Some(action) = entry.as_ref().filter(|_| !paused) {
+            drive.watch.outside(self.cpu.machine(), action);
         }
         let until = target.min(self.kept.next_at(self.position)).min(set_inside.unwrap_or(u64::MAX));
         let capture = if closely { Some(here) } else { target.checked_sub(1).filter(|_| target != u64::MAX) };

@@ -1,8 +1,9 @@
 //! Looking back: the last moment before this one at which something was so.
 
-use sieben_engine::{FaultPlace, Machine, StatementEvent};
+use sieben_engine::{FaultPlace, Machine, StatementEvent, Stored};
 
 use super::drive::{Watch, Watching};
+use super::plan::Action;
 use super::{Halt, History, Position};
 
 /// Passes everything on, notes what the watcher wants and pauses nowhere.
@@ -18,6 +19,12 @@ struct Noting<'w> {
 impl Watch for Noting<'_> {
     fn begin(&mut self, machine: &Machine) {
         self.watch.begin(machine);
+    }
+    fn outside(&mut self, machine: &Machine, action: &Action) {
+        self.watch.outside(machine, action);
+    }
+    fn stores(&mut self, machine: &Machine, stored: Stored) {
+        self.watch.stores(machine, stored);
     }
     fn before(&mut self, machine: &Machine, place: FaultPlace) -> bool {
         if self.here != Some(self.executed) && self.watch.before(machine, place) {

@@ -1,11 +1,14 @@
 //! Breakpoints: at a statement, when a value changes, when a condition becomes true.
 
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
 use sieben_engine::machine::Registers;
-use sieben_engine::{FaultPlace, Machine, StatementEvent};
+use sieben_engine::{FaultPlace, Machine, StatementEvent, Stored};
+use sieben_model::block::BlockId;
 
 use super::drive::Watch;
+use super::plan::Action;
 use crate::names::{Name, NameError};
 
 /// How a condition compares.
@@ -90,8 +93,21 @@ pub enum Target {
     Statement(FaultPlace, u32),
     /// A value changes, whoever changes it.
     Change(Name),
+    /// A value is written, even with what it was before.
+    Write(Name),
     /// A condition becomes true.
     Condition(Condition),
+}
+
+impl Target {
+    /// The value that is looked at.
+    fn name(&self) -> Option<&Name> {
+        match self {
+            Self::Change(name) | Self::Write(name) => Some(name),
+            Self::Condition(condition) => Some(&condition.name),
+            Self::Statement(..) => None,
+        }
+    }
 }
 
 /// A breakpoint.
@@ -111,16 +127,28 @@ pub struct Breakpoint {
     pub times: u64,
 }
 
+/// Who did something to a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// A statement: the last one, or the one whose call has returned and that goes on.
+    Statement(FaultPlace),
+    /// The process image of the inputs, which was read at the beginning of a scan.
+    ProcessImage,
+    /// Somebody set it from outside.
+    Set,
+    /// The CPU itself: it cleared memory, a timer ran on, a module answered.
+    Cpu,
+}
+
 /// A breakpoint that pauses the run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hit {
     /// The number of the breakpoint.
     pub number: u32,
-    /// The bits before and after, of a value that has changed.
+    /// The bits before and after, of a value that has changed or was written.
     pub change: Option<(Option<u64>, Option<u64>)>,
-    /// The statement that did it: the last one, or the one whose call has returned and that goes on. `None` if it was none: the process image,
-    /// a value set from outside, or the CPU itself.
-    pub by: Option<FaultPlace>,
+    /// Who did it.
+    pub by: By,
 }
 
 /// What is remembered of a breakpoint from statement to statement.
@@ -128,11 +156,19 @@ pub struct Hit {
 struct Seen {
     value: Option<u64>,
     held: bool,
+    /// Something was stored where the value lies.
+    stored: bool,
+    /// What came from outside since the last statement.
+    outside: Option<By>,
 }
+
+/// Statements that store something only where the RLO is 1: `S` and `R`.
+pub type StoreIfRlo = BTreeSet<(BlockId, u32)>;
 
 /// Breakpoints as a watcher.
 pub struct Breakpoints<'b> {
     breakpoints: &'b mut [Breakpoint],
+    if_rlo: &'b StoreIfRlo,
     seen: Vec<Seen>,
     registers: Registers,
     /// The last statement of every block that runs, outermost first.
@@ -141,37 +177,70 @@ pub struct Breakpoints<'b> {
     pub hits: Vec<Hit>,
 }
 
+/// A moment at which breakpoints are looked at.
+struct Now {
+    /// The statement that comes next.
+    place: Option<FaultPlace>,
+    /// The statement that did what has happened.
+    by: Option<FaultPlace>,
+    /// It stores nothing, whatever it did to the memory.
+    idle: bool,
+    /// Variables of this block are where its registers say; `None` = of all that run.
+    only: Option<BlockId>,
+}
+
 impl<'b> Breakpoints<'b> {
-    /// Watches for these; the registers are those at the beginning of the movement.
-    pub fn new(breakpoints: &'b mut [Breakpoint], registers: &Registers) -> Self {
-        Self { breakpoints, seen: Vec::new(), registers: registers.clone(), running: Vec::new(), hits: Vec::new() }
+    /// Watches for these.
+    pub fn new(breakpoints: &'b mut [Breakpoint], if_rlo: &'b StoreIfRlo) -> Self {
+        Self { breakpoints, if_rlo, seen: Vec::new(), registers: Registers::fresh(), running: Vec::new(), hits: Vec::new() }
     }
 
-    fn look(&mut self, machine: &Machine, place: Option<FaultPlace>, by: Option<FaultPlace>) -> bool {
+    fn look(&mut self, machine: &Machine, now: &Now) -> bool {
         let mut hits = Vec::new();
+        let registers = &self.registers;
         for (breakpoint, seen) in self.breakpoints.iter_mut().zip(&mut self.seen) {
+            let outside = seen.outside.take();
+            let block = breakpoint.target.name().and_then(Name::block);
+            if block.is_some_and(|block| now.only.is_some_and(|only| only != block)) {
+                // Told before the next statement, when the registers are its again.
+                seen.outside = outside;
+                continue;
+            }
+            let stored = std::mem::take(&mut seen.stored) && !now.idle;
             let (happened, change) = match &breakpoint.target {
                 Target::Statement(first, last) => {
                     let here =
-                        place.is_some_and(|place| place.block == first.block && (first.statement..=*last).contains(&place.statement));
+                        now.place.is_some_and(|place| place.block == first.block && (first.statement..=*last).contains(&place.statement));
                     (here, None)
                 }
-                Target::Change(name) => {
-                    let value = name.bits_in(machine, &self.registers);
+                Target::Change(name) | Target::Write(name) => {
+                    let value = name.bits_in(machine, registers);
+                    // A variable of a block begins and ends with it, which is no change.
+                    if block.is_some() && value.is_none() {
+                        continue;
+                    }
                     let before = std::mem::replace(&mut seen.value, value);
-                    (before != value, Some((before, value)))
+                    let begins = block.is_some() && before.is_none();
+                    let is_write = matches!(breakpoint.target, Target::Write(_));
+                    // What runs on by itself is not written.
+                    let changed = before != value && !begins && !(is_write && name.is_timer());
+                    (changed || is_write && stored, Some((before, value)))
                 }
                 Target::Condition(condition) => {
-                    let holds = condition.holds(machine, &self.registers);
+                    if block.is_some() && condition.name.bits_in(machine, registers).is_none() {
+                        continue;
+                    }
+                    let holds = condition.holds(machine, registers);
                     let held = std::mem::replace(&mut seen.held, holds);
                     (holds && !held, None)
                 }
             };
-            if !happened || breakpoint.only_if.as_ref().is_some_and(|condition| !condition.holds(machine, &self.registers)) {
+            if !happened || breakpoint.only_if.as_ref().is_some_and(|condition| !condition.holds(machine, registers)) {
                 continue;
             }
             breakpoint.times += 1;
             if breakpoint.times.is_multiple_of(breakpoint.every.max(1)) {
+                let by = now.by.map_or(outside.unwrap_or(By::Cpu), By::Statement);
                 hits.push(Hit { number: breakpoint.number, change, by });
             }
         }
@@ -185,27 +254,64 @@ impl<'b> Breakpoints<'b> {
 
 impl Watch for Breakpoints<'_> {
     fn begin(&mut self, machine: &Machine) {
+        self.registers.clone_from(&machine.registers);
         let registers = &self.registers;
         let seen = |breakpoint: &Breakpoint| match &breakpoint.target {
             Target::Statement(..) => Seen::default(),
-            Target::Change(name) => Seen { value: name.bits_in(machine, registers), held: false },
-            Target::Condition(condition) => Seen { value: None, held: condition.holds(machine, registers) },
+            Target::Change(name) | Target::Write(name) => Seen { value: name.bits_in(machine, registers), ..Seen::default() },
+            Target::Condition(condition) => Seen { held: condition.holds(machine, registers), ..Seen::default() },
         };
         self.seen = self.breakpoints.iter().map(seen).collect();
         self.running.clear();
     }
 
     fn before(&mut self, machine: &Machine, place: FaultPlace) -> bool {
+        self.registers.clone_from(&machine.registers);
         let depth = machine.frames.len().max(1);
         // A statement that calls goes on when the block has ended, with what it does with the result.
         let returned = if self.running.len() > depth { self.running[depth - 1] } else { None };
         self.running.resize(depth, None);
         self.running[depth - 1] = Some(place);
-        self.look(machine, Some(place), returned)
+        self.look(machine, &Now { place: Some(place), by: returned, idle: false, only: None })
+    }
+
+    fn outside(&mut self, machine: &Machine, action: &Action) {
+        for (breakpoint, seen) in self.breakpoints.iter().zip(&mut self.seen) {
+            let Some(name) = breakpoint.target.name() else { continue };
+            let inputs = &machine.memory.layout.inputs;
+            let stored = |stored: &Stored| name.is_stored(machine, &machine.registers, stored);
+            match action {
+                Action::Scan { .. } if stored(&Stored::Memory { first: inputs.start, bytes: inputs.len(), mask: 0xFF }) => {
+                    seen.outside = Some(By::ProcessImage);
+                    seen.stored = true;
+                }
+                Action::Set { name: set, .. } if set.stores(machine).is_some_and(|place| stored(&place)) => {
+                    seen.outside = Some(By::Set);
+                    seen.stored = true;
+                }
+                Action::Scan { .. } | Action::Restart(_) | Action::Set { .. } => {}
+            }
+        }
+    }
+
+    fn stores(&mut self, machine: &Machine, stored: Stored) {
+        for (breakpoint, seen) in self.breakpoints.iter().zip(&mut self.seen) {
+            if let Target::Write(name) = &breakpoint.target
+                && !seen.stored
+            {
+                // Inside a statement the registers may be on their way: DI and AR2 of a block that is called are set by the call.
+                seen.stored = name.is_stored(machine, &machine.registers, &stored);
+            }
+        }
     }
 
     fn after(&mut self, machine: &Machine, event: &StatementEvent) -> bool {
         self.registers.clone_from(&event.after);
-        self.look(machine, None, Some(event.place))
+        let place = event.place;
+        let newest = machine.frames.last().map(|frame| frame.block);
+        // Where a block begins or ends the registers are not yet those of the block that runs.
+        let only = if newest == Some(place.block) { None } else { Some(place.block).filter(|_| newest.is_some()) };
+        let idle = event.before.rlo & 1 == 0 && self.if_rlo.contains(&(place.block, place.statement));
+        self.look(machine, &Now { place: None, by: Some(place), idle, only })
     }
 }

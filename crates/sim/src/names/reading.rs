@@ -212,6 +212,11 @@ impl Name {
             },
             Target::Field { data_type, .. } if is_one_number(data_type) => Kind::of_type(data_type),
             Target::Field { .. } => Kind::Text,
+            Target::Local(local) => match (local.width(), &local.data_type) {
+                (None, _) | (_, DataType::Timer | DataType::Counter) => Kind::Text,
+                (_, DataType::BlockFunction | DataType::BlockFunctionBlock | DataType::BlockData | DataType::BlockSystemData) => Kind::Text,
+                (Some(_), data_type) => Kind::of_type(data_type),
+            },
         }
     }
 
@@ -222,6 +227,7 @@ impl Name {
     pub fn sample(&self, cpu: &Cpu) -> Result<Sample, NameError> {
         match &self.target {
             Target::Field { data_type, .. } if !is_one_number(data_type) => self.read(cpu).map(|shown| Sample::text(&shown.to_string())),
+            Target::Local(_) if self.kind() == Kind::Text => self.read(cpu).map(|shown| Sample::text(&shown.to_string())),
             Target::Operand(_, Some(data_type)) | Target::Field { data_type, .. } if is_enumeration(data_type) => {
                 self.read(cpu).map(|shown| Sample::text(&shown.to_string()))
             }

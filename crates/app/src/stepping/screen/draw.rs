@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, BorderType, Clear, Paragraph, Wrap};
 
 use super::picture::{Focus, Picture, SourceLine, pointer};
-use super::words::{HELP, KEYS, pick};
+use crate::stepping::texts::{self, HELP, KEYS, pick};
 
 /// Smallest terminal that the picture fits into.
 pub(super) const MIN_WIDTH: u16 = 80;
@@ -240,7 +240,37 @@ fn draw_registers(frame: &mut Frame<'_>, area: Rect, picture: &Picture) {
     frame.render_widget(Paragraph::new(lines).block(block), area);
 }
 
+/// The variables of the block that runs; the names give way to the values.
+fn draw_variables(frame: &mut Frame<'_>, area: Rect, picture: &Picture, (name, values): &(String, Vec<(String, String)>)) {
+    let title = if name.is_empty() {
+        picture.say(texts::NO_BLOCK_RUNS).to_owned()
+    } else {
+        texts::fill(picture.language, texts::VARIABLES_OF, &[name])
+    };
+    let block = picture.frame(format!(" {title} "), false);
+    let inner = block.inner(area);
+    let (rows, width) = (usize::from(inner.height), usize::from(inner.width));
+    let for_watched = picture.watched.len().min(rows / 3);
+    let room = rows - for_watched;
+    let mut lines: Vec<Line<'_>> = Vec::new();
+    let shown = if values.len() > room { room.saturating_sub(1) } else { room };
+    for (name, value) in values.iter().take(shown) {
+        let value_width = value.chars().count().min(width);
+        let name: String = name.chars().take(width.saturating_sub(value_width + 1)).collect();
+        lines.push(Line::from(format!("{name:<left$} {value}", left = width.saturating_sub(value_width + 1))));
+    }
+    if values.len() > shown {
+        lines.push(Line::styled(format!("… {} :locals", values.len() - shown), picture.faint()));
+    }
+    let skipped = picture.watched.len() - for_watched;
+    lines.extend(picture.watched.iter().skip(skipped).map(|(name, value)| Line::from(format!("{name} = {value}"))));
+    frame.render_widget(Paragraph::new(lines).block(block), area);
+}
+
 fn draw_values(frame: &mut Frame<'_>, area: Rect, picture: &Picture) {
+    if let Some(variables) = &picture.variables {
+        return draw_variables(frame, area, picture, variables);
+    }
     let block = picture.frame(format!(" {} ", picture.say(["Bits and values", "Bits und Werte"])), picture.focus == Focus::Bits);
     let rows = usize::from(block.inner(area).height);
     let mut lines = vec![Line::styled("       7654 3210", picture.faint())];

@@ -25,6 +25,8 @@ pub(super) enum Command {
     Bits(i32),
     /// Goes between source and bits.
     Focus,
+    /// Shows the variables of the block, or the bits.
+    Variables,
     /// English or German.
     Language,
     /// Shows all keys, or hides them.
@@ -74,6 +76,7 @@ pub(super) fn command(key: KeyEvent, typing: bool) -> Option<Command> {
                 'g' => Command::ToCursor,
                 ' ' => Command::Toggle,
                 'l' => Command::Language,
+                'v' => Command::Variables,
                 'h' | '?' => Command::Help,
                 'w' => Command::Prompt("watch "),
                 'p' => Command::Prompt("print "),

@@ -12,8 +12,8 @@ use sieben_model::source::FileId;
 use sieben_sim::history::{Target, Until, Watch};
 
 use super::keys::Command;
-use super::words::{halt, pick};
 use crate::stepping::commands::{Answer, LINE_MAX, carry_out};
+use crate::stepping::texts::{halt, pick};
 use crate::stepping::{Language, Stepper, View, table};
 
 /// Statements before the present one whose registers are shown beside the source.
@@ -32,9 +32,10 @@ pub(super) enum Focus {
 
 /// What stays from one picture to the next.
 pub(super) struct Screen {
-    language: Language,
     colour: bool,
     focus: Focus,
+    /// The variables of the block are shown in the place of the bits.
+    variables: bool,
     /// The source that is shown, and the line of the cursor there, from 0.
     file: FileId,
     cursor: usize,
@@ -89,6 +90,8 @@ pub(super) struct Picture {
     pub(super) cursor: usize,
     pub(super) bytes: Vec<ByteLine>,
     pub(super) watched: Vec<(String, String)>,
+    /// The block that runs and its variables, in the place of the bits.
+    pub(super) variables: Option<(String, Vec<(String, String)>)>,
     /// The last statement.
     pub(super) statement: String,
     pub(super) reason: String,
@@ -117,18 +120,19 @@ impl Watch for Trail {
 }
 
 impl Screen {
-    pub(super) fn new(stepper: &mut Stepper<'_>, language: Language, colour: bool) -> Self {
+    pub(super) fn new(stepper: &mut Stepper<'_>, colour: bool) -> Self {
+        let greeting = ["s steps on, S back, h shows all keys", "s geht weiter, S zurück, h zeigt alle Tasten"];
         let mut screen = Self {
-            language,
             colour,
             focus: Focus::Source,
+            variables: false,
             file: FileId(0),
             cursor: 0,
             bytes: bytes(stepper),
             chosen: (0, 0),
             switched: HashMap::new(),
             switched_in: 0,
-            message: pick(language, ["s steps on, S back, h shows all keys", "s geht weiter, S zurück, h zeigt alle Tasten"]).to_owned(),
+            message: pick(stepper.language, greeting).to_owned(),
             prompt: None,
             help: false,
         };
@@ -148,16 +152,16 @@ impl Screen {
             Command::Quit => return true,
             Command::Step(unit, direction) => {
                 let ended = stepper.step(unit, direction, 1);
-                self.moved(stepper, halt(&ended, self.language));
+                self.moved(stepper, halt(&ended, stepper.language));
             }
             Command::Run(direction) => {
                 let ended = stepper.run(direction, crate::stepping::STATEMENTS_MAX);
-                self.moved(stepper, halt(&ended, self.language));
+                self.moved(stepper, halt(&ended, stepper.language));
             }
             Command::ToCursor => match self.goal(stepper) {
                 Ok(goal) => {
                     let ended = stepper.run_to(goal);
-                    self.moved(stepper, halt(&ended, self.language));
+                    self.moved(stepper, halt(&ended, stepper.language));
                 }
                 Err(message) => self.message = message,
             },
@@ -175,8 +179,19 @@ impl Screen {
             Command::Pages(pages) => self.cursor = self.cursor.saturating_add_signed(pages as isize * rows.max(1) as isize),
             // The highest bit stands left.
             Command::Bits(bits) => self.chosen.1 = (i32::from(self.chosen.1) - bits).rem_euclid(8) as u8,
+            // The bits are what there is to choose from.
+            Command::Focus if self.variables => {
+                self.variables = false;
+                self.focus = Focus::Bits;
+            }
             Command::Focus => self.focus = if self.focus == Focus::Source { Focus::Bits } else { Focus::Source },
-            Command::Language => self.language = if self.language == Language::English { Language::German } else { Language::English },
+            Command::Language => {
+                stepper.language = if stepper.language == Language::English { Language::German } else { Language::English };
+            }
+            Command::Variables => {
+                self.variables = !self.variables;
+                self.focus = Focus::Source;
+            }
             Command::Help => self.help = !self.help,
             Command::Prompt(words) => self.prompt = Some(words.to_owned()),
             Command::Type(character) => {
@@ -207,13 +222,13 @@ impl Screen {
         match outcome {
             Ok(Answer::Quit) => return true,
             // Where the run stands is what the screen shows anyway.
-            Ok(Answer::Moved(ended)) => self.moved(stepper, halt(&ended, self.language)),
+            Ok(Answer::Moved(ended)) => self.moved(stepper, halt(&ended, stepper.language)),
             Ok(answer) => {
-                let text = table::answer(stepper, &answer, self.language);
+                let text = table::answer(stepper, &answer);
                 self.moved(stepper, text.trim());
             }
             Err(failure) => {
-                let text = failure.render(false);
+                let text = table::failure(&failure, false, stepper.language);
                 self.message = text.trim().to_owned();
             }
         }
@@ -229,7 +244,7 @@ impl Screen {
     fn follow(&mut self, stepper: &Stepper<'_>) {
         let history = stepper.history();
         let place = history.next_place().or(history.last().map(|event| event.place));
-        let first = || stepper.listing().goal("OB1", None).ok().map(|goal| goal.place);
+        let first = || stepper.listing().goal("OB1", None, Language::English).ok().map(|goal| goal.place);
         let Some(span) = place.or_else(first).and_then(|place| stepper.listing().span(place)) else { return };
         self.file = span.file;
         self.cursor = stepper.listing().places.line(span).saturating_sub(1);
@@ -251,13 +266,13 @@ impl Screen {
             self.switched_in = scan;
         }
         let wanted = !self.switched.get(&(byte, self.chosen.1)).copied().filter(|_| area == Area::Input).unwrap_or(image);
-        if let Err(error) = stepper.name(&address).and_then(|name| stepper.set(&name, if wanted { "1" } else { "0" })) {
+        if let Err(error) = stepper.name_in(&address, None).and_then(|name| stepper.set(&name, if wanted { "1" } else { "0" })) {
             self.message = error.to_string();
         } else if area == Area::Input {
             self.switched.insert((byte, self.chosen.1), wanted);
             let address = self.spell(stepper, area, byte);
-            let becomes = pick(self.language, ["becomes", "wird"]);
-            let when = pick(self.language, ["with the next scan", "mit dem nächsten Zyklus"]);
+            let becomes = pick(stepper.language, ["becomes", "wird"]);
+            let when = pick(stepper.language, ["with the next scan", "mit dem nächsten Zyklus"]);
             self.message = format!("{address}.{} {becomes} {} {when}", self.chosen.1, u8::from(wanted));
         }
     }
@@ -320,9 +335,16 @@ impl Screen {
         });
         let bytes = bytes.collect();
         let watched = stepper.watched().iter().map(|name| (name.text().to_owned(), stepper.value(name))).collect();
+        let variables = self.variables.then(|| {
+            let (block, values) = stepper.locals().map_or((String::new(), Vec::new()), |(block, values)| (block.to_string(), values));
+            let value = |one: crate::stepping::LocalValue| {
+                (one.name.text().to_owned(), one.value.map_or_else(|| "-".to_owned(), |value| value.to_string()))
+            };
+            (block, values.into_iter().map(value).collect())
+        });
         let hits = view.hits.join("; ");
         Picture {
-            language: self.language,
+            language: stepper.language,
             colour: self.colour,
             focus: self.focus,
             stack: view.stack.iter().map(ToString::to_string).collect::<Vec<_>>().join(" › "),
@@ -333,8 +355,9 @@ impl Screen {
             cursor: self.cursor,
             bytes,
             watched,
-            statement: view.executed.as_ref().map_or_else(String::new, |line| line.said(self.language).to_owned()),
-            reason: stepper.reason(self.language),
+            variables,
+            statement: view.executed.as_ref().map_or_else(String::new, |line| line.said(stepper.language).to_owned()),
+            reason: stepper.reason(),
             message: if self.message.is_empty() { hits } else { self.message.clone() },
             prompt: self.prompt.clone(),
             help: self.help,

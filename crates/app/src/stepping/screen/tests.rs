@@ -31,7 +31,8 @@ fn stepper(build: &Build) -> Stepper<'_> {
 fn shown(commands: &[Command], language: Language, (width, height): (u16, u16)) -> String {
     let build = build();
     let mut stepper = stepper(&build);
-    let mut screen = Screen::new(&mut stepper, language, true);
+    stepper.language = language;
+    let mut screen = Screen::new(&mut stepper, true);
     for &command in commands {
         assert!(!screen.act(&mut stepper, command, 10), "{command:?} does not leave");
     }
