@@ -52,6 +52,8 @@ pub(crate) struct Overrides {
     pub(crate) replacing: bool,
     /// Test files among the sources are compiled.
     pub(crate) tests: bool,
+    /// It is told how statements and decisions are counted.
+    pub(crate) counted: bool,
 }
 
 /// A source file as it lies on the disk.
@@ -159,6 +161,7 @@ impl Project {
             library: self.settings.library.clone(),
             dialect: overrides.dialect.or(self.settings.dialect),
             tests: overrides.tests,
+            counted: overrides.counted,
         };
         let nothing = self.findings.iter().any(|finding| finding.diagnostic.problem == Problem::P6005);
         let compiled = match nothing {

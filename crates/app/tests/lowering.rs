@@ -155,7 +155,7 @@ fn a_failed_part_leaves_the_whole_statement_out() {
         statement(StatementKind::Repeat { body: vec![assign(m(4), add(i16_at(4), int(1)))], until: condition.clone() }),
         statement(StatementKind::Case {
             selector: bad.clone(),
-            branches: vec![Branch { ranges: vec![(0, 5)], body: vec![assign(m(6), int(1))] }],
+            branches: vec![Branch { ranges: vec![(0, 5)], span: Span::default(), body: vec![assign(m(6), int(1))] }],
             otherwise: vec![assign(m(6), int(2))],
         }),
         for_loop(m(40), (bad.clone(), int(5), int(1)), vec![assign(m(8), int(1))]),
@@ -282,7 +282,11 @@ fn case_finds_the_first_branch_however_it_looks_for_it() {
             let branches: Vec<Branch> = ranges
                 .iter()
                 .enumerate()
-                .map(|(index, ranges)| Branch { ranges: ranges.clone(), body: vec![assign(m(2), int(index as i16 + 1))] })
+                .map(|(index, ranges)| Branch {
+                    ranges: ranges.clone(),
+                    span: Span::default(),
+                    body: vec![assign(m(2), int(index as i16 + 1))],
+                })
                 .collect();
             let mut statements = Vec::new();
             for (index, &selector) in chunk.iter().enumerate() {

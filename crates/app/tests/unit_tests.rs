@@ -367,7 +367,7 @@ fn coverage_tells_decisions_that_were_seen_one_way_only() {
         ("main.test.st", "TEST 'a'\n  SCAN(1);\n  %I0.0 := TRUE;\n  SCAN(2);\nEND_TEST\n"),
     ]);
     let run = folder.run(&["test", "--coverage", "lcov.info"]);
-    run.code(0).stdout("1 of 2 decisions were seen with RLO 0 and with RLO 1");
+    run.code(0).stdout("1 of 2 decisions have gone every way (50 %)");
     let lcov = String::from_utf8(folder.read("lcov.info")).expect("lcov is UTF-8");
     assert!(lcov.contains("BRDA:4,0,0,1\nBRDA:4,0,1,2\nBRDA:6,0,0,3\nBRDA:6,0,1,0\nBRF:4\nBRH:3\n"), "{lcov}");
 }

@@ -13,6 +13,7 @@ use sieben_model::source::{FileId, Sources, Span};
 use sieben_model::symbols::SymbolTable;
 use sieben_model::testing::TestPlan;
 
+use crate::coverage::Countable;
 use crate::declarations::data_block::{DataLayout, fill, instance, layout};
 use crate::declarations::path::FieldNames;
 use crate::declarations::types::{BlockInterface, Types};
@@ -30,7 +31,7 @@ use crate::st::tree::TypedBlock;
 use crate::stl::ast;
 use crate::stl::check;
 use crate::stl::extension;
-use crate::stl::lower::{ResolvedBlock, lower};
+use crate::stl::lower::{ResolvedBlock, lower, lower_counted};
 use crate::stl::parser::{Parsed, parse};
 use crate::stl::resolve::{Known, plain_callee, plain_data_block};
 use crate::stl::size::code_bytes;
@@ -61,6 +62,8 @@ pub struct Options {
     pub dialect: Option<Dialect>,
     /// Whether test files among the sources are compiled; else they are told to be none of a program.
     pub tests: bool,
+    /// Whether it is known of each statement and each decision how to count it ([`Compiled::countable`]): for the coverage of tests.
+    pub counted: bool,
 }
 
 /// What came of it. With an error among the diagnostics the program holds what could be compiled and must not be run.
@@ -88,6 +91,8 @@ pub struct Compiled {
     pub intervals: BTreeMap<u16, u16>,
     /// The tests of the test file among the sources.
     pub tests: TestPlan,
+    /// What can be counted in the blocks of the user, if the options ask for it.
+    pub countable: BTreeMap<BlockId, Countable>,
 }
 
 /// A source of ST of the library that belongs to a program.
@@ -354,17 +359,28 @@ fn attempt(
             diagnostics.append(&mut checked.diagnostics);
         }
         if checked.whole {
+            let lower = if options.counted { lower_counted } else { lower };
             compiled.program.code.insert(*id, lower(&checked.block, &cpu));
             compiled.blocks.insert(*id, checked.block);
         }
     }
-    let mut bodies = environment.compile(&cpu, &exists);
+    let mut bodies = environment.compile(&cpu, &exists, options.counted);
     compiled.program.code.append(&mut bodies.code);
     compiled.intervals = bodies.intervals;
     compiled.calls = bodies.calls;
     compiled.typed = bodies.typed;
     compiled.tests = bodies.tests;
-    mocking::prepare(&mut compiled.program, &compiled.tests);
+    if options.counted {
+        compiled.countable = bodies.countable;
+        let stl = compiled.blocks.iter().filter_map(|(id, block)| Some((*id, Countable::of_stl(block, compiled.program.code.get(id)?))));
+        compiled.countable.extend(stl);
+        let not_mine = |id: BlockId| compiled.is_of_library(id) || compiled.tests.blocks.contains(&id);
+        let strangers: Vec<BlockId> = compiled.countable.keys().copied().filter(|&id| not_mine(id)).collect();
+        strangers.iter().for_each(|id| drop(compiled.countable.remove(id)));
+    }
+    for moved in mocking::prepare(&mut compiled.program, &compiled.tests) {
+        compiled.countable.entry(moved).and_modify(Countable::moved_by_one);
+    }
     diagnostics.extend(bodies.diagnostics.into_iter().filter(|diagnostic| compiled.is_of_user(diagnostic.span.file)));
     compiled.program.names = environment.program_names(&mut diagnostics);
     let has_main = blocks.contains_key(&BlockId::ob(1)) || compiled.program.code.contains_key(&BlockId::ob(1)) || bodies.failed;

@@ -272,6 +272,9 @@ problems! {
     P6286 Error "THIS or SUPER where there is none" "Use them in methods and statements of a FUNCTION_BLOCK or CLASS; SUPER where it extends another one.";
     P6287 Error "a property that is used in a way that it does not have" "Give the property a GET to read it and a SET to assign to it.";
 
+    // 630x results of tests
+    P6300 Error "a folder that pages of coverage cannot be written into" "Name a folder that does not exist yet, or one that holds such pages: other files are not overwritten.";
+
     // 631x configurations
     P6310 Error "a variable that waits for its address" "Give it one in VAR_CONFIG of a CONFIGURATION, or write the address where it is declared.";
     P6311 Error "a path of VAR_CONFIG or VAR_ACCESS that leads nowhere" "Write the instance of the PROGRAM, the instances inside it and the variable, with points between them.";

@@ -262,7 +262,7 @@ impl Generator<'_> {
                 let high = low + i128::from(self.choose(3));
                 let ranges = vec![(low, high)];
                 low = high + step - i128::from(self.choose(2));
-                Branch { ranges, body: self.statements(1) }
+                Branch { ranges, span: Span::default(), body: self.statements(1) }
             })
             .collect();
         let otherwise = if self.choose(2) == 0 { Vec::new() } else { self.statements(1) };

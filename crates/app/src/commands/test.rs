@@ -2,6 +2,7 @@
 
 use std::io::IsTerminal;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use clap::Args;
@@ -10,9 +11,9 @@ use sieben_model::problems::Problem;
 
 use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
-use crate::testing::coverage::Coverage;
+use crate::testing::coverage::{Collector, Coverage};
 use crate::testing::{self, Case, Conditions, Verdict, discovery, report, self_checking};
-use crate::{files, output, watch};
+use crate::{files, output, project, watch};
 
 /// Run unit tests (*.test.st), and programs that check themselves.
 #[derive(Args)]
@@ -21,6 +22,7 @@ use crate::{files, output, watch};
   sieben test motor.test.st              those of one file, with the program around it\n  \
   sieben test --list                     their names\n  \
   sieben test --coverage lcov.info       and which lines of the program they run\n  \
+  sieben test --coverage-html coverage   the same as pages for a browser\n  \
   sieben test timers.awl                 a program that checks itself\n  \
   sieben test checks                     every test and program in a folder\n  \
   sieben test checks --filter shift      those with `shift` in their name\n  \
@@ -69,9 +71,12 @@ pub(crate) struct Arguments {
     /// Print the results in the Test Anything Protocol
     #[arg(long, conflicts_with = "json")]
     tap: bool,
-    /// Count which lines of the programs unit tests run, and with which RLO =, S, R, FP, FN, JC, CC, BEC; write that to this file for lcov; they run in the interpreter
+    /// Count which lines of the programs the tests run, and which way decisions go; write that to this file for lcov. The tests run in the interpreter
     #[arg(long, value_name = "FILE")]
     coverage: Option<PathBuf>,
+    /// The same as pages for a browser, written into this folder; index.html is the first
+    #[arg(long, value_name = "FOLDER")]
+    coverage_html: Option<PathBuf>,
     /// Write the timing diagram of every unit test that fails into this folder, as SVG
     #[arg(long, value_name = "FOLDER")]
     svg: Option<PathBuf>,
@@ -120,7 +125,7 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
         limit: arguments.limit,
         scans: arguments.scans,
         timeout: arguments.timeout,
-        coverage: arguments.coverage.is_some(),
+        coverage: (arguments.coverage.is_some() || arguments.coverage_html.is_some()).then(Arc::default),
         svg: arguments.svg.clone(),
     };
     let mut cases = discovery::cases(&arguments.paths, &arguments.tests, &conditions)?;
@@ -159,21 +164,27 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
     finished.retain(|test| !matches!(test.outcome.verdict, Verdict::NoTest));
     // A file that cannot be written does not keep the results from the screen.
     let mut written = arguments.junit.as_ref().map_or(Ok(()), |path| files::write_whole(path, report::junit(&finished, took).as_bytes()));
-    let mut covered = None;
-    if let Some(path) = &arguments.coverage {
-        let mut coverage = Coverage::default();
-        finished.iter_mut().filter_map(|test| test.outcome.coverage.take()).for_each(|one| coverage.merge(one));
-        written = written.and(files::write_whole(path, coverage.lcov().as_bytes()));
-        covered = Some((coverage.sum(), coverage.decisions()));
+    let covered = conditions.coverage.as_deref().map(Collector::coverage);
+    let mut pages = None;
+    if let Some(coverage) = &covered {
+        if let Some(path) = &arguments.coverage {
+            written = written.and(files::write_whole(path, coverage.lcov().as_bytes()));
+        }
+        if let Some(folder) = &arguments.coverage_html {
+            let html = coverage.write_html(folder, &report::count(&finished));
+            written = written.and(html.map(|index| pages = Some(project::shown(&index))));
+        }
     }
     match (arguments.json, arguments.tap) {
         (true, _) => {
             let mut json = report::to_json(&finished, took);
             json["seed"] = arguments.seed.into();
-            json["lines_covered"] = covered.map(|((ran, _), _)| ran).into();
-            json["lines"] = covered.map(|((_, all), _)| all).into();
-            json["decisions_covered"] = covered.map(|(_, (both, _))| both).into();
-            json["decisions"] = covered.map(|(_, (_, all))| all).into();
+            let of = |share: fn(&Coverage) -> usize| covered.as_ref().map(share).into();
+            json["lines_covered"] = of(|coverage| coverage.lines().hit);
+            json["lines"] = of(|coverage| coverage.lines().all);
+            json["decisions_covered"] = of(|coverage| coverage.decisions().hit);
+            json["decisions"] = of(|coverage| coverage.decisions().all);
+            json["coverage"] = covered.as_ref().map(Coverage::to_json).into();
             output::print_json(&json, true)?;
         }
         (_, true) => output::print(&report::tap(&finished))?,
@@ -183,12 +194,11 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
             if let Some(seed) = arguments.seed {
                 output::print(&format!("order: --seed {seed}\n"))?;
             }
-            if let Some(((ran, all), (both, decisions))) = covered {
-                let percent = if all == 0 { 100.0 } else { ran as f64 * 100.0 / all as f64 };
-                output::print(&format!("{ran} of {all} lines with statements were run ({percent:.0} %)\n"))?;
-                if decisions > 0 {
-                    output::print(&format!("{both} of {decisions} decisions were seen with RLO 0 and with RLO 1\n"))?;
-                }
+            if let Some(coverage) = &covered {
+                output::print(&coverage.summary())?;
+            }
+            if let Some(index) = &pages {
+                output::print(&format!("pages for a browser: {index}\n"))?;
             }
         }
     }

@@ -7,14 +7,14 @@ pub(crate) mod self_checking;
 mod unit;
 
 use std::path::PathBuf;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use sieben_lang::encoding::Encoding;
 
 use crate::arguments::EngineArgument;
-use coverage::Coverage;
+use coverage::Collector;
 use sieben_sim::devices::random::Random;
 
 use crate::failure::Failure;
@@ -33,7 +33,7 @@ pub(crate) struct Case {
 }
 
 /// Under what conditions tests run.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Conditions {
     /// What the command line says about every program.
     pub(crate) overrides: Overrides,
@@ -49,8 +49,8 @@ pub(crate) struct Conditions {
     pub(crate) scans: Option<u64>,
     /// Real time after which a test is given up.
     pub(crate) timeout: Duration,
-    /// Whether it is counted which statements unit tests run; then they run in the interpreter.
-    pub(crate) coverage: bool,
+    /// Takes in which statements tests run, if that is counted; then they run in the interpreter.
+    pub(crate) coverage: Option<Arc<Collector>>,
     /// The folder for the timing diagrams of tests that fail, as SVG.
     pub(crate) svg: Option<PathBuf>,
 }
@@ -64,8 +64,6 @@ pub(crate) struct Outcome {
     pub(crate) scans: u64,
     /// Virtual time at its end.
     pub(crate) simulated: Duration,
-    /// What it has run, if that is counted.
-    pub(crate) coverage: Option<Coverage>,
 }
 
 /// Passed, or why not.

@@ -106,10 +106,15 @@ pub(crate) fn text(finished: &[Finished]) -> String {
             let _ = writeln!(out, "{}", format!("        {line}").trim_end());
         }
     }
+    let _ = writeln!(out, "{}", count(finished));
+    out
+}
+
+/// `4 passed, 1 failed`.
+pub(crate) fn count(finished: &[Finished]) -> String {
     let Tally { passed, failed, broken } = Tally::of(finished);
     let broken = if broken > 0 { format!(", {broken} could not run") } else { String::new() };
-    let _ = writeln!(out, "{passed} passed, {failed} failed{broken}");
-    out
+    format!("{passed} passed, {failed} failed{broken}")
 }
 
 /// One object with all tests.
@@ -181,7 +186,7 @@ pub(crate) fn junit(finished: &[Finished], took: Duration) -> String {
 }
 
 /// A text inside XML; what no XML document may hold becomes a replacement character.
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for character in text.chars() {
         match character {
@@ -228,7 +233,7 @@ mod tests {
         let test = |name: &str, verdict| Finished {
             name: name.to_owned(),
             file: None,
-            outcome: Outcome { verdict, scans: 1, simulated: Duration::ZERO, coverage: None },
+            outcome: Outcome { verdict, scans: 1, simulated: Duration::ZERO },
             took: Duration::from_millis(2),
         };
         vec![

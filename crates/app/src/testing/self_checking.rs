@@ -1,11 +1,14 @@
 //! A program that checks itself: it has passed when it reaches `CALL SFC 46`, and failed when an assertion is false.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use sieben_cpu::diagnostic_buffer::place_text;
 use sieben_cpu::{Cpu, OperatingMode, Restart, StopCause};
+use sieben_engine::Tracer;
 use sieben_jit::StatusBits;
+use sieben_model::source::FileId;
 
 use sieben_ide::cross_reference::CrossReference;
 use sieben_ide::target::Target;
@@ -13,7 +16,9 @@ use sieben_lang::stl::extension::Extension;
 use sieben_lang::stl::operands::Operand;
 use sieben_model::block::{BlockId, BlockKind};
 
+use super::coverage::{Counting, looking};
 use super::{Conditions, Outcome, Verdict, Wrong};
+use crate::arguments::EngineArgument;
 use crate::project::{Build, Overrides, Project};
 use crate::{controller, duration, report, schedule};
 
@@ -24,7 +29,7 @@ const STOP_BY_PROGRAM: u16 = 0x457F;
 
 /// Runs a program until it ends; one that is not `named` as a test must have words to check itself. The blocks of `test`, if there is one, take the place of those of the program.
 pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, conditions: &Conditions) -> Outcome {
-    let nothing_ran = |verdict| Outcome { verdict, scans: 0, simulated: Duration::ZERO, coverage: None };
+    let nothing_ran = |verdict| Outcome { verdict, scans: 0, simulated: Duration::ZERO };
     let mut all: Vec<PathBuf> = test.into_iter().cloned().collect();
     all.extend(paths.iter().cloned());
     let project = match Project::load(&all, conditions.encoding) {
@@ -32,7 +37,7 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
         Err(failure) => return nothing_ran(Verdict::Unreadable(failure)),
     };
     // A program that checks itself cannot do without the words for it.
-    let overrides = Overrides { extended: true, replacing: test.is_some(), ..conditions.overrides };
+    let overrides = Overrides { extended: true, replacing: test.is_some(), counted: conditions.coverage.is_some(), ..conditions.overrides };
     let build = project.compile(overrides, false);
     if report::has_errors(&build.findings) {
         return nothing_ran(Verdict::DoesNotCompile(report::render(&build.findings, &build.project.texts, false)));
@@ -40,11 +45,15 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
     if !named && !checks_itself(&build) {
         return nothing_ran(Verdict::NoTest);
     }
-    let mut cpu = controller::load(&build, conditions.engine, StatusBits::All, controller::settings(&build));
+    // Who counts statements needs the interpreter.
+    let engine = if conditions.coverage.is_some() { EngineArgument::Interpreter } else { conditions.engine };
+    let mut cpu = controller::load(&build, engine, StatusBits::All, controller::settings(&build));
     let cycle = schedule::going_cycle(conditions.cycle, &build.project.settings);
     let limit = conditions.limit.unwrap_or(LIMIT);
     let begun = Instant::now();
-    cpu.restart(Restart::Warm);
+    let looking = looking(&build.compiled);
+    let mut counting = conditions.coverage.is_some().then(|| Counting::new(&looking));
+    cpu.restart_with(Restart::Warm, &mut || 0, tracer(&mut counting));
     let (mut scans, mut now) = (0, Duration::ZERO);
     let give_up = loop {
         if cpu.mode() == OperatingMode::Stop {
@@ -59,7 +68,8 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
         if begun.elapsed() >= conditions.timeout {
             break Some(format!("{} ({scans} scans)", duration::show(conditions.timeout)));
         }
-        cpu.scan(duration::micros(now));
+        let at = duration::micros(now);
+        cpu.scan_with(&mut || at, tracer(&mut counting));
         scans += 1;
         now = now.saturating_add(cycle);
     };
@@ -71,7 +81,15 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
         })),
         None => cpu.stop_cause().map_or(Verdict::Passed, |cause| verdict(&build, &cpu, cause)),
     };
-    Outcome { verdict, scans, simulated, coverage: None }
+    if let Some((collector, counting)) = conditions.coverage.as_ref().zip(counting) {
+        // The first file is the test, if there is one.
+        collector.add(&Arc::new(build), test.map(|_| FileId(0)), counting.counts);
+    }
+    Outcome { verdict, scans, simulated }
+}
+
+fn tracer<'a>(counting: &'a mut Option<Counting<'_>>) -> Option<&'a mut dyn Tracer> {
+    counting.as_mut().map(|counting| counting as &mut dyn Tracer)
 }
 
 /// Whether a program checks itself; one that cannot be read or compiled says so when it is run.

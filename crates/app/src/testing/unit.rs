@@ -17,7 +17,7 @@ use sieben_sim::runner::{self, Limits, Watcher, Writers, Written};
 use sieben_sim::timing_diagram;
 use sieben_sim::trace::{Keep, Memory, Origin, Recorder, Trace};
 
-use super::coverage::{Counts, Coverage};
+use super::coverage::{Counting, Looking, looking};
 use super::{Case, Conditions, Outcome, Verdict, Wrong};
 use crate::arguments::EngineArgument;
 use crate::project::{Build, Overrides, Project, shown};
@@ -41,7 +41,9 @@ const TIME: Duration = Duration::from_secs(100 * 24 * 3600);
 
 /// A test file, ready to run.
 struct Ready {
-    build: Build,
+    build: Arc<Build>,
+    /// What its statements look at, if that is counted.
+    looking: Looking,
     loaded: Loaded,
     settings: Settings,
     cpu: &'static CpuType,
@@ -79,14 +81,14 @@ pub(super) fn cases(program: &[PathBuf], file: &Path, conditions: &Conditions) -
 }
 
 fn nothing_ran(verdict: Verdict) -> Outcome {
-    Outcome { verdict, scans: 0, simulated: Duration::ZERO, coverage: None }
+    Outcome { verdict, scans: 0, simulated: Duration::ZERO }
 }
 
 fn compile(program: &[PathBuf], file: &Path, conditions: &Conditions) -> Result<Ready, Verdict> {
     let mut all = program.to_vec();
     all.push(file.to_path_buf());
     let project = Project::load(&all, conditions.encoding).map_err(Verdict::Unreadable)?;
-    let overrides = Overrides { tests: true, ..conditions.overrides };
+    let overrides = Overrides { tests: true, counted: conditions.coverage.is_some(), ..conditions.overrides };
     let build = project.compile(overrides, false);
     if report::has_errors(&build.findings) {
         return Err(Verdict::DoesNotCompile(report::render(&build.findings, &build.project.texts, false)));
@@ -99,41 +101,45 @@ fn compile(program: &[PathBuf], file: &Path, conditions: &Conditions) -> Result<
     }));
     let code = Arc::new(build.compiled.program.clone());
     // Who counts statements needs the interpreter.
-    let engine = if conditions.coverage { EngineArgument::Interpreter } else { conditions.engine };
+    let engine = if conditions.coverage.is_some() { EngineArgument::Interpreter } else { conditions.engine };
     let loaded = Loaded::new(cpu, code, |program, layout| engine.load(program, layout, StatusBits::All));
     let settings = controller::settings(&build);
     let cycle = schedule::going_cycle(conditions.cycle, &build.project.settings);
-    Ok(Ready { build, loaded, settings, cpu, cycle })
+    let looking = looking(&build.compiled);
+    Ok(Ready { build: Arc::new(build), looking, loaded, settings, cpu, cycle })
 }
 
 /// Gives a test up when its real time is over, and counts its statements.
-struct Deadline {
+struct Deadline<'a> {
     begun: Instant,
     timeout: Duration,
-    counts: Option<Counts>,
+    counting: Option<Counting<'a>>,
 }
 
-impl Watcher for Deadline {
+impl Watcher for Deadline<'_> {
     fn may_go_on(&mut self) -> bool {
         self.begun.elapsed() < self.timeout
     }
     fn tracer(&mut self) -> Option<&mut dyn Tracer> {
-        self.counts.as_mut().map(|counts| counts as &mut dyn Tracer)
+        self.counting.as_mut().map(|counting| counting as &mut dyn Tracer)
     }
 }
 
 /// The second run of a test that failed: who changed the variables of the assertion.
-struct Looking {
-    deadline: Deadline,
+struct Again {
+    deadline: Deadline<'static>,
     writers: Writers,
     /// The values of the variables behind the last scans.
     trail: Option<Recorder>,
     scans: u64,
 }
 
-impl Watcher for Looking {
+impl Watcher for Again {
     fn may_go_on(&mut self) -> bool {
         self.deadline.may_go_on()
+    }
+    fn before_restart(&mut self) {
+        self.writers.before_restart();
     }
     fn restarted(&mut self, cpu: &Cpu) {
         self.writers.restarted(cpu);
@@ -161,8 +167,8 @@ fn run(ready: &Ready, test: &Test, conditions: &Conditions) -> Outcome {
         scans: conditions.scans.unwrap_or(SCANS),
     };
     let mut cpu = Cpu::new(ready.loaded.clone(), controller::rack(&ready.build), ready.settings.clone());
-    let counts = conditions.coverage.then(Counts::default);
-    let mut watcher = Deadline { begun: Instant::now(), timeout: conditions.timeout, counts };
+    let counting = conditions.coverage.is_some().then(|| Counting::new(&ready.looking));
+    let mut watcher = Deadline { begun: Instant::now(), timeout: conditions.timeout, counting };
     let build = &ready.build;
     let report = runner::run(test, &build.compiled.tests, &build.project.texts.program, &mut cpu, limits, &mut watcher);
     let simulated = Duration::from_micros(report.time_us);
@@ -174,12 +180,10 @@ fn run(ready: &Ready, test: &Test, conditions: &Conditions) -> Outcome {
             Verdict::Failed(Box::new(told))
         }
     };
-    let coverage = watcher.counts.map(|counts| {
-        let mut coverage = Coverage::default();
-        coverage.add(&build.compiled, &build.project.texts.program, &counts);
-        coverage
-    });
-    Outcome { verdict, scans: report.scans, simulated, coverage }
+    if let Some((collector, counting)) = conditions.coverage.as_ref().zip(watcher.counting) {
+        collector.add(build, None, counting.counts);
+    }
+    Outcome { verdict, scans: report.scans, simulated }
 }
 
 /// Runs a test that failed once more, in the interpreter, and says which statements wrote what its assertion reads; and draws the last
@@ -193,17 +197,17 @@ fn again(ready: &Ready, test: &Test, wrong: &runner::Wrong, limits: Limits, cond
     let code = Arc::new(build.compiled.program.clone());
     let loaded = Loaded::new(ready.cpu, code, Interpreter::load);
     let mut cpu = Cpu::new(loaded, controller::rack(&ready.build), ready.settings.clone());
-    let deadline = Deadline { begun: Instant::now(), timeout: conditions.timeout, counts: None };
+    let deadline = Deadline { begun: Instant::now(), timeout: conditions.timeout, counting: None };
     let names = signals.iter().map(name).collect();
     let trail = Recorder::new(names, Keep::Last(TRAIL), Origin::default(), Box::new(Memory::default())).ok();
-    let mut looking = Looking { deadline, writers: Writers::new(&wrong.signals, &cpu), trail, scans: 0 };
+    let mut watcher = Again { deadline, writers: Writers::new(&wrong.signals, &cpu), trail, scans: 0 };
     let sources = &build.project.texts.program;
-    let again = runner::run(test, &build.compiled.tests, sources, &mut cpu, limits, &mut looking);
+    let again = runner::run(test, &build.compiled.tests, sources, &mut cpu, limits, &mut watcher);
     // A test that fails elsewhere the second time has nothing to say about the first.
     if again.wrong.as_ref().is_none_or(|again| again.span != wrong.span) {
         return Vec::new();
     }
-    let each = wrong.signals.iter().zip(looking.writers.written());
+    let each = wrong.signals.iter().zip(watcher.writers.written());
     let mut lines: Vec<String> = each
         .map(|(signal, written)| match written {
             None if signal.address.area == Area::Input => format!("`{}`: an input that no statement writes", signal.name),
@@ -222,7 +226,7 @@ fn again(ready: &Ready, test: &Test, wrong: &runner::Wrong, limits: Limits, cond
             }
         })
         .collect();
-    lines.extend(looking.trail.and_then(|trail| trail.finish().ok()).map_or_else(Vec::new, |trail| diagram(&trail, test, conditions)));
+    lines.extend(watcher.trail.and_then(|trail| trail.finish().ok()).map_or_else(Vec::new, |trail| diagram(&trail, test, conditions)));
     lines
 }
 

@@ -1,6 +1,6 @@
 //! Reasons of jumps, calls, block ends and data blocks.
 
-use sieben_engine::machine::Origin;
+use sieben_engine::machine::{Origin, Registers};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::Section;
 
@@ -11,16 +11,45 @@ use super::text::{Clause, Words, loose_words, one_line, typed};
 use super::why::Why;
 use crate::stl::extension::Extension;
 use crate::stl::instructions::Instruction;
+use crate::stl::meaning::jumps::list_entries;
 use crate::stl::operands::{Actual, CallParameter, DataBlockInfo, Operand, StatusScan};
 
 /// Parameters of a call that a sentence shows.
 const PARAMETERS_SHOWN: usize = 6;
 
+/// Whether a jump that has a condition is taken.
+pub(crate) fn jumps(why: Why, before: &Registers) -> Option<bool> {
+    Some(match why {
+        Why::JumpIfRlo => before.rlo == 1,
+        Why::JumpIfNotRlo => before.rlo == 0,
+        Why::JumpIfBr => before.br == 1,
+        Why::JumpIfNotBr => before.br == 0,
+        Why::JumpIfOverflow => before.ov == 1,
+        Why::JumpIfStoredOverflow => before.os == 1,
+        Why::JumpIf(scan) => {
+            let (cc1, cc0) = (before.cc1 == 1, before.cc0 == 1);
+            match scan {
+                StatusScan::Zero => !cc1 && !cc0,
+                StatusScan::NonZero => cc1 != cc0,
+                StatusScan::Positive => cc1 && !cc0,
+                StatusScan::Negative => cc0 && !cc1,
+                StatusScan::NotNegative => !cc0,
+                StatusScan::NotPositive => !cc1,
+                _ => cc1 && cc0,
+            }
+        }
+        // It counts down first, and 0 becomes 65535.
+        Why::Loop => before.accu1 & 0xFFFF != 1,
+        _ => return None,
+    })
+}
+
 /// Jumps.
 pub(super) fn jump(telling: &Telling<'_>, why: Why) -> Vec<Clause> {
     let before = telling.before();
     let label = telling.operand_text();
-    let sentence = |taken: bool, [jump, stay]: [S; 2]| Clause::new(if taken { jump } else { stay });
+    let taken = jumps(why, before) == Some(true);
+    let sentence = |[jump, stay]: [S; 2]| Clause::new(if taken { jump } else { stay });
     let clause = match why {
         Why::JumpIfRlo | Why::JumpIfNotRlo => {
             let saves = telling
@@ -30,34 +59,24 @@ pub(super) fn jump(telling: &Telling<'_>, why: Why) -> Vec<Clause> {
                 true => Words([format!(" (BR takes {})", before.rlo), format!(" (BIE übernimmt {})", before.rlo)]),
                 false => "".into(),
             };
-            sentence((before.rlo == 1) == (why == Why::JumpIfRlo), [S::JumpRlo, S::StayRlo]).with("saved", saved)
+            sentence([S::JumpRlo, S::StayRlo]).with("saved", saved)
         }
-        Why::JumpIfBr | Why::JumpIfNotBr => sentence((before.br == 1) == (why == Why::JumpIfBr), [S::JumpBr, S::StayBr]),
-        Why::JumpIfOverflow => sentence(before.ov == 1, [S::JumpOv, S::StayOv]),
-        Why::JumpIfStoredOverflow => sentence(before.os == 1, [S::JumpOs, S::StayOs]),
-        Why::JumpIf(scan) => {
-            let (cc1, cc0) = (before.cc1 == 1, before.cc0 == 1);
-            let taken = match scan {
-                StatusScan::Zero => !cc1 && !cc0,
-                StatusScan::NonZero => cc1 != cc0,
-                StatusScan::Positive => cc1 && !cc0,
-                StatusScan::Negative => cc0 && !cc1,
-                StatusScan::NotNegative => !cc0,
-                StatusScan::NotPositive => !cc1,
-                _ => cc1 && cc0,
-            };
-            let status = match (cc1, cc0) {
+        Why::JumpIfBr | Why::JumpIfNotBr => sentence([S::JumpBr, S::StayBr]),
+        Why::JumpIfOverflow => sentence([S::JumpOv, S::StayOv]),
+        Why::JumpIfStoredOverflow => sentence([S::JumpOs, S::StayOs]),
+        Why::JumpIf(_) => {
+            let status = match (before.cc1 == 1, before.cc0 == 1) {
                 (false, false) => ["zero or equal", "null oder gleich"],
                 (true, false) => ["above 0, greater or not 0", "größer (als 0) oder nicht 0"],
                 (false, true) => ["below 0 or less", "kleiner (als 0)"],
                 (true, true) => ["no valid result", "kein gültiges Ergebnis"],
             };
-            sentence(taken, [S::JumpStatus, S::StayStatus]).with("status", status)
+            sentence([S::JumpStatus, S::StayStatus]).with("status", status)
         }
         Why::JumpList => return vec![jump_list(telling)],
         Why::Loop => {
             let count = telling.after().accu1 & 0xFFFF;
-            let clause = sentence(count != 0, [S::LoopAgain, S::LoopEnds]);
+            let clause = sentence([S::LoopAgain, S::LoopEnds]);
             clause.with("a", before.accu1 & 0xFFFF).with("result", count)
         }
         _ => Clause::new(S::Jump),
@@ -68,13 +87,7 @@ pub(super) fn jump(telling: &Telling<'_>, why: Why) -> Vec<Clause> {
 /// `JL`: the run of `JU` behind it, as far as its label.
 fn jump_list(telling: &Telling<'_>) -> Clause {
     let value = telling.before().accu1 & 0xFF;
-    let first = telling.event().place.statement as usize + 1;
-    let end = match telling.operand() {
-        Operand::Label(label) => *label as usize,
-        _ => usize::MAX,
-    };
-    let statements = telling.block.statements.iter().take(end).skip(first);
-    let list: Vec<_> = statements.take_while(|statement| statement.instruction == Instruction::Jump).take(255).collect();
+    let list = list_entries(&telling.block.statements, telling.event().place.statement as usize);
     match list.get(value as usize) {
         Some(entry) => {
             let text = one_line(telling.reasons.slice(entry.span));

@@ -5,7 +5,7 @@
 //! which a register may be too short for, is calculated once more.
 
 mod bits;
-mod control;
+pub(crate) mod control;
 pub mod examples;
 mod faults;
 mod memory;

@@ -137,6 +137,8 @@ pub enum StatementKind {
 pub struct Branch {
     /// Lowest and highest value of each label, as numbers of the selector's type.
     pub ranges: Vec<(i128, i128)>,
+    /// Where the labels are written.
+    pub span: Span,
     /// Its statements.
     pub body: Vec<Statement>,
 }

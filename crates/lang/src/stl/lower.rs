@@ -12,6 +12,7 @@ use sieben_model::source::Span;
 use super::extension::{Compared, Extension};
 use super::instructions::Instruction;
 use super::operands::{Access, AddressRegister, Location, NumberOperand, Operand};
+use crate::reason::why::Why;
 
 /// One statement with all names resolved.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +40,15 @@ pub struct ResolvedBlock {
 
 /// The IR of a block for a CPU type.
 pub fn lower(block: &ResolvedBlock, cpu: &CpuType) -> CodeBlock {
+    lowered(block, cpu, false)
+}
+
+/// The same with something to run in every statement, also in `NOP 0`: what nothing is done for cannot be counted.
+pub fn lower_counted(block: &ResolvedBlock, cpu: &CpuType) -> CodeBlock {
+    lowered(block, cpu, true)
+}
+
+fn lowered(block: &ResolvedBlock, cpu: &CpuType, counted: bool) -> CodeBlock {
     let declared = block.interface.local_size.max(if block.id.kind == sieben_model::block::BlockKind::OrganizationBlock { 20 } else { 0 });
     let addressed = block.statements.iter().map(|statement| local_end(&statement.operand)).max().unwrap_or(0);
     let mut lowering = Lowering {
@@ -57,6 +67,9 @@ pub fn lower(block: &ResolvedBlock, cpu: &CpuType) -> CodeBlock {
         lowering.hidden_used = 0;
         lowering.b.begin_statement();
         statement.instruction.lower(&mut lowering, &statement.operand);
+        if counted && statement.instruction.why() == Why::Nothing {
+            lowering.b.push(Inst::Jump { to: lowering.b.next() });
+        }
     }
     let local_size = (lowering.hidden_base + lowering.hidden_max).next_multiple_of(2);
     let end = block.statements.last().map_or(Span::default(), |statement| statement.span);

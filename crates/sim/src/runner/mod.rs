@@ -70,6 +70,8 @@ pub trait Watcher {
     fn may_go_on(&mut self) -> bool {
         true
     }
+    /// The CPU is about to be started.
+    fn before_restart(&mut self) {}
     /// The CPU was started.
     fn restarted(&mut self, cpu: &Cpu) {
         let _ = cpu;
@@ -165,7 +167,9 @@ impl Run<'_> {
 
     /// Starts the CPU by a warm restart.
     fn restart(&mut self) {
-        self.cpu.restart(Restart::Warm);
+        let now = self.cpu.now_us();
+        self.watcher.before_restart();
+        self.cpu.restart_with(Restart::Warm, &mut || now, self.watcher.tracer());
         self.watcher.restarted(self.cpu);
         self.expected_stop = false;
         self.own_stop = None;

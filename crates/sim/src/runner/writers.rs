@@ -26,6 +26,8 @@ pub struct Written {
 pub struct Writers {
     spots: Vec<Spot>,
     scan: u64,
+    /// A restart clears memory, which no statement has done.
+    restarts: bool,
 }
 
 #[derive(Debug)]
@@ -47,7 +49,7 @@ impl Writers {
             let mask = if bit { 1 << (signal.address.bit & 7) } else { 0xFF };
             Spot { before: memory.arena[bytes.clone()].to_vec(), bytes, mask, written: None }
         });
-        Self { spots: spots.collect(), scan: 0 }
+        Self { spots: spots.collect(), scan: 0, restarts: false }
     }
 
     /// Who wrote each variable last, in the order given.
@@ -87,6 +89,9 @@ fn place(signal: &Signal, memory: &Memory) -> Option<Range<usize>> {
 
 impl Tracer for Writers {
     fn statement(&mut self, machine: &Machine, event: &StatementEvent) {
+        if std::mem::take(&mut self.restarts) {
+            return self.settle(machine);
+        }
         let (scan, time_us) = (self.scan, machine.clock_us);
         for spot in &mut self.spots {
             let now = &machine.memory.arena[spot.bytes.clone()];
@@ -103,7 +108,11 @@ impl Watcher for Writers {
         self.scan += 1;
         self.settle(cpu.machine());
     }
+    fn before_restart(&mut self) {
+        self.restarts = true;
+    }
     fn restarted(&mut self, cpu: &Cpu) {
+        self.restarts = false;
         self.settle(cpu.machine());
     }
     fn tracer(&mut self) -> Option<&mut dyn Tracer> {

@@ -187,7 +187,11 @@ impl Checker<'_> {
                     None => sound = false,
                 }
             }
-            branches.push(Branch { ranges, body: self.statements(&arm.body) });
+            let span = match (arm.labels.first(), arm.labels.last()) {
+                (Some(first), Some(last)) => first.span().to(last.span()),
+                _ => selector.span,
+            };
+            branches.push(Branch { ranges, span, body: self.statements(&arm.body) });
         }
         let otherwise = self.statements(otherwise);
         let (selector, data_type) = found.filter(|_| sound)?;

@@ -18,12 +18,13 @@ use super::environment::{Environment, starting};
 use super::items::Code;
 use super::programs::Generated;
 use super::{Located, organization_blocks};
+use crate::coverage::Countable;
 use crate::declarations::interface::lay_out;
 use crate::scope::key;
 use crate::st::check::names::{Entity, Variable};
 use crate::st::check::{Block, check};
 use crate::st::dialect::{Construct, Judgement};
-use crate::st::lower::lower;
+use crate::st::lower::{lower, lower_counted};
 use crate::st::tree::{Base, Body, TypedBlock};
 
 /// The organization block of a warm restart.
@@ -38,17 +39,21 @@ pub(crate) struct Bodies {
     pub(crate) typed: BTreeMap<BlockId, TypedBlock>,
     pub(crate) calls: BTreeMap<BlockId, BTreeSet<BlockId>>,
     pub(crate) intervals: BTreeMap<u16, u16>,
+    /// What can be counted in the blocks, if that is asked for.
+    pub(crate) countable: BTreeMap<BlockId, Countable>,
     pub(crate) diagnostics: Vec<Diagnostic>,
     /// The tests, if one of the files holds some.
     pub(crate) tests: TestPlan,
     /// A block could not be compiled.
     pub(crate) failed: bool,
+    /// Whether it is asked for what can be counted.
+    counted: bool,
 }
 
 impl Environment<'_> {
     /// Compiles the statements of all blocks.
-    pub(crate) fn compile(&self, cpu: &CpuType, exists: &dyn Fn(BlockId) -> bool) -> Bodies {
-        let mut bodies = Bodies::default();
+    pub(crate) fn compile(&self, cpu: &CpuType, exists: &dyn Fn(BlockId) -> bool, counted: bool) -> Bodies {
+        let mut bodies = Bodies { counted, ..Bodies::default() };
         for (&id, &code) in &self.items.code {
             self.block(id, code, cpu, &mut bodies);
         }
@@ -184,7 +189,18 @@ impl Environment<'_> {
         let mut starting = names.starting_statements(code.block.name.span);
         starting.append(&mut body.statements);
         body.statements = starting;
-        bodies.code.insert(id, lower(id, &interface, &body, &|block| self.interface_of(block)));
+        let known = |block| self.interface_of(block);
+        let lowered = match bodies.counted {
+            false => lower(id, &interface, &body, &known),
+            true => {
+                let (lowered, mut countable) = lower_counted(id, &interface, &body, &known);
+                // What gives variables their initial values is no statement of the source.
+                countable.statements.retain(|(span, _)| *span != code.block.name.span);
+                bodies.countable.insert(id, countable);
+                lowered
+            }
+        };
+        bodies.code.insert(id, lowered);
     }
 
     /// What people call the variables of the program.

@@ -64,9 +64,11 @@ impl Lowering<'_> {
         let skip = self.label();
         let done = self.label();
         let result = self.result_place(&call.result);
+        let mut decision = call.enable.as_ref().and_then(|enable| self.decision_of("EN :=", enable));
         if let Some(enable) = &call.enable {
             self.branch(enable, skip, false);
             self.part();
+            self.came(&mut decision, 1);
         }
         match &call.callee {
             Callee::Function(block) => self.call_function(*block, None, call, result.as_ref()),
@@ -82,6 +84,8 @@ impl Lowering<'_> {
             self.part();
             self.leave_to(done);
             self.bind(skip);
+            self.came(&mut decision, 0);
+            self.decided(decision);
             self.push(Inst::Constant { dst: Register::Br.into(), value: 0 });
             self.bind(done);
         }

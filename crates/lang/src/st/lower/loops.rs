@@ -3,9 +3,12 @@
 
 use sieben_engine::ir::{Op, Var};
 use sieben_model::address::Width;
+use sieben_model::source::Span;
 
 use super::arithmetic::{add_overflows, bits, number, op};
+use super::counting::Open;
 use super::{Label, Loop, Lowering, width};
+use crate::coverage::Label as Called;
 use crate::st::standard::operators::{Operation, limits};
 use crate::st::tree::{For, Scalar, Statement, Value, ValueKind};
 
@@ -36,30 +39,54 @@ impl Lowering<'_> {
 
     pub(super) fn while_loop(&mut self, condition: &Value, body: &[Statement]) {
         let [first, test] = [self.label(), self.label()];
+        let mut decision = self.decision_of("WHILE", condition);
+        let out = self.way(&decision, self.behind);
         self.span = condition.span;
-        self.branch(condition, self.behind, false);
+        self.branch(condition, out, false);
         self.part();
         self.bind(first);
+        self.came(&mut decision, 1);
         self.body(body, test);
         self.span = condition.span;
         self.bind(test);
         self.branch(condition, first, true);
         self.part();
+        if decision.is_some() {
+            self.bind(out);
+            self.came(&mut decision, 0);
+        }
+        self.decided(decision);
     }
 
     pub(super) fn repeat_loop(&mut self, body: &[Statement], until: &Value) {
         let [first, test] = [self.label(), self.label()];
         self.bind(first);
         self.body(body, test);
+        let mut decision = self.decision_of("UNTIL", until);
+        let again = self.way(&decision, first);
         self.span = until.span;
         self.bind(test);
-        self.branch(until, first, false);
+        self.count_statement();
+        self.branch(until, again, false);
         self.part();
+        self.came(&mut decision, 1);
+        if decision.is_some() {
+            self.leave_to(self.behind);
+            self.bind(again);
+            self.came(&mut decision, 0);
+            self.leave_to(first);
+        }
+        self.decided(decision);
     }
 
     pub(super) fn for_loop(&mut self, for_loop: &For) {
         let For { scalar, each_pass, body, .. } = for_loop;
         let (scalar, each_pass) = (*scalar, *each_pass);
+        let entering = Span { end: for_loop.by.span.end.max(for_loop.to.span.end), ..for_loop.variable.span };
+        let named = |open: Open| open.outcome(Called::Word("not entered")).outcome(Called::Word("entered"));
+        // Whoever tests before each pass does not know whether it was the first one.
+        let mut decision = self.decision("FOR", entering).filter(|_| !each_pass).map(named);
+        let out = self.way(&decision, self.behind);
         let constant = |value: &Value| match value.kind {
             ValueKind::Constant(bits) => Some(number(scalar, bits)),
             _ => None,
@@ -93,7 +120,7 @@ impl Lowering<'_> {
                 let step = self.load_local(position, width(scalar));
                 let is_zero = self.compute_with(Op::Equal, step, 0);
                 self.clear_ok_if(is_zero);
-                self.branch_on(is_zero, self.behind, true);
+                self.branch_on(is_zero, out, true);
                 self.release(is_zero);
                 self.part();
             }
@@ -111,10 +138,11 @@ impl Lowering<'_> {
         if !enters {
             let value = self.load(&variable, width(scalar));
             let past = self.compare(value, scalar, to, by, [Operation::Greater, Operation::Less]);
-            self.branch_on(past, self.behind, true);
+            self.branch_on(past, out, true);
             self.release(past);
             self.part();
         }
+        self.came(&mut decision, 1);
         self.bind(first);
         self.body(body, next);
         self.span = for_loop.variable.span;
@@ -139,7 +167,7 @@ impl Lowering<'_> {
             self.release(sum);
             self.part();
             self.leave_to(test);
-            return;
+            return self.not_entered(decision, out);
         }
         let mut goes_on = self.compare(sum, scalar, to, by, [Operation::LessEqual, Operation::GreaterEqual]);
         if let Some(overflow) = overflow {
@@ -148,6 +176,19 @@ impl Lowering<'_> {
         self.branch_on(goes_on, first, true);
         self.release(goes_on);
         self.part();
+        if !enters {
+            self.not_entered(decision, out);
+        }
+    }
+
+    /// The outcome of a loop that was not entered.
+    fn not_entered(&mut self, mut decision: Option<Open>, out: Label) {
+        if decision.is_some() {
+            self.leave_to(self.behind);
+            self.bind(out);
+            self.came(&mut decision, 0);
+        }
+        self.decided(decision);
     }
 
     fn bound(&mut self, value: &Value, constant: Option<i128>, width: Width) -> Bound {

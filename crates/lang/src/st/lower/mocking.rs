@@ -10,20 +10,18 @@ use sieben_model::testing::{MOCKED, TestPlan};
 
 use crate::stl::meaning::logic_control::CALLER_LOCAL;
 
-/// Lets every block that the words of the plan name ask the CPU before its first statement. It leaves all registers as they are.
-pub(crate) fn prepare(program: &mut Program, plan: &TestPlan) {
-    let named: BTreeSet<BlockId> = plan.words.values().filter_map(|call| Some(call.mocked.as_ref()?.0)).collect();
-    for block in named {
-        // System functions are asked about where they are called.
-        if let Some(block) = program.code.get_mut(&block) {
-            ask_first(block);
-        }
-    }
+/// Lets every block that the words of the plan name ask the CPU before its first statement, in one more statement. It leaves all registers
+/// as they are. The blocks that ask are returned.
+pub(crate) fn prepare(program: &mut Program, plan: &TestPlan) -> BTreeSet<BlockId> {
+    let mut named: BTreeSet<BlockId> = plan.words.values().filter_map(|call| Some(call.mocked.as_ref()?.0)).collect();
+    // System functions are asked about where they are called.
+    named.retain(|block| program.code.get_mut(block).and_then(ask_first).is_some());
+    named
 }
 
-fn ask_first(block: &mut CodeBlock) {
-    let Some(end) = block.code.statement_count().checked_sub(1) else { return };
-    let (Some(pointer), Some(answer)) = (Var::temporary(0), Var::temporary(1)) else { return };
+fn ask_first(block: &mut CodeBlock) -> Option<()> {
+    let end = block.code.statement_count().checked_sub(1)?;
+    let (pointer, answer) = Var::temporary(0).zip(Var::temporary(1))?;
     // The answer lies behind the local data of the block.
     let position = block.local_size * 8;
     block.local_size += 2;
@@ -48,4 +46,5 @@ fn ask_first(block: &mut CodeBlock) {
     block.code = Code { insts, statements, tables: old.tables.into_iter().map(behind).collect() };
     let place = block.spans.first().copied().unwrap_or_default();
     block.spans.insert(0, place);
+    Some(())
 }

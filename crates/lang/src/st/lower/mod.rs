@@ -7,6 +7,7 @@
 mod arithmetic;
 mod calls;
 mod constants;
+mod counting;
 mod hidden;
 mod loops;
 pub(crate) mod mocking;
@@ -30,6 +31,7 @@ use sieben_model::interface::{Interface, Section};
 use sieben_model::source::Span;
 
 use super::tree::{Body, Scalar};
+use crate::coverage::Countable;
 use hidden::Hidden;
 use private::Seen;
 use sieben_model::address::{Area, Width};
@@ -49,6 +51,16 @@ pub fn lower(id: BlockId, interface: &Interface, body: &Body, known: &Known<'_>)
     l.entry(interface);
     l.statements(&body.statements);
     l.finish(interface)
+}
+
+/// The same, and what can be counted in it: with an IR statement for each outcome of a decision.
+pub fn lower_counted(id: BlockId, interface: &Interface, body: &Body, known: &Known<'_>) -> (CodeBlock, Countable) {
+    let mut l = Lowering::new(id, interface, body, known);
+    l.counted = Some(Countable::default());
+    l.entry(interface);
+    l.statements(&body.statements);
+    let counted = l.counted.take().map_or_else(Countable::default, counting::in_order);
+    (l.finish(interface), counted)
 }
 
 /// A place in the code that is jumped to; where it is becomes known later.
@@ -87,6 +99,10 @@ struct Lowering<'a> {
     /// Where each IR statement comes from.
     spans: Vec<Span>,
     span: Span,
+    /// The place of the source statement being lowered.
+    statement: Span,
+    /// What can be counted, if somebody counts.
+    counted: Option<Countable>,
     /// The IR statement being built has no instruction yet.
     empty: bool,
     /// Temporaries that were used in this IR statement and are free again.
@@ -132,6 +148,8 @@ impl<'a> Lowering<'a> {
             is_function: id.kind == BlockKind::Function,
             spans: Vec::new(),
             span,
+            statement: span,
+            counted: None,
             empty: false,
             free: Vec::new(),
             temporaries: 0,

@@ -7,6 +7,7 @@ use sieben_model::address::Width;
 
 use super::arithmetic::{bits, number, op};
 use super::{Label, Lowering, width};
+use crate::coverage::Label as Called;
 use crate::st::standard::operators::Operation;
 use crate::st::tree::{Branch, Place, Scalar, Statement, StatementKind, Value, ValueKind};
 
@@ -48,7 +49,11 @@ impl Lowering<'_> {
             return self.statements(statements);
         }
         self.span = statement.span;
+        let around = std::mem::replace(&mut self.statement, statement.span);
         self.fresh();
+        if !matches!(statement.kind, StatementKind::Label(_)) {
+            self.count_statement();
+        }
         let mark = self.hidden.mark();
         let outer = std::mem::replace(&mut self.behind, Label(0));
         self.behind = self.label();
@@ -89,6 +94,7 @@ impl Lowering<'_> {
         let behind = self.behind;
         self.bind_behind(behind);
         self.behind = outer;
+        self.statement = around;
         self.hidden.give_back(mark);
     }
 
@@ -123,17 +129,26 @@ impl Lowering<'_> {
         let end = self.behind;
         for (index, (condition, body)) in branches.iter().enumerate() {
             let is_last = index + 1 == branches.len() && otherwise.is_empty();
-            let next = if is_last { end } else { self.label() };
+            let mut decision = self.decision_of(if index == 0 { "IF" } else { "ELSIF" }, condition);
+            let next = if is_last { self.way(&decision, end) } else { self.label() };
             self.span = condition.span;
             // What was begun behind the branch before belongs to this condition.
             self.fresh();
+            if index > 0 {
+                self.count_statement();
+            }
             self.branch(condition, next, false);
             self.part();
+            self.came(&mut decision, 1);
             self.statements(body);
             if !is_last {
                 self.leave_to(end);
                 self.bind(next);
+                self.came(&mut decision, 0);
+            } else {
+                self.end_way(&mut decision, 0, next, end);
             }
+            self.decided(decision);
         }
         self.statements(otherwise);
         self.fresh();
@@ -144,7 +159,12 @@ impl Lowering<'_> {
     fn case_statement(&mut self, selector: &Value, branches: &[Branch], otherwise: &[Statement]) {
         let labels: Vec<Label> = branches.iter().map(|_| self.label()).collect();
         let end = self.behind;
-        let none = if otherwise.is_empty() { end } else { self.label() };
+        let is_open = !matches!(selector.kind, ValueKind::Constant(_));
+        let mut decision = self.decision("CASE", selector.span).filter(|_| is_open).map(|open| {
+            let named = branches.iter().fold(open, |open, branch| open.outcome(Called::Source(branch.span)));
+            named.outcome(Called::Word(if otherwise.is_empty() { "no label" } else { "ELSE" }))
+        });
+        let none = if otherwise.is_empty() { self.way(&decision, end) } else { self.label() };
         let ranges = ranges(branches, &labels);
         if let ValueKind::Constant(constant) = selector.kind {
             let value = number(selector.scalar, constant);
@@ -154,15 +174,20 @@ impl Lowering<'_> {
             let var = self.value(selector);
             self.part_of_case(var, selector, &ranges, none);
         }
-        for (label, branch) in labels.iter().zip(branches) {
+        for (index, (label, branch)) in labels.iter().zip(branches).enumerate() {
             self.bind(*label);
+            self.came(&mut decision, index);
             self.statements(&branch.body);
             self.leave_to(end);
         }
         if !otherwise.is_empty() {
             self.bind(none);
+            self.came(&mut decision, branches.len());
             self.statements(otherwise);
+        } else {
+            self.end_way(&mut decision, branches.len(), none, end);
         }
+        self.decided(decision);
         self.fresh();
     }
 

@@ -7,7 +7,7 @@ use super::WRONG_OPERAND;
 use super::accumulators::ACCU1;
 use super::bit_logic::status_scan;
 use crate::stl::instructions::Instruction;
-use crate::stl::lower::Lowering;
+use crate::stl::lower::{Lowering, Statement};
 use crate::stl::operands::{Operand, StatusScan};
 
 fn target(operand: &Operand) -> Target {
@@ -66,22 +66,26 @@ pub(crate) fn on_status(l: &mut Lowering<'_>, operand: &Operand, scan: StatusSca
 
 /// `JL`: the list is the unbroken run of JU statements behind it.
 pub(crate) fn list(l: &mut Lowering<'_>, operand: &Operand) {
-    let entries: Vec<Target> = l.statements[l.index + 1..]
-        .iter()
-        .take_while(|statement| statement.instruction == Instruction::Jump)
-        .take(LIST_MAX)
-        .map(|statement| target(&statement.operand))
-        .collect();
     let otherwise = target(operand);
-    let entries = &entries[..entries.len().min((otherwise.0 as usize).saturating_sub(l.index + 1))];
+    let entries: Vec<Target> = list_entries(l.statements, l.index).iter().map(|entry| target(&entry.operand)).collect();
     let index: Var = l.b.compute(Op::Low8, &[ACCU1]);
-    let first = l.b.table(entries);
+    let first = l.b.table(&entries);
     let count = u32::try_from(entries.len()).unwrap_or(0);
     l.b.push(Inst::JumpTable { index, first, count, otherwise });
 }
 
 /// A jump distributor has at most 255 entries.
 const LIST_MAX: usize = 255;
+
+/// The entries of the jump distributor that is this statement: the `JU` behind it, as far as its label.
+pub(crate) fn list_entries(statements: &[Statement], number: usize) -> Vec<&Statement> {
+    let end = match statements.get(number).map(|statement| &statement.operand) {
+        Some(Operand::Label(label)) => *label as usize,
+        _ => return Vec::new(),
+    };
+    let entries = statements.iter().take(end).skip(number + 1);
+    entries.take_while(|statement| statement.instruction == Instruction::Jump).take(LIST_MAX).collect()
+}
 
 /// `LOOP`: 0 wraps to 65535, so a start value of 0 runs the body 65536 times.
 pub(crate) fn looping(l: &mut Lowering<'_>, operand: &Operand) {
