@@ -3,10 +3,9 @@
 use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
-use sieben_engine::access;
 use sieben_engine::ir::{Callee, Code, Inst, Place, Target};
 use sieben_engine::machine::memory::DataBlockEntry;
-use sieben_engine::machine::{Memory, Registers};
+use sieben_engine::machine::{Memory, Register, Registers};
 use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
 use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
@@ -165,6 +164,9 @@ pub enum StatusBits {
     Needed,
 }
 
+/// The registers with which organization blocks begin.
+const FRESH: [u64; Register::COUNT] = Registers::fresh().to_words();
+
 /// A loaded program as machine code; shared by any number of CPUs of the same layout.
 #[derive(Debug)]
 pub struct Jit {
@@ -238,8 +240,6 @@ impl Jit {
     fn fits(&self, machine: &Machine) -> bool {
         let memory = &machine.memory;
         let arena = memory.arena.len();
-        let inside = |base: u64, length: u64| base.checked_add(length).is_some_and(|end| end <= arena as u64);
-        let registers = &machine.registers;
         let known = self.known_layout.get().is_some_and(|known| Arc::ptr_eq(known, &memory.layout));
         if !known && *memory.layout == self.layout {
             // Somebody else may have been first; then this layout is compared again each time.
@@ -251,14 +251,22 @@ impl Jit {
             && machine.timers.len() == usize::from(self.layout.timers)
             && machine.counters.len() == usize::from(self.layout.counters)
             && self.compiled.fits(memory)
+            && self.compiled.protects(memory)
+    }
+
+    /// Whether machine code may begin with these registers: the open data blocks lie inside the arena, and the code of organization blocks
+    /// relies on no others.
+    fn begins_with(&self, registers: &Registers, arena: usize) -> bool {
+        let inside = |base: u64, length: u64| base.checked_add(length).is_some_and(|end| end <= arena as u64);
+        (self.compiled.any_registers || *registers == Registers::fresh())
             && inside(registers.db_base, registers.db_length)
             && inside(registers.di_base, registers.di_length)
-            && self.compiled.protects(memory)
     }
 
     fn run_native(&self, context: &mut Context<'_>, code: u32, entry: &Entry) -> Exit {
         let mut scratch = Scratch::take(self.compiled.parameters_max);
-        let mut run = Run::new(context, &self.compiled, &mut scratch);
+        let registers = entry.registers.as_ref().map_or(FRESH, Registers::to_words);
+        let mut run = Run::new(context, &self.compiled, &mut scratch, registers);
         let local = run.local_start();
         let parameters = run.parameters_start();
         let first = &mut run.scratch.links[0];
@@ -266,17 +274,28 @@ impl Jit {
         (first.parameters, first.parameters_end) = (parameters, parameters);
         run.limit_outermost();
         let start = run.context.machine.memory.layout.local.start;
-        let length = entry.start_information.len().min(self.compiled.blocks[code as usize].local_size as usize);
-        run.context.machine.memory.arena[start..start + length].copy_from_slice(&entry.start_information[..length]);
+        let local_size = self.compiled.blocks[code as usize].local_size as usize;
+        let information = &mut run.context.machine.memory.arena[start..];
+        match information.first_chunk_mut() {
+            // Of a length that is known it is two instructions.
+            Some(whole) if local_size >= entry.start_information.len() => *whole = entry.start_information,
+            _ => {
+                let length = entry.start_information.len().min(local_size);
+                information[..length].copy_from_slice(&entry.start_information[..length]);
+            }
+        }
         let link = run.link_address(0);
         let left = self.compiled.generation.call(code as usize, &mut run, local, link);
-        let (registers, budget, exit) = (access::registers(&run.registers), run.budget, run.exit.take());
-        scratch.keep();
-        context.machine.budget = budget;
+        let exit = run.exit.take();
+        let machine = &mut *run.context.machine;
+        machine.budget = run.budget;
         if !left {
-            context.machine.registers = registers;
-            context.machine.frames.clear();
-            context.machine.parameters.clear();
+            machine.registers = Registers::from_words(&run.registers);
+            machine.frames.clear();
+            machine.parameters.clear();
+        }
+        scratch.keep();
+        if !left {
             return Exit::Finished;
         }
         match exit {
@@ -294,12 +313,11 @@ impl Engine for Jit {
         let local_size = self.compiled.blocks[code as usize].local_size as usize;
         context.machine.frames.clear();
         context.machine.parameters.clear();
-        context.machine.registers = entry.registers.clone().unwrap_or_else(Registers::fresh);
+        let begins = entry.registers.as_ref().is_none_or(|registers| self.begins_with(registers, context.machine.memory.arena.len()));
         // The code of other blocks relies on a caller.
-        let others = !self.compiled.any_registers && context.machine.registers != Registers::fresh();
         let called_only = entry.block.kind != BlockKind::OrganizationBlock;
         if called_only
-            || others
+            || !begins
             || context.tracer.is_some()
             || local_size > self.layout.local_class.min(self.layout.local.len())
             || !self.fits(context.machine)

@@ -137,12 +137,18 @@ pub(crate) struct Run<'a, 'c> {
 }
 
 impl<'a, 'c> Run<'a, 'c> {
-    pub(crate) fn new(context: &'a mut Context<'c>, compiled: &'a Compiled, scratch: &'a mut Scratch) -> Self {
+    /// A run that begins with these registers. Those of the machine are those of the run only where somebody is asked.
+    #[inline]
+    pub(crate) fn new(
+        context: &'a mut Context<'c>,
+        compiled: &'a Compiled,
+        scratch: &'a mut Scratch,
+        registers: [u64; Register::COUNT],
+    ) -> Self {
         let memory = &mut context.machine.memory;
         let arena = memory.arena.as_mut_ptr();
         let arena_bytes = memory.arena.len();
         let budget = context.machine.budget;
-        let registers = context.machine.registers.to_words();
         let (timers, counters) = (context.machine.timers.as_mut_ptr() as u64, context.machine.counters.as_mut_ptr() as u64);
         let clock_us = context.machine.clock_us;
         Self {

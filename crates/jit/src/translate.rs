@@ -25,6 +25,7 @@ use crate::run::Run;
 mod analysis;
 mod bytes;
 mod calls;
+mod choices;
 mod flow;
 mod gates;
 mod inline;
@@ -197,6 +198,8 @@ struct Translator<'a> {
     grown: usize,
     /// Safe points on ways back that are still to be written: the block, the statement, where it begins.
     ways: Vec<(clif::Block, u32, clif::Block)>,
+    /// The next value that is written stays away if this bit is 1.
+    choice: Option<Value>,
     /// The running statement has not begun yet.
     arriving: bool,
     /// Nothing that follows is reached.
@@ -272,6 +275,7 @@ impl<'a> Translator<'a> {
             parameters_end: 0,
             grown: 0,
             ways: Vec::new(),
+            choice: None,
             arriving: false,
             ended: false,
             leave,
@@ -590,7 +594,13 @@ impl<'a> Translator<'a> {
             }
             Inst::Load { .. } | Inst::Store { .. } if self.access_instance(inst) => {}
             Inst::Load { dst, place, width, on_fault } => self.load(index, dst, place, width, on_fault),
-            Inst::Store { place, width, src } => self.store(index, place, width, src),
+            Inst::Store { place, width, src } => {
+                let mut value = self.get(src);
+                if let Some(condition) = self.choice.take() {
+                    value = self.chosen(condition, (place, width), index, value);
+                }
+                self.store(index, place, width, value);
+            }
             Inst::Move { from, to, bytes } if self.move_inside(index, (from, to, bytes)) => {}
             Inst::Move { from, to, .. } => {
                 let pointers = [self.pointer(from), self.pointer(to)];
@@ -635,6 +645,9 @@ impl<'a> Translator<'a> {
                     if value & 1 != 0 {
                         self.inst(index, &Inst::Jump { to });
                     }
+                    return;
+                }
+                if self.chooses(index, condition, to.0) {
                     return;
                 }
                 let condition = self.flag(condition);

@@ -177,6 +177,37 @@ fn text(b: &mut Builder, dice: &mut Dice, from: Array, index: Variable, sum: Var
     b.store(sum.place, sum.width, dst);
 }
 
+/// An assignment that is jumped over if a variable is small.
+fn assignment(b: &mut Builder, dice: &mut Dice, index: Variable, sum: Variable, statements: &mut u32) {
+    let any = |dice: &mut Dice| match dice.roll(3) {
+        0 => index,
+        1 => sum,
+        _ => variable(dice),
+    };
+    b.begin_statement();
+    let value = get(b, any(dice));
+    let limit = b.constant(dice.of(&[0, 1, 5, 0x80, 0x4000_0000]));
+    let condition = b.compute(dice.of(&[Op::LtI32, Op::Equal, Op::LeI16, Op::LtF32]), &[value, limit]);
+    b.push(Inst::Branch { condition, to: Target(*statements + 2) });
+    b.begin_statement();
+    let to = any(dice);
+    let bit = dice.roll(4) == 0;
+    let (place, width) = match to.place {
+        Place::Fixed { area, position } if bit => (Place::Fixed { area, position: position + dice.roll(8) as u32 }, Width::Bit),
+        place => (place, to.width),
+    };
+    let mut value = get(b, any(dice));
+    for _ in 0..dice.roll(3) {
+        let other = get(b, any(dice));
+        value = b.compute(
+            dice.of(&[Op::AddU32, Op::SubU16, Op::AddF32, Op::MulF32, Op::MulU32, Op::And, Op::MinI32, Op::Shl32]),
+            &[value, other],
+        );
+    }
+    b.store(place, width, value);
+    *statements += 2;
+}
+
 /// A loop in the middle of others, counted by a variable of its own.
 fn counted(b: &mut Builder, dice: &mut Dice, depth: u32, statements: &mut u32, sum: Variable) {
     let index = variable(dice);
@@ -188,6 +219,9 @@ fn counted(b: &mut Builder, dice: &mut Dice, depth: u32, statements: &mut u32, s
     for _ in 0..1 + dice.roll(2) {
         statement(b, dice, index, sum);
         *statements += 1;
+        if dice.roll(2) == 0 {
+            assignment(b, dice, index, sum, statements);
+        }
     }
     if depth > 0 && dice.roll(2) == 0 {
         counted(b, dice, depth - 1, statements, sum);

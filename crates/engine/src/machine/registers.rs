@@ -26,13 +26,16 @@ macro_rules! registers {
         }
 
         impl Registers {
+            const ZERO: Self = Self { $($field: 0),* };
             /// The value of a register.
             pub fn get(&self, register: Register) -> u64 { match register { $(Register::$Name => self.$field),* } }
             /// Sets a register.
             pub fn set(&mut self, register: Register, value: u64) { match register { $(Register::$Name => self.$field = value),* } }
             /// All values in the order of [`Register::ALL`].
-            pub fn to_words(&self) -> [u64; Register::COUNT] { [$(self.$field),*] }
+            #[inline]
+            pub const fn to_words(&self) -> [u64; Register::COUNT] { [$(self.$field),*] }
             /// Registers from their values.
+            #[inline]
             pub fn from_words(words: &[u64; Register::COUNT]) -> Self {
                 let [$($field),*] = *words;
                 Self { $($field),* }
@@ -125,8 +128,8 @@ impl fmt::Display for StatusWord {
 
 impl Registers {
     /// The registers at the start of a priority class: BR = 1, all else 0, no block open.
-    pub fn fresh() -> Self {
-        Self { br: 1, mcr: MCR_EMPTY, ..Self::default() }
+    pub const fn fresh() -> Self {
+        Self { br: 1, mcr: MCR_EMPTY, ..Self::ZERO }
     }
     /// The status word.
     pub fn status(&self) -> StatusWord {

@@ -118,8 +118,7 @@ impl Translator<'_> {
         self.set(dst, delivered);
     }
 
-    pub(super) fn store(&mut self, index: u32, place: Place, width: Width, src: Var) {
-        let value = self.get(src);
+    pub(super) fn store(&mut self, index: u32, place: Place, width: Width, value: Val) {
         let go_on;
         let slow = match self.way(index, place, width, true) {
             Way::Direct(address) => {
@@ -220,6 +219,20 @@ impl Translator<'_> {
             _ => self.options.asks_before_writing,
         };
         (!(write && protected)).then_some((base, length))
+    }
+
+    /// Whether a place may lie in a data block that is protected.
+    pub(super) fn is_protected(&self, place: Place) -> bool {
+        let (Place::Fixed { area, .. } | Place::Indirect { area, .. }) = place else { return true };
+        let register = match area {
+            Area::SharedData => Register::DbNumber,
+            Area::InstanceData => Register::DiNumber,
+            _ => return false,
+        };
+        match self.current[register as usize] {
+            Some(Val::Const(number)) => self.layout.read_only.iter().any(|&protected| u64::from(protected) == number),
+            _ => true,
+        }
     }
 
     /// First byte and number of bytes of an area, or of an open data block that is known beforehand and may be accessed.

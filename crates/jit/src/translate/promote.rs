@@ -260,7 +260,7 @@ impl Translator<'_> {
     }
 
     /// The address of a place that is known beforehand, without its bit, if all of it lies inside its area.
-    fn constant_address(&self, place: Place, width: Width) -> Option<(Base, i32)> {
+    pub(super) fn constant_address(&self, place: Place, width: Width) -> Option<(Base, i32)> {
         let (area, position) = match place {
             Place::Fixed { area, position } => (area, position),
             Place::Indirect { area, pointer, offset } => (area, moved(self.constant_pointer(pointer)?, offset)),

@@ -1,0 +1,108 @@
+//! A jump over one assignment: the value is computed in any case, and chosen where it is written. Nobody foresees such a jump if it
+//! depends on the plant, and what is known of memory in front of it is known behind it.
+
+use cranelift_codegen::ir::{InstBuilder, Value};
+use sieben_engine::ir::{Inst, OnFault, Op, Place, Var};
+use sieben_model::address::Width;
+
+use super::Translator;
+use super::value::Val;
+
+/// Longer statements are jumped over.
+const INSTRUCTIONS_MAX: usize = 8;
+
+/// Whether an operation takes no longer than a jump that was not foreseen.
+fn is_cheap(op: Op) -> bool {
+    use Op as O;
+    let logic =
+        matches!(op, O::Copy | O::Not | O::And | O::AndNot | O::Or | O::Xor | O::Select | O::Gate | O::AndU32 | O::OrU32 | O::XorU32);
+    let numbers = matches!(
+        op,
+        O::AddU8
+            | O::AddU16
+            | O::AddU32
+            | O::AddU64
+            | O::SubU8
+            | O::SubU16
+            | O::SubU32
+            | O::SubU64
+            | O::MulU32
+            | O::Shl32
+            | O::Shr32
+            | O::Low8
+            | O::Low16
+            | O::Low32
+            | O::Extend16
+            | O::MinI16
+            | O::MaxI16
+            | O::MinI32
+            | O::MaxI32
+            | O::NegI32
+    );
+    let reals = matches!(op, O::AddF32 | O::SubF32 | O::MulF32 | O::NegF32 | O::AbsF32);
+    logic || numbers || reals
+}
+
+impl Translator<'_> {
+    /// Whether the statement over which the running one jumps, if a condition holds, is written out as a choice; it is, from now on.
+    pub(super) fn chooses(&mut self, index: u32, condition: Val, to: u32) -> bool {
+        let next = self.statement + 1;
+        let code = &self.native().code;
+        let is_last = code.statements.get(next as usize) == Some(&(index + 1));
+        if !self.options.optimize || to != next + 1 || !is_last || self.arrivals.contains_key(&next) || !self.is_plain(next) {
+            return false;
+        }
+        let condition = self.flag(condition);
+        self.choice = Some(condition);
+        true
+    }
+
+    /// Whether a statement computes one value and writes it, and can neither fail nor be entered elsewhere.
+    fn is_plain(&self, statement: u32) -> bool {
+        let code = &self.native().code;
+        if statement as usize >= code.statement_count() {
+            return false;
+        }
+        let insts = code.statement(statement as usize);
+        let is_there = |place: Place, width: Width| self.constant_address(place, width).is_some();
+        let is_own = |dst: Var| dst.register().is_none();
+        let Some((Inst::Store { place, width, .. }, before)) = insts.split_last() else { return false };
+        insts.len() <= INSTRUCTIONS_MAX
+            && is_there(*place, *width)
+            && !self.is_protected(*place)
+            && before.iter().all(|inst| match *inst {
+                Inst::Constant { dst, .. } => is_own(dst),
+                Inst::Compute { op, dst, .. } => is_own(dst) && is_cheap(op),
+                Inst::Load { dst, place, width, on_fault: OnFault::SkipStatement } => is_own(dst) && is_there(place, width),
+                _ => false,
+            })
+    }
+
+    /// What a statement that is not jumped over writes: what is there already if the condition holds.
+    pub(super) fn chosen(&mut self, condition: Value, (place, width): (Place, Width), index: u32, value: Val) -> Val {
+        let free = Var::temporary(self.temporaries.len()).unwrap_or_default();
+        self.load(index, free, place, width, OnFault::SkipWrite);
+        let (old, new) = (self.get(free), self.force(value));
+        let old = self.force(old);
+        match width {
+            Width::Bit => {
+                let [old, new] = [old, new].map(|value| self.bit(value));
+                Val::Bit { value: self.b.ins().select(condition, old, new), clean: false }
+            }
+            Width::QuadWord => {
+                let [old, new] = [old, new].map(|value| self.word(value));
+                Val::Word(self.b.ins().select(condition, old, new))
+            }
+            Width::DoubleWord if [old, new].iter().any(|value| matches!(value, Val::Real { .. })) => {
+                let bits = [old, new].map(|value| self.int(value));
+                let reals = [old, new].map(|value| self.f32(value));
+                let real = self.b.ins().select(condition, reals[0], reals[1]);
+                Val::Real { real, bits: self.b.ins().select(condition, bits[0], bits[1]) }
+            }
+            _ => {
+                let [old, new] = [old, new].map(|value| self.int(value));
+                Val::Int(self.b.ins().select(condition, old, new))
+            }
+        }
+    }
+}
