@@ -76,6 +76,12 @@ pub(crate) fn span_at(build: &Build, place: FaultPlace) -> Option<Span> {
     build.project.texts.program.iter().any(|(id, _)| id == span.file).then_some(span)
 }
 
+/// What people call the place of a statement: a block of ST has a name, and a number that only we gave it.
+pub(crate) fn place_text(build: &Build, place: FaultPlace) -> String {
+    let named = build.compiled.block_names.get(&place.block).filter(|_| build.compiled.typed.contains_key(&place.block));
+    named.map_or_else(|| sieben_cpu::diagnostic_buffer::place_text(place), |name| format!("in `{name}`"))
+}
+
 /// The line of a statement.
 pub(crate) fn line_at(build: &Build, place: FaultPlace) -> Option<Line> {
     let span = span_at(build, place)?;

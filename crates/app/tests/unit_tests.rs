@@ -402,6 +402,25 @@ fn variables_of_a_program_of_structured_text_are_seen() {
 }
 
 #[test]
+fn what_setup_declares_is_there_for_each_test_and_fresh() {
+    let program = "FUNCTION_BLOCK Pump\nVAR_INPUT on : BOOL; END_VAR\nVAR_OUTPUT n : INT; END_VAR\n  IF on THEN n := n + 1; END_IF;\nEND_FUNCTION_BLOCK\nPROGRAM Main\nVAR p : Pump; END_VAR\n  p(on := TRUE);\nEND_PROGRAM\n";
+    let tests = "SETUP\n  VAR pump : Pump; count : INT := 3; END_VAR\n  pump(on := TRUE);\n  count := count + 1;\nEND_SETUP\nTEARDOWN\n  count := 0;\nEND_TEARDOWN\n\
+         TEST 'one'\n  ASSERT_EQ(count, 4);\n  pump();\n  ASSERT_EQ(pump.n, 2);\nEND_TEST\n\
+         TEST 'its own goes before'\n  VAR count : INT; END_VAR\n  ASSERT_EQ(count, 0);\n  ASSERT_EQ(pump.n, 1);\nEND_TEST\n";
+    let folder = Folder::with(&[("main.st", program), ("main.test.st", tests)]);
+    folder.run(&["test"]).code(0).stdout("2 passed, 0 failed");
+    folder.write("main.test.st", b"TEST 'named'\n  SCAN(2);\n  ASSERT_EQ(Main.p.n, 7);\nEND_TEST\n");
+    folder.run(&["test"]).code(1).stdout("`Main.p.n` was changed last by main.st:4 `n := n + 1` (in `Pump`), in the 2nd scan, at 20 ms");
+}
+
+#[test]
+fn a_file_with_too_many_tests_is_told_once() {
+    let tests: String = (0..5_001).map(|number| format!("TEST 't{number}' END_TEST\n")).collect();
+    let seen = folder(&tests).run(&["test"]).code(3).stdout("a test file has at most 5000 tests");
+    assert!(seen.stdout.contains("1 error"), "{}", seen.stdout);
+}
+
+#[test]
 fn an_input_that_a_test_writes_is_held_even_at_the_value_it_had() {
     let folder = Folder::with(&[
         ("main.awl", "ORGANIZATION_BLOCK OB 1\nBEGIN\nA I 0.1\n= Q 4.1\nSET\n= Q 0.0\nEND_ORGANIZATION_BLOCK\n"),

@@ -12,8 +12,8 @@ use crate::types::DataType;
 
 /// The organization block of the first test; those of the others follow, then that of TEARDOWN.
 pub const FIRST_TEST_BLOCK: u16 = 0x8000;
-/// Tests that one file may have: as many organization blocks as there are numbers for them.
-pub const TESTS_MAX: usize = 10_000;
+/// Tests that one file may have: each is a function block, of which a CPU type has numbers for 8,000, and the program needs some.
+pub const TESTS_MAX: usize = 5_000;
 
 /// Asked at every word of a test: the row ([`TestPlan::words`]), whether an assertion holds, up to three values.
 pub const WORD: BlockId = BlockId::new(BlockKind::SystemFunction, 110_u16.wrapping_neg());

@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use sieben_cpu::diagnostic_buffer::place_text;
 use sieben_cpu::{Cpu, Loaded, Settings};
 use sieben_engine::{Interpreter, Tracer};
 use sieben_jit::StatusBits;
@@ -214,10 +213,10 @@ fn again(ready: &Ready, test: &Test, wrong: &runner::Wrong, limits: Limits, cond
             None => format!("`{}`: no statement has changed it", signal.name),
             Some(Written { place, scan, time_us }) => {
                 let at = controller::line_at(build, place).map_or_else(
-                    || place_text(place),
+                    || controller::place_text(build, place),
                     |line| {
                         let text: String = line.statement.chars().take(60).collect();
-                        format!("{}:{} `{text}` ({})", line.file, line.number, place_text(place))
+                        format!("{}:{} `{text}` ({})", line.file, line.number, controller::place_text(build, place))
                     },
                 );
                 let when = if scan == 0 { "before the first scan".to_owned() } else { format!("in the {} scan", ordinal(scan)) };
@@ -304,7 +303,12 @@ fn failed(build: &Build, test: &Test, wrong: &runner::Wrong, conditions: &Condit
     // The statement that stopped the CPU, beside the word of the test.
     if let Some((place, at)) = in_program.filter(|(_, at)| *at != span) {
         let (line, _) = sources.line_column(at);
-        lines.push(format!("{}:{line}:  {}  // {}", sources.file(at.file).name, sources.slice(at).trim(), place_text(place)));
+        lines.push(format!(
+            "{}:{line}:  {}  // {}",
+            sources.file(at.file).name,
+            sources.slice(at).trim(),
+            controller::place_text(build, place)
+        ));
     }
     let value = |index: usize| wrong.values.get(index).map(|value| (value.value.clone(), value.data_type.clone()));
     Wrong {

@@ -2,9 +2,7 @@
 
 use sieben_model::address::Area;
 use sieben_model::block::BlockId;
-use sieben_model::diagnostic::Diagnostic;
-use sieben_model::problems::Problem;
-use sieben_model::testing::{FIRST_TEST_BLOCK, TESTS_MAX, Test, TestPlan};
+use sieben_model::testing::{FIRST_TEST_BLOCK, Test, TestPlan};
 use sieben_model::types::DataType;
 
 use super::bodies::Bodies;
@@ -22,12 +20,8 @@ impl Environment<'_> {
         let all = &self.items.tests;
         let of = |part: TestPart| all.iter().filter(move |test| test.part == part);
         let setup = of(TestPart::Setup).next();
-        if let Some(first) = of(TestPart::Test).nth(TESTS_MAX) {
-            let message = format!("a test file has at most {TESTS_MAX} tests");
-            bodies.diagnostics.push(Diagnostic::new(Problem::P2302, first.source.name.span, message));
-        }
         let mut number = FIRST_TEST_BLOCK;
-        for test in of(TestPart::Test).take(TESTS_MAX) {
+        for test in of(TestPart::Test) {
             let block = BlockId::ob(number);
             number += 1;
             self.call_all(block, setup.into_iter().chain([test]), bodies);

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
+use sieben_model::testing::TESTS_MAX;
 
 use super::super::ast::{Argument, BlockKind, Call, Direction, Expression, ExpressionKind, Item, Name, Quoting, SectionKind};
 use super::super::ast::{StatementKind, TestPart};
@@ -66,6 +67,13 @@ impl Parser<'_> {
         block.span = self.since(token.start);
         self.finish();
         self.declared.clear();
+        if part == TestPart::Setup {
+            // What SETUP declares is there for the tests: else it could prepare nothing of its own.
+            for mut section in block.sections.extract_if(.., |section| section.kind == SectionKind::Var) {
+                section.kind = SectionKind::Global;
+                items.push(Item::Globals(section));
+            }
+        }
         items.push(Item::Block(Box::new(block)));
     }
 
@@ -146,10 +154,24 @@ impl Parser<'_> {
                 _ => {}
             }
         }
+        let tests = blocks().filter(|block| block.kind == BlockKind::Test(TestPart::Test));
+        let too_many = tests.skip(TESTS_MAX).map(|block| block.name.span).next();
         if names.is_empty() && self.diagnostics.is_empty() {
             let message = "this test file has no TEST";
             let span = self.span(0, 0);
             self.push(Diagnostic::new(Problem::P2302, span, message).help("Write `TEST 'what is true' … END_TEST`."));
+        }
+        if let Some(span) = too_many {
+            let message = format!("a test file has at most {TESTS_MAX} tests");
+            self.push(Diagnostic::new(Problem::P2302, span, message).help("Write the others into a file of their own."));
+            let mut left = TESTS_MAX;
+            items.retain(|item| match item {
+                Item::Block(block) if block.kind == BlockKind::Test(TestPart::Test) => {
+                    left = left.saturating_sub(1);
+                    left > 0
+                }
+                _ => true,
+            });
         }
     }
 
