@@ -158,6 +158,40 @@ fn a_wild_pointer_without_its_error_block_ends_in_stop() {
     }
 }
 
+/// An array index out of range in `iec`: 0 is read, nothing is written, and the buffer names index and block.
+const INDEXES: &str = "FUNCTION Take : INT\nVAR_INPUT i : INT; END_VAR\nVAR a : ARRAY[1..3] OF INT := [7, 8, 9]; END_VAR\n\
+    Take := a[i];\na[i] := 5;\nEND_FUNCTION\n\
+    FUNCTION Sum : INT\nVAR_IN_OUT a : ARRAY[*] OF INT; END_VAR\nVAR i : DINT; END_VAR\n\
+    FOR i := 1 TO 4 DO Sum := Sum + a[i]; END_FOR;\nEND_FUNCTION\n\
+    PROGRAM Main\nVAR x AT %MW0, y AT %MW2, z AT %MW4 : INT; n : INT := 2; b : ARRAY[1..3] OF INT := [3(10)]; END_VAR\n\
+    n := n + 1; x := Take(n); y := Take(-n); z := Sum(a := b);\nEND_PROGRAM\n";
+
+#[test]
+fn an_index_out_of_range_that_stops_nothing_is_in_the_diagnostic_buffer() {
+    let cpu_type = &CpuType::ALL[0];
+    let compiled = program::compile_sources(&[("indexes.st", INDEXES)], None, None, cpu_type).unwrap_or_else(|error| panic!("{error}"));
+    let program = Arc::new(compiled.program);
+    let cpus: Vec<Cpu> = ENGINES
+        .iter()
+        .map(|(engine, load)| {
+            let mut cpu = cpu(&program, cpu_type, *load, None);
+            cpu.restart(Restart::Warm);
+            let before = cpu.diagnostic_buffer().text().matches("is outside its array").count();
+            assert_eq!(before, 0, "{engine}");
+            assert_eq!(cpu.scan(0).mode, OperatingMode::Run, "{engine}");
+            assert_eq!([value(&cpu, "MW 0"), value(&cpu, "MW 2"), value(&cpu, "MW 4")], [9, 0, 30], "{engine}");
+            let text = cpu.diagnostic_buffer().text();
+            assert_eq!(text.matches("index -3 is outside its array").count(), 2, "{engine}: {text}");
+            assert_eq!(text.matches("index 4 is outside its array").count(), 1, "{engine}: {text}");
+            assert_eq!(text.matches("is outside its array").count(), 3, "{engine}: {text}");
+            cpu
+        })
+        .collect();
+    for other in &cpus[1..] {
+        assert_same(&cpus[0], other, "indexes");
+    }
+}
+
 #[test]
 fn wild_numbers_of_blocks_timers_and_counters_are_faults() {
     let cpu_type = &CpuType::ALL[0];

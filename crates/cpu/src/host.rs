@@ -306,6 +306,9 @@ impl Host for CpuHost<'_> {
         let class = self.class(machine);
         let info = StartInformation::fault(fault, place, &class);
         let entry = self.enter(info, Some(place));
+        if fault.is_noted() {
+            return Reaction::Continue;
+        }
         self.first = Some(entry);
         if let Fault::Abort(abort) = *fault {
             return self.abort(class, info, ob::abort_stop_event(abort), place);

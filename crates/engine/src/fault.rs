@@ -12,6 +12,10 @@ pub struct Place {
     pub statement: u32,
 }
 
+/// Added to the code of a programming error that is only told: the Host writes it down, calls no organization block and stops nothing,
+/// and the statement goes on with its next instruction, whatever the Host answers.
+pub const NOTED: u8 = 0x80;
+
 /// A synchronous error of a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
@@ -55,7 +59,7 @@ impl Fault {
     /// The event ID of the error itself: 16#25xx, 16#2942/2943, 16#357x.
     pub fn event(&self) -> u16 {
         match self {
-            Self::Programming { code, .. } => 0x2500 | u16::from(*code),
+            Self::Programming { code, .. } => 0x2500 | u16::from(*code & !NOTED),
             Self::IoAccess { write: false, .. } => 0x2942,
             Self::IoAccess { write: true, .. } => 0x2943,
             Self::Abort(Abort::NestingStack) => 0x3571,
@@ -63,6 +67,10 @@ impl Fault {
             Self::Abort(Abort::BlockStack) => 0x3575,
             Self::Abort(Abort::LocalData) => 0x3576,
         }
+    }
+    /// Whether it is only told ([`NOTED`]).
+    pub fn is_noted(&self) -> bool {
+        matches!(self, Self::Programming { code, .. } if code & NOTED != 0)
     }
     /// A programming error with FLT_REG.
     pub(crate) fn programming(code: u8, register: u16) -> Self {

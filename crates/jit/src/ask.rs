@@ -516,6 +516,13 @@ extern "C" fn unmet(run: &mut Run<'_, '_>, link: u64, site: u64, register: u64) 
         Inst::RequireStack { abort, .. } => Fault::Abort(abort),
         _ => unreachable!("a site of `unmet` is a condition"),
     };
+    if fault.is_noted() {
+        let place = run.place(site);
+        run.show(run.depth(link), 0);
+        run.context.host.fault(run.context.machine, &fault, place);
+        run.take_back();
+        return GO_ON;
+    }
     run.ask_fault(link, site, &fault)
 }
 

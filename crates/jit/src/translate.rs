@@ -13,6 +13,7 @@ use cranelift_jit::JITModule;
 use cranelift_module::{FuncId, Module};
 use sieben_engine::Layout;
 use sieben_engine::access::data_registers;
+use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{DataRegister, Inst, Op, Place, Var};
 use sieben_engine::machine::{Register, Registers};
 use sieben_model::address::Area;
@@ -98,6 +99,8 @@ enum After {
     NextStatement,
     /// At this block, with `run.value` as its argument.
     Deliver(clif::Block),
+    /// At this block, inside the same statement.
+    At(clif::Block),
     /// Nowhere: the Host ends the run.
     Never,
 }
@@ -539,6 +542,9 @@ impl<'a> Translator<'a> {
         self.spill(self.dirty);
         let answer = self.ask(question, arguments);
         match after {
+            After::At(block) => {
+                self.b.ins().brif(answer, self.leave, &[], block, &[]);
+            }
             After::Never => {
                 self.b.ins().jump(self.leave, &[]);
             }
@@ -614,6 +620,13 @@ impl<'a> Translator<'a> {
             Inst::PassParameter { src } => self.pass_parameter(src),
             Inst::Intrinsic { dst, intrinsic, args } => self.intrinsic(index, dst, intrinsic, args),
             Inst::Require { .. } if self.ranges.is_met(index) => {}
+            Inst::Require { condition, code, register } if code & NOTED != 0 => {
+                let go_on = self.b.create_block();
+                self.require(index, condition, Some(register), After::At(go_on));
+                self.b.ins().jump(go_on, &[]);
+                self.b.switch_to_block(go_on);
+                self.b.seal_block(go_on);
+            }
             Inst::Require { condition, register, .. } => self.require(index, condition, Some(register), After::NextStatement),
             Inst::RequireStack { condition, .. } => self.require(index, condition, None, After::Never),
             Inst::Open { register, number } => {

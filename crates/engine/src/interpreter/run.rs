@@ -331,6 +331,12 @@ impl Interpreter {
                     Step::Require { condition, code, register } => {
                         if var!(condition) & 1 == 0 {
                             let fault = Fault::programming(code, var!(register) as u16);
+                            if fault.is_noted() {
+                                let place = Place { block: block.id, statement: block.statement_of(at) };
+                                context.host.fault(context.machine, &fault, place);
+                                at += 1;
+                                continue;
+                            }
                             go!(self.fault(context, &mut file, block, at, &fault, None));
                         }
                     }

@@ -164,7 +164,8 @@ pub enum Inst {
     PassParameter { src: Var },
     /// `dst := result` of a function over the machine (0 if it has none).
     Intrinsic { dst: Var, intrinsic: Intrinsic, args: [Var; 4] },
-    /// Fails with programming error `code` (FLT_REG = `register`) unless the condition holds.
+    /// Fails with programming error `code` (FLT_REG = `register`) unless the condition holds; with [`crate::fault::NOTED`] in the
+    /// code the error is told and the statement goes on.
     Require { condition: Var, code: u8, register: Var },
     /// Aborts the block unless the condition holds.
     RequireStack { condition: Var, abort: crate::fault::Abort },

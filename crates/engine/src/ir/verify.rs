@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 
 use super::code::{Code, Inst, OnFault, Place, Target, Var};
+use crate::fault::NOTED;
 use crate::machine::Register;
 
 /// A rule that code breaks.
@@ -47,12 +48,8 @@ pub fn verify(code: &Code) -> Result<(), Violation> {
             // The parameter code of a CALL changes registers between its parts, as on the real CPU.
             let skips = match inst {
                 Inst::Load { on_fault, .. } => *on_fault != OnFault::DeliverZero,
-                Inst::Store { .. }
-                | Inst::Move { .. }
-                | Inst::Text { .. }
-                | Inst::Intrinsic { .. }
-                | Inst::Require { .. }
-                | Inst::RequireStack { .. } => true,
+                Inst::Store { .. } | Inst::Move { .. } | Inst::Text { .. } | Inst::Intrinsic { .. } | Inst::RequireStack { .. } => true,
+                Inst::Require { code, .. } => code & NOTED == 0,
                 _ => false,
             };
             let passes = code.statement(statement).iter().any(|inst| matches!(inst, Inst::Call { .. }));

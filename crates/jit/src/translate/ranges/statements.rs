@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Inst, Op, Target, Var};
 use sieben_engine::machine::Register;
 
@@ -67,6 +68,12 @@ impl Analysis<'_> {
                     fails = true;
                     let known = self.value(Interval::any(64));
                     put(&mut state, &mut temporaries, dst, known);
+                }
+                Inst::Require { condition, code, .. } if code & NOTED != 0 => {
+                    let condition = self.get(&state, &temporaries, condition);
+                    if notes && condition.range.exact().is_some_and(|value| value & 1 != 0) {
+                        self.found.met.insert(index);
+                    }
                 }
                 Inst::Require { condition, .. } => {
                     let condition = self.get(&state, &temporaries, condition);

@@ -110,6 +110,15 @@ pub struct DeclaredName {
 pub enum Location {
     /// `x AT %MW0`: the variable lies there.
     Address(Address),
+    /// `x AT %B2` in a STRUCT: bits from its begin, and how many.
+    Relative {
+        /// Where the field begins; `None` if the numbers make no sense.
+        offset: Option<u64>,
+        /// The width that the address names, in bits.
+        bits: u32,
+        /// The place.
+        span: Span,
+    },
     /// `view AT x`: the same bytes as this variable.
     View(Name),
     /// `name : resource.program.x : INT` of VAR_ACCESS: what the name gives access to.

@@ -158,6 +158,7 @@ impl Checker<'_> {
                 let value = build(values, &mut Building { span, checked, temporary: &mut temporary });
                 Typed::Scalar { value: Value { span, ..value }, data_type: resolved.result }
             }
+            Meaning::Choose { block, inputs, last } => self.chosen_text((block, inputs, last), &resolved.parameters, call, arguments, span),
             Meaning::Fold(provided) => {
                 let Some(block) = self.names.provided(&provided) else {
                     return self.not_built(span, "this function");
@@ -190,6 +191,46 @@ impl Checker<'_> {
                 self.block_function((block, written_out), &interface, call, arguments, span)
             }
         }
+    }
+
+    /// MUX of texts.
+    fn chosen_text(
+        &mut self,
+        (provided, inputs, last): (standard::Provided, usize, bool),
+        parameters: &[standard::Parameter],
+        call: &ast::Call,
+        arguments: Vec<(Typed, Span)>,
+        span: Span,
+    ) -> Typed {
+        let Some(block) = self.names.provided(&provided) else {
+            return self.not_built(span, "this function");
+        };
+        let Some(interface) = self.interface(block, call.callee.span) else { return Typed::Poison };
+        let mut rest: Vec<Option<(Typed, Span)>> = arguments.into_iter().map(Some).collect();
+        let mut given = order_of(parameters, call).into_iter().filter_map(|index| rest.get_mut(index).and_then(Option::take));
+        let (Some((number, place)), Some(first)) = (given.next(), parameters.first()) else { return Typed::Poison };
+        let Some(number) = self.coerce(number, place, &first.data_type) else { return Typed::Poison };
+        let (keep, number) = self.kept(number);
+        let mut texts: Vec<(Typed, Span)> = given.collect();
+        let otherwise = if texts.len() > inputs || last { texts.pop() } else { None };
+        let (mut found, mut place) = otherwise.unwrap_or((Typed::Text(Text::Constant(Vec::new())), span));
+        let formals: Vec<&Variable> = interface.parameters().filter(|formal| formal.section == Section::Input).collect();
+        for (index, (text, text_place)) in texts.into_iter().enumerate().rev() {
+            let this = Value { kind: ValueKind::Constant(index as u64), scalar: number.scalar, span };
+            // The outermost call comes first: it keeps the number for those inside.
+            let number = if index == 0 { super::calls::after(vec![keep.clone()], number.clone()) } else { number.clone() };
+            let equal = operators::compute(sieben_engine::ir::Op::Equal, vec![number, this], Scalar::Bool);
+            let condition = Typed::Scalar { value: Value { span, ..equal }, data_type: DataType::Bool };
+            let (mut passed, mut before) = (Vec::new(), Vec::new());
+            for (formal, (typed, place)) in formals.iter().zip([(condition, span), (found, place), (text, text_place)]) {
+                if !self.input(formal, typed, place, &mut passed, &mut before) {
+                    return Typed::Poison;
+                }
+            }
+            found = self.result_of_function((block, None), &interface, passed, before, span);
+            place = span;
+        }
+        found
     }
 
     /// A standard function that is a block: all its parameters but the result are inputs.

@@ -156,6 +156,8 @@ pub trait Names {
     fn this(&self) -> Option<BlockId>;
     /// What the instance has under this name, whatever a method declares.
     fn of_instance(&self, name: &str) -> Option<Entity>;
+    /// Whether a variable of a block is declared PUBLIC.
+    fn is_public(&self, block: BlockId, variable: &str) -> bool;
     /// Whether the names are those of a CONFIGURATION, which knows the inside of every instance.
     fn knows_instances(&self) -> bool;
     /// The fields of the instances of a function block.

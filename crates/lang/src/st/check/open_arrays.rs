@@ -21,6 +21,9 @@ use crate::st::tree::{Argument, Bounds, Index, Place, Scalar, Statement, Value, 
 /// Bits that any array has at most: an index below this many elements is in range where its bounds were looked at.
 const ARRAY_BITS_MAX: u32 = 1 << 20;
 
+/// What an index is above that is out of its range.
+const OUTSIDE: i64 = 0x4000_0000;
+
 impl Checker<'_> {
     /// A bound of an array as I32; `None` if the array is not open.
     pub(super) fn bound(&self, target: &Target, dimension: usize, end: End, span: Span) -> Option<Value> {
@@ -35,13 +38,13 @@ impl Checker<'_> {
         Some(Value { kind: ValueKind::Load(place), scalar: Scalar::I32, span })
     }
 
-    /// An element of an open array: one index from 0 over all dimensions, or -1 if one of the indexes is out of its range.
+    /// An element of an open array: one index from 0 over all dimensions.
     pub(super) fn open_element(&mut self, mut target: Target, indexes: &[&Expression], span: Span) -> Option<Target> {
         let DataType::Array { element, bounds } = target.data_type.clone() else { return None };
         let step = element_step(&element);
         let mut before: Vec<Statement> = Vec::new();
         let mut flat: Option<Value> = None;
-        let mut inside: Option<Value> = None;
+        let mut limits: Vec<(Value, Value)> = Vec::new();
         let mut sound = indexes.len() == bounds.len();
         let check = self.bounds_check();
         for (position, index) in indexes.iter().enumerate() {
@@ -63,10 +66,7 @@ impl Checker<'_> {
                     let above = two(Operation::GreaterEqual, value.clone(), low.clone(), span);
                     let below = two(Operation::LessEqual, value.clone(), high.clone(), span);
                     let both = compute(Op::And, vec![above, below], Scalar::Bool, span);
-                    inside = Some(match inside {
-                        None => both,
-                        Some(before) => compute(Op::And, vec![before, both], Scalar::Bool, span),
-                    });
+                    limits.push((both, value.clone()));
                     value
                 }
             };
@@ -91,14 +91,13 @@ impl Checker<'_> {
             return None;
         }
         let flat = flat?;
-        let index = match inside {
-            None => flat,
-            Some(inside) => {
-                let outside = number(-1, Scalar::I64, span);
-                let kind = ValueKind::Choose { condition: Box::new(inside), a: Box::new(flat), b: Box::new(outside) };
-                Value { kind, scalar: Scalar::I64, span }
-            }
-        };
+        // An index that is out of its range becomes one that is out of every range and has the same low word: messages show that.
+        let index = limits.into_iter().rev().fold(flat, |flat, (inside, value)| {
+            let low = compute(Op::AndU64, vec![value, number(0xFFFF, Scalar::I64, span)], Scalar::I64, span);
+            let outside = compute(Op::OrU64, vec![low, number(OUTSIDE, Scalar::I64, span)], Scalar::I64, span);
+            let kind = ValueKind::Choose { condition: Box::new(inside), a: Box::new(flat), b: Box::new(outside) };
+            Value { kind, scalar: Scalar::I64, span }
+        });
         let check = if check == Bounds::Clamp { Bounds::None } else { check };
         let count = u64::from(ARRAY_BITS_MAX / step.max(1)).max(1);
         let value = super::calls::after(before, index);

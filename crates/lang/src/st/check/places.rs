@@ -321,6 +321,7 @@ impl Checker<'_> {
                 let through = match section {
                     Some(Section::Input | Section::InOut) => Through::InstanceInput,
                     Some(Section::Output) => Through::InstanceOutput,
+                    _ if self.names.is_public(*block, &name.text) => Through::InstanceInput,
                     _ => Through::InstanceInternal,
                 };
                 (structure, through)

@@ -9,7 +9,7 @@ use sieben_model::program::DataBlock;
 use sieben_model::types::{DataType, Structure, place};
 
 use super::items::{Data, Items};
-use super::types::{Resolver, instance_of};
+use super::types::{FieldLayout, Resolver, instance_of};
 use super::{access, ast, globals, instances};
 use crate::declarations::data_block::{DataLayout, instance};
 use crate::declarations::types::{Types, describe};
@@ -42,7 +42,7 @@ fn layout<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: Data<'a>) -> Op
     let mut resolver = Resolver::new(types, items, data.dialect);
     if !block.sections.is_empty() {
         let fields: Vec<ast::Declaration> = block.sections.iter().flat_map(|section| section.declarations.iter().cloned()).collect();
-        let structure = resolver.structure(&fields, None, None, false, block.name.span)?;
+        let structure = resolver.structure(&fields, None, None, FieldLayout::Sequence, block.name.span)?;
         return Some(DataLayout { structure, based_on: None });
     }
     if matches!(block.data_type.kind, ast::TypeKind::Missing) {

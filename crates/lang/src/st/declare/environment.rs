@@ -14,7 +14,7 @@ use sieben_model::types::{DataType, Structure};
 
 use super::initial::bytes;
 use super::items::{Items, numbered};
-use super::{Declared, Demand, Known, Located, Named};
+use super::{Declared, Demand, Known, Located, Named, ast};
 use crate::declarations::data_block::DataLayout;
 use crate::declarations::types::{BlockInterface, State};
 use crate::library::LibraryBlock;
@@ -327,6 +327,21 @@ impl Names for BlockNames<'_, '_> {
     fn of_instance(&self, name: &str) -> Option<Entity> {
         let declared = self.owner.unwrap_or(self.declared);
         declared.names.get(&key(name)).filter(|entity| entity.is_of_instance()).cloned()
+    }
+
+    fn is_public(&self, block: BlockId, variable: &str) -> bool {
+        let items = self.environment.items;
+        let mut owner = Some(block);
+        while let Some(code) = owner.and_then(|owner| items.code.get(&owner)) {
+            let declares = |section: &&ast::VarSection| {
+                section.declarations.iter().any(|declaration| declaration.names.iter().any(|declared| declared.name.is(variable)))
+            };
+            if let Some(section) = code.block.sections.iter().find(declares) {
+                return section.has(ast::Qualifier::Access(ast::Access::Public));
+            }
+            owner = owner.and_then(|owner| items.objects.get(owner)).and_then(|object| object.base);
+        }
+        false
     }
 
     fn knows_instances(&self) -> bool {

@@ -465,6 +465,11 @@ impl<'a> Sections<'_, 'a> {
                 Some(ast::Location::View(of)) => {
                     self.views.push(View { name: name.clone(), of: of.clone(), data_type: data_type.clone() });
                 }
+                Some(ast::Location::Relative { span, .. }) => {
+                    let message = "such an address is one in a STRUCT; a variable lies in an area, as in `%MW10`";
+                    self.resolver.report(Problem::P6127, *span, message);
+                    self.resolver.names.insert(key(&name.text), unknown(name));
+                }
                 Some(ast::Location::Path(path)) => {
                     self.resolver.not_built(path.span, "AT with a part of a variable");
                     self.resolver.names.insert(key(&name.text), unknown(name));

@@ -167,12 +167,10 @@ impl<'t, 'a> Resolver<'t, 'a> {
             }
             TypeKind::Array { dimensions, element } => plain(self.array(dimensions, element, span)?),
             TypeKind::Struct { fields, overlap } => {
-                if *overlap {
-                    self.not_built(span, "OVERLAP");
-                }
-                plain(DataType::Struct(self.structure(fields, name, None, false, span)?))
+                let layout = if *overlap { FieldLayout::Overlap } else { FieldLayout::Sequence };
+                plain(DataType::Struct(self.structure(fields, name, None, layout, span)?))
             }
-            TypeKind::Union(fields) => plain(DataType::Struct(self.structure(fields, name, None, true, span)?)),
+            TypeKind::Union(fields) => plain(DataType::Struct(self.structure(fields, name, None, FieldLayout::Union, span)?)),
             TypeKind::Subrange { base, low, high } => {
                 let base = self.named(base)?.data_type.clone();
                 let Some(limits) = range(&base) else {
@@ -356,7 +354,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
                         return None;
                     }
                 };
-                (DataType::Struct(self.structure(fields, name, Some(&base), false, span)?), Vec::new())
+                (DataType::Struct(self.structure(fields, name, Some(&base), FieldLayout::Sequence, span)?), Vec::new())
             }
             _ => self.type_inside(&declaration.data_type, name)?,
         };
@@ -495,7 +493,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
         declarations: &[ast::Declaration],
         name: Option<&str>,
         base: Option<&Structure>,
-        union: bool,
+        layout: FieldLayout,
         span: Span,
     ) -> Option<Arc<Structure>> {
         let mut structure = Structure { name: name.map(str::to_owned), ..Structure::default() };
@@ -517,9 +515,30 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 whole = false;
                 continue;
             }
-            if let Some(ast::Location::Address(address)) = &declaration.location {
-                self.not_built(address.span, "a field with an address");
-            }
+            let placed = match &declaration.location {
+                Some(ast::Location::Relative { offset, bits, span }) => {
+                    let elementary = data_type.is_elementary() || data_type.is_long();
+                    let fits = !elementary && *bits >= 8 || data_type.bits() == u64::from(*bits);
+                    match offset.filter(|offset| fits && *offset < BLOCK_BYTES_MAX * 8) {
+                        Some(offset) => Some(offset),
+                        None => {
+                            let message = format!("{} cannot lie there in a STRUCT", describe(&data_type));
+                            let help =
+                                "A BOOL is written `AT %X2.0`, all else with the byte and its own width: `AT %B2`, `AT %W2`, `AT %D4`.";
+                            self.report(Problem::P6127, *span, message).help = Some(help.to_owned());
+                            whole = false;
+                            continue;
+                        }
+                    }
+                }
+                Some(ast::Location::Address(address)) => {
+                    let message = "a field lies in its STRUCT, not in an area of the CPU";
+                    self.report(Problem::P6127, address.span, message).help = Some("Write where it begins, as in `AT %B2`.".to_owned());
+                    whole = false;
+                    continue;
+                }
+                _ => None,
+            };
             let initial = match &declaration.initial {
                 Some(initializer) => self.initial(initializer, &data_type),
                 None => named,
@@ -530,7 +549,25 @@ impl<'t, 'a> Resolver<'t, 'a> {
                     self.report(Problem::P3006, word.span, format!("`{}` is declared twice in this STRUCT", word.text));
                     continue;
                 }
-                let (offset, behind) = place(if union { 0 } else { cursor }, &data_type);
+                let (offset, behind) = match placed {
+                    Some(offset) => (offset, offset + data_type.bits()),
+                    None => place(if layout == FieldLayout::Union { 0 } else { cursor }, &data_type),
+                };
+                let covered = structure.fields.iter().find(|field| {
+                    let begin = u64::from(field.offset);
+                    begin < behind && offset < begin + field.data_type.bits()
+                });
+                if let (FieldLayout::Sequence, Some(covered)) = (layout, covered) {
+                    let message = format!("`{}` lies where `{}` lies", word.text, covered.name);
+                    self.report(Problem::P6127, word.span, message).help = Some("Write `STRUCT OVERLAP` if this is meant.".to_owned());
+                    whole = false;
+                    continue;
+                }
+                // What begins first says what the bytes hold that fields share.
+                let shared = match layout {
+                    FieldLayout::Union => !structure.fields.is_empty(),
+                    _ => covered.is_some(),
+                };
                 cursor = behind;
                 end = end.max(behind);
                 if end > BLOCK_BYTES_MAX * 8 {
@@ -542,8 +579,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
                     name: word.text.clone(),
                     data_type: data_type.clone(),
                     offset: offset as u32,
-                    // The first member of a UNION says what all of them hold.
-                    initial: if union && !structure.fields.is_empty() { vec![Value::Image(Vec::new())] } else { initial.clone() },
+                    initial: if shared { vec![Value::Image(Vec::new())] } else { initial.clone() },
                     comment: declaration.comment.clone(),
                 });
             }
@@ -558,6 +594,17 @@ impl<'t, 'a> Resolver<'t, 'a> {
         structure.size = (end.next_multiple_of(16) / 8) as u32;
         Some(Arc::new(structure))
     }
+}
+
+/// How the fields of a structure lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FieldLayout {
+    /// One behind the other.
+    Sequence,
+    /// Where they say, also in the same bytes.
+    Overlap,
+    /// All at the begin.
+    Union,
 }
 
 /// A row's advice as a sentence.

@@ -1,5 +1,6 @@
 //! Where variables lie: addresses, indexes, access.
 
+use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{DataRegister, Inst, OnFault, Op, Place as Address, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
@@ -306,6 +307,8 @@ impl Lowering<'_> {
                     self.release(inside);
                     above
                 } else {
+                    let code = NOTED | (OUTSIDE + u8::from(write));
+                    self.push(Inst::Require { condition: inside, code, register: number });
                     let gated = self.compute_from(Op::Gate, &[above, inside]);
                     self.release(above);
                     all.gate = Some(match all.gate {

@@ -2,7 +2,7 @@
 
 use sieben_model::problems::Problem;
 
-use super::super::ast::{Address, AddressWidth, Area, DataAddress, Expression, ExpressionKind, Name, Position, Quoting, Slice};
+use super::super::ast::{Address, AddressWidth, Area, DataAddress, Expression, ExpressionKind, Location, Name, Position, Quoting, Slice};
 use super::super::dialect::{Construct, Judgement};
 use super::super::lexer::Raw;
 use super::{Parser, SyntaxKind};
@@ -230,6 +230,21 @@ impl Parser<'_> {
             ExpressionKind::Address(address) => Some(address),
             _ => None,
         }
+    }
+
+    /// `%B2`, `%X3.0`: where a field lies in its STRUCT; `None` for an address with an area.
+    pub(super) fn relative_address(&mut self) -> Option<Location> {
+        let mut parts = self.current()[1..].split('.');
+        let (letters, digits) = split(parts.next().unwrap_or_default())?;
+        let width = width(&letters).filter(|_| !letters.is_empty() && !digits.is_empty())?;
+        let numbers: Vec<u64> = [digits].into_iter().chain(parts).map(number).collect();
+        let offset = match (numbers.as_slice(), width) {
+            (&[byte, bit], AddressWidth::Bit) if bit < 8 => byte.checked_mul(8).map(|bits| bits + bit),
+            (&[byte], AddressWidth::Byte | AddressWidth::Word | AddressWidth::DoubleWord | AddressWidth::LongWord) => byte.checked_mul(8),
+            _ => None,
+        };
+        let span = self.bump(SyntaxKind::Address);
+        Some(Location::Relative { offset, bits: width.bits(), span })
     }
 
     /// `%DBX0.0`, `%DBW4` behind the name of a data block and its point; else the block comes back.

@@ -314,6 +314,9 @@ impl Parser<'_> {
         let token = self.token();
         self.bump(SyntaxKind::Keyword);
         if self.raw() == Raw::Percent {
+            if let Some(relative) = self.relative_address() {
+                return Some(relative);
+            }
             self.judge(Construct::LocatedAt, token.start, token.end);
             return self.located_address().map(Location::Address);
         }

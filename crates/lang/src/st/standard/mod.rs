@@ -86,6 +86,15 @@ pub enum Meaning {
     CompareTexts(Operation),
     /// By a block.
     Block(Provided),
+    /// One of texts by a number, which comes first: by a block that chooses between two by a BOOL, again and again.
+    Choose {
+        /// The block: G, IN0, IN1.
+        block: Provided,
+        /// Texts that count from 0; a further one is for all other numbers.
+        inputs: usize,
+        /// What other numbers give where there is no further text: the last one, else an empty text and ENO is FALSE.
+        last: bool,
+    },
     /// By a block of two texts: of the first two, then of what comes out and the next one, and so on.
     Fold(Provided),
 }

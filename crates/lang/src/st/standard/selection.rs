@@ -130,7 +130,15 @@ fn mux(call: &Call<'_>) -> Result<Resolved, Refusal> {
     let mut given: Vec<_> = bound[1..].iter().map(|(_, given)| *given).collect();
     given.extend(named_else.map(|index| &call.arguments[index]));
     if given.iter().any(|given| is_text(given)) {
-        return Err(call.wrong(given[0], "values of an elementary type other than STRING"));
+        let mut parameters = vec![Parameter { name: "K".to_owned(), data_type: places }];
+        let string = DataType::String(sieben_model::types::STRING_LENGTH_MAX);
+        parameters.extend(bound[1..].iter().map(|(name, _)| Parameter { name: name.clone(), data_type: string.clone() }));
+        if named_else.is_some() {
+            parameters.push(Parameter { name: "INELSE".to_owned(), data_type: string.clone() });
+        }
+        let block = string_block(call, "SEL_STRING")?;
+        let meaning = Meaning::Choose { block, inputs: bound.len() - 1, last: otherwise == Otherwise::Last };
+        return Ok(Resolved { parameters, result: string, meaning });
     }
     let data_type = inner.common(&given, Group::Elementary)?;
     let scalar = call.scalar(&data_type);
