@@ -163,7 +163,7 @@ const INDEXES: &str = "FUNCTION Take : INT\nVAR_INPUT i : INT; END_VAR\nVAR a : 
     Take := a[i];\na[i] := 5;\nEND_FUNCTION\n\
     FUNCTION Sum : INT\nVAR_IN_OUT a : ARRAY[*] OF INT; END_VAR\nVAR i : DINT; END_VAR\n\
     FOR i := 1 TO 4 DO Sum := Sum + a[i]; END_FOR;\nEND_FUNCTION\n\
-    PROGRAM Main\nVAR x AT %MW0, y AT %MW2, z AT %MW4 : INT; n : INT := 2; b : ARRAY[1..3] OF INT := [3(10)]; END_VAR\n\
+    PROGRAM Main\nVAR x AT %MW0 : INT; y AT %MW2 : INT; z AT %MW4 : INT; n : INT := 2; b : ARRAY[1..3] OF INT := [3(10)]; END_VAR\n\
     n := n + 1; x := Take(n); y := Take(-n); z := Sum(a := b);\nEND_PROGRAM\n";
 
 #[test]
