@@ -17,15 +17,32 @@ use crate::settings::Settings;
 /// From one scan to the next, if nobody says otherwise.
 const USUAL_CYCLE: Duration = Duration::from_millis(10);
 
-/// Scans and changes of a run in virtual time.
+/// What is set from outside in a run in virtual time.
 #[derive(Args, Clone, Debug)]
-pub(crate) struct ScheduleArguments {
+pub(crate) struct ChangeArguments {
     /// Set before the first scan: an address, a symbol, DB1.name, ACCU1 to ACCU4, AR1, AR2 or STW
     #[arg(long, value_name = "NAME=VALUE")]
-    pub(crate) set: Vec<String>,
+    set: Vec<String>,
     /// Set at a time, seen by the next scan
     #[arg(long, value_names = ["T", "NAME=VALUE"], num_args = 2)]
     at: Vec<String>,
+}
+
+impl ChangeArguments {
+    /// The changes with their times, in their order, as names of this CPU; what is set before the first scan is set at 0.
+    pub(crate) fn timed(&self, symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(Duration, Assignment)>, Failure> {
+        let set = self.set.iter().map(|text| Ok((Duration::ZERO, Assignment::parse(text, symbols, cpu)?)));
+        let mut all = set.collect::<Result<Vec<_>, Failure>>()?;
+        all.extend(timed(&self.at, symbols, cpu)?);
+        Ok(all)
+    }
+}
+
+/// Scans and changes of a run in virtual time.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct ScheduleArguments {
+    #[command(flatten)]
+    change: ChangeArguments,
     /// Run so many scans [default: 1 with exec, 100 with trace]
     #[arg(long, value_name = "N", conflicts_with_all = ["duration", "scan_at"], value_parser = clap::value_parser!(u64).range(1..))]
     scans: Option<u64>,
@@ -91,8 +108,8 @@ impl Changes {
 impl ScheduleArguments {
     /// Whether nothing is said about when scans begin or what changes.
     pub(crate) fn is_empty(&self) -> bool {
-        self.set.is_empty()
-            && self.at.is_empty()
+        self.change.set.is_empty()
+            && self.change.at.is_empty()
             && self.scan_at.is_empty()
             && (self.scans, self.duration, self.cycle) == (None, None, None)
     }
@@ -122,8 +139,8 @@ impl ScheduleArguments {
 
     /// What changes, as names of this CPU.
     pub(crate) fn changes(&self, symbols: &SymbolTable, cpu: &Cpu) -> Result<Changes, Failure> {
-        let set = self.set.iter().map(|text| Assignment::parse(text, symbols, cpu)).collect::<Result<_, _>>()?;
-        Ok(Changes { set, at: timed(&self.at, symbols, cpu)?.into_iter().peekable() })
+        let set = self.change.set.iter().map(|text| Assignment::parse(text, symbols, cpu)).collect::<Result<_, _>>()?;
+        Ok(Changes { set, at: timed(&self.change.at, symbols, cpu)?.into_iter().peekable() })
     }
 }
 
@@ -139,7 +156,7 @@ pub(crate) fn going_cycle(asked: Option<Duration>, settings: &Settings) -> Durat
 }
 
 /// The changes of `--at` in the order of their times; those of the same time as they were written.
-pub(crate) fn timed(words: &[String], symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(Duration, Assignment)>, Failure> {
+fn timed(words: &[String], symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(Duration, Assignment)>, Failure> {
     let mut timed = Vec::new();
     for pair in words.chunks_exact(2) {
         let time = sieben_sim::duration::parse(&pair[0]).map_err(|message| Failure::usage(Problem::P7005, message))?;

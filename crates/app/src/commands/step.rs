@@ -8,7 +8,6 @@ use clap::Args;
 use sieben_cpu::{Cpu, OperatingMode};
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
-use sieben_model::symbols::SymbolTable;
 use sieben_sim::history::{History, Plan};
 use sieben_sim::names::Name;
 
@@ -16,6 +15,7 @@ use crate::arguments::{EngineArgument, FaultArguments, ProgramArguments, duratio
 use crate::failure::{Exit, Failure};
 use crate::names::Assignment;
 use crate::project::Build;
+use crate::schedule::ChangeArguments;
 use crate::stepping::commands::{Answer, LINE_MAX, carry_out};
 use crate::stepping::recording::Unusable;
 use crate::stepping::{Language, Stepper, recording, screen, table};
@@ -38,12 +38,8 @@ pub(crate) struct Arguments {
     paths: Vec<PathBuf>,
     #[command(flatten)]
     program: ProgramArguments,
-    /// Set before the first scan
-    #[arg(long, value_name = "NAME=VALUE")]
-    set: Vec<String>,
-    /// Set at a time, seen by the next scan
-    #[arg(long, value_names = ["T", "NAME=VALUE"], num_args = 2)]
-    at: Vec<String>,
+    #[command(flatten)]
+    change: ChangeArguments,
     #[command(flatten)]
     faults: FaultArguments,
     /// There are so many scans [default: as many as are wanted]
@@ -85,8 +81,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let mut cpu = controller::load(&build, EngineArgument::Interpreter, StatusBits::All, controller::settings(&build));
     arguments.faults.inject(&mut cpu)?;
     arguments.faults.note(&mut build.project.settings.modules);
-    let timed = timed(arguments, &build.project.symbols, &cpu)?;
-    let plan = Plan::new(duration::micros(cycle), arguments.scans, timed);
+    let timed = arguments.change.timed(&build.project.symbols, &cpu)?.into_iter().map(|(time, assignment)| {
+        let (name, value) = assignment.into_parts();
+        (duration::micros(time), name, value)
+    });
+    let plan = Plan::new(duration::micros(cycle), arguments.scans, timed.collect());
     let mut stepper = match &arguments.replay {
         Some(path) => replay(path, &build, cpu, plan)?,
         None => Stepper::new(&build, cpu, plan),
@@ -139,20 +138,6 @@ fn replay<'b>(path: &Path, build: &'b Build, cpu: Cpu, plan: Plan) -> Result<Ste
         return Err(Failure::usage(Problem::P7044, format!("`{shown}`: the run ends after {came} statements, not {}", recording.end)));
     }
     Ok(Stepper::with_history(build, history))
-}
-
-/// The changes of `--set` and `--at` in the order of their times.
-fn timed(arguments: &Arguments, symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(u64, Name, String)>, Failure> {
-    let mut timed = Vec::new();
-    for text in &arguments.set {
-        let (name, value) = Assignment::parse(text, symbols, cpu)?.into_parts();
-        timed.push((0, name, value));
-    }
-    for (time, assignment) in schedule::timed(&arguments.at, symbols, cpu)? {
-        let (name, value) = assignment.into_parts();
-        timed.push((duration::micros(time), name, value));
-    }
-    Ok(timed)
 }
 
 fn open(arguments: &Arguments) -> Result<Box<dyn BufRead>, Failure> {
