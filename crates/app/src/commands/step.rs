@@ -13,7 +13,6 @@ use sieben_sim::names::Name;
 
 use crate::arguments::{EngineArgument, FaultArguments, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
-use crate::names::Assignment;
 use crate::project::Build;
 use crate::schedule::ChangeArguments;
 use crate::stepping::commands::{Answer, LINE_MAX, carry_out};
