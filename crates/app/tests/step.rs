@@ -353,3 +353,28 @@ fn in_german_every_answer_is_german() {
         run.stderr
     );
 }
+
+#[test]
+fn reasons_of_structured_text_read_as_the_program_does() {
+    let source = "FUNCTION Scale : INT\nVAR_INPUT raw : INT; gain : INT; END_VAR\nScale := raw * gain;\nEND_FUNCTION\n\
+        PROGRAM Main\nVAR a : BOOL; x : INT := 5; y : INT; i : INT; k : INT; END_VAR\na := NOT a;\ny := Scale(raw := x, gain := 20);\n\
+        FOR i := 1 TO 2 DO\n y := y + i;\nEND_FOR;\nWHILE y > 102 DO\n y := y - 1;\nEND_WHILE;\n\
+        CASE y OF\n 1: k := 1;\n 102: k := 2;\nELSE\n k := 3;\nEND_CASE;\nEND_PROGRAM\n";
+    let folder = Folder::with(&[("main.st", source), ("steps.txt", "step 30\n")]);
+    let run = folder.run(&["step", "main.st", "--commands", "steps.txt"]);
+    for reason in [
+        "a is FALSE, so a becomes TRUE",
+        "raw is 5, gain is 20, so Scale becomes 100",
+        "the loop counts with i, which is 1",
+        "y is 100, i is 1, so y becomes 101",
+        "the loop counts with i, which is 2",
+        "i: 1 -> 2",
+        "y is 103: `y > 102` is TRUE, so what follows it runs",
+        "the selector y = 102 chooses the branch",
+        "k becomes 2",
+    ] {
+        assert!(run.stdout.contains(reason), "`{reason}` is missing in\n{}{}", run.stdout, run.stderr);
+    }
+    // The first turn of a loop shows its condition, as every other does.
+    assert_eq!(run.stdout.lines().filter(|line| line.ends_with("  y > 102")).count(), 2, "{}", run.stdout);
+}

@@ -512,7 +512,12 @@ impl<'b> Stepper<'b> {
     fn written(&self, place: FaultPlace) -> Option<Name> {
         let text = self.listing.line(place).text;
         let operand = match text.split_once(":=") {
-            Some((target, _)) if !self.build.compiled.blocks.contains_key(&place.block) => target.trim(),
+            Some((target, _)) if !self.build.compiled.blocks.contains_key(&place.block) => {
+                let target = target.trim();
+                // The variable of FOR.
+                target.split_once(char::is_whitespace).filter(|(word, _)| word.eq_ignore_ascii_case("FOR")).map_or(target, |(_, name)| name)
+            }
+            None if !self.build.compiled.blocks.contains_key(&place.block) => text.as_str(),
             _ => text.split_once(' ')?.1.trim(),
         };
         Name::parse_in(operand, self.scope(Some(place.block)), self.symbols(), self.cpu().program()).ok()

@@ -1,13 +1,15 @@
 //! Why a statement of Structured Text did what it did: what was read, and what came of it.
 
 use sieben_engine::ir::{self, Inst};
+use sieben_engine::machine::Register;
+use sieben_model::address::Area;
 use sieben_model::source::Span;
 
 use super::sentences::Sentence as S;
 use super::st_values::{Values, format_scalar};
 use super::text::{Clause, Words, one_line};
 use super::{Language, Moment, Reasons};
-use crate::st::tree::{Argument, Call, Callee, Statement, StatementKind, Value};
+use crate::st::tree::{Argument, Call, Callee, For, Statement, StatementKind, Value};
 
 /// Values that a sentence shows.
 const SHOWN: usize = 6;
@@ -20,6 +22,8 @@ enum Part<'t> {
     Condition(&'t Value),
     /// The condition behind UNTIL.
     Until(&'t Value),
+    /// The variable of FOR, one step on.
+    Next(&'t For),
 }
 
 /// The sentence of a step of Structured Text.
@@ -35,8 +39,16 @@ pub(super) fn sentence(reasons: Reasons<'_>, moment: &Moment<'_>, language: Lang
     let insts = code.code.statement(index);
     let values = Values::new(reasons, moment, code);
     // A statement that takes several steps is over with the last one; before it nothing can be said of the whole.
-    let first = index == 0 || code.spans.get(index - 1) != Some(&span);
-    let last = code.spans.get(index + 1) != Some(&span);
+    // What a block sets before its first statement belongs to no statement, though it has the place of one.
+    let entry = (0..code.spans.len())
+        .take_while(|&at| code.spans[at] == code.spans[0] && code.spans.get(at + 1) == Some(&span) && prepares(code.code.statement(at)))
+        .take_while(|&at| part.is_none_or(|part| !writes(part, code.code.statement(at), &values)))
+        .count();
+    let first = index == entry || index > 0 && code.spans.get(index - 1) != Some(&span);
+    let behind = (index + 1..code.spans.len()).take_while(|&at| code.spans[at] == span);
+    let last = behind.clone().all(|at| leaves(code.code.statement(at)));
+    // Behind the last statement the block tells its caller how it went, and ends.
+    let ends = last && index + 1 + behind.count() == code.spans.len() && leaves(insts) && sets_br(insts);
     let stores = insts.iter().any(|inst| matches!(inst, Inst::Store { .. }));
     let branches = insts.iter().any(|inst| matches!(inst, Inst::Branch { .. } | Inst::JumpTable { .. }));
     let calls = insts.iter().find_map(|inst| match inst {
@@ -44,6 +56,8 @@ pub(super) fn sentence(reasons: Reasons<'_>, moment: &Moment<'_>, language: Lang
         _ => None,
     });
     let clause = match (part, calls) {
+        _ if index < entry => Clause::new(S::StPrepare),
+        (Some(_), None) if ends => Clause::new(S::StEnd),
         (None, _) if insts.iter().all(|inst| matches!(inst, Inst::Return)) => Clause::new(S::StEnd),
         (None, None) => Clause::new(S::StPrepare),
         (None, Some(block)) => Clause::new(S::StCall).with("block", values.block_name(block)),
@@ -51,6 +65,10 @@ pub(super) fn sentence(reasons: Reasons<'_>, moment: &Moment<'_>, language: Lang
         // The step is over where the called block begins; what it delivers is used when it has ended.
         (Some(_), Some(block)) => Clause::new(S::StCallInside).with("block", values.block_name(block)).with("text", text.clone()),
         (Some(Part::Statement(Statement { kind: StatementKind::Return, .. })), None) => Clause::new(S::StReturn),
+        (Some(part @ Part::Statement(Statement { kind: StatementKind::Case { .. }, .. })), None) if first && branches => {
+            explain(part, &values, &text, first).unwrap_or_else(step)
+        }
+        (Some(part @ Part::Next(_)), None) if stores => explain(part, &values, &text, first).unwrap_or_else(step),
         (Some(part), None)
             if writes(part, insts, &values) || last && (!is_assignment(part) || stores) && (!is_decision(part) || branches) =>
         {
@@ -79,6 +97,7 @@ fn writes(part: Part<'_>, insts: &[Inst], values: &Values<'_>) -> bool {
 fn is_decision(part: Part<'_>) -> bool {
     match part {
         Part::Condition(_) | Part::Until(_) => true,
+        Part::Next(_) => false,
         Part::Statement(statement) => {
             matches!(statement.kind, StatementKind::If { .. } | StatementKind::While { .. } | StatementKind::Case { .. })
         }
@@ -99,7 +118,7 @@ fn find(statements: &[Statement], span: Span) -> Option<Part<'_>> {
             StatementKind::Case { branches, otherwise, .. } => {
                 branches.iter().find_map(|branch| find(&branch.body, span)).or_else(|| find(otherwise, span))
             }
-            StatementKind::For(for_loop) => find(&for_loop.body, span),
+            StatementKind::For(for_loop) => find(&for_loop.body, span).or((for_loop.variable.span == span).then_some(Part::Next(for_loop))),
             StatementKind::While { condition, body } if condition.span == span => find(body, span).or(Some(Part::Condition(condition))),
             StatementKind::While { body, .. } => find(body, span),
             StatementKind::Repeat { body, until } => find(body, span).or((until.span == span).then_some(Part::Until(until))),
@@ -121,6 +140,7 @@ fn explain(part: Part<'_>, values: &Values<'_>, text: &str, whole: bool) -> Opti
     let statement = match part {
         Part::Condition(condition) => return Some(decision(condition, values, [S::StTrue, S::StFalse], whole)),
         Part::Until(condition) => return Some(decision(condition, values, [S::StUntilTrue, S::StUntilFalse], whole)),
+        Part::Next(for_loop) => return counts(for_loop, values),
         Part::Statement(statement) => statement,
     };
     let named = |span: Span| one_line(values.slice(span));
@@ -149,10 +169,7 @@ fn explain(part: Part<'_>, values: &Values<'_>, text: &str, whole: bool) -> Opti
                 _ => clause.with("values", format!("`{}`", named(selector.span))),
             }
         }
-        StatementKind::For(for_loop) => {
-            let bits = values.read_behind(&for_loop.variable, for_loop.scalar)?;
-            Clause::new(S::StFor).with("target", named(for_loop.variable.span)).with("value", format_scalar(for_loop.scalar, bits))
-        }
+        StatementKind::For(for_loop) => return counts(for_loop, values),
         StatementKind::Call(call) => called(call, values),
         StatementKind::Return => Clause::new(S::StReturn),
         StatementKind::Exit { .. } => Clause::new(S::StExit),
@@ -160,6 +177,39 @@ fn explain(part: Part<'_>, values: &Values<'_>, text: &str, whole: bool) -> Opti
         StatementKind::Goto(_) => Clause::new(S::StGoto),
         _ => Clause::new(S::StStep).with("text", text.to_owned()),
     })
+}
+
+/// What the variable of FOR has come to.
+fn counts(for_loop: &For, values: &Values<'_>) -> Option<Clause> {
+    let bits = values.read_behind(&for_loop.variable, for_loop.scalar)?;
+    let name = one_line(values.slice(for_loop.variable.span));
+    Some(Clause::new(S::StFor).with("target", name).with("value", format_scalar(for_loop.scalar, bits)))
+}
+
+/// Whether a step does nothing but set and copy values of the local data.
+fn prepares(insts: &[Inst]) -> bool {
+    let local = |place: &ir::Place| matches!(place, ir::Place::Fixed { area: Area::Local, .. });
+    insts.iter().all(|inst| match inst {
+        Inst::Store { place, .. } => local(place),
+        Inst::Constant { .. } | Inst::Parameter { .. } | Inst::Load { .. } => true,
+        _ => false,
+    })
+}
+
+/// Whether a step does nothing but leave: it jumps, or tells the caller how the block went, and ends.
+fn leaves(insts: &[Inst]) -> bool {
+    let br = ir::Var::from(Register::Br);
+    insts.iter().all(|inst| match inst {
+        Inst::Jump { .. } | Inst::Return | Inst::Load { place: ir::Place::Fixed { area: Area::Local, .. }, .. } => true,
+        Inst::Constant { dst, .. } | Inst::Compute { dst, .. } => *dst == br,
+        _ => false,
+    })
+}
+
+/// Whether a step sets BR, the ENO of the block.
+fn sets_br(insts: &[Inst]) -> bool {
+    let br = ir::Var::from(Register::Br);
+    insts.iter().any(|inst| matches!(inst, Inst::Constant { dst, .. } | Inst::Compute { dst, .. } if *dst == br))
 }
 
 /// A condition, and which way it leads.

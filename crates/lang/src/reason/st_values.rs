@@ -11,7 +11,9 @@ use sieben_model::source::Span;
 use super::memory::{Found, Reader};
 use super::text::{Words, one_line, real};
 use super::{Moment, Reasons};
+use crate::declarations::interface::is_complex;
 use crate::st::tree::{Base, Bounds, Place, Scalar, Value, ValueKind};
+use crate::stl::operands::Location;
 
 /// Depth of expressions that are looked into; the parser allows more than anyone reads.
 const DEPTH_MAX: u32 = 32;
@@ -141,6 +143,13 @@ impl<'a> Values<'a> {
         }
     }
 
+    /// Whether the caller gave a POINTER for a parameter of the function.
+    fn is_by_pointer(&self, index: u16) -> bool {
+        let block = self.reasons.compiled.program.code.get(&self.moment.event.place.block);
+        let mut parameters = block.into_iter().flat_map(|code| code.interface.parameters());
+        parameters.any(|parameter| parameter.offset == u32::from(index) && is_complex(&parameter.data_type))
+    }
+
     /// The address of a place.
     fn find(&self, place: &Place, depth: u32) -> Option<Found> {
         if depth > DEPTH_MAX {
@@ -165,10 +174,14 @@ impl<'a> Values<'a> {
                 let position = (registers.ar2 as u32 & 0x00FF_FFFF).checked_add(offset)?;
                 Some(Found { area: Area::InstanceData, position, db: registers.di_number as u16 })
             }
-            Base::Parameter(index) => {
-                let position = self.copies.get(index)?.checked_add(offset)?;
-                Some(Found { area: Area::Local, position, db: 0 })
-            }
+            Base::Parameter(index) => match self.copies.get(index) {
+                Some(position) => Some(Found { area: Area::Local, position: position.checked_add(offset)?, db: 0 }),
+                // One that is used once is not copied: it lies where the caller's pointer leads.
+                None => {
+                    let location = Location::Parameter { index: *index, offset, complex: self.is_by_pointer(*index) };
+                    self.before().find(&location, false).ok()
+                }
+            },
             _ => None,
         }
     }

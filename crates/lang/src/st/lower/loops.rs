@@ -42,6 +42,7 @@ impl Lowering<'_> {
         let mut decision = self.decision_of("WHILE", condition);
         let out = self.way(&decision, self.behind);
         self.span = condition.span;
+        self.fresh();
         self.branch(condition, out, false);
         self.part();
         self.bind(first);
