@@ -10,6 +10,7 @@ use sieben_engine::ir::Op;
 use super::Translator;
 use super::loops::Loop;
 
+mod bits;
 mod count;
 mod kernel;
 mod line;
@@ -30,8 +31,6 @@ pub(super) struct Plan {
     count: Count,
     /// Turns of the inner loop.
     inner_turns: i64,
-    /// Registers that somebody needs behind the loop.
-    live: u32,
 }
 
 impl Plan {
@@ -57,16 +56,23 @@ impl Translator<'_> {
         if self.at_once.iter().any(around) {
             return;
         }
-        let Some(plan) = self.plan(it) else { return };
+        let Some(kernel) = kernel::read(self, it) else { return };
+        if let Some(bits) = bits::read(&kernel) {
+            self.at_once.push((self.index, it.first, it.last));
+            self.bits_at_once(&kernel, &bits, it);
+        }
+        let Some(plan) = Plan::of(kernel) else { return };
         self.at_once.push((self.index, it.first, it.last));
         for lanes in plan.lanes() {
             Writing::write(self, &plan, it, lanes);
         }
         Writing::write(self, &plan, it, 1);
     }
+}
 
-    fn plan(&mut self, it: &Loop) -> Option<Plan> {
-        let kernel = kernel::read(self, it)?;
+impl Plan {
+    /// How a loop is written, if its turns can be done at once.
+    fn of(kernel: Kernel) -> Option<Self> {
         let count = count::condition(&kernel, Level::Outer)?;
         let inner_turns = match &kernel.inner {
             None => 0,
@@ -80,13 +86,10 @@ impl Translator<'_> {
                 count.constant(counter, limit)?
             }
         };
-        let dead = self.dead_at(it.first) & self.dead_at(it.last + 1);
-        let plan = Plan { kernel, count, inner_turns, live: !dead };
+        let plan = Self { kernel, count, inner_turns };
         plan.can_be_written().then_some(plan)
     }
-}
 
-impl Plan {
     /// Whether all access is known to stay inside its area, or can be looked at in front of the loop.
     fn can_be_written(&self) -> bool {
         self.kernel
@@ -120,12 +123,12 @@ impl Plan {
             (Some(Shape::Words | Shape::Reals), Shape::Reals) => true,
             _ => false,
         };
-        for (cell, end, carried) in kernel.carried(Level::Outer) {
+        for (_, end, carried) in kernel.carried(Level::Outer) {
             let possible = match carried {
                 Carried::Line(_) => true,
                 Carried::Chain => false,
                 Carried::Sum { added, bits } => fits(added, if bits == 16 { Shape::Halves } else { Shape::Words }),
-                Carried::Nothing => !kernel.is_wanted(cell, self.live) || kernel.shape(end).is_some(),
+                Carried::Nothing => kernel.shape(end).is_some(),
             };
             if !possible {
                 return false;

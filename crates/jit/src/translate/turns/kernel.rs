@@ -122,9 +122,25 @@ pub(super) struct Kernel {
     reads: Vec<Node>,
     pub(super) outer: Turn,
     pub(super) inner: Option<Turn>,
+    /// Registers that somebody needs behind the loop.
+    live: u32,
 }
 
 impl Kernel {
+    /// Leaves out registers that nobody reads any more, so that what they hold keeps nothing from being done.
+    fn forget_dead(&mut self, live_inside: u32) {
+        let cells = &self.cells;
+        let is_live = |&Cell(cell): &Cell, live: u32| match cells[usize::from(cell)] {
+            Kept::Register(register) => live & bit_of(register) != 0,
+            Kept::Memory { .. } => true,
+        };
+        self.outer.ends.retain(|cell, _| is_live(cell, self.live));
+        if let Some(inner) = &mut self.inner {
+            inner.ends.retain(|cell, _| is_live(cell, live_inside));
+            inner.entry.retain(|cell, _| is_live(cell, live_inside));
+        }
+    }
+
     pub(super) fn what(&self, Node(node): Node) -> What {
         self.nodes[node as usize]
     }
@@ -176,14 +192,6 @@ impl Kernel {
         }
     }
 
-    /// Whether somebody needs what a cell holds behind the loop: the registers are those that are needed.
-    pub(super) fn is_wanted(&self, cell: Cell, live: u32) -> bool {
-        match self.kept(cell) {
-            Kept::Register(register) => live & bit_of(register) != 0,
-            Kept::Memory { .. } => true,
-        }
-    }
-
     /// Whether a value is what a cell holds when a turn begins.
     pub(super) fn is_start(&self, node: Node, level: Level, cell: Cell) -> bool {
         self.what(node) == What::Start(level, cell)
@@ -213,6 +221,7 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
             reads: Vec::new(),
             outer: Turn { steps: Vec::new(), ends: BTreeMap::new(), entry: BTreeMap::new(), again: Node(0), weight: 0 },
             inner: None,
+            live: !0,
         },
         numbers: HashMap::new(),
         outer: BTreeMap::new(),
@@ -224,6 +233,9 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
     let outer = reader.turn((it.first, it.last))?;
     let mut kernel = reader.kernel;
     kernel.outer = outer;
+    kernel.live = !(translator.dead_at(it.first) & translator.dead_at(it.last + 1));
+    let live_inside = inside.map_or(!0, |(first, last)| !(translator.dead_at(first) & translator.dead_at(last + 1)));
+    kernel.forget_dead(live_inside);
     kernel.is_apart().then_some(kernel)
 }
 
@@ -481,6 +493,14 @@ impl Reader<'_, '_> {
                 args = of;
                 narrow(wide).unwrap_or(wide)
             }
+            (Op::Low32, What::Compute(wide @ (Op::AddI32Wide | Op::SubI32Wide | Op::MulI32Wide), of)) => {
+                args = of;
+                match wide {
+                    Op::AddI32Wide => Op::AddU32,
+                    Op::SubI32Wide => Op::SubU32,
+                    _ => Op::MulU32,
+                }
+            }
             _ => op,
         };
         if matches!(op, Op::AddU16 | Op::SubU16 | Op::MulU16 | Op::Low16 | Op::Decrement16) {
@@ -509,6 +529,7 @@ impl Reader<'_, '_> {
             Op::Gate if constant(1).is_some_and(|condition| condition & 1 != 0) => Some(args[0]),
             Op::Select => constant(0).map(|condition| if condition & 1 != 0 { args[1] } else { args[2] }),
             Op::And if constant(1) == Some(1) && self.is_bit(args[0]) => Some(args[0]),
+            Op::AndNot if constant(1).is_some_and(|other| other & 1 == 0) && self.is_bit(args[0]) => Some(args[0]),
             _ => None,
         }
     }
@@ -551,7 +572,8 @@ impl Reader<'_, '_> {
         match self.kernel.what(node) {
             What::Read(access) => self.kernel.accesses[access].width == Width::Bit,
             What::Start(_, cell) | What::After(cell) => matches!(self.kernel.kept(cell), Kept::Memory { width: Width::Bit, .. }),
-            _ => false,
+            What::Compute(op, _) => matches!(op, Op::LeI32 | Op::LtI32 | Op::GeI32 | Op::GtI32 | Op::LeI16 | Op::IsNonzero | Op::Below),
+            What::Constant(_) => false,
         }
     }
 }

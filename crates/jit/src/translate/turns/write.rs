@@ -4,9 +4,8 @@ use std::collections::{BTreeSet, HashMap};
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{F32, I32, I64};
-use cranelift_codegen::ir::{BlockArg, InstBuilder, MemFlagsData, Value};
+use cranelift_codegen::ir::{self as clif, BlockArg, InstBuilder, MemFlagsData, Value};
 use sieben_engine::ir::Op;
-use sieben_engine::machine::Register;
 use sieben_model::address::Width;
 
 use super::super::loops::Loop;
@@ -82,7 +81,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     fn version(&mut self, it: &Loop) {
         self.t.settle_bytes();
         for cell in self.kernel.cells_at_start() {
-            let value = self.read(cell);
+            let value = self.t.cell_before(self.kernel, cell);
             self.before.insert(cell, value);
         }
         let (turns, guard, all) = self.how_many();
@@ -100,15 +99,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         let leave = self.t.b.create_block();
         self.t.b.def_var(budget, left);
         self.t.b.ins().brif(ended, leave, &[], go_on, &[]);
-        self.t.b.switch_to_block(leave);
-        self.t.b.seal_block(leave);
-        // Behind the last turn there is no way back.
-        let left = self.t.b.ins().iadd_imm_s(left, weight);
-        self.t.b.def_var(budget, left);
-        let exit = it.last + 1;
-        self.t.leave_loops(exit);
-        let next = self.t.edge(exit);
-        self.t.b.ins().jump(next, &[]);
+        self.t.leave_behind(it, leave, left, weight);
         self.t.b.switch_to_block(go_on);
         self.t.b.seal_block(go_on);
         self.t.forget_memory();
@@ -313,19 +304,16 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         let mut needed = kernel.needed(level, &|cell| kernel.cell_line(level, cell).is_none());
         // What is left behind the last turn may rest on what a turn began with.
         let mut ends: BTreeSet<Node> = BTreeSet::new();
-        for (cell, end, carried) in &carried {
+        for (_, end, carried) in &carried {
             match carried {
                 Carried::Line(_) if level == Level::Outer => {}
                 Carried::Sum { added, .. } => kernel.rests(*added, &mut ends),
-                _ if kernel.is_wanted(*cell, self.plan.live) => kernel.rests(*end, &mut ends),
-                _ => {}
+                _ => kernel.rests(*end, &mut ends),
             }
         }
         if let (Level::Outer, Some(inner)) = (level, &kernel.inner) {
-            for (&cell, &end) in inner.ends.iter().chain(&inner.entry) {
-                if kernel.is_wanted(cell, self.plan.live) {
-                    kernel.rests(end, &mut ends);
-                }
+            for &end in inner.ends.values().chain(inner.entry.values()) {
+                kernel.rests(end, &mut ends);
             }
         }
         needed.extend(ends);
@@ -382,11 +370,6 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         let written = self.kernel.accesses.iter().filter_map(|access| access.value).any(|value| self.kernel.is_start(value, level, cell));
         let handed_on = self.kernel.all_ends().any(|end| self.kernel.is_start(end, level, cell));
         if is_real && !others && !written && !handed_on { Form::Real } else { Form::Int }
-    }
-
-    /// Whether somebody needs what a cell holds behind the loop.
-    fn is_wanted(&self, cell: Cell, level: Level) -> bool {
-        level == Level::Outer && self.kernel.is_wanted(cell, self.plan.live)
     }
 
     fn count_of(&self, one: &Handed) -> usize {
@@ -631,24 +614,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         }
     }
 
-    fn read(&mut self, cell: Cell) -> Val {
-        match self.kernel.kept(cell) {
-            Kept::Register(register) => self.t.register(register),
-            Kept::Memory { base, offset, width, bit } => {
-                let base = self.base(base);
-                self.t.read_known(Address { base, offset, bit: Bit::Number(bit) }, width)
-            }
-        }
-    }
-
     /// Writes what cells hold behind the turns.
     fn finish(&mut self, it: &Loop, turns: Value) {
         debug_assert!(it.first <= it.last);
         let mut last = Vec::new();
         for (cell, end, carried) in self.kernel.carried(Level::Outer) {
-            if !self.is_wanted(cell, Level::Outer) {
-                continue;
-            }
             let value = match carried {
                 Carried::Line(line) => {
                     let before = self.before[&cell];
@@ -670,20 +640,48 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             last.push((cell, value));
         }
         for (cell, value) in last {
-            match self.kernel.kept(cell) {
-                Kept::Register(register) => self.write_register(register, value),
-                Kept::Memory { base, offset, width, bit } => {
-                    let base = self.base(base);
-                    self.t.write_known(Address { base, offset, bit: Bit::Number(bit) }, width, value);
-                }
-            }
+            self.t.write_cell(self.kernel, cell, value);
         }
         self.t.settle_bytes();
     }
+}
 
-    fn write_register(&mut self, register: Register, value: Val) {
-        let value = if is_bit(register) { self.t.flag(value) } else { self.t.word(value) };
-        let variable = self.t.variables[register as usize];
-        self.t.b.def_var(variable, value);
+impl Translator<'_> {
+    /// What a cell holds in front of the loop.
+    pub(super) fn cell_before(&mut self, kernel: &Kernel, cell: Cell) -> Val {
+        match kernel.kept(cell) {
+            Kept::Register(register) => self.register(register),
+            Kept::Memory { base, offset, width, bit } => {
+                let base = if base == Base::Local { self.local } else { self.arena };
+                self.read_known(Address { base, offset, bit: Bit::Number(bit) }, width)
+            }
+        }
+    }
+
+    /// Writes what a cell holds behind the turns.
+    pub(super) fn write_cell(&mut self, kernel: &Kernel, cell: Cell, value: Val) {
+        match kernel.kept(cell) {
+            Kept::Register(register) => {
+                let value = if is_bit(register) { self.flag(value) } else { self.word(value) };
+                self.b.def_var(self.variables[register as usize], value);
+            }
+            Kept::Memory { base, offset, width, bit } => {
+                let base = if base == Base::Local { self.local } else { self.arena };
+                self.write_known(Address { base, offset, bit: Bit::Number(bit) }, width, value);
+            }
+        }
+    }
+
+    /// Fills the block behind the last turn, which has no way back: so much of the budget is left that has its weight still taken.
+    pub(super) fn leave_behind(&mut self, it: &Loop, leave: clif::Block, left: Value, weight: i64) {
+        self.b.switch_to_block(leave);
+        self.b.seal_block(leave);
+        let left = self.b.ins().iadd_imm_s(left, weight);
+        let budget = self.budget();
+        self.b.def_var(budget, left);
+        let exit = it.last + 1;
+        self.leave_loops(exit);
+        let next = self.edge(exit);
+        self.b.ins().jump(next, &[]);
     }
 }
