@@ -327,7 +327,7 @@ fn chosen(data: &[u8]) -> String {
         let end = choices.0.len().saturating_sub(share);
         let mut statements = Vec::new();
         while choices.more() && (last || choices.0.len() > end) && statements.len() < STATEMENTS_MAX {
-            statements.push(statement(&mut choices, block));
+            statements.push(statement(&mut choices, block, statements.len()));
         }
         let _ = writeln!(text, "{} {}{}", block.kind, block.number, block.declarations);
         text.push_str("BEGIN\n");
@@ -545,9 +545,42 @@ const SYSTEM_CALLS: &[&str] = &[
     "CALL SFC 46 ()",
 ];
 
-/// One statement.
-fn statement(choices: &mut Choices<'_>, block: &Head) -> String {
+/// A loop that counts down and goes through an area by a pointer in memory: its turns may be done at once, unless what it reads or
+/// writes is its own counter or pointer, or lies outside.
+fn counted_loop(choices: &mut Choices<'_>, parameters: bool, number: usize) -> String {
+    let pointer = choices.of(&["MD 4", "MD 8", "MD 16", "MD 36"]);
+    let counter = choices.of(&["MW 2", "MW 30", "LW 2", "MW 6", "DBW 4"]);
+    let step = choices.of(&["P#2.0", "P#2.0", "P#4.0", "P#1.0", "P#0.1", "L#-16"]);
+    let first = choices.of(&["P#0.0", "P#0.0", "P#2.0", "P#40.0", "P#60.0", "P#0.3"]);
+    let count = choices.of(&["1", "5", "8", "16", "17", "30", "31", "32", "100", "0", "L#65540"]);
+    let mut body = String::new();
+    for _ in 0..=choices.below(3) {
+        let one = match choices.below(10) {
+            0 => format!("L DBW [{pointer}];\n + 7;\n T DBW [{pointer}]"),
+            1 => format!("L {counter};\n L 7;\n *I;\n L MW 20;\n +I;\n T DBW [{pointer}]"),
+            2 => format!("L DBW [{pointer}];\n ITD;\n L MD 24;\n +D;\n T MD 24"),
+            3 => format!("L DBD [{pointer}];\n L MD 32;\n +R;\n T MD 32"),
+            4 => format!("L DBD [{pointer}];\n L {pointer};\n -D;\n T DID [{pointer}]"),
+            5 => format!("A DBX [{pointer}];\n = M 40.1"),
+            6 => format!("L {};\n T MW [{pointer}]", address(choices, 2, parameters)),
+            7 => format!("L DBW [{pointer}];\n T {}", address(choices, 2, parameters)),
+            8 => format!("L DBW [{pointer}];\n T DIW [{pointer}]"),
+            _ => format!("SET;\n S DBX [{pointer}]"),
+        };
+        let _ = write!(body, " {one};\n");
+    }
+    let open = choices.of(&["OPN DB 1;\n OPN DI 2", "OPN DB 1", "OPN DB 2;\n OPN DI 1", "NOP 0"]);
+    format!(
+        " {open};\n L {first};\n T {pointer};\n L {count};\nk{number}: T {counter};\n{body} L {pointer};\n L {step};\n +D;\n T {pointer};\n L {counter};\n LOOP k{number};\n"
+    )
+}
+
+/// One statement, the one with this number.
+fn statement(choices: &mut Choices<'_>, block: &Head, number: usize) -> String {
     let parameters = block.parameters;
+    if choices.below(14) == 0 {
+        return counted_loop(choices, parameters, number);
+    }
     if block.all_kinds && choices.below(4) == 0 {
         return format!(" {};\n", choices.of(WITH_ALL_KINDS));
     }
