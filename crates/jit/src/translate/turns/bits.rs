@@ -195,7 +195,7 @@ impl Translator<'_> {
 
     /// Whole bytes, 16 at a time.
     fn fill_bits(&mut self, bits: &Bits, base: Value, position: Value, turns: Value) {
-        let byte = self.b.ins().iconst(I8, if bits.value { -1_i64 & 0xFF } else { 0 });
+        let byte = self.b.ins().iconst(I8, if bits.value { 0xFF } else { 0 });
         let vector = self.b.ins().splat(I8X16, byte);
         let first = self.b.ins().ushr_imm_u(position, 3);
         let address = self.b.ins().iadd(base, first);
