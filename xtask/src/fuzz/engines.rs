@@ -567,7 +567,7 @@ fn counted_loop(choices: &mut Choices<'_>, parameters: bool, number: usize) -> S
             8 => format!("L DBW [{pointer}];\n T DIW [{pointer}]"),
             _ => format!("SET;\n S DBX [{pointer}]"),
         };
-        let _ = write!(body, " {one};\n");
+        let _ = writeln!(body, " {one};");
     }
     let open = choices.of(&["OPN DB 1;\n OPN DI 2", "OPN DB 1", "OPN DB 2;\n OPN DI 1", "NOP 0"]);
     format!(
