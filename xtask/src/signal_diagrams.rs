@@ -76,7 +76,7 @@ fn record(program_path: &str, program: &str, path: &str, text: &str) -> Trace {
     let mut fresh = || Cpu::load(cpu_type, Arc::clone(&program), Interpreter::load, Rack::simulated(cpu_type), Settings::default());
     let mut scans = 0;
     let failures = scenario.run_watched(&SymbolTable::default(), &mut fresh, &mut |happened| {
-        if let Happened::Scan { cpu, time_us } = happened {
+        if let Happened::Scan { cpu, time_us, .. } = happened {
             recorder.scan(cpu, scans, time_us).expect("memory has room");
             scans += 1;
         }

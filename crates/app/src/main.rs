@@ -81,10 +81,12 @@ enum Verb {
     Step(commands::step::Arguments),
     /// Measure how long a scan takes
     Bench(commands::bench::Arguments),
-    /// Run unit tests, and programs that check themselves
+    /// Run unit tests, scenarios, and programs that check themselves
     Test(commands::test::Arguments),
     /// Record values over many scans and draw them as a timing diagram
     Trace(Box<commands::trace::Arguments>),
+    /// Write down what goes into a program and what comes out, to hold another program against it
+    Record(Box<commands::record::Arguments>),
     /// Explain an instruction, a problem code, a CPU type, a system function or an event
     Explain(commands::explain::Arguments),
     /// Bring sources of STL, ST and SCL into one layout
@@ -126,6 +128,7 @@ fn run(line: CommandLine) -> Exit {
         Some(Verb::Bench(arguments)) => commands::bench::run(&arguments),
         Some(Verb::Test(arguments)) => commands::test::run(&arguments),
         Some(Verb::Trace(arguments)) => commands::trace::run(&arguments),
+        Some(Verb::Record(arguments)) => commands::record::run(&arguments),
         Some(Verb::Explain(arguments)) => commands::explain::run(&arguments),
         Some(Verb::Fmt(arguments)) => commands::fmt::run(&arguments),
         Some(Verb::Convert(arguments)) => commands::convert::run(&arguments),

@@ -23,6 +23,7 @@ use crate::files;
 use crate::glob::Pattern;
 use crate::report::{self, Finding, Texts};
 use crate::settings::{self, Placed, Settings};
+use crate::tracing::scenario::is_scenario;
 
 /// Endings of sources.
 const SOURCE_ENDINGS: [&str; 5] = ["awl", "stl", "st", "iecst", "scl"];
@@ -208,7 +209,7 @@ impl Project {
         let mut sources = self.chosen(&listing, settings.sources.as_deref(), |path| has_ending(path, &SOURCE_ENDINGS));
         let tests = match &settings.tests {
             Some(tests) => self.chosen(&listing, Some(tests), |_| false),
-            None => listing.files.iter().filter(|file| is_test(file)).cloned().collect(),
+            None => listing.files.iter().filter(|file| is_test(file) || is_scenario(file)).cloned().collect(),
         };
         sources.retain(|source| !tests.contains(source) && !is_test(source));
         self.tests.extend(tests.iter().map(|test| join(folder, test)));

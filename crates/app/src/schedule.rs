@@ -1,4 +1,4 @@
-//! When scans begin and what changes between them, as `exec`, `trace` and `step` take it from the command line.
+//! When scans begin and what changes between them, as `exec`, `trace` and `record` take it from the command line.
 
 use std::iter::Peekable;
 use std::time::Duration;
@@ -7,6 +7,7 @@ use clap::Args;
 use sieben_cpu::Cpu;
 use sieben_model::problems::Problem;
 use sieben_model::symbols::SymbolTable;
+use sieben_sim::scenario::{Scenario, Times};
 
 use crate::arguments::duration_argument;
 use crate::duration;
@@ -43,7 +44,7 @@ impl ChangeArguments {
 pub(crate) struct ScheduleArguments {
     #[command(flatten)]
     change: ChangeArguments,
-    /// Run so many scans [default: 1 with exec, 100 with trace]
+    /// Run so many scans [default: 1 with exec, 100 with trace, without end with record]
     #[arg(long, value_name = "N", conflicts_with_all = ["duration", "scan_at"], value_parser = clap::value_parser!(u64).range(1..))]
     scans: Option<u64>,
     /// Run all scans that begin before this time
@@ -114,6 +115,11 @@ impl ScheduleArguments {
             && (self.scans, self.duration, self.cycle) == (None, None, None)
     }
 
+    /// Whether it is said how many scans there are.
+    pub(crate) fn has_end(&self) -> bool {
+        self.scans.is_some() || self.duration.is_some() || !self.scan_at.is_empty()
+    }
+
     /// When the scans begin; `usual` is their number if nothing is said.
     pub(crate) fn schedule(&self, settings: &Settings, usual: u64) -> Result<Schedule, Failure> {
         if !self.scan_at.is_empty() {
@@ -135,6 +141,25 @@ impl ScheduleArguments {
             Some(duration) => u64::try_from(duration.as_micros().div_ceil(cycle.as_micros())).unwrap_or(u64::MAX).max(1),
         };
         Ok(Schedule::Cyclic { cycle, scans })
+    }
+
+    /// The run as a scenario without expectations; without a number of scans it is endless.
+    pub(crate) fn scenario(&self, settings: &Settings, symbols: &SymbolTable, cpu: &Cpu) -> Result<Scenario, Failure> {
+        let times = match self.schedule(settings, u64::MAX)? {
+            Schedule::Cyclic { cycle, .. } if cycle.is_zero() => {
+                return Err(Failure::usage(Problem::P7009, "with a cycle of 0 virtual time stands still").help("give `--cycle 10ms`"));
+            }
+            Schedule::Cyclic { cycle, scans } => Times::Cyclic { cycle_us: duration::micros(cycle), scans },
+            Schedule::At(times) => Times::At(times.into_iter().map(duration::micros).collect()),
+        };
+        let written = |assignment: Assignment| {
+            let (name, value) = assignment.into_parts();
+            (name.text().to_owned(), value)
+        };
+        let set = self.change.set.iter().map(|text| Assignment::parse(text, symbols, cpu).map(written)).collect::<Result<Vec<_>, _>>()?;
+        let at = timed(&self.change.at, symbols, cpu)?;
+        let at = at.into_iter().map(|(time, assignment)| (duration::micros(time), vec![written(assignment)])).collect();
+        Ok(Scenario::plain(times, set, at))
     }
 
     /// What changes, as names of this CPU.

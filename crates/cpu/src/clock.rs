@@ -65,6 +65,11 @@ impl DateAndTime {
         }
     }
 
+    /// A point in time from the eight bytes of DATE_AND_TIME; `None` if they are none.
+    pub fn from_bytes(bytes: [u8; 8]) -> Option<Self> {
+        Self::from_bcd(bytes).ok()
+    }
+
     /// The eight bytes of DATE_AND_TIME: BCD year, month, day, hour, minute, second, milliseconds and weekday (1 = Sunday).
     pub fn to_bcd(self) -> [u8; 8] {
         let days = self.0 / DAY_MS % CENTURY_DAYS;

@@ -9,6 +9,7 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::problems::Problem;
 
 use crate::interrupts::Interrupt;
+use crate::listening::{Heard, Listener, Order, Ordered, Orders, Unrepeatable};
 use crate::tape::{Reading, Tape};
 
 /// An input or output module, real or simulated, at byte addresses of the peripheral area.
@@ -181,6 +182,10 @@ pub struct Rack {
     /// A module had raised an interrupt when it was written to last.
     alarmed: bool,
     tape: Tape,
+    /// The time of the modules, in microseconds.
+    now_us: u64,
+    orders: Orders,
+    listener: Option<Listener>,
 }
 
 impl fmt::Debug for Rack {
@@ -261,10 +266,15 @@ impl Rack {
 
     /// As [`Self::peripheral_read`], for the program, which hears the same again when the run goes back.
     pub(crate) fn read_for_program(&mut self, byte: u32, width: Width) -> Option<u32> {
-        match self.ask(|rack| Reading::Value(rack.peripheral_read(byte, width))) {
+        let value = match self.ask(|rack| Reading::Value(rack.peripheral_read(byte, width))) {
             Reading::Value(value) => value,
             other => unexpected(&other),
+        };
+        if let (Some(listener), Some(value)) = (&mut self.listener, value) {
+            let length = width.bytes() as usize;
+            listener.bytes(self.now_us, byte as usize, &value.to_be_bytes()[4 - length..]);
         }
+        value
     }
 
     /// Writes the module itself; `false` and nothing written if no module answers for one of the bytes.
@@ -282,6 +292,9 @@ impl Rack {
         });
         let Reading::Taken { taken, alarms } = reading else { unexpected(&reading) };
         self.alarmed = alarms;
+        if let Some(listener) = self.listener.as_mut().filter(|_| alarms) {
+            listener.alarm_inside(self.now_us);
+        }
         if taken {
             self.outputs[byte as usize..(byte + length) as usize].copy_from_slice(bytes);
         }
@@ -324,25 +337,84 @@ impl Rack {
         })
     }
 
+    /// What was last put out, all bytes.
+    pub fn outputs(&self) -> &[u8] {
+        &self.outputs
+    }
+
     /// Sets input bits of a simulated module; `false` if the byte belongs to no such module.
     pub fn set_input(&mut self, byte: u32, mask: u8, value: u8) -> bool {
-        let reading = self.ask(|rack| {
-            let Some(index) = owner(&rack.input_owner, byte) else { return Reading::Could(false) };
-            let module = &mut rack.modules[usize::from(index)];
-            let offset = byte - module.inputs().start;
-            Reading::Could(module.set_input(offset, mask, value))
-        });
-        reading == Reading::Could(true)
+        self.ask(|rack| Reading::Could(rack.put_input(byte, mask, value))) == Reading::Could(true)
+    }
+
+    fn put_input(&mut self, byte: u32, mask: u8, value: u8) -> bool {
+        let Some(index) = owner(&self.input_owner, byte) else { return false };
+        let module = &mut self.modules[usize::from(index)];
+        let offset = byte - module.inputs().start;
+        module.set_input(offset, mask, value)
+    }
+
+    /// As [`Self::set_input`], at a time to come: whatever runs at that time or later sees it, what runs before does not.
+    /// `false` if no module has the byte.
+    pub fn set_input_at(&mut self, at_us: u64, byte: u32, mask: u8, value: u8) -> bool {
+        let there = owner(&self.input_owner, byte).is_some();
+        if there {
+            self.orders.add(Order { at_us, what: Ordered::Input { byte, mask, value } });
+        }
+        there
+    }
+
+    /// An interrupt comes at this time, as if a module had raised it.
+    pub fn raise_at(&mut self, at_us: u64, interrupt: Interrupt) {
+        self.orders.add(Order { at_us, what: Ordered::Alarm(interrupt) });
     }
 
     pub(crate) fn advance(&mut self, dt_us: u64) {
         self.ask(|rack| {
-            for module in &mut rack.modules {
-                module.advance(dt_us);
-                collect(&mut rack.alarms, &mut **module);
+            let end_us = rack.now_us.saturating_add(dt_us);
+            while let Some(order) = rack.orders.take_due(end_us) {
+                rack.pass_until(order.at_us);
+                match order.what {
+                    Ordered::Input { byte, mask, value } => drop(rack.put_input(byte, mask, value)),
+                    Ordered::Alarm(interrupt) => rack.alarms.push(interrupt),
+                }
             }
+            rack.pass_until(end_us);
             Reading::Done
         });
+    }
+
+    fn pass_until(&mut self, end_us: u64) {
+        let dt_us = end_us.saturating_sub(self.now_us);
+        self.now_us = self.now_us.max(end_us);
+        for module in &mut self.modules {
+            module.advance(dt_us);
+            collect(&mut self.alarms, &mut **module);
+        }
+    }
+
+    /// From now on it is noted what the modules say, beginning with all input bytes that are not 0.
+    pub fn listen(&mut self) {
+        let mut inputs = vec![0; self.input_owner.len()];
+        self.get_image(&mut inputs);
+        let mut listener = Listener::new(inputs.len());
+        listener.bytes(self.now_us, 0, &inputs);
+        self.listener = Some(listener);
+    }
+
+    /// Whether it is noted what the modules say.
+    pub fn is_listening(&self) -> bool {
+        self.listener.is_some()
+    }
+
+    /// What was new since it was asked last, oldest first; nothing if nobody listens.
+    pub fn take_heard(&mut self) -> Vec<Heard> {
+        self.listener.as_mut().map(Listener::take).unwrap_or_default()
+    }
+
+    /// When and why what was heard did not suffice to have the same run again.
+    pub fn unrepeatable(&self) -> Option<(u64, Unrepeatable)> {
+        self.listener.as_ref().and_then(Listener::unrepeatable)
     }
 
     /// Whether a module had raised an interrupt when it was written to last.
@@ -352,10 +424,14 @@ impl Rack {
 
     /// What the modules have raised since they were asked last.
     pub(crate) fn take_alarms(&mut self) -> Vec<Interrupt> {
-        match self.ask(|rack| Reading::Alarms(std::mem::take(&mut rack.alarms))) {
+        let alarms = match self.ask(|rack| Reading::Alarms(std::mem::take(&mut rack.alarms))) {
             Reading::Alarms(alarms) => alarms,
             other => unexpected(&other),
+        };
+        if let Some(listener) = &mut self.listener {
+            listener.alarms(self.now_us, &alarms);
         }
+        alarms
     }
 
     /// Lets the module that answers for this input or output byte fail, or answer again; `false` if there is none that can.
@@ -413,10 +489,22 @@ impl Rack {
         let mut failed = Vec::new();
         for run in &self.input_runs {
             let bytes = run.bytes.start..run.bytes.end.min(length);
-            let Some(target) = image.get_mut(bytes.clone()) else { continue };
             let module = &self.modules[run.module];
+            if let Some(listener) = self.listener.as_mut().filter(|_| run.bytes.end > length && module.answers()) {
+                // What lies behind the image is heard at the same moment, if it can change by itself.
+                let behind = run.bytes.start.max(length)..run.bytes.end;
+                if !(&**module as &dyn Any).is::<SimulatedModule>() {
+                    let mut values = vec![0; behind.len()];
+                    module.read(behind.start as u32 - module.inputs().start, &mut values);
+                    listener.bytes(self.now_us, behind.start, &values);
+                }
+            }
+            let Some(target) = image.get_mut(bytes.clone()) else { continue };
             if module.answers() {
                 module.read(run.bytes.start as u32 - module.inputs().start, target);
+                if let Some(listener) = &mut self.listener {
+                    listener.bytes(self.now_us, bytes.start, target);
+                }
             } else {
                 target.fill(0);
                 failed.push(bytes);
@@ -475,6 +563,9 @@ impl Rack {
             alarms: Vec::new(),
             alarmed: false,
             tape: Tape::default(),
+            now_us: 0,
+            orders: Orders::default(),
+            listener: None,
         }
     }
 
@@ -527,6 +618,8 @@ pub(crate) struct RackSnapshot {
     alarms: Vec<Interrupt>,
     alarmed: bool,
     tape: u64,
+    now_us: u64,
+    orders: Orders,
 }
 
 impl fmt::Debug for RackSnapshot {
@@ -557,6 +650,8 @@ impl Rack {
             alarms: self.alarms.clone(),
             alarmed: self.alarmed,
             tape: self.tape.position(),
+            now_us: self.now_us,
+            orders: self.orders.clone(),
         }
     }
 
@@ -567,6 +662,8 @@ impl Rack {
             Some(modules) => {
                 self.modules = modules;
                 self.alarms.clone_from(&snapshot.alarms);
+                self.now_us = snapshot.now_us;
+                self.orders.clone_from(&snapshot.orders);
             }
             None => self.tape.go_to(snapshot.tape),
         }

@@ -16,6 +16,7 @@ pub mod diagnostic_buffer;
 pub mod forcing;
 pub mod interrupts;
 pub mod io;
+pub mod listening;
 pub mod mode;
 pub mod online_change;
 pub mod organization_blocks;

@@ -272,6 +272,11 @@ problems! {
     P6286 Error "THIS or SUPER where there is none" "Use them in methods and statements of a FUNCTION_BLOCK or CLASS; SUPER where it extends another one.";
     P6287 Error "a property that is used in a way that it does not have" "Give the property a GET to read it and a SET to assign to it.";
 
+    // 629x recordings that other programs are held against
+    P6290 Error "a recording that cannot be written on" "Make room and record again; the scans that were written before are whole and can be used.";
+    P6291 Error "a run that cannot be recorded" "Record without what the message names, or record the parts before and behind it.";
+    P6292 Error "a recording with names that the program does not have" "Say what they are called here: `--map OLD=NEW`, or `--map FILE` with such a line for each; `--ignore OLD` leaves an output out.";
+
     // 630x results of tests
     P6300 Error "a folder that pages of coverage cannot be written into" "Name a folder that does not exist yet, or one that holds such pages: other files are not overwritten.";
 
@@ -299,6 +304,8 @@ problems! {
     P7042 Error "a condition that is not understood" "Write a name, one of =, <>, >, >=, <, <= and a value: `MW10 > 5`.";
     P7043 Error "a recording of another program" "Replay it with the sources and the CPU type that it was recorded with.";
     P7044 Error "a recording that cannot be used" "Record the run again with `sieben step --record`.";
+    P7050 Error "a rule for a name that the recording does not have" "Write the name as the scenario does: `--map`, `--tolerance` and `--ignore` speak of what was recorded.";
+    P7051 Error "a rule for a recording that is not understood" "Write `--map OLD=NEW`, `--within 2`, `--tolerance NAME=0.5` or `--tolerance 2%`.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";

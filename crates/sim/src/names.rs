@@ -322,6 +322,29 @@ impl Name {
         Ok(self.bits(cpu)? == self.value(expected)?)
     }
 
+    /// The bits of a value that is expected here; those of one that is no number for `NaN`.
+    ///
+    /// # Errors
+    /// The value is none, or does not fit.
+    pub(crate) fn expected(&self, text: &str) -> Result<u64, NameError> {
+        if text.eq_ignore_ascii_case("NaN") && self.width() == 32 { Ok(u64::from(f32::NAN.to_bits())) } else { self.value(text) }
+    }
+
+    /// Sets the value of an input in its module at a time to come, anything else now.
+    ///
+    /// # Errors
+    /// As of [`Self::write`].
+    pub fn write_at(&self, cpu: &mut Cpu, value: &str, at_us: u64) -> Result<(), NameError> {
+        match &self.target {
+            Target::Operand(operand @ Operand::Address(Address { area: Area::Input | Area::PeripheralInput, .. }), _) => {
+                let bits = self.value(value)?;
+                cpu.modify_input_at(at_us, operand, bits as u32)
+                    .map_err(|error| NameError::new(format!("cannot set `{}`: {error}", self.text)))
+            }
+            _ => self.write(cpu, value),
+        }
+    }
+
     /// Whether a value written by a user can be set here.
     ///
     /// # Errors

@@ -10,7 +10,8 @@
 //! force I 0.0=1 Q 4.0=0                from the next scan on, until
 //! unforce I 0.0 | unforce              ends the forcing of one name, or of all
 //! scan | scan 3 | scan until 400ms | scan at 410ms
-//! at 310ms I 0.0=0                     when a scan begins at that time or later
+//! at 310ms I 0.0=0                     at that time: an input for all that runs from then on, anything else for the next scan
+//! at 310ms interrupt OB 40             at that time, as if a module had raised it; also with EVENT= ID= INFO1= INFO2=
 //! cyclic OB 35 50ms phase 10ms         interval and phase offset of a cyclic interrupt, from the start
 //! image-errors every | coming          OB 85 when a module does not answer the process image (default: off)
 //! module 4 fails | module 4 answers    the module that has byte 4, from now on
@@ -22,29 +23,45 @@
 //! restart warm | restart hot | restart cold
 //! power failure                        power off and on: a fresh CPU takes back the retentive data, modules begin anew
 //! retain m=0..31,40 t=1 c=             retentive bytes of M, timers and counters, from the start (default: those of the CPU)
+//! start cold                           the first start, instead of a warm restart
+//! start with I 0.1=1 PIW 256=100       inputs that are there before the CPU starts
+//! clock DT#2026-11-22-09:30:00         the time of day at time 0 (default: 1994-01-01)
+//! always Q 0.0=1 MW 4=7                from the next scan on, behind every scan, until another `always` of that name; `=?` ends it
 //! expect Q 0.0=1 T 1=70 STW.RLO=1
 //! expect Q 4.0=1 within 20ms           scans until it is so
 //! expect stop 16#2522                  the first cause, or the event of the STOP
 //! expect mode RUN
 //! table I 0.0 I 0.1 -> Q 0.0           rows of values follow: each a fresh CPU, `set`, one scan, `expect`
 //! known-gap "why"                      the scenario is expected to fail
+//! recorded 0123456789ABCDEF "main.awl" what [`recorder`] has written: of which program, and with how many scans it ends;
+//! end 1000                             without this line it was cut off, and ends with its last whole scan
 //! // a comment
 //! ```
 //! Scan k begins at k times the cycle, the first at 0. A table row begins with the `set` lines above it.
+
+mod held;
+mod parse;
+pub mod recorder;
+pub mod rules;
+mod run;
+mod spelling;
 
 use std::cell::RefCell;
 use std::fmt;
 use std::ops::Range;
 use std::time::Duration;
 
-use sieben_cpu::retain::{Adoption, Numbers};
-use sieben_cpu::{Cpu, CyclicInterrupt, ImageErrors, Interrupt, OperatingMode, Restart, RetentiveAreas};
+use sieben_cpu::{Cpu, CyclicInterrupt, DateAndTime, ImageErrors, Interrupt, OperatingMode, Restart, RetentiveAreas};
+use sieben_engine::Tracer;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::symbols::SymbolTable;
 
-use crate::duration;
-use crate::names::{self, Name};
-use crate::wrap::{self, Fault};
+pub use held::{Difference, Holding};
+use parse::{assignments, byte_range, cyclic, date_and_time, duration, expect, interrupt, name_list, retain, scan, without_comment};
+pub use rules::Rules;
+use run::Run;
+
+use crate::wrap::Fault;
 
 /// A line that is not understood, or an expectation that did not come true.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -64,23 +81,71 @@ impl fmt::Display for ScenarioError {
 impl std::error::Error for ScenarioError {}
 
 /// What happens while a scenario runs.
-#[derive(Clone, Copy)]
 pub enum Happened<'a> {
     /// A CPU is about to begin at time 0: that of the scenario, or that of a row of a table.
-    Began,
+    Began {
+        /// The CPU before its start.
+        cpu: &'a mut Cpu,
+    },
+    /// Something that no module did: the line of a scenario that does the same; for what happens to a plant, what it is.
+    Did(Deed<'a>),
+    /// A scan is about to begin.
+    Due {
+        /// The CPU before the scan.
+        cpu: &'a mut Cpu,
+        /// When it begins, in microseconds.
+        time_us: u64,
+    },
     /// A scan ended.
     Scan {
         /// The CPU behind the scan.
-        cpu: &'a Cpu,
+        cpu: &'a mut Cpu,
         /// When the scan began, in microseconds.
         time_us: u64,
+        /// What is expected behind it.
+        held: Holding<'a>,
     },
+    /// A value is not what a line says that it always is; told once for each name.
+    Differs(&'a Difference),
     /// Something did not come true, or could not be done.
     Failed(&'a ScenarioError),
 }
 
+/// Something that a scenario does to a CPU.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Deed<'a> {
+    /// The line that does it.
+    Line(&'a str),
+    /// It happens to a simulated plant: a fault, or the end of one.
+    Plant,
+    /// A module fails or answers again: the line.
+    Module(&'a str),
+    /// Power off and on.
+    PowerFailure,
+}
+
 /// Someone who looks on while a scenario runs.
+pub trait Onlooker {
+    /// Something happens.
+    fn see(&mut self, happened: Happened<'_>);
+    /// Whether the run may go on; asked before every scan.
+    fn may_go_on(&mut self) -> bool {
+        true
+    }
+    /// Who is told of every statement.
+    fn tracer(&mut self) -> Option<&mut dyn Tracer> {
+        None
+    }
+}
+
+/// Someone who only looks.
 pub type Watch<'a> = dyn FnMut(Happened<'_>) + 'a;
+
+impl Onlooker for &mut Watch<'_> {
+    fn see(&mut self, happened: Happened<'_>) {
+        self(happened);
+    }
+}
 
 /// A scenario, read and ready to run.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -91,12 +156,30 @@ pub struct Scenario {
     pub modules: Option<Range<u32>>,
     /// Why it is expected to fail, if it is.
     pub known_gap: Option<String>,
+    /// What it was recorded of, if it is a recording.
+    pub recorded: Option<Recorded>,
     cycle_us: u64,
     min_cycle_us: u64,
     image_errors: ImageErrors,
     cyclic: Vec<(u16, CyclicInterrupt)>,
     retain: Option<RetentiveAreas>,
+    start: Option<Restart>,
+    start_with: Assignments,
+    clock: Option<DateAndTime>,
     lines: Vec<Line>,
+}
+
+/// What a recording says of itself.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Recorded {
+    /// [`crate::trace::identity`] of the sources.
+    pub program: u64,
+    /// What the program is called.
+    pub title: String,
+    /// Whether it has no end: what was written before is there.
+    pub cut_off: bool,
+    /// How many scans it says that it has.
+    end: Option<(usize, u64)>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -105,17 +188,20 @@ struct Line {
     command: Command,
 }
 
-type Assignments = Vec<(String, String)>;
+/// Names and their values, as they were written.
+pub type Assignments = Vec<(String, String)>;
 
 #[derive(Clone, Debug, PartialEq)]
 enum Command {
     Set(Assignments),
     Force(Assignments),
     Unforce(Option<String>),
-    Scan(u32),
+    Scan(u64),
     ScanUntil(u64),
     ScanAt(u64),
     At(u64, Assignments),
+    InterruptAt(u64, Interrupt),
+    Always(Assignments),
     Interrupt(Interrupt, Option<u64>),
     Restart(Restart),
     Module(u32, bool),
@@ -134,7 +220,7 @@ const CYCLE_US: u64 = 10_000;
 const SCANS_MAX: u64 = 1_000_000;
 
 /// The words a line can begin with.
-const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `fault`, `mend`, `retain`, `set`, `force`, `unforce`, `scan`, `at`, `interrupt`, `restart`, `power`, `expect`, `table` or `known-gap`";
+const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `fault`, `mend`, `retain`, `set`, `force`, `unforce`, `scan`, `at`, `start`, `clock`, `interrupt`, `restart`, `power`, `expect`, `always`, `table` or `known-gap`";
 
 impl Scenario {
     /// Reads a scenario.
@@ -154,6 +240,7 @@ impl Scenario {
                 errors.push(ScenarioError { line: number, message });
             }
         }
+        scenario.end(text, &mut errors);
         for line in &scenario.lines {
             if let Command::Table { rows, .. } = &line.command
                 && rows.is_empty()
@@ -170,8 +257,102 @@ impl Scenario {
     /// Whether it expects anything at all.
     pub fn expects(&self) -> bool {
         self.lines.iter().any(|line| {
-            matches!(line.command, Command::Expect(..) | Command::ExpectStop(_) | Command::ExpectMode(_) | Command::Table { .. })
+            let command = &line.command;
+            matches!(
+                command,
+                Command::Expect(..) | Command::Always(_) | Command::ExpectStop(_) | Command::ExpectMode(_) | Command::Table { .. }
+            )
         })
+    }
+
+    /// A run without expectations: so many scans at a cycle, or at these times; what is set before the first, and what at a time.
+    pub fn plain(times: Times, set: Assignments, at: Vec<(u64, Assignments)>) -> Self {
+        let (cycle_us, scans) = match times {
+            Times::Cyclic { cycle_us, scans } => (cycle_us.max(1), vec![Command::Scan(scans)]),
+            Times::At(times) => (CYCLE_US, times.into_iter().map(Command::ScanAt).collect()),
+        };
+        let set = (!set.is_empty()).then_some(Command::Set(set));
+        let at = at.into_iter().map(|(time, values)| Command::At(time, values));
+        let commands = set.into_iter().chain(at).chain(scans);
+        Self { cycle_us, lines: commands.map(|command| Line { number: 0, command }).collect(), ..Self::default() }
+    }
+
+    /// The first start of the CPU.
+    pub fn start(&self) -> Restart {
+        self.start.unwrap_or(Restart::Warm)
+    }
+
+    /// Sets the first start of the CPU, and its time of day at time 0.
+    #[must_use]
+    pub fn starting(self, start: Option<Restart>, clock: Option<DateAndTime>) -> Self {
+        Self { start: start.or(self.start), clock: clock.or(self.clock), ..self }
+    }
+
+    /// Sets the least cycle time and what happens when the process image cannot be exchanged.
+    #[must_use]
+    pub fn with_settings(self, min_cycle: Duration, image_errors: ImageErrors) -> Self {
+        Self { min_cycle_us: u64::try_from(min_cycle.as_micros()).unwrap_or(u64::MAX), image_errors, ..self }
+    }
+
+    /// Whether it has rows that are a run of their own each.
+    pub fn has_tables(&self) -> bool {
+        self.lines.iter().any(|line| matches!(line.command, Command::Table { .. }))
+    }
+
+    /// Every name of something in the program, with the line where it stands first.
+    pub fn names(&self) -> Vec<(usize, &str)> {
+        let mut seen = std::collections::HashSet::new();
+        let mut names: Vec<(usize, &str)> = self.start_with.iter().map(|(name, _)| (1, name.as_str())).collect();
+        for line in &self.lines {
+            match &line.command {
+                Command::Set(values)
+                | Command::Force(values)
+                | Command::At(_, values)
+                | Command::Always(values)
+                | Command::Expect(values, _) => {
+                    names.extend(values.iter().map(|(name, _)| (line.number, name.as_str())));
+                }
+                Command::Table { inputs, outputs, .. } => {
+                    names.extend(inputs.iter().chain(outputs).map(|name| (line.number, name.as_str())));
+                }
+                _ => {}
+            }
+        }
+        names.retain(|(_, name)| seen.insert(*name));
+        names
+    }
+
+    /// What is to be held against a recording that has no end, or another than it says.
+    fn end(&mut self, text: &str, errors: &mut Vec<ScenarioError>) {
+        let Some(recorded) = &mut self.recorded else { return };
+        let scans = |line: &Line| match line.command {
+            Command::Scan(count) => count,
+            Command::ScanAt(_) => 1,
+            _ => 0,
+        };
+        // The last line may be half a line, also that of the end.
+        let half = (!text.ends_with('\n')).then(|| text.lines().count());
+        match recorded.end.filter(|(line, _)| Some(*line) != half) {
+            Some((line, end)) => {
+                let found: u64 = self.lines.iter().map(scans).sum();
+                if found != end {
+                    let message = format!(
+                        "the recording says that it ends after {end} scans, but has {found}: lines are missing or were added; \
+                         record again, or take the lines `recorded` and `end` away to use what is left as a scenario"
+                    );
+                    errors.push(ScenarioError { line, message });
+                }
+            }
+            None => {
+                recorded.cut_off = true;
+                if let Some(last) = half {
+                    errors.retain(|error| error.line != last);
+                    self.lines.retain(|line| line.number != last);
+                }
+                let whole = self.lines.iter().rposition(|line| scans(line) > 0).map_or(0, |last| last + 1);
+                self.lines.truncate(whole);
+            }
+        }
     }
 
     /// The distance of two scans, in microseconds.
@@ -226,6 +407,31 @@ impl Scenario {
                 self.known_gap = Some(why.to_owned());
                 return Ok(());
             }
+            "recorded" => {
+                let (program, title) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
+                let wanted = || format!("`recorded {rest}` is not understood; only `sieben record` writes this line");
+                let program = u64::from_str_radix(program, 16).map_err(|_| wanted())?;
+                self.recorded = Some(Recorded { program, title: title.trim().trim_matches('"').to_owned(), ..Recorded::default() });
+                return Ok(());
+            }
+            "end" => {
+                let scans = rest.parse().map_err(|_| "`end` is followed by the number of scans of a recording".to_owned())?;
+                let recorded = self.recorded.as_mut().ok_or("only a recording has an `end`")?;
+                recorded.end = Some((number, scans));
+                return Ok(());
+            }
+            "start" => {
+                match (rest, rest.split_once(char::is_whitespace)) {
+                    (_, Some(("with", values))) => self.start_with.extend(assignments(values)?),
+                    (word, _) => self.start = Some(kind_of_restart(word)?),
+                }
+                return Ok(());
+            }
+            "clock" => {
+                self.clock = Some(date_and_time(rest)?);
+                return Ok(());
+            }
+            "always" => Command::Always(assignments(rest)?),
             "set" => Command::Set(assignments(rest)?),
             "force" => Command::Force(assignments(rest)?),
             "unforce" => Command::Unforce((!rest.is_empty()).then(|| rest.to_owned())),
@@ -233,15 +439,17 @@ impl Scenario {
             "at" => {
                 let (time, values) =
                     rest.split_once(char::is_whitespace).ok_or("write a time and what changes then: `at 310ms I 0.0=0`")?;
-                Command::At(duration(time)?, assignments(values)?)
+                let time = duration(time)?;
+                match values.trim_start().strip_prefix("interrupt ") {
+                    Some(what) => match interrupt(what)? {
+                        Command::Interrupt(interrupt, None) => Command::InterruptAt(time, interrupt),
+                        _ => return Err("an interrupt comes at a time or at a safe point, not at both".to_owned()),
+                    },
+                    None => Command::At(time, assignments(values)?),
+                }
             }
             "interrupt" => interrupt(rest)?,
-            "restart" => Command::Restart(match rest.to_ascii_lowercase().as_str() {
-                "warm" => Restart::Warm,
-                "hot" => Restart::Hot,
-                "cold" => Restart::Cold,
-                _ => return Err(format!("`{rest}` is no kind of restart; write `warm`, `hot` or `cold`")),
-            }),
+            "restart" => Command::Restart(kind_of_restart(rest)?),
             "module" => match rest.split_whitespace().collect::<Vec<_>>().as_slice() {
                 [byte, what @ ("fails" | "answers")] if byte.parse::<u32>().is_ok() => {
                     Command::Module(byte.parse().unwrap_or_default(), *what == "answers")
@@ -294,6 +502,9 @@ impl Scenario {
         if let Some(areas) = &self.retain {
             cpu.set_retentive_areas(areas.clone());
         }
+        if let Some(clock) = self.clock {
+            cpu.set_start_of_clock(clock);
+        }
         cpu
     }
 
@@ -304,16 +515,27 @@ impl Scenario {
     }
 
     /// As [`Self::run`], with someone who looks on.
-    pub fn run_watched(&self, symbols: &SymbolTable, fresh: &mut dyn FnMut() -> Cpu, watch: &mut Watch<'_>) -> Vec<ScenarioError> {
+    pub fn run_watched(&self, symbols: &SymbolTable, fresh: &mut dyn FnMut() -> Cpu, mut watch: &mut Watch<'_>) -> Vec<ScenarioError> {
+        self.run_with(symbols, &Rules::default(), fresh, &mut watch)
+    }
+
+    /// As [`Self::run`], by these rules, with someone who looks on, may end the run and watch statements.
+    pub fn run_with(
+        &self,
+        symbols: &SymbolTable,
+        rules: &Rules,
+        fresh: &mut dyn FnMut() -> Cpu,
+        onlooker: &mut dyn Onlooker,
+    ) -> Vec<ScenarioError> {
         // The CPU of the scenario stays while rows of a table have theirs.
-        let watch = RefCell::new(watch);
-        let watch: &dyn Fn(Happened<'_>) = &|happened| watch.borrow_mut()(happened);
+        let onlooker = RefCell::new(onlooker);
         let mut failures = Vec::new();
-        let mut run: Option<Run<'_>> = None;
+        let mut run: Option<Run<'_, '_>> = None;
+        let start = |cpu: Cpu| Run::start(self.prepare(cpu), self, symbols, rules, &onlooker);
         for (index, line) in self.lines.iter().enumerate() {
             if let Command::Table { inputs, outputs, rows } = &line.command {
                 for (number, values) in rows {
-                    let mut row = Run::start(self.prepare(fresh()), symbols, self.cycle_us(), watch);
+                    let mut row = start(fresh());
                     row.line = *number;
                     for above in &self.lines[..index] {
                         if let Command::Set(assignments) = &above.command {
@@ -330,11 +552,14 @@ impl Scenario {
                 }
                 continue;
             }
-            let run = run.get_or_insert_with(|| Run::start(self.prepare(fresh()), symbols, self.cycle_us(), watch));
+            let run = run.get_or_insert_with(|| start(fresh()));
             run.line = line.number;
             match line.command {
                 Command::PowerFailure => run.power_failure(self.prepare(fresh())),
                 _ => run.command(&line.command),
+            }
+            if run.is_given_up() {
+                break;
             }
         }
         if let Some(mut run) = run {
@@ -346,416 +571,27 @@ impl Scenario {
     }
 }
 
-/// A CPU on its way through a scenario.
-struct Run<'a> {
-    cpu: Cpu,
-    symbols: &'a SymbolTable,
-    cycle_us: u64,
-    /// When the last scan began.
-    last_us: Option<u64>,
-    /// When the next scan begins.
-    next_us: u64,
-    /// Changes to come, with the line that orders them.
-    changes: Vec<(u64, usize, Assignments)>,
-    /// The line that is carried out.
-    line: usize,
-    stop_expected: bool,
-    failures: Vec<ScenarioError>,
-    watch: &'a dyn Fn(Happened<'_>),
-}
-
-impl<'a> Run<'a> {
-    fn start(mut cpu: Cpu, symbols: &'a SymbolTable, cycle_us: u64, watch: &'a dyn Fn(Happened<'_>)) -> Self {
-        watch(Happened::Began);
-        cpu.restart(Restart::Warm);
-        let failures = Vec::new();
-        Self { cpu, symbols, cycle_us, last_us: None, next_us: 0, changes: Vec::new(), line: 1, stop_expected: false, failures, watch }
-    }
-
-    fn fail(&mut self, message: impl Into<String>) {
-        let error = ScenarioError { line: self.line, message: message.into() };
-        (self.watch)(Happened::Failed(&error));
-        self.failures.push(error);
-    }
-
-    fn command(&mut self, command: &Command) {
-        match command {
-            Command::Set(assignments) => self.set(assignments),
-            Command::Force(assignments) => self.force(assignments),
-            Command::Unforce(None) => self.cpu.unforce_all(),
-            Command::Unforce(Some(name)) => {
-                let done = Name::parse(name, self.symbols, self.cpu.program()).and_then(|name| name.unforce(&mut self.cpu));
-                done.unwrap_or_else(|error| self.fail(error.to_string()));
-            }
-            Command::Scan(count) => (0..*count).for_each(|_| self.scan()),
-            Command::ScanUntil(end) => {
-                if self.reachable(*end) {
-                    while self.next_us <= *end {
-                        self.scan();
-                    }
-                }
-            }
-            Command::ScanAt(time) => match self.last_us {
-                Some(last) if *time < last => self.fail(format!("the last scan was already at {}", spell_us(last))),
-                _ => {
-                    self.next_us = *time;
-                    self.scan();
-                }
-            },
-            Command::At(time, assignments) => match self.last_us {
-                Some(last) if *time <= last => {
-                    self.fail(format!("the last scan was already at {}; write `at` before the scan that shall see it", spell_us(last)));
-                }
-                _ => self.changes.push((*time, self.line, assignments.clone())),
-            },
-            Command::Interrupt(interrupt, None) => self.cpu.raise(*interrupt),
-            Command::Interrupt(interrupt, Some(point)) => self.cpu.raise_at_safe_point(*point, *interrupt),
-            Command::Module(byte, answers) => {
-                if !self.cpu.rack_mut().set_answering(*byte, *answers) {
-                    self.fail(format!("no module has the byte {byte}"));
-                }
-            }
-            Command::Fault(fault) => wrap::inject(self.cpu.rack_mut(), fault).unwrap_or_else(|message| self.fail(message)),
-            Command::Mend(name) => wrap::mend(self.cpu.rack_mut(), name).unwrap_or_else(|message| self.fail(message)),
-            Command::Restart(restart) => {
-                self.cpu.restart(*restart);
-                self.stop_expected = false;
-            }
-            Command::Expect(assignments, within) => self.expect(assignments, *within),
-            Command::ExpectStop(event) => self.expect_stop(*event),
-            Command::ExpectMode(mode) => {
-                self.stop_expected |= *mode == OperatingMode::Stop;
-                if self.cpu.mode() != *mode {
-                    let got = self.cpu.mode();
-                    self.fail(format!("expected the mode {mode}, got {got}{}", self.why_stopped()));
-                }
-            }
-            // These need more than one CPU.
-            Command::PowerFailure | Command::Table { .. } => {}
-        }
-    }
-
-    /// The retentive data of the CPU goes to a fresh one, which starts at the time that it is.
-    fn power_failure(&mut self, mut fresh: Cpu) {
-        let Some(image) = self.cpu.retain_image().cloned() else {
-            return self.fail("a scan is not at its end, and only whole scans are kept");
-        };
-        if let Err(refusal) = fresh.restore(&image, Adoption::SameProgram) {
-            return self.fail(format!("the retentive data is not taken back: {refusal}"));
-        }
-        let now_us = self.last_us.unwrap_or(0);
-        fresh.restart_with(Restart::Warm, &mut || now_us, None);
-        self.cpu = fresh;
-        self.stop_expected = false;
-    }
-
-    fn set(&mut self, assignments: &Assignments) {
-        for (name, value) in assignments {
-            let done = Name::parse(name, self.symbols, self.cpu.program()).and_then(|name| name.write(&mut self.cpu, value));
-            if let Err(error) = done {
-                self.fail(error.to_string());
-            }
-        }
-    }
-
-    fn force(&mut self, assignments: &Assignments) {
-        for (name, value) in assignments {
-            let done = Name::parse(name, self.symbols, self.cpu.program()).and_then(|name| name.force(&mut self.cpu, value));
-            if let Err(error) = done {
-                self.fail(error.to_string());
-            }
-        }
-    }
-
-    /// Whether a time can be reached with a bearable number of scans; says so if not.
-    fn reachable(&mut self, end: u64) -> bool {
-        let bearable = end.saturating_sub(self.next_us) / self.cycle_us <= SCANS_MAX && end < u64::MAX;
-        if !bearable {
-            self.fail(format!("that is more than {SCANS_MAX} scans; choose a longer cycle"));
-        }
-        bearable
-    }
-
-    fn scan(&mut self) {
-        let now = self.next_us;
-        let line = self.line;
-        self.changes.sort_by_key(|change| change.0);
-        let due = self.changes.iter().take_while(|change| change.0 <= now).count();
-        for (_, line, assignments) in self.changes.drain(..due).collect::<Vec<_>>() {
-            self.line = line;
-            self.set(&assignments);
-        }
-        self.line = line;
-        let report = self.cpu.scan(now);
-        (self.watch)(Happened::Scan { cpu: &self.cpu, time_us: now });
-        if report.events_missed > 0 {
-            let passed = report.safe_points;
-            self.fail(format!("the scan passed only {passed} safe points (backward jumps and block entries); the interrupt never came"));
-        }
-        self.last_us = Some(now);
-        self.next_us = now.saturating_add(self.cycle_us);
-    }
-
-    fn expect(&mut self, assignments: &Assignments, within: Option<u64>) {
-        let deadline = self.last_us.unwrap_or(self.next_us).saturating_add(within.unwrap_or(0));
-        if within.is_some() && !self.reachable(deadline) {
-            return;
-        }
-        loop {
-            let wrong: Vec<String> = assignments.iter().filter_map(|(name, value)| self.differs(name, value)).collect();
-            if wrong.is_empty() {
-                return self.check_stop();
-            }
-            if within.is_none() || self.next_us > deadline {
-                let when =
-                    self.last_us.map_or_else(|| "before the first scan".to_owned(), |last| format!("after the scan at {}", spell_us(last)));
-                self.fail(format!("{} {when}{}", wrong.join(", "), self.why_stopped()));
-                self.stop_expected = true;
-                return;
-            }
-            self.scan();
-        }
-    }
-
-    /// How a value differs from the expected one.
-    fn differs(&self, name: &str, expected: &str) -> Option<String> {
-        let compared = Name::parse(name, self.symbols, self.cpu.program()).and_then(|parsed| match parsed.holds(&self.cpu, expected)? {
-            true => Ok(None),
-            false => Ok(Some(format!("expected {name} = {expected}, got {}", parsed.read(&self.cpu)?))),
-        });
-        compared.unwrap_or_else(|error| Some(error.to_string()))
-    }
-
-    fn expect_stop(&mut self, event: u16) {
-        self.stop_expected = true;
-        match self.cpu.stop_cause() {
-            Some(cause) if cause.first_event == event || cause.event == event => {}
-            Some(cause) => {
-                let got = cause.first_event;
-                self.fail(format!("expected STOP with 16#{event:04X}, got 16#{got:04X}{}", self.why_stopped()));
-            }
-            None => self.fail(format!("expected STOP with 16#{event:04X}, but the CPU is in {}", self.cpu.mode())),
-        }
-    }
-
-    /// A STOP that no line expects is a failure.
-    fn check_stop(&mut self) {
-        if self.cpu.mode() == OperatingMode::Stop && !self.stop_expected {
-            self.stop_expected = true;
-            self.fail(self.why_stopped().trim_start_matches("; ").to_owned());
-        }
-    }
-
-    fn why_stopped(&self) -> String {
-        match self.cpu.stop_cause() {
-            Some(cause) if self.cpu.mode() == OperatingMode::Stop => {
-                format!("; the CPU is in STOP, event 16#{:04X}: {}", cause.first_event, cause.text)
-            }
-            _ => String::new(),
-        }
-    }
-
-    fn finish(&mut self) {
-        self.check_stop();
-        for (time, line, _) in std::mem::take(&mut self.changes) {
-            self.line = line;
-            self.fail(format!("no scan came at {} or later", spell_us(time)));
-        }
+fn kind_of_restart(word: &str) -> Result<Restart, String> {
+    match word.to_ascii_lowercase().as_str() {
+        "warm" => Ok(Restart::Warm),
+        "hot" => Ok(Restart::Hot),
+        "cold" => Ok(Restart::Cold),
+        _ => Err(format!("`{word}` is no kind of restart; write `warm`, `hot` or `cold`")),
     }
 }
 
-/// Cuts a comment: a line that begins with `//`, or the rest behind ` //`.
-fn without_comment(line: &str) -> &str {
-    if line.trim_start().starts_with("//") {
-        return "";
-    }
-    line.split_once(" //").map_or(line, |(before, _)| before)
-}
-
-fn assignments(text: &str) -> Result<Assignments, String> {
-    let out = names::assignments(text).map_err(|error| error.to_string())?;
-    if out.is_empty() { Err("write at least one `NAME=VALUE`".to_owned()) } else { Ok(out) }
-}
-
-fn scan(rest: &str) -> Result<Command, String> {
-    let mut words = rest.split_whitespace();
-    let command = match (words.next(), words.next()) {
-        (None, _) => Command::Scan(1),
-        (Some("until"), Some(time)) => Command::ScanUntil(duration(time)?),
-        (Some("at"), Some(time)) => Command::ScanAt(duration(time)?),
-        (Some(count), None) if !matches!(count, "until" | "at") => {
-            let count = count.parse().ok().filter(|&count| u64::from(count) <= SCANS_MAX);
-            Command::Scan(count.ok_or_else(|| format!("`{rest}` is no number of scans up to {SCANS_MAX}"))?)
-        }
-        _ => return Err(format!("`scan {rest}` is not understood; write `scan`, `scan 3`, `scan until 400ms` or `scan at 400ms`")),
-    };
-    match words.next() {
-        Some(word) => Err(format!("`{word}` does not belong here")),
-        None => Ok(command),
-    }
-}
-
-/// `OB 40`, `OB 82 EVENT=16#3842 INFO1=4`, `OB 40 at safe point 17`.
-fn interrupt(rest: &str) -> Result<Command, String> {
-    let not_understood = || format!("`interrupt {rest}` is not understood; write `interrupt OB 40` or `interrupt OB 40 at safe point 17`");
-    let (what, point) = match rest.split_once(" at ") {
-        None => (rest, None),
-        Some((what, behind)) => {
-            let words: Vec<String> = behind.split_whitespace().map(str::to_ascii_lowercase).collect();
-            let point = match words.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
-                ["safe", "point", point] => point.parse::<u64>().ok().filter(|&point| point > 0),
-                _ => None,
-            };
-            (what, Some(point.ok_or_else(not_understood)?))
-        }
-    };
-    let (number, fields) = block_number(what).ok_or_else(not_understood)?;
-    let usual = Interrupt::usual(number).ok_or_else(|| {
-        format!("no event starts OB {number}; write one of OB 10 to 17, 20 to 23, 30 to 38, 40 to 47, 55 to 57, 60 or 80 to 87")
-    })?;
-    let mut info = usual.start_information();
-    for field in fields.split_whitespace() {
-        let wrong = || {
-            format!(
-                "`{field}` is no part of the start information; write `EVENT=`, `ID=`, `INFO1=` or `INFO2=` and a number such as 16#3942"
-            )
-        };
-        let (name, value) = field.split_once('=').ok_or_else(wrong)?;
-        let value = match value.strip_prefix("16#") {
-            Some(digits) => u32::from_str_radix(&digits.replace('_', ""), 16),
-            None => value.parse(),
-        };
-        let value = value.map_err(|_| wrong())?;
-        let word = u16::try_from(value);
-        match name.to_ascii_uppercase().as_str() {
-            "EVENT" => info.event = word.map_err(|_| wrong())?,
-            "ID" => info.data_id = word.map_err(|_| wrong())?,
-            "INFO1" => info.info_1 = word.map_err(|_| wrong())?,
-            "INFO2" => info.info_2 = value,
-            _ => return Err(wrong()),
-        }
-    }
-    let interrupt = Interrupt::event(number, info.event, info.data_id, info.info_1, info.info_2);
-    interrupt.map(|interrupt| Command::Interrupt(interrupt, point)).ok_or_else(not_understood)
-}
-
-/// `OB 40 …` or `OB40 …`: the number, and what stands behind it.
-fn block_number(text: &str) -> Option<(u16, &str)> {
-    let behind = text.trim_start().get(2..).filter(|_| text.trim_start().get(..2).is_some_and(|ob| ob.eq_ignore_ascii_case("ob")))?;
-    let behind = behind.trim_start();
-    let end = behind.find(|c: char| !c.is_ascii_digit()).unwrap_or(behind.len());
-    Some((behind[..end].parse().ok()?, &behind[end..]))
-}
-
-/// Reads `m=0..31,40 t=1 c=`; what is not named stays as the CPU has it.
-fn retain(rest: &str) -> Result<RetentiveAreas, String> {
-    let mut areas = RetentiveAreas::default();
-    for word in rest.split_whitespace() {
-        let (name, text) = word.split_once('=').unwrap_or((word, "?"));
-        let numbers = match name.to_ascii_lowercase().as_str() {
-            "m" => &mut areas.bit_memory,
-            "t" => &mut areas.timers,
-            "c" => &mut areas.counters,
-            _ => return Err(format!("`{word}` is not understood; write `retain m=0..31 t=0..3 c=0..7`")),
-        };
-        *numbers = Numbers::parse(text)?;
-    }
-    Ok(areas)
-}
-
-/// `OB 35 50ms`, `OB 35 50ms phase 10ms`.
-fn cyclic(rest: &str) -> Result<(u16, CyclicInterrupt), String> {
-    let not_understood = || format!("`cyclic {rest}` is not understood; write `cyclic OB 35 50ms` or `cyclic OB 35 50ms phase 10ms`");
-    let (number, behind) = block_number(rest).ok_or_else(not_understood)?;
-    if CyclicInterrupt::usual(number).is_none() {
-        return Err(format!("OB {number} is no cyclic interrupt; these are OB 30 to OB 38"));
-    }
-    let ms = |text: &str, least: u64| {
-        let us = duration(text)?;
-        let ms = u16::try_from(us / 1000).ok().filter(|&ms| us % 1000 == 0 && u64::from(ms) >= least && ms <= CyclicInterrupt::MS_MAX);
-        ms.ok_or_else(|| format!("`{text}` is no time of a cyclic interrupt; write {least}ms to 60s, in whole milliseconds"))
-    };
-    let (interval_ms, phase_ms) = match behind.split_whitespace().collect::<Vec<_>>().as_slice() {
-        [interval] => (ms(interval, 1)?, 0),
-        [interval, "phase", phase] => (ms(interval, 1)?, ms(phase, 0)?),
-        _ => return Err(not_understood()),
-    };
-    Ok((number, CyclicInterrupt { interval_ms, phase_ms }))
-}
-
-fn expect(rest: &str) -> Result<Command, String> {
-    let (word, behind) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
-    match word {
-        "stop" => {
-            let digits = behind.trim().strip_prefix("16#").unwrap_or(behind.trim());
-            let event = u16::from_str_radix(digits, 16).map_err(|_| format!("`{}` is no event such as 16#2522", behind.trim()))?;
-            return Ok(Command::ExpectStop(event));
-        }
-        "mode" => {
-            let modes = [OperatingMode::Stop, OperatingMode::Startup, OperatingMode::Run, OperatingMode::Hold];
-            let mode = modes.into_iter().find(|mode| mode.to_string().eq_ignore_ascii_case(behind.trim()));
-            return mode
-                .map(Command::ExpectMode)
-                .ok_or_else(|| format!("`{}` is no mode; write RUN, STOP, STARTUP or HOLD", behind.trim()));
-        }
-        _ => {}
-    }
-    let (values, within) = match rest.rsplit_once(" within ") {
-        Some((values, time)) => (values, Some(duration(time.trim())?)),
-        None => (rest, None),
-    };
-    Ok(Command::Expect(assignments(values)?, within))
-}
-
-/// Splits `I 0.0 MW10 "a name" DB1.x` into names: a word that begins with a digit belongs to the one before it.
-fn name_list(text: &str) -> Vec<String> {
-    let mut out: Vec<String> = Vec::new();
-    let (mut quoted, mut start) = (false, None);
-    let mut words = Vec::new();
-    for (at, c) in text.char_indices() {
-        quoted ^= c == '"';
-        match (c.is_whitespace() && !quoted, start) {
-            (true, Some(begin)) => {
-                words.push(&text[begin..at]);
-                start = None;
-            }
-            (false, None) => start = Some(at),
-            _ => {}
-        }
-    }
-    words.extend(start.map(|begin| &text[begin..]));
-    for word in words {
-        match out.last_mut() {
-            Some(before) if word.starts_with(|c: char| c.is_ascii_digit()) => {
-                before.push(' ');
-                before.push_str(word);
-            }
-            _ => out.push(word.to_owned()),
-        }
-    }
-    out
-}
-
-/// `0..63` or `none`: bytes, the last one included.
-fn byte_range(text: &str) -> Result<Range<u32>, String> {
-    if text == "none" {
-        return Ok(0..0);
-    }
-    let parse = |text: &str| text.trim().parse::<u32>().ok().filter(|&byte| byte < 65_536);
-    match text.split_once("..").map(|(first, last)| (parse(first), parse(last))) {
-        Some((Some(first), Some(last))) if first <= last => Ok(first..last + 1),
-        _ => Err(format!("`{text}` are no bytes; write `0..63` or `none`")),
-    }
-}
-
-/// A duration in microseconds.
-fn duration(text: &str) -> Result<u64, String> {
-    // Ten years of microseconds fit.
-    duration::parse(text).map(|duration| duration.as_micros() as u64)
-}
-
-fn spell_us(us: u64) -> String {
-    if us.is_multiple_of(1000) { format!("{}ms", us / 1000) } else { format!("{us}us") }
+/// When the scans of a run begin.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Times {
+    /// So many at multiples of a cycle, in microseconds.
+    Cyclic {
+        /// From one scan to the next.
+        cycle_us: u64,
+        /// How many.
+        scans: u64,
+    },
+    /// At these times, in microseconds.
+    At(Vec<u64>),
 }
 
 #[cfg(test)]

@@ -249,6 +249,12 @@ fn no_words() -> Vec<&'static str> {
 fn scenario_words() -> Vec<&'static str> {
     vec![
         "cpu 416-3",
+        "recorded 00AA \"x\"\n",
+        "end 3",
+        "always Q 0.0=1",
+        "start with I 0.0=1",
+        "clock DT#2026-11-22-09:30:00",
+        "interrupt OB 40 EVENT=16#1141",
         "cycle 10ms",
         "set I 0.0=1",
         "scan",

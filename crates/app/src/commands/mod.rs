@@ -10,6 +10,7 @@ pub(crate) mod exec;
 pub(crate) mod explain;
 pub(crate) mod fmt;
 pub(crate) mod new;
+pub(crate) mod record;
 pub(crate) mod refs;
 pub(crate) mod run;
 pub(crate) mod step;

@@ -155,7 +155,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 }
 
 /// The time of day of this computer, UTC.
-fn now() -> DateAndTime {
+pub(crate) fn now() -> DateAndTime {
     let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
     DateAndTime::from_ms_since_1990(since_1970.saturating_sub(FROM_1970_TO_1990).as_millis() as u64)
 }

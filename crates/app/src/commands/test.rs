@@ -1,4 +1,4 @@
-//! `sieben test [PATH…]`: runs unit tests, and programs that check themselves.
+//! `sieben test [PATH…]`: runs unit tests, scenarios, and programs that check themselves.
 
 use std::io::IsTerminal;
 use std::path::PathBuf;
@@ -8,14 +8,16 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use sieben_model::problems::Problem;
+use sieben_sim::scenario::Rules;
 
 use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
 use crate::testing::coverage::{Collector, Coverage};
+use crate::testing::rules::RuleArguments;
 use crate::testing::{self, Case, Conditions, Verdict, discovery, report, self_checking};
 use crate::{files, output, project, watch};
 
-/// Run unit tests (*.test.st), and programs that check themselves.
+/// Run unit tests (*.test.st), scenarios, and programs that check themselves.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
   sieben test                            all tests of the project in this folder\n  \
@@ -27,12 +29,15 @@ use crate::{files, output, project, watch};
   sieben test checks                     every test and program in a folder\n  \
   sieben test checks --filter shift      those with `shift` in their name\n  \
   sieben test src --tests checks/*.awl   tests of the blocks of a project\n  \
+  sieben test new --tests old.scenario   does it what was recorded of another program?\n  \
   sieben test checks --junit result.xml  for a build server\n\n\
 A unit test stands in a file *.test.st: TEST 'the motor starts' … END_TEST, with\n\
 ASSERT_EQ(a, b), SCAN(n), ADVANCE_TIME(T#5s) and others.\n\
 A program has passed when it calls SFC 46, and failed when one of its assertions\n\
 (`__ASSERT== MW 10, 5`) is false, when the CPU goes to STOP, or when it does not end.\n\
 A program in a folder that has neither is no test.\n\
+A scenario (*.scenario) with an expectation is a test, too; one of `sieben record` holds the\n\
+program against every scan of the recording.\n\
 Time is virtual, and the extension words need no `--extended`.\n\n\
 Exit codes: 0 all passed, 1 one failed, 2 usage, 3 one does not compile.")]
 pub(crate) struct Arguments {
@@ -44,6 +49,8 @@ pub(crate) struct Arguments {
     /// Test files: each is run with the program that PATH is, and its blocks take the place of those with the same number
     #[arg(long, value_name = "FILE", num_args = 1..)]
     tests: Vec<PathBuf>,
+    #[command(flatten)]
+    rules: RuleArguments,
     /// Only tests with this text in their name
     #[arg(long, value_name = "TEXT")]
     filter: Option<String>,
@@ -117,7 +124,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 
 /// Runs the tests once.
 fn once(arguments: &Arguments) -> Result<Exit, Failure> {
-    let conditions = Conditions {
+    let mut conditions = Conditions {
         overrides: arguments.program.overrides()?,
         encoding: arguments.program.encoding(),
         engine: arguments.engine,
@@ -127,8 +134,11 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
         timeout: arguments.timeout,
         coverage: (arguments.coverage.is_some() || arguments.coverage_html.is_some()).then(Arc::default),
         svg: arguments.svg.clone(),
+        rules: Rules::default(),
     };
     let mut cases = discovery::cases(&arguments.paths, &arguments.tests, &conditions)?;
+    let scenarios: Vec<PathBuf> = cases.iter().filter_map(|case| case.scenario.clone()).collect();
+    conditions.rules = arguments.rules.rules(&scenarios)?;
     if let Some(filter) = &arguments.filter {
         let all = cases.len();
         cases.retain(|case| case.name.contains(filter.as_str()));

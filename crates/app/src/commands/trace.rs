@@ -7,14 +7,14 @@ use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
-use sieben_cpu::{Cpu, IoModule, Loaded, OperatingMode, Rack, Restart, SimulatedModule, StopCause};
+use sieben_cpu::{Cpu, Loaded, OperatingMode, Restart, StopCause};
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 use sieben_sim::scenario::{Happened, Scenario, ScenarioError};
 use sieben_sim::timing_diagram::{self, Mark, Options, SVG_WIDTH, TEXT_WIDTH, WIDTHS};
 use sieben_sim::trace::recorder::BEFORE_MAX;
 use sieben_sim::trace::trigger::TriggerError;
-use sieben_sim::trace::{self, Keep, Moment, Origin, Recorder, Store, Trace, TraceError, Trigger, csv, vcd};
+use sieben_sim::trace::{Keep, Moment, Recorder, Store, Trace, TraceError, Trigger, csv, vcd};
 
 use crate::arguments::{EngineArgument, FaultArguments, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
@@ -23,7 +23,8 @@ use crate::schedule::ScheduleArguments;
 use crate::tracing::channels;
 use crate::tracing::file::{Disk, Spill};
 use crate::tracing::output::{unreadable, unwritable, write};
-use crate::{controller, duration, files, names, output};
+use crate::tracing::scenario::{self, is_scenario, origin};
+use crate::{controller, duration, names, output};
 
 /// Record values over many scans and draw them as a timing diagram.
 #[derive(Args)]
@@ -168,11 +169,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let scenario = match scenarios[..] {
         [] => None,
         [path] => {
-            if !arguments.schedule.is_empty() {
-                let message = "a scenario says itself what is set and when scans begin, and takes no `--set`, `--at`, `--scans`, `--for`, `--cycle` or `--scan-at`";
-                return Err(Failure::usage(Problem::P7001, message).help("write it into the scenario, or leave the scenario out"));
-            }
-            match read_scenario(path)? {
+            scenario::takes_no_schedule(&arguments.schedule)?;
+            match scenario::read_or_report(path)? {
                 Ok(scenario) => Some((path, scenario)),
                 Err(exit) => return Ok(exit),
             }
@@ -196,7 +194,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let (trace, outcome) = match &scenario {
         Some((path, scenario)) => {
             let mut fresh = || {
-                let mut cpu = Cpu::new(loaded.clone(), rack(&build, scenario), controller::settings(&build));
+                let mut cpu = Cpu::new(loaded.clone(), scenario::rack(&build, scenario), controller::settings(&build));
                 // They were taken by the CPU above; a scenario with other modules has none that could fail.
                 let _ = arguments.faults.inject(&mut cpu);
                 cpu
@@ -233,38 +231,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 const SCANS_USUAL: u64 = 100;
 /// Scans around a trigger when nobody says how many.
 const AROUND_USUAL: u64 = 50;
-
-fn is_scenario(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("scenario"))
-}
-
-/// Reads a scenario; what is wrong in it is printed.
-fn read_scenario(path: &Path) -> Result<Result<Scenario, Exit>, Failure> {
-    let text = String::from_utf8_lossy(&files::read(path)?).into_owned();
-    Ok(Scenario::parse(text.trim_start_matches('\u{FEFF}')).map_err(|errors| {
-        for error in errors {
-            let message = format!("{}:{}: {}", path.display(), error.line, error.message);
-            output::message(&Failure::usage(Problem::P6260, message).render(output::colour()));
-        }
-        Exit::Usage
-    }))
-}
-
-fn rack(build: &Build, scenario: &Scenario) -> Rack {
-    let Some(bytes) = &scenario.modules else { return controller::rack(build) };
-    let bytes = bytes.start.min(build.cpu.peripheral)..bytes.end.min(build.cpu.peripheral);
-    let module: Box<dyn IoModule> = Box::new(SimulatedModule::new("simulated", bytes));
-    // One module inside the peripheral area always fits.
-    Rack::with_only(build.cpu, vec![module]).unwrap_or_else(|_| Rack::simulated(build.cpu))
-}
-
-/// What identifies a program.
-fn origin(build: &Build) -> Origin {
-    let sources = &build.project.texts.program;
-    let names: Vec<&str> = build.project.sources.iter().map(|source| sources.file(source.id).name.as_str()).collect();
-    let texts = build.project.sources.iter().map(|source| sources.file(source.id).text.as_str());
-    Origin { title: names.join(" "), program: trace::identity(texts), cpu: build.cpu.name.to_owned() }
-}
 
 fn recorder(arguments: &Arguments, build: &Build, cpu: &Cpu) -> Result<Recorder, Failure> {
     let channels = channels::chosen(&arguments.channels, build, cpu)?;
@@ -307,12 +273,12 @@ fn follow(scenario: &Scenario, build: &Build, mut recorder: Recorder, fresh: &mu
     let (mut begin_us, mut last): (u64, Option<Moment>) = (0, None);
     let mut failed: Option<TraceError> = None;
     scenario.run_watched(&build.project.symbols, fresh, &mut |happened| match happened {
-        Happened::Began => {
+        Happened::Began { .. } => {
             if let Some(last) = last {
                 begin_us = last.time_us.saturating_add(scenario.cycle_us());
             }
         }
-        Happened::Scan { cpu, time_us } => {
+        Happened::Scan { cpu, time_us, .. } => {
             let moment = Moment { scan: outcome.scans, time_us: begin_us.saturating_add(time_us) };
             outcome.scans += 1;
             last = Some(moment);
@@ -321,6 +287,7 @@ fn follow(scenario: &Scenario, build: &Build, mut recorder: Recorder, fresh: &mu
             }
         }
         Happened::Failed(error) => outcome.failures.push((error.clone(), last)),
+        Happened::Did(_) | Happened::Due { .. } | Happened::Differs(_) => {}
     });
     if let Some(error) = failed {
         return Err(unwritable(&error));

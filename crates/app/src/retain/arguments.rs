@@ -31,7 +31,7 @@ pub(crate) struct RetainArguments {
 }
 
 /// Reads a kind of restart.
-fn restart_argument(text: &str) -> Result<Restart, String> {
+pub(crate) fn restart_argument(text: &str) -> Result<Restart, String> {
     match text.to_ascii_lowercase().as_str() {
         "warm" => Ok(Restart::Warm),
         "cold" => Ok(Restart::Cold),

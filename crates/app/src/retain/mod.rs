@@ -19,5 +19,5 @@ mod store;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use arguments::{RetainArguments, RunTime};
+pub(crate) use arguments::{RetainArguments, RunTime, restart_argument};
 pub(crate) use retention::Retention;

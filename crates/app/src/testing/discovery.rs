@@ -3,18 +3,19 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::{Case, Conditions, self_checking, unit};
+use super::{Case, Conditions, scenario, self_checking, unit};
 use crate::awlpro;
 use crate::failure::Failure;
 use crate::project::{self, Project};
 use crate::settings;
+use crate::tracing::scenario::is_scenario;
 
 /// The tests that the paths mean; none = the current folder. Each of `tests` is a test of the program that the paths are.
 pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf], conditions: &Conditions) -> Result<Vec<Case>, Failure> {
     if !tests.is_empty() {
         for test in tests {
             // A test that does not exist is a mistake of the command line, not of the program.
-            crate::files::read(test)?;
+            exists(test)?;
         }
         return Ok(tests.iter().flat_map(|test| cases_of(test, paths, conditions)).collect());
     }
@@ -22,16 +23,17 @@ pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf], conditions: &Condition
     let paths = if paths.is_empty() { &here } else { paths };
     let is_file = |path: &PathBuf| !path.is_dir();
     let (tables, paths): (Vec<_>, Vec<_>) = paths.iter().cloned().partition(|path| is_file(path) && project::is_symbols(path));
-    let (units, paths): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| is_file(path) && project::is_test(path));
+    let (units, paths): (Vec<_>, Vec<_>) =
+        paths.into_iter().partition(|path| is_file(path) && (project::is_test(path) || is_scenario(path)));
     let mut cases = Vec::new();
     for test in &units {
-        crate::files::read(test)?;
+        exists(test)?;
         // Files beside a test file are the program that it tests; without any it is what lies around it.
         let program = match paths.is_empty() {
             true => tables.iter().cloned().chain([program_around(test)]).collect(),
             false => tables.iter().chain(&paths).cloned().collect::<Vec<_>>(),
         };
-        cases.extend(unit::cases(&program, test, conditions));
+        cases.extend(cases_of(test, &program, conditions));
     }
     if !units.is_empty() {
         return Ok(cases);
@@ -49,7 +51,7 @@ pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf], conditions: &Condition
                 cases.push(unnamed(project::shown(&file), with_tables(file)));
             }
             for test in tests {
-                cases.extend(unit::cases(&with_tables(program_around(&test)), &test, conditions));
+                cases.extend(found(&test, &with_tables(program_around(&test)), conditions));
             }
             for project in projects {
                 cases.extend(of_project(&project, conditions)?);
@@ -69,23 +71,48 @@ fn program_around(test: &Path) -> PathBuf {
 
 /// The tests of a file for a program: unit tests, or a program that checks itself.
 fn cases_of(test: &Path, program: &[PathBuf], conditions: &Conditions) -> Vec<Case> {
+    let program_or_around = || if program.is_empty() { vec![program_around(test)] } else { program.to_vec() };
     match project::is_test(test) {
-        true => {
-            let around = [program_around(test)];
-            unit::cases(if program.is_empty() { &around } else { program }, test, conditions)
-        }
+        _ if is_scenario(test) => vec![scenario::case(program_or_around(), test.to_path_buf(), true)],
+        true => unit::cases(&program_or_around(), test, conditions),
         false => vec![case(project::shown(test), program.to_vec(), Some(test.to_path_buf()))],
     }
 }
 
+/// A test file that lies in a folder: a scenario that expects nothing is no test.
+fn found(test: &Path, program: &[PathBuf], conditions: &Conditions) -> Vec<Case> {
+    match is_scenario(test) {
+        true if scenario::is_test(test) => vec![scenario::case(program.to_vec(), test.to_path_buf(), false)],
+        true => Vec::new(),
+        false => cases_of(test, program, conditions),
+    }
+}
+
+/// A test that does not exist is a mistake of the command line.
+fn exists(test: &Path) -> Result<(), Failure> {
+    if is_scenario(test) { crate::files::open(test).map(drop) } else { crate::files::read(test).map(drop) }
+}
+
 fn case(name: String, program: Vec<PathBuf>, test: Option<PathBuf>) -> Case {
-    Case { name, file: None, perhaps: None, run: Box::new(move |conditions| self_checking::run(&program, test.as_ref(), true, conditions)) }
+    Case {
+        name,
+        file: None,
+        perhaps: None,
+        scenario: None,
+        run: Box::new(move |conditions| self_checking::run(&program, test.as_ref(), true, conditions)),
+    }
 }
 
 /// A program that was found in a folder: it is a test if it checks itself.
 fn unnamed(name: String, program: Vec<PathBuf>) -> Case {
     let perhaps = Some(program.clone());
-    Case { name, file: None, perhaps, run: Box::new(move |conditions| self_checking::run(&program, None, false, conditions)) }
+    Case {
+        name,
+        file: None,
+        perhaps,
+        scenario: None,
+        run: Box::new(move |conditions| self_checking::run(&program, None, false, conditions)),
+    }
 }
 
 /// The tests of a project: those that `sieben.toml` names, else its test files; without other tests a project may be one itself.
@@ -93,11 +120,11 @@ fn of_project(folder: &Path, conditions: &Conditions) -> Result<Vec<Case>, Failu
     let program = vec![folder.to_path_buf()];
     let project = Project::load(&program, None)?;
     let mut cases = Vec::new();
-    if project.tests.iter().all(|test| project::is_test(test)) {
+    if project.tests.iter().all(|test| project::is_test(test) || is_scenario(test)) {
         let name = project.settings.name.unwrap_or_else(|| project::shown(folder));
         cases.push(unnamed(name, program.clone()));
     }
-    cases.extend(project.tests.iter().flat_map(|test| cases_of(test, &program, conditions)));
+    cases.extend(project.tests.iter().flat_map(|test| found(test, &program, conditions)));
     Ok(cases)
 }
 
@@ -121,7 +148,7 @@ fn below(folder: &Path) -> Result<Below, Failure> {
         project.is_none()
     };
     let mut files: Vec<PathBuf> = all.iter().filter(|file| project::is_program(file) && outside(file)).cloned().collect();
-    let tests = all.iter().filter(|file| project::is_test(file) && outside(file)).cloned().collect();
+    let tests = all.iter().filter(|file| (project::is_test(file) || is_scenario(file)) && outside(file)).cloned().collect();
     let parts: BTreeSet<PathBuf> = files.iter().filter(|file| awlpro::is_project(file)).flat_map(|file| awlpro::parts(file)).collect();
     files.retain(|file| !parts.contains(file));
     Ok(Below { projects, files, tests })

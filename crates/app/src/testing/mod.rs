@@ -2,7 +2,11 @@
 
 pub(crate) mod coverage;
 pub(crate) mod discovery;
+mod drawing;
+mod last_change;
 pub(crate) mod report;
+pub(crate) mod rules;
+pub(crate) mod scenario;
 pub(crate) mod self_checking;
 mod unit;
 
@@ -16,6 +20,8 @@ use sieben_lang::encoding::Encoding;
 use crate::arguments::EngineArgument;
 use coverage::Collector;
 use sieben_sim::devices::random::Random;
+use sieben_sim::scenario::Rules;
+use sieben_sim::trace::Moment;
 
 use crate::failure::Failure;
 use crate::project::Overrides;
@@ -28,6 +34,8 @@ pub(crate) struct Case {
     pub(crate) file: Option<String>,
     /// The program that is no test unless it checks itself; `None` = it is one.
     pub(crate) perhaps: Option<Vec<PathBuf>>,
+    /// The scenario that it is, if it is one.
+    pub(crate) scenario: Option<PathBuf>,
     /// Runs it.
     pub(crate) run: Box<dyn Fn(&Conditions) -> Outcome + Send + Sync>,
 }
@@ -53,6 +61,8 @@ pub(crate) struct Conditions {
     pub(crate) coverage: Option<Arc<Collector>>,
     /// The folder for the timing diagrams of tests that fail, as SVG.
     pub(crate) svg: Option<PathBuf>,
+    /// How closely a scenario is followed, and what its names are called in the program.
+    pub(crate) rules: Rules,
 }
 
 /// What came of a test.
@@ -77,8 +87,10 @@ pub(crate) enum Verdict {
     Failed(Box<Wrong>),
     /// It does not compile; the diagnostics as text.
     DoesNotCompile(String),
-    /// Its files cannot be read.
+    /// Its files cannot be read, or do not belong to the program.
     Unreadable(Failure),
+    /// Lines of its file are not understood.
+    Misread(Vec<Failure>),
 }
 
 /// What a test found wrong.
@@ -96,6 +108,8 @@ pub(crate) struct Wrong {
     pub(crate) values: Option<(String, String)>,
     /// Their types, if they have some.
     pub(crate) types: Option<(String, String)>,
+    /// The scan behind which it was wrong first.
+    pub(crate) moment: Option<Moment>,
     /// What the author of the test says about it.
     pub(crate) said: Option<String>,
     /// More about it, line by line.

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::{Finished, Verdict, Wrong};
 use crate::duration;
-use crate::failure::Exit;
+use crate::failure::{Exit, Failure};
 
 /// How many tests ended how.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,7 +29,7 @@ impl Tally {
                 Verdict::Passed => &mut tally.passed,
                 Verdict::NoTest => continue,
                 Verdict::Failed(_) => &mut tally.failed,
-                Verdict::DoesNotCompile(_) | Verdict::Unreadable(_) => &mut tally.broken,
+                Verdict::DoesNotCompile(_) | Verdict::Unreadable(_) | Verdict::Misread(_) => &mut tally.broken,
             } += 1;
         }
         tally
@@ -40,7 +40,7 @@ impl Tally {
 pub(crate) fn exit(finished: &[Finished]) -> Exit {
     let any = |wanted: fn(&Verdict) -> bool| finished.iter().any(|test| wanted(&test.outcome.verdict));
     match () {
-        () if any(|verdict| matches!(verdict, Verdict::Unreadable(_))) => Exit::Usage,
+        () if any(|verdict| matches!(verdict, Verdict::Unreadable(_) | Verdict::Misread(_))) => Exit::Usage,
         () if any(|verdict| matches!(verdict, Verdict::DoesNotCompile(_))) => Exit::DoesNotCompile,
         () if any(|verdict| matches!(verdict, Verdict::Failed(_))) => Exit::CheckFailed,
         () => Exit::Success,
@@ -68,8 +68,20 @@ fn why(verdict: &Verdict) -> Option<(String, Vec<String>)> {
             Some((headline, lines))
         }
         Verdict::DoesNotCompile(findings) => Some(("does not compile".to_owned(), findings.lines().map(str::to_owned).collect())),
-        Verdict::Unreadable(failure) => Some((failure.message.clone(), Vec::new())),
+        Verdict::Unreadable(failure) => Some(misread(failure)),
+        Verdict::Misread(failures) => {
+            let mut told = failures.iter().map(misread);
+            let (headline, mut lines) = told.next().unwrap_or_default();
+            lines.extend(told.flat_map(|(headline, lines)| std::iter::once(headline).chain(lines)));
+            Some((headline, lines))
+        }
     }
+}
+
+/// What is wrong with a file, and what to do.
+fn misread(failure: &Failure) -> (String, Vec<String>) {
+    let help = failure.help.as_deref().unwrap_or(failure.problem.help());
+    (failure.message.clone(), vec![format!("[{}] {}", failure.problem.code(), crate::report::capitalized(help))])
 }
 
 fn plural(count: u64, word: &str) -> String {
@@ -131,7 +143,7 @@ fn one_to_json(test: &Finished, seconds: f64) -> Value {
         Verdict::NoTest => "no-test",
         Verdict::Failed(_) => "failed",
         Verdict::DoesNotCompile(_) => "does-not-compile",
-        Verdict::Unreadable(_) => "unreadable",
+        Verdict::Unreadable(_) | Verdict::Misread(_) => "unreadable",
     };
     let nothing = Wrong::default();
     let wrong = match &test.outcome.verdict {
@@ -143,6 +155,12 @@ fn one_to_json(test: &Finished, seconds: f64) -> Value {
         Verdict::Failed(wrong) => Some(wrong.message.as_str()),
         Verdict::DoesNotCompile(findings) => Some(findings.as_str()),
         Verdict::Unreadable(failure) => Some(failure.message.as_str()),
+        Verdict::Misread(failures) => failures.first().map(|failure| failure.message.as_str()),
+    };
+    let problem = match &test.outcome.verdict {
+        Verdict::Unreadable(failure) => Some(failure.problem.code()),
+        Verdict::Misread(failures) => failures.first().map(|failure| failure.problem.code()),
+        _ => None,
     };
     json!({
         "name": test.name, "test_file": test.file, "verdict": verdict, "message": message,
@@ -150,7 +168,8 @@ fn one_to_json(test: &Finished, seconds: f64) -> Value {
         "statement": wrong.statement, "block": wrong.block,
         "left": wrong.values.as_ref().map(|values| &values.0), "right": wrong.values.as_ref().map(|values| &values.1),
         "left_type": wrong.types.as_ref().map(|types| &types.0), "right_type": wrong.types.as_ref().map(|types| &types.1),
-        "said": wrong.said, "more": wrong.lines,
+        "said": wrong.said, "more": wrong.lines, "problem": problem,
+        "at_scan": wrong.moment.map(|moment| moment.scan), "at_ms": wrong.moment.map(|moment| duration::milliseconds(moment.time_us)),
         "scans": test.outcome.scans, "time_ms": test.outcome.simulated.as_secs_f64() * 1e3, "duration_s": seconds,
     })
 }

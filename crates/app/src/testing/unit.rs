@@ -7,17 +7,18 @@ use std::time::{Duration, Instant};
 use sieben_cpu::{Cpu, Loaded, Settings};
 use sieben_engine::{Interpreter, Tracer};
 use sieben_jit::StatusBits;
-use sieben_model::address::{Area, Operand};
+use sieben_model::address::Operand;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::source::Span;
 use sieben_model::testing::{Signal, Test};
 use sieben_sim::names::Name;
-use sieben_sim::runner::{self, Limits, Watcher, Writers, Written};
+use sieben_sim::runner::{self, Limits, Watcher, Writers};
 use sieben_sim::timing_diagram;
 use sieben_sim::trace::{Keep, Memory, Origin, Recorder, Trace};
 
 use super::coverage::{Counting, Looking, looking};
-use super::{Case, Conditions, Outcome, Verdict, Wrong};
+use super::last_change::{self, Scans};
+use super::{Case, Conditions, Outcome, Verdict, Wrong, drawing};
 use crate::arguments::EngineArgument;
 use crate::project::{Build, Overrides, Project, shown};
 use crate::{controller, duration, report, schedule};
@@ -31,8 +32,6 @@ const NESTING: u8 = 2;
 const TRAIL: u64 = 40;
 /// Variables that it shows.
 const LANES_MAX: usize = 16;
-/// Its width in characters: that of a terminal without what stands before it.
-const DIAGRAM_WIDTH: usize = 72;
 /// Scans in which a test has to end if nothing is said.
 const SCANS: u64 = 10_000_000;
 /// Virtual time in which a test has to end if nothing is said: as long as a TIME can be, four times.
@@ -59,7 +58,7 @@ pub(super) fn cases(program: &[PathBuf], file: &Path, conditions: &Conditions) -
                 let told = verdict.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
                 nothing_ran(told.unwrap_or(Verdict::NoTest))
             };
-            vec![Case { name: name.clone(), file: Some(name), perhaps: None, run: Box::new(run) }]
+            vec![Case { name: name.clone(), file: Some(name), perhaps: None, scenario: None, run: Box::new(run) }]
         }
         Ok(ready) => {
             let ready = Arc::new(ready);
@@ -71,6 +70,7 @@ pub(super) fn cases(program: &[PathBuf], file: &Path, conditions: &Conditions) -
                     name: full,
                     file: Some(name.clone()),
                     perhaps: None,
+                    scenario: None,
                     run: Box::new(move |conditions| run(&ready, &test, conditions)),
                 }
             };
@@ -207,38 +207,10 @@ fn again(ready: &Ready, test: &Test, wrong: &runner::Wrong, limits: Limits, cond
         return Vec::new();
     }
     let each = wrong.signals.iter().zip(watcher.writers.written());
-    let mut lines: Vec<String> = each
-        .map(|(signal, written)| match written {
-            None if signal.address.area == Area::Input => format!("`{}`: an input that no statement writes", signal.name),
-            None => format!("`{}`: no statement has changed it", signal.name),
-            Some(Written { place, scan, time_us }) => {
-                let at = controller::line_at(build, place).map_or_else(
-                    || controller::place_text(build, place),
-                    |line| {
-                        let text: String = line.statement.chars().take(60).collect();
-                        format!("{}:{} `{text}` ({})", line.file, line.number, controller::place_text(build, place))
-                    },
-                );
-                let when = if scan == 0 { "before the first scan".to_owned() } else { format!("in the {} scan", ordinal(scan)) };
-                let time = if time_us == 0 { String::new() } else { format!(", at {}", duration::show(Duration::from_micros(time_us))) };
-                format!("`{}` was changed last by {at}, {when}{time}", signal.name)
-            }
-        })
-        .collect();
+    let mut lines: Vec<String> =
+        each.map(|(signal, written)| last_change::sentence(build, &signal.name, signal.address.area, written, Scans::Counted)).collect();
     lines.extend(watcher.trail.and_then(|trail| trail.finish().ok()).map_or_else(Vec::new, |trail| diagram(&trail, test, conditions)));
     lines
-}
-
-/// `1st`, `2nd`, `11th`: a test counts its scans from one, a number of a scan begins with 0.
-fn ordinal(number: u64) -> String {
-    let ending = match (number % 10, number % 100) {
-        (_, 11..=13) => "th",
-        (1, _) => "st",
-        (2, _) => "nd",
-        (3, _) => "rd",
-        _ => "th",
-    };
-    format!("{number}{ending}")
 }
 
 /// What a diagram of a failed test shows: what its assertion reads, then what else the words of the test name.
@@ -268,26 +240,7 @@ fn name(signal: &Signal) -> Name {
 
 /// The trail as text, and as a file if the user wants one.
 fn diagram(trail: &Trace, test: &Test, conditions: &Conditions) -> Vec<String> {
-    if trail.summary().scans < 2 {
-        return Vec::new();
-    }
-    let options = timing_diagram::Options { width: DIAGRAM_WIDTH, ..timing_diagram::Options::text() };
-    let mut lines: Vec<String> =
-        timing_diagram::text(trail, &options).map_or_else(|_| Vec::new(), |text| text.lines().map(str::to_owned).collect());
-    if let Some(folder) = &conditions.svg {
-        let plain = |c: char| if c.is_alphanumeric() { c } else { '-' };
-        let path = folder.join(format!("{}.svg", test.name.chars().map(plain).take(80).collect::<String>()));
-        let drawn = timing_diagram::svg(trail, &timing_diagram::Options::svg()).map_err(|error| error.to_string());
-        let written = drawn.and_then(|svg| {
-            std::fs::create_dir_all(folder).map_err(|error| error.to_string())?;
-            crate::files::write_whole(&path, svg.as_bytes()).map_err(|failure| failure.message)
-        });
-        lines.push(match written {
-            Ok(()) => format!("timing diagram: {}", shown(&path)),
-            Err(error) => format!("the timing diagram could not be written: {error}"),
-        });
-    }
-    lines
+    drawing::lines(trail, &test.name, &timing_diagram::Options::text(), conditions)
 }
 
 /// What a report shows of a test that failed.
@@ -320,6 +273,7 @@ fn failed(build: &Build, test: &Test, wrong: &runner::Wrong, conditions: &Condit
         types: value(0).zip(value(1)).map(|((_, left), (_, right))| (left, right)),
         said: wrong.said.clone(),
         lines,
+        ..Wrong::default()
     }
 }
 
@@ -330,15 +284,4 @@ fn source_line(build: &Build, span: Span) -> String {
     let begin = text.get(..start).and_then(|before| before.rfind('\n')).map_or(0, |at| at + 1);
     let end = text.get(start..).and_then(|behind| behind.find('\n')).map_or(text.len(), |at| start + at);
     text.get(begin..end).unwrap_or_default().trim().to_owned()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::ordinal;
-
-    #[test]
-    fn scans_of_a_test_are_counted_in_words_of_english() {
-        let all: Vec<String> = [1, 2, 3, 4, 11, 12, 13, 21, 22, 101, 111].into_iter().map(ordinal).collect();
-        assert_eq!(all.join(" "), "1st 2nd 3rd 4th 11th 12th 13th 21st 22nd 101st 111th");
-    }
 }

@@ -35,6 +35,50 @@ pub(crate) fn chosen(lists: &[String], build: &Build, cpu: &Cpu) -> Result<Vec<N
     }
 }
 
+/// The inputs and outputs of a program for a recording that other programs are held against: as symbols wherever there are some, so that addresses may be others
+/// there; inputs with a symbol first, then the wider ones.
+pub(crate) fn signals(build: &Build, cpu: &Cpu) -> (Vec<Name>, Vec<Name>) {
+    let address = |name: &Name| match name.operand() {
+        Some(Operand::Address(address)) if AREAS.contains(&address.area) => Some(*address),
+        _ => None,
+    };
+    let bits = |address: &Address| {
+        let first = u64::from(address.byte) * 8 + u64::from(if address.width == Width::Bit { address.bit } else { 0 });
+        first..first + u64::from(address.width.bits())
+    };
+    let is_input = |area: Area| matches!(area, Area::Input | Area::PeripheralInput);
+    let symbols = &build.project.symbols;
+    let mnemonics = Places::new(build).mnemonics;
+    let of_symbols = symbols.symbols().iter().filter_map(|symbol| match symbol.operand() {
+        Some(Operand::Address(address)) if AREAS.contains(&address.area) => name_of(&address, build, mnemonics, cpu),
+        _ => None,
+    });
+    let mut all: Vec<(Name, Address, bool)> = used(build, cpu)
+        .into_iter()
+        .chain(of_symbols)
+        .filter_map(|name| {
+            let address = address(&name)?;
+            let named = Operand::parse(name.text()).is_none();
+            Some((name, address, named))
+        })
+        .collect();
+    let mut seen = std::collections::HashSet::new();
+    all.retain(|(name, ..)| seen.insert(name.text().to_owned()));
+    // Where a symbol has some of its bits, the others are recorded by themselves.
+    let named: Vec<(bool, std::ops::Range<u64>)> =
+        all.iter().filter(|(.., named)| *named).map(|(_, address, _)| (is_input(address.area), bits(address))).collect();
+    all.retain(|(_, address, is_named)| {
+        let own = bits(address);
+        let meets = |other: &std::ops::Range<u64>| other.start < own.end && own.start < other.end;
+        *is_named || !named.iter().any(|(input, other)| *input == is_input(address.area) && meets(other))
+    });
+    let (mut inputs, mut outputs): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, address, _)| is_input(address.area));
+    inputs.sort_by_key(|(_, address, named)| (!named, std::cmp::Reverse(address.width.bits()), address.byte, address.bit));
+    outputs.sort_by_key(|(_, address, _)| (address.byte, address.bit, address.width.bits()));
+    let names = |all: Vec<(Name, Address, bool)>| all.into_iter().map(|(name, ..)| name).collect();
+    (names(inputs), names(outputs))
+}
+
 fn used(build: &Build, cpu: &Cpu) -> Vec<Name> {
     let references = CrossReference::new(&build.compiled);
     let mut addresses: Vec<Address> = references

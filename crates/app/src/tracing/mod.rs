@@ -3,3 +3,4 @@
 pub(crate) mod channels;
 pub(crate) mod file;
 pub(crate) mod output;
+pub(crate) mod scenario;

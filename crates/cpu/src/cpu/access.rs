@@ -96,6 +96,15 @@ impl Station for Cpu {
     }
 }
 
+/// Which bits of its bytes an address means, and their values; right-justified in four bytes.
+fn masks_and_values(address: &Address, value: u32) -> ([u8; 4], [u8; 4]) {
+    if address.width == Width::Bit {
+        ([0, 0, 0, 1 << (address.bit & 7)], [0, 0, 0, ((value & 1) << (address.bit & 7)) as u8])
+    } else {
+        ([0xFF; 4], value.to_be_bytes())
+    }
+}
+
 /// A bit number above 7 is no address.
 fn check_bit(operand: &Operand) -> Result<(), AccessError> {
     match operand {
@@ -173,21 +182,39 @@ impl Cpu {
         }
     }
 
-    /// Sets an input: in its module if that is simulated, else in the process image of the next scan.
-    fn modify_input(&mut self, address: &Address, value: u32) -> Result<(), AccessError> {
+    /// Sets an input in its module at a time to come, in microseconds like the time of a scan: an interrupt before that time does not see it.
+    ///
+    /// # Errors
+    /// It is no input, or no module has it.
+    pub fn modify_input_at(&mut self, at_us: u64, operand: &Operand, value: u32) -> Result<(), AccessError> {
+        check_bit(operand)?;
+        let Operand::Address(address @ Address { area: Area::Input | Area::PeripheralInput, .. }) = operand else {
+            return Err(AccessError::NotAccessible);
+        };
+        let (masks, values) = masks_and_values(address, value);
+        for index in 0..self.input_bytes(address)? {
+            let at = (4 - address.width.bytes() + index) as usize;
+            if !self.rack.set_input_at(at_us, address.byte + index, masks[at], values[at]) {
+                return Err(AccessError::NoModule);
+            }
+        }
+        Ok(())
+    }
+
+    /// How many bytes an input has, if it lies inside its area.
+    fn input_bytes(&self, address: &Address) -> Result<u32, AccessError> {
         let length = address.width.bytes();
         let limit = match address.area {
             Area::Input => self.machine.memory.layout.inputs.len() as u32,
             _ => self.cpu_type.peripheral,
         };
-        if address.byte.checked_add(length).is_none_or(|end| end > limit) {
-            return Err(AccessError::Outside);
-        }
-        let (masks, values) = if address.width == Width::Bit {
-            ([0, 0, 0, 1 << (address.bit & 7)], [0, 0, 0, ((value & 1) << (address.bit & 7)) as u8])
-        } else {
-            ([0xFF; 4], value.to_be_bytes())
-        };
+        if address.byte.checked_add(length).is_none_or(|end| end > limit) { Err(AccessError::Outside) } else { Ok(length) }
+    }
+
+    /// Sets an input: in its module if that is simulated, else in the process image of the next scan.
+    fn modify_input(&mut self, address: &Address, value: u32) -> Result<(), AccessError> {
+        let length = self.input_bytes(address)?;
+        let (masks, values) = masks_and_values(address, value);
         for index in 0..length {
             let at = (4 - length + index) as usize;
             let byte = address.byte + index;

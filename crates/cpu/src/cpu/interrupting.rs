@@ -11,6 +11,7 @@ use super::Cpu;
 use super::pause::{Inner, Paused, Then};
 use super::run::{Go, Outcome};
 use super::stop::Held;
+use crate::clock::DateAndTime;
 use crate::diagnostic_buffer::DiagnosticEntry;
 use crate::host::Watchdog;
 use crate::interrupts::{CyclicInterrupt, Interrupt, Now, Request};
@@ -51,6 +52,11 @@ impl Cpu {
     /// Sets the least cycle time.
     pub fn set_min_cycle(&mut self, time: Duration) {
         self.settings.min_cycle = time;
+    }
+
+    /// Sets the time of day that it was when the clock of the CPU began.
+    pub fn set_start_of_clock(&mut self, start: DateAndTime) {
+        self.settings.date_and_time = start;
     }
 
     /// When the next timed interrupt comes, in microseconds like the time of a scan; `None` if there is none, or the CPU is not in RUN.

@@ -160,6 +160,14 @@ impl Kind {
         }
     }
 
+    /// As [`Self::number`]; words and double words without a type have a sign, as `>I` and `>D` see them.
+    pub(crate) fn scale(&self, value: &Sample) -> Option<f64> {
+        match (self, value) {
+            (Self::Bits(16 | 32), Sample::Bits(bits)) => Some(self.signed(*bits) as f64),
+            _ => self.number(value),
+        }
+    }
+
     /// The bits as a signed number of their width.
     pub(crate) fn signed(&self, bits: u64) -> i64 {
         match self.width() {

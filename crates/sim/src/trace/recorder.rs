@@ -66,8 +66,16 @@ impl Recorder {
     ///
     /// # Errors
     /// The store does not take the head of the recording.
-    pub fn new(names: Vec<Name>, keep: Keep, origin: Origin, mut store: Box<dyn Store>) -> Result<Self, TraceError> {
+    pub fn new(names: Vec<Name>, keep: Keep, origin: Origin, store: Box<dyn Store>) -> Result<Self, TraceError> {
         let channels: Vec<Channel> = names.iter().map(Channel::new).collect();
+        Ok(Self { names, ..Self::of_channels(channels, keep, origin, store)? })
+    }
+
+    /// A recorder of channels whose values are [given](Self::put).
+    ///
+    /// # Errors
+    /// As of [`Self::new`].
+    pub fn of_channels(channels: Vec<Channel>, keep: Keep, origin: Origin, mut store: Box<dyn Store>) -> Result<Self, TraceError> {
         recording::write_head(&mut *store, &origin, &channels)?;
         let (state, trigger) = match keep {
             Keep::All => (State::Writing { left: None }, None),
@@ -78,17 +86,17 @@ impl Recorder {
             }
         };
         let (trigger, behind) = trigger.map_or((None, 0), |(trigger, behind)| (Some(trigger), behind));
-        let values = vec![Sample::Absent; names.len()];
+        let values = vec![Sample::Absent; channels.len()];
         let writer = Writer {
             encoder: Encoder::default(),
-            summary: Summary::new(names.len()),
+            summary: Summary::new(channels.len()),
             values: values.clone(),
             blocks: Vec::new(),
             store,
             behind,
         };
         Ok(Self {
-            names,
+            names: Vec::new(),
             channels,
             origin,
             values,
@@ -132,6 +140,29 @@ impl Recorder {
             }
         }
         let comes = self.came.is_none() && self.comes(cpu, moment);
+        self.keep(moment, comes)
+    }
+
+    /// Takes the values of all channels behind a scan, as [`Self::scan`] does from a CPU; no trigger comes.
+    ///
+    /// # Errors
+    /// As of [`Self::scan`].
+    pub fn put(&mut self, moment: Moment, values: &[Sample]) -> Result<(), TraceError> {
+        if self.is_complete() || self.last.is_some_and(|last| moment.scan <= last.scan) {
+            return Ok(());
+        }
+        self.last = Some(moment);
+        self.changed.clear();
+        for (index, (value, new)) in self.values.iter_mut().zip(values).enumerate() {
+            if value != new {
+                value.clone_from(new);
+                self.changed.push(index);
+            }
+        }
+        self.keep(moment, false)
+    }
+
+    fn keep(&mut self, moment: Moment, comes: bool) -> Result<(), TraceError> {
         match &mut self.state {
             State::Waiting { scans_max } => {
                 let changes = self.changed.iter().map(|&index| (index as u32, self.values[index].clone())).collect();

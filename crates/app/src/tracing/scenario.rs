@@ -1,0 +1,107 @@
+//! Scenarios beside files: reading one, the modules that it runs with, and the program that was recorded.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use sieben_cpu::{IoModule, Rack, SimulatedModule};
+use sieben_model::problems::Problem;
+use sieben_sim::scenario::Scenario;
+use sieben_sim::trace::{self, Origin};
+
+use crate::failure::{Exit, Failure};
+use crate::project::{self, Build};
+use crate::report::{Finding, Texts};
+use crate::schedule::ScheduleArguments;
+use crate::{controller, files, output};
+
+/// Bytes of a scenario at most: a day of a busy plant, and what a computer can hold beside its lines.
+const BYTES_MAX: u64 = 1 << 30;
+
+/// Whether a file is a scenario by its name.
+pub(crate) fn is_scenario(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("scenario"))
+}
+
+/// A scenario says itself what happens when.
+pub(crate) fn takes_no_schedule(schedule: &ScheduleArguments) -> Result<(), Failure> {
+    if schedule.is_empty() {
+        return Ok(());
+    }
+    let message = "a scenario says itself what is set and when scans begin, and takes no `--set`, `--at`, `--scans`, `--for`, `--cycle` or `--scan-at`";
+    Err(Failure::usage(Problem::P7001, message).help("write it into the scenario, or leave the scenario out"))
+}
+
+/// Reads a scenario; what is wrong in it is printed.
+pub(crate) fn read_or_report(path: &Path) -> Result<Result<Scenario, Exit>, Failure> {
+    match read(path) {
+        Ok(scenario) => {
+            if let Some(message) = cut_off(path, &scenario) {
+                project::print_findings(&[Finding::file(Problem::P6263, project::shown(path), message)], &Texts::default(), false);
+            }
+            Ok(Ok(scenario))
+        }
+        Err(Unusable::File(failure)) => Err(failure),
+        Err(Unusable::Lines(failures)) => {
+            failures.iter().for_each(|failure| output::message(&failure.render(output::colour())));
+            Ok(Err(Exit::Usage))
+        }
+    }
+}
+
+/// Why a scenario is of no use.
+pub(crate) enum Unusable {
+    /// It cannot be read.
+    File(Failure),
+    /// Some of its lines are not understood.
+    Lines(Vec<Failure>),
+}
+
+/// Reads a scenario.
+pub(crate) fn read(path: &Path) -> Result<Scenario, Unusable> {
+    let text = text(path).map_err(Unusable::File)?;
+    Scenario::parse(text.trim_start_matches('\u{FEFF}')).map_err(|errors| {
+        let failure = |error: sieben_sim::scenario::ScenarioError| {
+            Failure::usage(Problem::P6260, format!("{}:{}: {}", project::shown(path), error.line, error.message))
+        };
+        Unusable::Lines(errors.into_iter().map(failure).collect())
+    })
+}
+
+fn text(path: &Path) -> Result<String, Failure> {
+    if path.is_dir() {
+        return Err(Failure::usage(Problem::P6006, format!("`{}` is a folder, but a file is wanted here", path.display())));
+    }
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(BYTES_MAX + 1).read_to_end(&mut bytes));
+    read.map_err(|error| files::unreadable(path, &error))?;
+    if bytes.len() as u64 > BYTES_MAX {
+        return Err(Failure::usage(Problem::P1104, format!("`{}` is larger than {} MiB", path.display(), BYTES_MAX >> 20)));
+    }
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// The modules that a scenario runs with: those of the project, unless it says itself which bytes have one. A recording brings the inputs of its modules along.
+pub(crate) fn rack(build: &Build, scenario: &Scenario) -> Rack {
+    let Some(bytes) = &scenario.modules else {
+        return if scenario.recorded.is_some() { Rack::simulated(build.cpu) } else { controller::rack(build) };
+    };
+    let bytes = bytes.start.min(build.cpu.peripheral)..bytes.end.min(build.cpu.peripheral);
+    let module: Box<dyn IoModule> = Box::new(SimulatedModule::new("simulated", bytes));
+    // One module inside the peripheral area always fits.
+    Rack::with_only(build.cpu, vec![module]).unwrap_or_else(|_| Rack::simulated(build.cpu))
+}
+
+/// What identifies a program.
+pub(crate) fn origin(build: &Build) -> Origin {
+    let sources = &build.project.texts.program;
+    let names: Vec<&str> = build.project.sources.iter().map(|source| sources.file(source.id).name.as_str()).collect();
+    let texts = build.project.sources.iter().map(|source| sources.file(source.id).text.as_str());
+    Origin { title: names.join(" "), program: trace::identity(texts), cpu: build.cpu.name.to_owned() }
+}
+
+/// What is to be said about a recording that has no end.
+pub(crate) fn cut_off(path: &Path, scenario: &Scenario) -> Option<String> {
+    scenario.recorded.as_ref().filter(|recorded| recorded.cut_off)?;
+    Some(format!("`{}` was cut off: it ends with its last whole scan", project::shown(path)))
+}
