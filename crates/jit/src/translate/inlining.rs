@@ -186,7 +186,7 @@ impl Translator<'_> {
         let parameters_end = self.parameters_end + self.passed.len();
         let given = self.passed.split_off(self.passed.len().saturating_sub(parameters));
         let local_offset = self.local_behind() as i32;
-        let promoted = self.take_all_but_budget();
+        let promoted = self.keep_in_block();
         self.outer.push(Outer {
             index: self.index,
             statement: self.statement,

@@ -8,6 +8,7 @@ use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
 use super::memory::{Address, Bit};
+use super::promote::Base;
 use super::value::Val;
 use super::{OPEN_BLOCKS, Translator};
 
@@ -21,6 +22,8 @@ pub(super) struct Instance {
     pointer: Val,
     /// The address to which it points.
     address: Value,
+    /// Where it may begin: bytes of the arena.
+    begins: [i64; 2],
     /// Bytes that are there, whatever AR2 holds.
     bytes: u64,
     /// The data block: number, base, length.
@@ -70,7 +73,8 @@ impl Translator<'_> {
         let byte = self.b.ins().ushr_imm_u(position, 3);
         let start = self.b.ins().iadd_imm_u(self.arena, i64::try_from(base).ok()?);
         let address = self.b.ins().iadd(start, byte);
-        Some(Instance { pointer, address, bytes, block, written })
+        let byte = |bits: u64| base as i64 + (bits as i64 & 0x00FF_FFFF) / 8;
+        Some(Instance { pointer, address, begins: [byte(least), byte(most)], bytes, block, written })
     }
 
     /// Number, base and length of the open instance data block, if they are constants.
@@ -105,7 +109,9 @@ impl Translator<'_> {
         let address = Address { base: instance.address, offset, bit: Bit::Number(bit) };
         // Other bytes of the same block may be the same bytes.
         self.settle_bytes();
-        self.store_touched(place);
+        let [least, most] = instance.begins.map(|begin| begin + byte as i64);
+        let touched = (Base::Arena, least..most + i64::from(width.bytes()));
+        self.store_promoted_in(&touched);
         match *inst {
             Inst::Load { dst, .. } => {
                 let value = self.read(address, width);
@@ -114,7 +120,7 @@ impl Translator<'_> {
             Inst::Store { src, .. } => {
                 let value = self.get(src);
                 self.write(address, width, value);
-                self.take_touched(place);
+                self.take_promoted_in(&touched);
             }
             _ => {}
         }

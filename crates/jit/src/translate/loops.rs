@@ -18,7 +18,9 @@ pub(super) struct Loop {
     pub(super) last: u32,
     /// Registers that its statements may change.
     pub(super) written: u32,
-    /// Whether its statements call neither blocks nor Rust code.
+    /// Whether its statements call no Rust code.
+    pub(super) asks_nothing: bool,
+    /// Whether they call no blocks either.
     pub(super) calls_nothing: bool,
 }
 
@@ -68,7 +70,7 @@ pub(super) fn find(code: &Code) -> Vec<Loop> {
             match loops.iter().position(|known| known.first == to) {
                 Some(known) => loops[known].last = statement,
                 None if loops.len() == LOOPS_MAX => return Vec::new(),
-                None => loops.push(Loop { first: to, last: statement, written: 0, calls_nothing: true }),
+                None => loops.push(Loop { first: to, last: statement, written: 0, asks_nothing: true, calls_nothing: true }),
             }
         }
     }
@@ -76,7 +78,8 @@ pub(super) fn find(code: &Code) -> Vec<Loop> {
     for it in &mut loops {
         for inst in (it.first..=it.last).flat_map(|statement| code.statement(statement as usize)) {
             it.written |= written(inst);
-            it.calls_nothing &= !matches!(inst, Inst::Call { .. } | Inst::Intrinsic { .. } | Inst::Text { .. });
+            it.asks_nothing &= !matches!(inst, Inst::Intrinsic { .. } | Inst::Text { .. });
+            it.calls_nothing &= it.asks_nothing && !matches!(inst, Inst::Call { .. });
         }
     }
     loops

@@ -12,7 +12,8 @@ use cranelift_codegen::ir::types::{F32, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
 use cranelift_frontend::Variable;
 use sieben_engine::access::data_registers;
-use sieben_engine::ir::{DataRegister, Inst, Op, Place, Var};
+use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, Var};
+use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
 use super::loops::Loop;
@@ -26,6 +27,9 @@ const PROMOTED_MAX: usize = 8;
 /// How much more an access counts for each loop around it, and for how many loops.
 const WEIGHT_OF_A_LOOP: u64 = 8;
 const WEIGHED_LOOPS_MAX: usize = 4;
+
+/// How deep calls are followed.
+const CALLS_MAX: u32 = 3;
 
 /// What an address is counted from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -106,7 +110,7 @@ impl Translator<'_> {
 
     /// Chooses what a loop keeps and loads it, in front of the loop. Registers that it changes are not known here.
     pub(super) fn promote(&mut self, it: &Loop) {
-        if !it.calls_nothing {
+        if !it.asks_nothing || !self.keeps_over_calls(it) {
             return;
         }
         let mut candidates: Vec<_> = self.candidates(it).into_iter().collect();
@@ -139,10 +143,52 @@ impl Translator<'_> {
         self.promoted.push(budget);
     }
 
-    /// What is kept in registers, which is forgotten but for the budget.
-    pub(super) fn take_all_but_budget(&mut self) -> Vec<Promoted> {
-        let budget = self.promoted.iter().copied().find(|kept| kept.base == Base::Run);
-        std::mem::replace(&mut self.promoted, budget.into_iter().collect())
+    /// What is kept in registers, for an inlined block, in all of which that stays which is kept at its call.
+    pub(super) fn keep_in_block(&mut self) -> Vec<Promoted> {
+        let kept = self.kept().into_iter().map(|kept| Promoted { first: 0, last: u32::MAX, ..kept }).collect();
+        std::mem::replace(&mut self.promoted, kept)
+    }
+
+    /// Whether a loop calls only blocks that become part of it and say where they read and write: in their own local data, in their
+    /// instance, at the pointers that they are given. Everything else would find the variables of the loop in memory.
+    fn keeps_over_calls(&self, it: &Loop) -> bool {
+        let code = &self.native().code;
+        (it.first..=it.last).all(|statement| self.keeps_over(code.statement(statement as usize), false, CALLS_MAX))
+    }
+
+    /// The same for the instructions of a statement, of an inlined block or of the loop itself.
+    fn keeps_over(&self, insts: &[Inst], inlined: bool, depth: u32) -> bool {
+        let (mut given, mut constants) = (BTreeSet::new(), BTreeSet::new());
+        let own_instance = self.instance.constant().is_some();
+        insts.iter().all(|inst| {
+            let is_said = |place: Place| match place {
+                Place::Fixed { area, .. } => !matches!(area, Area::SharedData | Area::InstanceData),
+                Place::Indirect { area, pointer, .. } => {
+                    area == Area::InstanceData && pointer.register() == Some(Register::Ar2) && own_instance
+                }
+                Place::Crossing { pointer, .. } => given.contains(&pointer.0),
+            };
+            match *inst {
+                Inst::Call { callee: Callee::Block(id), .. } => (self.find)(id).is_some_and(|called| {
+                    let block = &self.blocks[called as usize].code;
+                    let statements = || (0..block.statement_count()).map(|statement| block.statement(statement));
+                    depth > 0 && self.inlines(called as usize) && statements().all(|insts| self.keeps_over(insts, true, depth - 1))
+                }),
+                Inst::Call { .. } => false,
+                Inst::Parameter { dst, .. } => {
+                    given.insert(dst.0);
+                    true
+                }
+                Inst::Constant { dst, .. } => {
+                    constants.insert(dst.0);
+                    true
+                }
+                Inst::PassParameter { src } => constants.contains(&src.0),
+                Inst::Load { place, .. } | Inst::Store { place, .. } if inlined => is_said(place),
+                Inst::Move { .. } | Inst::Text { .. } | Inst::Intrinsic { .. } | Inst::Open { .. } => !inlined,
+                _ => true,
+            }
+        })
     }
 
     fn keep(&mut self, base: Base, offset: i32, candidate: &Candidate, it: &Loop) {
