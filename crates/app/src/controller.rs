@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use sieben_cpu::{Cpu, CyclicInterrupt, Rack, Settings, StopCause};
 use sieben_engine::FaultPlace;
 use sieben_jit::StatusBits;
+use sieben_model::block::BlockId;
 use sieben_model::source::Span;
 
 use crate::arguments::EngineArgument;
@@ -76,9 +77,14 @@ pub(crate) fn span_at(build: &Build, place: FaultPlace) -> Option<Span> {
     build.project.texts.program.iter().any(|(id, _)| id == span.file).then_some(span)
 }
 
-/// What people call the place of a statement: a block of ST has a name, and a number that only we gave it.
+/// What people call a block of ST: it has a name, and mostly a number that only the compiler gave it. Nothing for blocks of STL.
+pub(crate) fn name_in_source(build: &Build, block: BlockId) -> Option<&str> {
+    build.compiled.block_names.get(&block).filter(|_| build.compiled.typed.contains_key(&block)).map(String::as_str)
+}
+
+/// What people call the place of a statement.
 pub(crate) fn place_text(build: &Build, place: FaultPlace) -> String {
-    let named = build.compiled.block_names.get(&place.block).filter(|_| build.compiled.typed.contains_key(&place.block));
+    let named = name_in_source(build, place.block);
     named.map_or_else(|| sieben_cpu::diagnostic_buffer::place_text(place), |name| format!("in `{name}`"))
 }
 

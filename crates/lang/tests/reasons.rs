@@ -182,7 +182,7 @@ fn structured_text_says_what_it_read_and_what_came_of_it() {
     let run = Run::new("main.st", text, &[]);
     let english = run.reasons(Language::English);
     let expected = [
-        "Main: calls Main (FB 7999)",
+        "Main: calls Main",
         "Twice: parameters and variables of the block are set or copied",
         "Twice := x * 2: Twice becomes 14",
         "x := a AND b: a is TRUE, b is FALSE, so x becomes FALSE",

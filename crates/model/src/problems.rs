@@ -294,7 +294,7 @@ problems! {
     P7007 Error "a word that is not in the tables" "Give an instruction (`A`, `SPB`), a problem code (`P2001`), a status bit (`RLO`), an organization block (`OB 121`), a system function (`SFC 46`), an event (`16#4562`) or a CPU type (`416-3`). `sieben explain --help` names the lists.";
     P7008 Error "a name that cannot be the name of a project" "Use letters, digits, `-` and `_`.";
     P7009 Error "times that make no sense together" "Give a cycle longer than 0, and times in rising order.";
-    P7020 Error "no test to run" "Name a program that checks itself, or a folder with such programs.";
+    P7020 Error "no test to run" "Name a file `*.test.st`, a program that checks itself, or a folder with such files.";
     P7030 Error "a trigger that is not understood" "Write `I0.0 rises`, `I0.0 falls`, `I0.0 changes`, `MW10 > 5` or `scan 500`.";
     P7031 Error "a trigger that did not come" "Run longer with `--scans` or `--for`, or look at the last scans for what keeps it from coming.";
     P7032 Error "nothing to record" "Name what to record: `--channels I0.0,Q0.0,MW10`.";

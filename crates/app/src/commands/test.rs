@@ -143,11 +143,14 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
         let all = cases.len();
         cases.retain(|case| case.name.contains(filter.as_str()));
         if cases.is_empty() && all > 0 {
-            return Err(Failure::usage(Problem::P7020, format!("none of {all} tests has `{filter}` in its name")));
+            return Err(Failure::usage(Problem::P7020, {
+                let tests = if all == 1 { "the one test has no".to_owned() } else { format!("none of {all} tests has") };
+                format!("{tests} `{filter}` in its name")
+            }));
         }
     }
     if cases.is_empty() {
-        return Err(Failure::usage(Problem::P7020, "there is no program to test"));
+        return Err(Failure::usage(Problem::P7020, "there is no test here"));
     }
     if arguments.list {
         // Programs that do not check themselves are no tests.

@@ -7,6 +7,7 @@ use sieben_sim::names::Name;
 
 use super::texts::{self, Text, pick};
 use super::{Direction, Language, LocalValue, STATEMENTS_MAX, Stepper, Unit, Who};
+use crate::controller;
 use crate::failure::Failure;
 use crate::names as command_names;
 use crate::nearest::{nearest, one_of};
@@ -353,7 +354,9 @@ fn stack(stepper: &Stepper<'_>) -> String {
     if frames.is_empty() {
         return stepper.say(texts::NO_BLOCK_RUNS, &[]) + "\n";
     }
-    frames.iter().map(|frame| format!("{}\n", stepper.listing().places.block(frame.block))).collect()
+    let called =
+        |block| controller::name_in_source(stepper.build(), block).map_or_else(|| stepper.listing().places.block(block), str::to_owned);
+    frames.iter().map(|frame| format!("{}\n", called(frame.block))).collect()
 }
 
 /// Lines shown before and behind the next statement.

@@ -8,6 +8,7 @@ use sieben_model::block::BlockId;
 use sieben_model::source::{FileId, Span};
 
 use super::texts::{self, END_OF_BLOCK, fill};
+use crate::controller;
 use crate::nearest::nearest;
 use crate::places::Places;
 use crate::project::Build;
@@ -87,6 +88,11 @@ impl<'b> Listing<'b> {
             line: if known { self.places.line(span) } else { 0 },
             text: text.trim_end_matches(';').trim_end().to_owned(),
         }
+    }
+
+    /// What people call a block: `FC 1`, or the name that it has in its source of ST.
+    pub(crate) fn called(&self, block: BlockId) -> String {
+        controller::name_in_source(self.build, block).map_or_else(|| block.to_string(), str::to_owned)
     }
 
     /// Its network, counted from 1.

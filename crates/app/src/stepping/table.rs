@@ -120,6 +120,7 @@ pub(crate) fn answer(stepper: &mut Stepper<'_>, answer: &Answer) -> String {
 /// The variables of a block, in columns.
 fn locals_text(stepper: &Stepper<'_>, locals: Option<&(BlockId, Vec<LocalValue>)>) -> String {
     let Some((block, values)) = locals else { return format!("  {}\n", stepper.say(texts::NO_BLOCK_RUNS, &[])) };
+    let block = &stepper.listing().called(*block);
     if values.is_empty() {
         return format!("  {}\n", stepper.say(texts::NO_VARIABLES, &[block]));
     }
@@ -168,15 +169,19 @@ fn who_text(stepper: &mut Stepper<'_>, name: &Name, who: Option<&Who>) -> String
             first => stepper.say(texts::SINCE_KEPT, &[&first]),
         };
         let written = stepper.writer(name).map_or_else(String::new, |by| {
-            let Line { file, line, text, block, .. } = &by.line;
+            let Line { file, line, text, .. } = &by.line;
+            let block = stepper.listing().called(by.line.place.block);
             let when = when(stepper, by.scan);
-            format!("\n  {}", stepper.say(texts::WROTE_LAST, &[file, line, text, block, &by.position, &when, &by.reason]))
+            format!("\n  {}", stepper.say(texts::WROTE_LAST, &[file, line, text, &block, &by.position, &when, &by.reason]))
         });
         return stepper.say(texts::NOTHING_CHANGED, &[&name.text(), &since]) + &written;
     };
     let (before, after) = &who.change;
     let what = match (&who.line, who.by) {
-        (Some(line), _) => format!("{}:{}: {} ({})", line.file, line.line, line.said(stepper.language), line.block),
+        (Some(line), _) => {
+            let block = stepper.listing().called(line.place.block);
+            format!("{}:{}: {} ({block})", line.file, line.line, line.said(stepper.language))
+        }
         (None, By::ProcessImage) => stepper.say(texts::BY_IMAGE, &[]),
         (None, By::Set) => stepper.say(texts::BY_SET, &[]),
         (None, _) => stepper.say(texts::BY_CPU, &[]),

@@ -230,10 +230,13 @@ fn decision(condition: &Value, values: &Values<'_>, [holds, fails]: [S; 2], whol
 fn called(call: &Call, values: &Values<'_>) -> Clause {
     let block = match &call.callee {
         Callee::Function(block) | Callee::Method { block, .. } => values.block_name(*block),
-        Callee::Instance { block, instance, .. } => match one_line(values.slice(instance.span)) {
-            name if name.is_empty() => values.block_name(*block),
-            name => format!("{name} ({block})"),
-        },
+        Callee::Instance { block, instance, .. } => {
+            let of = values.block_name(*block);
+            match one_line(values.slice(instance.span)) {
+                name if name.is_empty() || name == of => of,
+                name => format!("{name} ({of})"),
+            }
+        }
     };
     let given = call.arguments.iter().filter_map(|argument| match argument {
         Argument::Value { value, .. } => {

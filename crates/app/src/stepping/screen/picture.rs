@@ -336,7 +336,8 @@ impl Screen {
         let bytes = bytes.collect();
         let watched = stepper.watched().iter().map(|name| (name.text().to_owned(), stepper.value(name))).collect();
         let variables = self.variables.then(|| {
-            let (block, values) = stepper.locals().map_or((String::new(), Vec::new()), |(block, values)| (block.to_string(), values));
+            let (block, values) =
+                stepper.locals().map_or((String::new(), Vec::new()), |(block, values)| (stepper.listing().called(block), values));
             let value = |one: crate::stepping::LocalValue| {
                 (one.name.text().to_owned(), one.value.map_or_else(|| "-".to_owned(), |value| value.to_string()))
             };
@@ -347,7 +348,7 @@ impl Screen {
             language: stepper.language,
             colour: self.colour,
             focus: self.focus,
-            stack: view.stack.iter().map(ToString::to_string).collect::<Vec<_>>().join(" › "),
+            stack: view.stack.iter().map(|&block| stepper.listing().called(block)).collect::<Vec<_>>().join(" › "),
             registers: stepper.registers(),
             four_accumulators: stepper.build().cpu.accumulators == 4,
             file: file.name.rsplit(['/', '\\']).next().unwrap_or(&file.name).to_owned(),

@@ -132,7 +132,12 @@ impl Checker<'_> {
                 (least, most) => format!("{least} to {most} parameters"),
             };
             let more = if word.takes_message() { ", and a message in quotes" } else { "" };
-            let said = format!("`{}` takes {wanted}{more}; here are {}", word.text(), arguments.len());
+            let said = format!(
+                "`{}` takes {wanted}{more}; here {} {}",
+                word.text(),
+                if arguments.len() == 1 { "is" } else { "are" },
+                arguments.len()
+            );
             self.report(Problem::P2305, span, said).help = Some(format!("Write `{}`.", word.usage()));
             return None;
         }
