@@ -27,12 +27,25 @@ use crate::tracing::scenario::is_scenario;
 
 /// Endings of sources.
 const SOURCE_ENDINGS: [&str; 5] = ["awl", "stl", "st", "iecst", "scl"];
+/// The settings of a project.
+const PROJECT_ENDING: &str = "toml";
 /// Endings of symbol tables of other tools; of `.csv` files only `symbols.csv` is one without being named.
 const SYMBOL_ENDINGS: [&str; 4] = ["sdf", "asc", "dif", "seq"];
 /// Most files a folder is searched for: a home directory given by mistake must not be read for minutes.
 const FILES_MAX: usize = 20_000;
 /// Deepest folder that is searched.
 const DEPTH_MAX: usize = 16;
+
+/// Refuses to write results over a program: `--svg main.awl` is a slip that must not cost the source.
+pub(crate) fn spare_sources<'a>(results: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Failure> {
+    let is_part =
+        |path: &Path| has_ending(path, &SOURCE_ENDINGS) || has_ending(path, &SYMBOL_ENDINGS) || has_ending(path, &[PROJECT_ENDING]);
+    match results.into_iter().find(|path| is_part(path) && path.is_file()) {
+        Some(path) => Err(Failure::usage(Problem::P6013, format!("`{}` is a source, and results do not replace it", path.display()))
+            .help("give the file another name; remove the old one first if it is none of your program")),
+        None => Ok(()),
+    }
+}
 
 /// What the command line says about a program.
 #[derive(Clone, Copy, Debug, Default)]

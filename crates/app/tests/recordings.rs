@@ -373,6 +373,25 @@ fn a_full_disk_is_told() {
     folder.run(&["record", "main.awl", "-o", ".", "--for", "1s", "--speed", "max"]).code(2).stderr("is a folder");
 }
 
+/// A slip in the name of a result must not cost the program.
+#[test]
+fn results_do_not_replace_sources() {
+    let source = "      A     I 0.0\n      =     Q 0.0\n";
+    let folder = Folder::with(&[("main.awl", source), ("story.scenario", "scan 5\n")]);
+    for command in [
+        &["record", "main.awl", "-o", "main.awl", "--for", "1s", "--speed", "max"][..],
+        &["trace", "main.awl", "--scans", "5", "--record", "main.awl"],
+        &["trace", "main.awl", "--scans", "5", "--csv", "main.awl"],
+        &["step", "main.awl", "--scans", "5", "--commands", "story.scenario", "--record", "main.awl"],
+        &["test", "main.awl", "--tests", "story.scenario", "--junit", "main.awl"],
+        &["record", "main.awl", "story.scenario", "-o", "./story.scenario"],
+    ] {
+        folder.run(command).code(2).stderr("P6013").stderr("replace it");
+    }
+    assert_eq!(fs::read_to_string(folder.0.join("main.awl")).expect("the source is there"), source);
+    assert_eq!(fs::read_to_string(folder.0.join("story.scenario")).expect("the scenario is there"), "scan 5\n");
+}
+
 /// The report has all that a machine wants, too.
 #[test]
 fn a_difference_is_told_to_machines() {

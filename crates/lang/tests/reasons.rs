@@ -194,7 +194,7 @@ fn structured_text_says_what_it_read_and_what_came_of_it() {
         "v[2] := 7: v[2] becomes 7",
         "n := v[2]: v[2] is 7, so n becomes 7",
         "n := Twice(n): calls Twice; the rest of `n := Twice(n)` follows when it has ended",
-        "WHILE n > 13 DO n := n - 1; END_WHILE: n is 14: `n > 13` is TRUE, so what follows it runs",
+        "n > 13: n is 14: `n > 13` is TRUE, so what follows it runs",
         "n := n - 1: n is 14, so n becomes 13",
         "n > 13: n is 13: `n > 13` is FALSE, so what follows it is left out",
         "RETURN: the block ends here",

@@ -20,7 +20,7 @@ use super::run::{Speed, now, speed_argument};
 use crate::arguments::{EngineArgument, FaultArguments, ProgramArguments};
 use crate::failure::{Exit, Failure};
 use crate::places::Places;
-use crate::project::{Build, shown};
+use crate::project::{self, Build, shown};
 use crate::retain::restart_argument;
 use crate::schedule::ScheduleArguments;
 use crate::tracing::channels;
@@ -44,11 +44,13 @@ const NAP: Duration = Duration::from_millis(50);
   sieben record old story.scenario -o plant.scenario       what the program does in a scenario\n  \
   sieben record old.awl --at 1s I0.0=1 --for 5s -o -       print it\n  \
   sieben test new --tests plant.scenario                   does the new program do the same?\n\n\
-The recording is a scenario: inputs with their times, interrupts, the times of the scans, and behind every scan the\n\
-outputs. `sieben test` and `sieben trace` run it again, on the same program scan by scan the same, and without the\n\
-plants: it has the values of their sensors. Time is virtual: scan k begins at k x cycle; at 1x it is waited for.\n\
-Ctrl-C ends the recording between two scans. A process that is killed leaves all but its last second.\n\n\
-Exit codes: 0 ok, 1 an expectation of the scenario failed, 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
+The recording is a scenario: inputs with their times, interrupts, the times of the scans, and behind\n\
+every scan the outputs. `sieben test` and `sieben trace` run it again, on the same program scan by\n\
+scan the same, and without the plants: it has the values of their sensors. Time is virtual: scan k\n\
+begins at k x cycle; at 1x it is waited for.\n\
+Ctrl-C ends the recording between two scans. A killed process leaves all but its last second.\n\n\
+Exit codes: 0 ok, 1 an expectation of the scenario failed, 2 usage, 3 does not compile, 4 the CPU\n\
+went to STOP.")]
 pub(crate) struct Arguments {
     /// Source files, symbol tables, a project folder, a scenario to run [default: this folder]
     #[arg(value_name = "PATH")]
@@ -84,6 +86,7 @@ pub(crate) struct Arguments {
 
 /// Records.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    project::spare_sources([&arguments.output])?;
     let mut overrides = arguments.program.overrides()?;
     let (scenarios, paths): (Vec<PathBuf>, Vec<PathBuf>) = arguments.paths.iter().cloned().partition(|path| is_scenario(path));
     let given = match &scenarios[..] {
@@ -97,6 +100,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         }
         _ => return Err(Failure::usage(Problem::P7001, "one scenario at a time can be run")),
     };
+    if let Some((path, _)) = &given
+        && path.canonicalize().is_ok_and(|path| arguments.output.canonicalize().is_ok_and(|output| output == path))
+    {
+        let message = format!("`{}` is the scenario that is run, and its recording does not replace it", path.display());
+        return Err(Failure::usage(Problem::P6013, message).help("give the recording another name"));
+    }
     if let Some((path, scenario)) = &given
         && scenario.has_tables()
     {

@@ -13,7 +13,7 @@ use sieben_sim::names::Name;
 
 use crate::arguments::{EngineArgument, FaultArguments, ProgramArguments, duration_argument};
 use crate::failure::{Exit, Failure};
-use crate::project::Build;
+use crate::project::{self, Build};
 use crate::schedule::ChangeArguments;
 use crate::stepping::commands::{Answer, LINE_MAX, carry_out};
 use crate::stepping::recording::Unusable;
@@ -70,6 +70,7 @@ fn language_argument(text: &str) -> Result<Language, String> {
 
 /// Reads and carries out commands.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    project::spare_sources(&arguments.record)?;
     let overrides = arguments.program.overrides()?;
     let project = arguments.program.load(&arguments.paths)?;
     let cycle = schedule::cycle(arguments.cycle, &project.settings);

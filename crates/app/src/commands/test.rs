@@ -103,6 +103,7 @@ pub(crate) struct Arguments {
 
 /// Runs the tests.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    project::spare_sources([&arguments.junit, &arguments.coverage].into_iter().flatten())?;
     if !arguments.watch {
         return once(arguments);
     }

@@ -160,6 +160,7 @@ struct Outcome {
 
 /// Records and draws.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    project::spare_sources([&arguments.svg, &arguments.vcd, &arguments.csv, &arguments.record].into_iter().flatten())?;
     let overrides = arguments.program.overrides()?;
     let (scenarios, paths): (Vec<&PathBuf>, Vec<&PathBuf>) = arguments.paths.iter().partition(|path| is_scenario(path));
     let scenarios: Vec<&PathBuf> = scenarios.into_iter().chain(&arguments.scenario).collect();
