@@ -18,8 +18,17 @@ use crate::settings::TimeSource;
 use crate::system;
 
 /// Greatest budget handed out at once: bounds how long a STOP request or the watchdog can go unseen. As machine code that is some
-/// microseconds to some tens of them, in the interpreter below a millisecond for loops of a few statements.
+/// microseconds to some tens of them.
 pub const BUDGET_MAX: i64 = 8192;
+
+/// What a cycle begins with in real time, where nothing is known yet of how long its safe points take.
+const BUDGET_FIRST: i64 = 1024;
+
+/// Least budget in real time: below it, asking would take longer than the program between two safe points.
+const BUDGET_MIN: i64 = 32;
+
+/// How long a budget may take in real time; one that takes longer is halved the next time, one that takes a quarter is doubled.
+const BUDGET_US_MAX: u64 = 200;
 
 /// Readings without progress after which a clock is taken to stand still.
 const CLOCK_STANDS_STILL: u32 = 1_000_000;
@@ -66,6 +75,10 @@ pub(crate) struct Watchdog {
     /// Safe points passed since the monitoring began, without those of the budget handed out last.
     passed: i64,
     granted: i64,
+    /// In real time: the next budget, what was handed out last (0 if it was taken back), and when.
+    pace: i64,
+    handed: i64,
+    handed_us: u64,
     pub(crate) limit_points: i64,
     /// OB 80 was called in this cycle.
     exceeded: bool,
@@ -75,24 +88,41 @@ pub(crate) struct Watchdog {
 
 impl Watchdog {
     pub(crate) fn new(startup: bool, started_us: u64, limit_us: u64, limit_points: i64) -> Self {
-        Self { startup, started_us, limit_us, limit_points, ..Self::default() }
+        Self { startup, started_us, limit_us, limit_points, pace: BUDGET_FIRST, ..Self::default() }
     }
 
     /// Hands out the next budget. The safe point with the number `until` asks at the latest.
-    fn grant(&mut self, source: TimeSource, machine: &mut Machine, until: Option<u64>) {
-        let left = match source {
+    fn grant(&mut self, time: &Time<'_>, machine: &mut Machine, until: Option<u64>) {
+        let left = match time.source {
             TimeSource::Virtual => self.limit_points.saturating_sub(self.passed).max(0),
-            TimeSource::Real => BUDGET_MAX,
+            TimeSource::Real => self.keep_pace(time.now_us),
         };
         let until = until.map_or(BUDGET_MAX, |point| i64::try_from(point.saturating_sub(self.total + 1)).unwrap_or(BUDGET_MAX));
         self.granted = left.min(BUDGET_MAX).min(until);
         machine.budget = self.granted;
+        self.handed = self.granted;
+    }
+
+    /// The budget that takes about [`BUDGET_US_MAX`] as the last one went: the interpreter and long loops are asked more often.
+    fn keep_pace(&mut self, now_us: u64) -> i64 {
+        // What is left of a budget is below 0 where it was used up.
+        if self.granted < 0 && self.handed == self.pace {
+            let taken_us = now_us.saturating_sub(self.handed_us);
+            if taken_us > BUDGET_US_MAX {
+                self.pace = (self.pace / 2).max(BUDGET_MIN);
+            } else if taken_us < BUDGET_US_MAX / 4 {
+                self.pace = (self.pace * 2).min(BUDGET_MAX);
+            }
+        }
+        self.handed_us = now_us;
+        self.pace
     }
 
     /// Takes the budget back, so that the next safe point asks.
     fn ask_at_once(&mut self, machine: &mut Machine) {
         self.settle(machine);
         self.granted = 0;
+        self.handed = 0;
         machine.budget = 0;
     }
 
@@ -167,7 +197,7 @@ impl CpuHost<'_> {
             _ if self.in_cycle() => self.interrupts.next_point(),
             _ => None,
         };
-        self.watchdog.grant(self.time.source, machine, until);
+        self.watchdog.grant(&self.time, machine, until);
     }
 
     fn in_cycle(&self) -> bool {

@@ -183,20 +183,40 @@ fn re_trigr_starts_the_monitoring_again() {
 
 #[test]
 fn in_real_time_the_watchdog_is_the_clock() {
-    for (limit_ms, stops) in [(3, true), (50, false)] {
-        let settings = Settings { time: TimeSource::Real, watchdog: Duration::from_millis(limit_ms), ..Settings::default() };
+    for (limit_us, stops) in [(450, true), (50_000, false)] {
+        let settings = Settings { time: TimeSource::Real, watchdog: Duration::from_micros(limit_us), ..Settings::default() };
         let mut cpu = cpu(&[(1, &[Step::Loop(10_000)])], settings);
         cpu.restart(Restart::Warm);
         let mut now = 0;
         let mut clock = || {
-            now += 1000;
+            now += 150;
             now
         };
         let report = cpu.scan_with(&mut clock, None);
         assert_eq!(report.mode == OperatingMode::Stop, stops);
-        assert_eq!(report.execution_us, if stops { 5000 } else { 10_000 });
+        assert_eq!(report.execution_us, if stops { 750 } else { 1500 });
         assert_eq!(cpu.stop_cause().map(|cause| cause.event), stops.then_some(0x4568));
     }
+}
+
+#[test]
+fn slow_loops_ask_the_clock_more_often_than_fast_ones() {
+    let asked = |us: u64| {
+        let settings = Settings { time: TimeSource::Real, watchdog: Duration::from_secs(60), ..Settings::default() };
+        let mut cpu = cpu(&[(1, &[Step::Loop(50_000)])], settings);
+        cpu.restart(Restart::Warm);
+        let (mut now, mut asked) = (0, 0);
+        let mut clock = || {
+            asked += 1;
+            now += us;
+            now
+        };
+        assert_eq!(cpu.scan_with(&mut clock, None).mode, OperatingMode::Run);
+        asked
+    };
+    assert!(asked(1) < 15, "budgets grow to 8,192: {}", asked(1));
+    assert!((45..60).contains(&asked(100)), "budgets stay at 1,024: {}", asked(100));
+    assert!((1400..1600).contains(&asked(1000)), "budgets shrink to 32: {}", asked(1000));
 }
 
 #[test]
