@@ -320,13 +320,15 @@ fn body(statements: Vec<Statement>, uses_ok: bool) -> Body {
 }
 
 struct Quiet {
+    /// Faults that end a statement, and those that are only told: the model has none of these.
     faults: usize,
+    noted: usize,
     safe_points: usize,
 }
 
 impl Host for Quiet {
-    fn fault(&mut self, _: &mut Machine, _: &Fault, _: FaultPlace) -> Reaction {
-        self.faults += 1;
+    fn fault(&mut self, _: &mut Machine, fault: &Fault, _: FaultPlace) -> Reaction {
+        *if fault.is_noted() { &mut self.noted } else { &mut self.faults } += 1;
         Reaction::Continue
     }
     fn peripheral_read(&mut self, _: &mut Machine, _: u32, _: Width) -> Option<u32> {
@@ -353,6 +355,7 @@ struct Left {
     br: u64,
     budget: i64,
     faults: usize,
+    noted: usize,
 }
 
 /// Compares both engines, and the model unless the program takes too long.
@@ -404,11 +407,17 @@ pub fn fuzz(data: &[u8]) {
         let mut machine = Machine::new(Arc::new(layout.clone()));
         machine.budget = 10;
         machine.memory.area_mut(Area::BitMemory)[..REGION].copy_from_slice(&memory);
-        let mut host = Quiet { faults: 0, safe_points: 0 };
+        let mut host = Quiet { faults: 0, noted: 0, safe_points: 0 };
         let entry = Entry { block: BlockId::ob(1), start_information: [0; 20], registers: None };
         let exit = engine.run(&mut Context { machine: &mut machine, host: &mut host, tracer: None }, &entry);
-        let left =
-            Left { exit, arena: machine.memory.arena.clone(), br: machine.registers.br, budget: machine.budget, faults: host.faults };
+        let left = Left {
+            exit,
+            arena: machine.memory.arena.clone(),
+            br: machine.registers.br,
+            budget: machine.budget,
+            faults: host.faults,
+            noted: host.noted,
+        };
         (left, machine)
     };
     let (interpreted, machine) = run(Interpreter::load(&program, &layout).as_ref());
