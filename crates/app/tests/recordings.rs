@@ -358,7 +358,7 @@ fn a_process_that_is_killed_leaves_whole_scans() {
     child.wait().expect("the child can be asked");
     let text = String::from_utf8(folder.read("killed.scenario")).expect("text");
     assert!(!text.contains("\nend ") && text.matches("\nscan").count() > 100, "{text}");
-    folder.run(&["test", "main.awl", "--tests", "killed.scenario"]).code(0).stdout("1 passed");
+    folder.run(&["test", "main.awl", "--tests", "killed.scenario"]).code(0).stdout("1 passed").stderr("P6263");
     folder.run(&["trace", "main.awl", "killed.scenario", "--last", "10"]).code(0).stderr("P6263");
     folder.write("other.awl", b"      SET\n      =     Q 0.0\n");
     folder.run(&["test", "other.awl", "--tests", "killed.scenario"]).code(1).stdout("was cut off").stdout("recorded with `main.awl`");

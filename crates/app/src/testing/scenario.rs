@@ -187,6 +187,10 @@ impl Test<'_> {
                 (None, Some(first)) => Verdict::Failed(Box::new(self.wrong(first, &judge))),
             },
         };
+        // A report of a failure says it itself.
+        if matches!(verdict, Verdict::Passed) {
+            files::warn_if_cut_off(&self.file, &self.scenario);
+        }
         Outcome { verdict, scans: judge.scans, simulated: Duration::from_micros(judge.time_us) }
     }
 

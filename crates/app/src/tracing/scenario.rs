@@ -32,13 +32,18 @@ pub(crate) fn takes_no_schedule(schedule: &ScheduleArguments) -> Result<(), Fail
     Err(Failure::usage(Problem::P7001, message).help("write it into the scenario, or leave the scenario out"))
 }
 
+/// Tells the user that a recording ends before its end.
+pub(crate) fn warn_if_cut_off(path: &Path, scenario: &Scenario) {
+    if let Some(message) = cut_off(path, scenario) {
+        project::print_findings(&[Finding::file(Problem::P6263, project::shown(path), message)], &Texts::default(), false);
+    }
+}
+
 /// Reads a scenario; what is wrong in it is printed.
 pub(crate) fn read_or_report(path: &Path) -> Result<Result<Scenario, Exit>, Failure> {
     match read(path) {
         Ok(scenario) => {
-            if let Some(message) = cut_off(path, &scenario) {
-                project::print_findings(&[Finding::file(Problem::P6263, project::shown(path), message)], &Texts::default(), false);
-            }
+            warn_if_cut_off(path, &scenario);
             Ok(Ok(scenario))
         }
         Err(Unusable::File(failure)) => Err(failure),
