@@ -4,6 +4,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
+use dice::Dice;
 use noting::{program, run};
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
@@ -12,6 +13,7 @@ use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
+mod dice;
 mod noting;
 
 /// Programs that are compared.
@@ -22,20 +24,6 @@ const QUESTIONS_MAX: usize = 40;
 const DATA_BYTES: usize = 640;
 /// Where the variables lie in bit memory: not in an array.
 const VARIABLES: u32 = 200;
-
-/// Numbers that follow one another in no order.
-struct Dice(u64);
-
-impl Dice {
-    fn roll(&mut self, sides: u64) -> u64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) % sides
-    }
-
-    fn of<T: Copy>(&mut self, all: &[T]) -> T {
-        all[self.roll(all.len() as u64) as usize]
-    }
-}
 
 /// How a loop counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
