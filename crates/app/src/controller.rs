@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use serde_json::{Value, json};
-use sieben_cpu::{Cpu, CyclicInterrupt, Rack, Settings, StopCause};
+use sieben_cpu::{Cpu, CyclicInterrupt, Loaded, Rack, Settings, StopCause};
 use sieben_engine::FaultPlace;
 use sieben_jit::StatusBits;
 use sieben_model::block::BlockId;
@@ -36,10 +36,15 @@ pub(crate) fn rack(build: &Build) -> Rack {
     modules::rack(&build.project.settings.modules, build.cpu)
 }
 
+/// The program as CPUs take it, any number of them.
+pub(crate) fn loaded(build: &Build, engine: EngineArgument, status: StatusBits) -> Loaded {
+    let program = Arc::new(build.compiled.program.clone());
+    Loaded::new(build.cpu, program, |program, layout| engine.load(program, layout, status))
+}
+
 /// A CPU in STOP with the program loaded and the rack of the project.
 pub(crate) fn load(build: &Build, engine: EngineArgument, status: StatusBits, settings: Settings) -> Cpu {
-    let program = Arc::new(build.compiled.program.clone());
-    Cpu::load(build.cpu, program, |program, layout| engine.load(program, layout, status), rack(build), settings)
+    Cpu::new(loaded(build, engine, status), rack(build), settings)
 }
 
 /// Why the CPU stopped, with the line of the source that did it.

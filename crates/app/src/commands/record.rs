@@ -89,16 +89,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     project::spare_sources([&arguments.output])?;
     let mut overrides = arguments.program.overrides()?;
     let (scenarios, paths): (Vec<PathBuf>, Vec<PathBuf>) = arguments.paths.iter().cloned().partition(|path| is_scenario(path));
-    let given = match &scenarios[..] {
-        [] => None,
-        [path] => {
-            scenario::takes_no_schedule(&arguments.schedule)?;
-            match scenario::read_or_report(path)? {
-                Ok(scenario) => Some((path, scenario)),
-                Err(exit) => return Ok(exit),
-            }
-        }
-        _ => return Err(Failure::usage(Problem::P7001, "one scenario at a time can be run")),
+    let given = match scenario::only(&scenarios, &arguments.schedule)? {
+        Ok(given) => given,
+        Err(exit) => return Ok(exit),
     };
     if let Some((path, _)) = &given
         && path.canonicalize().is_ok_and(|path| arguments.output.canonicalize().is_ok_and(|output| output == path))
@@ -120,9 +113,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     };
     let speed = arguments.speed.unwrap_or(if given.is_some() { Speed::Max } else { Speed::Factor(1.0) });
     let settings = controller::settings(&build);
-    let engine = arguments.engine;
-    let program = Arc::new(build.compiled.program.clone());
-    let loaded = Loaded::new(build.cpu, program, |program, layout| engine.load(program, layout, StatusBits::All));
+    let loaded = controller::loaded(&build, arguments.engine, StatusBits::All);
     let mut cpu = Cpu::new(loaded.clone(), controller::rack(&build), settings.clone());
     arguments.faults.inject(&mut cpu)?;
     let (path, scenario) = match given {

@@ -2,12 +2,11 @@
 
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
-use sieben_cpu::{Cpu, Loaded, OperatingMode, Restart, StopCause};
+use sieben_cpu::{Cpu, OperatingMode, Restart, StopCause};
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 use sieben_sim::scenario::{Happened, Scenario, ScenarioError};
@@ -161,34 +160,24 @@ struct Outcome {
 /// Records and draws.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     project::spare_sources([&arguments.svg, &arguments.vcd, &arguments.csv, &arguments.record].into_iter().flatten())?;
-    let overrides = arguments.program.overrides()?;
-    let (scenarios, paths): (Vec<&PathBuf>, Vec<&PathBuf>) = arguments.paths.iter().partition(|path| is_scenario(path));
-    let scenarios: Vec<&PathBuf> = scenarios.into_iter().chain(&arguments.scenario).collect();
+    let mut overrides = arguments.program.overrides()?;
+    let (mut scenarios, paths): (Vec<PathBuf>, Vec<PathBuf>) = arguments.paths.iter().cloned().partition(|path| is_scenario(path));
+    scenarios.extend(arguments.scenario.clone());
     if let Some(from) = &arguments.from {
-        return draw(arguments, from, &paths.into_iter().cloned().collect::<Vec<_>>());
+        return draw(arguments, from, &paths);
     }
-    let scenario = match scenarios[..] {
-        [] => None,
-        [path] => {
-            scenario::takes_no_schedule(&arguments.schedule)?;
-            match scenario::read_or_report(path)? {
-                Ok(scenario) => Some((path, scenario)),
-                Err(exit) => return Ok(exit),
-            }
-        }
-        _ => return Err(Failure::usage(Problem::P7001, "one scenario at a time can be run")),
+    let scenario = match scenario::only(&scenarios, &arguments.schedule)? {
+        Ok(scenario) => scenario,
+        Err(exit) => return Ok(exit),
     };
-    let project = arguments.program.load(&paths.iter().map(|path| (*path).clone()).collect::<Vec<_>>())?;
+    let project = arguments.program.load(&paths)?;
     let schedule = arguments.schedule.schedule(&project.settings, SCANS_USUAL)?;
-    let mut overrides = overrides;
     overrides.cpu = overrides.cpu.or(scenario.as_ref().and_then(|(_, scenario)| scenario.cpu));
     let build = match project.compile(overrides, false).or_report(arguments.json) {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
-    let engine = arguments.engine;
-    let program = Arc::new(build.compiled.program.clone());
-    let loaded = Loaded::new(build.cpu, program, |program, layout| engine.load(program, layout, StatusBits::All));
+    let loaded = controller::loaded(&build, arguments.engine, StatusBits::All);
     let mut cpu = Cpu::new(loaded.clone(), controller::rack(&build), controller::settings(&build));
     arguments.faults.inject(&mut cpu)?;
     let recorder = recorder(arguments, &build, &cpu)?;

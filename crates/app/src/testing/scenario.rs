@@ -150,11 +150,6 @@ impl Test<'_> {
         self.scenario.run_with(&self.build.project.symbols, &self.conditions.rules, &mut fresh, onlooker);
     }
 
-    fn loaded(&self, engine: EngineArgument) -> Loaded {
-        let code = Arc::new(self.build.compiled.program.clone());
-        Loaded::new(self.build.cpu, code, |program, layout| engine.load(program, layout, StatusBits::All))
-    }
-
     fn run(&self) -> Outcome {
         let engine = if self.conditions.coverage.is_some() { EngineArgument::Interpreter } else { self.conditions.engine };
         let mut judge = Judge {
@@ -167,7 +162,7 @@ impl Test<'_> {
             differences: Vec::new(),
             counting: self.conditions.coverage.is_some().then(|| Counting::new(&self.looking)),
         };
-        self.go(&self.loaded(engine), &mut judge);
+        self.go(&controller::loaded(&self.build, engine, StatusBits::All), &mut judge);
         if let Some((collector, counting)) = self.conditions.coverage.as_ref().zip(judge.counting.take()) {
             collector.add(&self.build, None, counting.counts);
         }

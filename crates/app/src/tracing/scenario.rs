@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use sieben_cpu::{IoModule, Rack, SimulatedModule};
 use sieben_model::problems::Problem;
@@ -24,12 +24,27 @@ pub(crate) fn is_scenario(path: &Path) -> bool {
 }
 
 /// A scenario says itself what happens when.
-pub(crate) fn takes_no_schedule(schedule: &ScheduleArguments) -> Result<(), Failure> {
+fn takes_no_schedule(schedule: &ScheduleArguments) -> Result<(), Failure> {
     if schedule.is_empty() {
         return Ok(());
     }
     let message = "a scenario says itself what is set and when scans begin, and takes no `--set`, `--at`, `--scans`, `--for`, `--cycle` or `--scan-at`";
     Err(Failure::usage(Problem::P7001, message).help("write it into the scenario, or leave the scenario out"))
+}
+
+/// A scenario with its file, if a verb was given one.
+pub(crate) type Given<'a> = Option<(&'a PathBuf, Scenario)>;
+
+/// The one scenario that a verb runs; what is wrong in it is printed.
+pub(crate) fn only<'a>(paths: &'a [PathBuf], schedule: &ScheduleArguments) -> Result<Result<Given<'a>, Exit>, Failure> {
+    match paths {
+        [] => Ok(Ok(None)),
+        [path] => {
+            takes_no_schedule(schedule)?;
+            Ok(read_or_report(path)?.map(|scenario| Some((path, scenario))))
+        }
+        _ => Err(Failure::usage(Problem::P7001, "one scenario at a time can be run")),
+    }
 }
 
 /// Tells the user that a recording ends before its end.
@@ -40,7 +55,7 @@ pub(crate) fn warn_if_cut_off(path: &Path, scenario: &Scenario) {
 }
 
 /// Reads a scenario; what is wrong in it is printed.
-pub(crate) fn read_or_report(path: &Path) -> Result<Result<Scenario, Exit>, Failure> {
+fn read_or_report(path: &Path) -> Result<Result<Scenario, Exit>, Failure> {
     match read(path) {
         Ok(scenario) => {
             warn_if_cut_off(path, &scenario);
