@@ -17,9 +17,9 @@ use crate::organization_blocks::{self as ob, StartInformation};
 use crate::settings::TimeSource;
 use crate::system;
 
-/// Greatest budget handed out at once: bounds how long a STOP request or the watchdog can go unseen. As machine code that is some
-/// microseconds to some tens of them.
-pub const BUDGET_MAX: i64 = 8192;
+/// Greatest budget handed out at once: bounds how long a STOP request or the watchdog can go unseen. As machine code that is some tens
+/// of microseconds; in real time slower code gets less.
+pub const BUDGET_MAX: i64 = 65_536;
 
 /// What a cycle begins with in real time, where nothing is known yet of how long its safe points take.
 const BUDGET_FIRST: i64 = 1024;
@@ -27,7 +27,8 @@ const BUDGET_FIRST: i64 = 1024;
 /// Least budget in real time: below it, asking would take longer than the program between two safe points.
 const BUDGET_MIN: i64 = 32;
 
-/// How long a budget may take in real time; one that takes longer is halved the next time, one that takes a quarter is doubled.
+/// How long a budget may take in real time; after one that takes longer the next one is as much shorter, after one that takes a quarter
+/// twice as long.
 const BUDGET_US_MAX: u64 = 200;
 
 /// Readings without progress after which a clock is taken to stand still.
@@ -109,7 +110,9 @@ impl Watchdog {
         if self.granted < 0 && self.handed == self.pace {
             let taken_us = now_us.saturating_sub(self.handed_us);
             if taken_us > BUDGET_US_MAX {
-                self.pace = (self.pace / 2).max(BUDGET_MIN);
+                // In proportion: a long budget that turns out to be slow is too long only once.
+                let fits = i64::try_from(self.pace.unsigned_abs().saturating_mul(BUDGET_US_MAX) / taken_us).unwrap_or(BUDGET_MIN);
+                self.pace = fits.max(BUDGET_MIN);
             } else if taken_us < BUDGET_US_MAX / 4 {
                 self.pace = (self.pace * 2).min(BUDGET_MAX);
             }

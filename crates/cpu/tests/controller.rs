@@ -214,7 +214,7 @@ fn slow_loops_ask_the_clock_more_often_than_fast_ones() {
         assert_eq!(cpu.scan_with(&mut clock, None).mode, OperatingMode::Run);
         asked
     };
-    assert!(asked(1) < 15, "budgets grow to 8,192: {}", asked(1));
+    assert!(asked(1) < 15, "budgets grow to 65,536: {}", asked(1));
     assert!((45..60).contains(&asked(100)), "budgets stay at 1,024: {}", asked(100));
     assert!((1400..1600).contains(&asked(1000)), "budgets shrink to 32: {}", asked(1000));
 }

@@ -306,6 +306,72 @@ impl Maker<'_> {
     }
 }
 
+impl Maker<'_> {
+    /// A bit of a turn, or another condition.
+    fn condition(&mut self, index: Variable) -> Var {
+        let number = self.get(index);
+        let bit = |this: &mut Self| {
+            let offset = this.dice.of(&[0, 0, 3, 8, 77, 4000, 5119 - 300]);
+            let place = Place::Indirect { area: Area::SharedData, pointer: number, offset };
+            this.b.load(place, Width::Bit, OnFault::SkipStatement)
+        };
+        let one = bit(self);
+        match self.dice.roll(8) {
+            0 => self.b.compute(Op::Not, &[one]),
+            1..4 => {
+                let other = bit(self);
+                let op = self.dice.of(&[Op::And, Op::AndNot, Op::Or, Op::Xor]);
+                self.b.compute(op, &[one, other])
+            }
+            4 => {
+                let limit = self.dice.of(&[3, 100, 0xFFFF_FFFF]);
+                let limit = self.b.constant(limit);
+                let less = self.b.compute(Op::LtI32, &[number, limit]);
+                self.b.compute(Op::And, &[one, less])
+            }
+            _ => one,
+        }
+    }
+
+    /// A loop that counts bits, or does something else in some of its turns.
+    fn tally(&mut self) {
+        let index = self.variable(Width::DoubleWord);
+        let first = self.dice.of(&[0, 0, 1, 2, 8, 13]);
+        let last = first + self.dice.of(&[0, 40, 55, 56, 62, 63, 64, 65, 111, 112, 119, 120, 300, 300]) as u64;
+        self.begin();
+        let value = self.b.constant(first);
+        self.put(index, value);
+        let head = self.statements;
+        for _ in 0..1 + self.dice.roll(3) {
+            let width = self.dice.of(&[Width::DoubleWord, Width::Word]);
+            let sum = self.variable(width);
+            self.begin();
+            let condition = self.condition(index);
+            let negated = self.dice.roll(3) == 0;
+            let condition = if negated { condition } else { self.b.compute(Op::Not, &[condition]) };
+            self.b.push(Inst::Branch { condition, to: Target(self.statements + 1) });
+            self.begin();
+            let before = self.get(sum);
+            let number = self.dice.of(&[1, 1, 2, 5, 0x7FFF, 0xFFFF_FFFF]);
+            let number = self.b.constant(number);
+            let op = match width {
+                Width::Word => self.dice.of(&[Op::AddU16, Op::AddU16, Op::AddI16Wide, Op::SubU16]),
+                _ => self.dice.of(&[Op::AddU32, Op::AddU32, Op::AddU32, Op::SubU32, Op::XorU32]),
+            };
+            let after = self.b.compute(op, &[before, number]);
+            self.put(sum, after);
+        }
+        self.begin();
+        let number = self.get(index);
+        let one = self.b.constant(1);
+        let next = self.b.compute(Op::AddU32, &[number, one]);
+        self.put(index, next);
+        let limit = self.b.constant(last);
+        let condition = self.b.compute(Op::LeI32, &[next, limit]);
+        self.b.push(Inst::Branch { condition, to: Target(head) });
+    }
+}
+
 /// What the elements of arrays are.
 #[derive(Clone, Copy, PartialEq)]
 enum Elements {
@@ -440,8 +506,9 @@ fn loops(b: &mut Builder, seed: u64) {
     let number = maker.b.constant(1);
     maker.b.push(Inst::Open { register: DataRegister::Shared, number });
     for _ in 0..1 + maker.dice.roll(2) {
-        match maker.dice.roll(8) {
+        match maker.dice.roll(10) {
             0 => maker.bits(),
+            8.. => maker.tally(),
             1..5 => {
                 let inner = maker.dice.roll(2) == 0;
                 maker.smooth(inner);

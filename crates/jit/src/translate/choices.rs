@@ -58,7 +58,7 @@ impl Translator<'_> {
     }
 
     /// Whether a statement computes one value and writes it, and can neither fail nor be entered elsewhere.
-    fn is_plain(&self, statement: u32) -> bool {
+    pub(super) fn is_plain(&self, statement: u32) -> bool {
         let code = &self.native().code;
         if statement as usize >= code.statement_count() {
             return false;

@@ -51,13 +51,14 @@ impl Translator<'_> {
     pub(super) fn enter_block(&mut self) {
         let weight = weight(self.native().code.statement_count());
         let go_on = self.b.create_block();
-        self.count_down(weight, 0, go_on);
+        self.count_down(weight, 0, go_on, go_on);
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
     }
 
-    /// Takes the weight of a safe point from the budget, asks the Host if it is used up, and goes on at `go_on`.
-    pub(super) fn count_down(&mut self, weight: u16, statement: u32, go_on: clif::Block) {
+    /// Takes the weight of a safe point from the budget, asks the Host if it is used up, and goes on at `go_on`, or at `asked` if the
+    /// Host was asked.
+    pub(super) fn count_down(&mut self, weight: u16, statement: u32, go_on: clif::Block, asked: clif::Block) {
         let variable = self.budget();
         let budget = self.b.use_var(variable);
         let left = self.b.ins().iadd_imm_s(budget, -i64::from(weight));
@@ -76,9 +77,15 @@ impl Translator<'_> {
         let statement = self.b.ins().iconst(I64, i64::from(statement));
         let answer = self.ask(Question::SafePoint, &[self.link, code, statement]);
         self.cold = before;
-        let go_on = self.verified(statement_of_head, go_on);
-        self.b.ins().brif(answer, self.leave, &[], go_on, &[]);
+        let asked = self.verified(statement_of_head, asked);
+        self.b.ins().brif(answer, self.leave, &[], asked, &[]);
         self.write_verifications();
+    }
+
+    /// Where a loop goes on behind a safe point at which the Host was asked: with a new budget, turns can be done at once again.
+    fn behind_question(&self, to: u32, arrival: clif::Block) -> clif::Block {
+        let begins = self.at_once.iter().any(|&(index, first, _)| (index, first) == (self.index, to));
+        self.arrivals.get(&to).filter(|it| begins && it.again == Some(arrival)).map_or(arrival, |it| it.block)
     }
 
     pub(super) fn first_with_code(&self, statement: u32) -> u32 {
@@ -133,7 +140,7 @@ impl Translator<'_> {
         let changed = if again.is_some() { written & self.written } else { self.written };
         self.dirty |= changed & !self.dead_at(statement);
         if let Some(head) = again {
-            self.b.seal_block(block);
+            // Behind a safe point the loop may begin anew: see `behind_question`.
             if let Some(it) = smallest {
                 self.promote(&it);
                 self.turns_at_once(&it);
@@ -197,7 +204,8 @@ impl Translator<'_> {
             let weight = weight((self.statement - to) as usize);
             // Who is asked there finds what the loops around both keep.
             let from = std::mem::replace(&mut self.statement, to);
-            self.count_down(weight, to, arrival);
+            let asked = self.behind_question(to, arrival);
+            self.count_down(weight, to, arrival, asked);
             self.statement = from;
         }
     }

@@ -10,6 +10,7 @@ use sieben_engine::ir::Op;
 use super::Translator;
 use super::loops::Loop;
 
+mod bit_sums;
 mod bits;
 mod count;
 mod kernel;
@@ -63,6 +64,9 @@ impl Translator<'_> {
         }
         let Some(plan) = Plan::of(kernel) else { return };
         self.at_once.push((self.index, it.first, it.last));
+        if let Some(sums) = bit_sums::read(&plan) {
+            self.bit_sums_at_once(&plan, &sums, it);
+        }
         for lanes in plan.lanes() {
             Writing::write(self, &plan, it, lanes);
         }
@@ -107,7 +111,7 @@ impl Plan {
             return Vec::new();
         }
         match kernel.inner {
-            Some(_) => vec![4 * least, least],
+            Some(_) => vec![32, least],
             None => vec![2 * least],
         }
     }

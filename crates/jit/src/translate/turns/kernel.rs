@@ -229,6 +229,7 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
         level: Level::Outer,
         written_inside: None,
         temporaries: BTreeMap::new(),
+        choice: None,
     };
     let outer = reader.turn((it.first, it.last))?;
     let mut kernel = reader.kernel;
@@ -255,6 +256,8 @@ struct Reader<'t, 'a> {
     /// What the inner loop writes, once that is known.
     written_inside: Option<BTreeSet<Cell>>,
     temporaries: BTreeMap<u8, Node>,
+    /// The next value that is written stays away where this holds.
+    choice: Option<Node>,
 }
 
 impl Reader<'_, '_> {
@@ -280,6 +283,9 @@ impl Reader<'_, '_> {
                     Inst::Branch { condition, to: Target(to) } if to == first && statement == last && at + 1 == insts.len() => {
                         again = Some(self.get(condition)?);
                     }
+                    Inst::Branch { condition, to: Target(to) } if at + 1 == insts.len() && self.jumps_over_one(statement, to, last) => {
+                        self.choice = Some(self.get(condition)?);
+                    }
                     _ => self.inst(index, inst, &mut steps)?,
                 }
             }
@@ -287,6 +293,12 @@ impl Reader<'_, '_> {
         }
         let weight = weight((last - first) as usize);
         Some(Turn { steps, ends: std::mem::take(&mut self.now), entry: BTreeMap::new(), again: again?, weight })
+    }
+
+    /// Whether a jump at the end of a statement goes over one that can be written as a choice: see `choices`.
+    fn jumps_over_one(&self, statement: u32, to: u32, last: u32) -> bool {
+        let next = statement + 1;
+        to == next + 1 && to <= last && !self.translator.arrivals.contains_key(&next) && self.translator.is_plain(next)
     }
 
     /// Reads the inner loop: once to see what it writes, and once more with what else is known.
@@ -413,8 +425,16 @@ impl Reader<'_, '_> {
                 let value = self.cut(width, value);
                 match self.place(index, place, width, Some(value))? {
                     Reached::Cell(cell) => {
+                        let value = match self.choice.take() {
+                            Some(condition) => {
+                                let before = self.read_cell(cell);
+                                self.choose(condition, before, value)
+                            }
+                            None => value,
+                        };
                         self.now.insert(cell, value);
                     }
+                    Reached::Access(_) if self.choice.is_some() => return None,
                     Reached::Access(access) => steps.push(Step::Access(access)),
                 }
                 Some(())
@@ -440,6 +460,19 @@ impl Reader<'_, '_> {
             _ => Op::Low32,
         };
         self.compute(op, [value; 4])
+    }
+
+    /// What is there already where a condition holds, and else something new: what a number grows by is 0 then.
+    fn choose(&mut self, condition: Node, before: Node, new: Node) -> Node {
+        if let What::Compute(op @ (Op::AddU32 | Op::AddU16), [a, b, ..]) = self.kernel.what(new)
+            && (a == before || b == before)
+        {
+            let added = if a == before { b } else { a };
+            let negated = self.compute(Op::Not, [condition; 4]);
+            let added = self.compute(Op::Gate, [added, negated, added, added]);
+            return self.compute(op, [before, added, before, before]);
+        }
+        self.compute(Op::Select, [condition, before, new, condition])
     }
 
     fn place(&mut self, index: u32, place: Place, width: Width, value: Option<Node>) -> Option<Reached> {
@@ -528,6 +561,10 @@ impl Reader<'_, '_> {
             Op::Low16 if self.is_16_bits(args[0]) => Some(args[0]),
             Op::Gate if constant(1).is_some_and(|condition| condition & 1 != 0) => Some(args[0]),
             Op::Select => constant(0).map(|condition| if condition & 1 != 0 { args[1] } else { args[2] }),
+            Op::Not => match self.kernel.what(args[0]) {
+                What::Compute(Op::Not, [of, ..]) if self.is_bit(of) => Some(of),
+                _ => None,
+            },
             Op::And if constant(1) == Some(1) && self.is_bit(args[0]) => Some(args[0]),
             Op::AndNot if constant(1).is_some_and(|other| other & 1 == 0) && self.is_bit(args[0]) => Some(args[0]),
             _ => None,
@@ -572,7 +609,9 @@ impl Reader<'_, '_> {
         match self.kernel.what(node) {
             What::Read(access) => self.kernel.accesses[access].width == Width::Bit,
             What::Start(_, cell) | What::After(cell) => matches!(self.kernel.kept(cell), Kept::Memory { width: Width::Bit, .. }),
-            What::Compute(op, _) => matches!(op, Op::LeI32 | Op::LtI32 | Op::GeI32 | Op::GtI32 | Op::LeI16 | Op::IsNonzero | Op::Below),
+            What::Compute(op, _) => {
+                matches!(op, Op::Not | Op::LeI32 | Op::LtI32 | Op::GeI32 | Op::GtI32 | Op::LeI16 | Op::IsNonzero | Op::Below)
+            }
             What::Constant(_) => false,
         }
     }

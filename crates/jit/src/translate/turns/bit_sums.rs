@@ -1,0 +1,227 @@
+//! Loops that count bits of arrays, or add the same number for each bit that is set: 56 turns at a time, so many bits of each array
+//! in one register.
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::I64;
+use cranelift_codegen::ir::{BlockArg, Endianness, InstBuilder, MemFlagsData, Value};
+use sieben_engine::ir::Op;
+use sieben_model::address::Width;
+
+use super::super::Translator;
+use super::super::loops::Loop;
+use super::super::promote::Base;
+use super::super::value::Val;
+use super::Plan;
+use super::kernel::{Access, Cell, Kernel, Level, Node, What};
+use super::line::{Carried, Line};
+
+/// Turns at a time: what eight bytes hold at least, wherever in the first one the first bit is.
+const BITS: i64 = 56;
+/// Turns that are left where so many are made: the eight bytes that are read then are bytes of the array.
+const TURNS_MIN: i64 = 64;
+
+/// A cell to which a number is added in some turns.
+struct Sum {
+    cell: Cell,
+    /// The bits of the type.
+    bits: u32,
+    number: Node,
+    /// In which turns.
+    condition: Node,
+}
+
+/// What a loop does that only counts bits.
+pub(super) struct BitSums {
+    sums: Vec<Sum>,
+    lines: Vec<(Cell, Line)>,
+}
+
+/// What a loop does, if it only counts bits of arrays.
+pub(super) fn read(plan: &Plan) -> Option<BitSums> {
+    let kernel = &plan.kernel;
+    let follows = |access: &Access| {
+        let line = kernel.line(access.pointer, Level::Outer);
+        access.value.is_none() && access.width == Width::Bit && access.inside.is_some() && line == Some(Line { step: 1, bits: 32 })
+    };
+    if kernel.inner.is_some() || kernel.accesses.is_empty() || !kernel.accesses.iter().all(follows) {
+        return None;
+    }
+    let (mut sums, mut lines) = (Vec::new(), Vec::new());
+    for (cell, _, carried) in kernel.carried(Level::Outer) {
+        match carried {
+            Carried::Line(line) => lines.push((cell, line)),
+            Carried::Sum { added, bits } => {
+                let What::Compute(Op::Gate, [number, condition, ..]) = kernel.what(added) else { return None };
+                kernel.constant(number)?;
+                is_bits(kernel, condition)?;
+                sums.push(Sum { cell, bits, number, condition });
+            }
+            Carried::Chain | Carried::Nothing => return None,
+        }
+    }
+    (!sums.is_empty()).then_some(BitSums { sums, lines })
+}
+
+/// Whether a value is one of the bits that a turn reads, or logic of them.
+fn is_bits(kernel: &Kernel, node: Node) -> Option<()> {
+    match kernel.what(node) {
+        What::Read(_) => Some(()),
+        What::Compute(Op::Not, [of, ..]) => is_bits(kernel, of),
+        What::Compute(Op::And | Op::AndNot | Op::Or | Op::Xor, [a, b, ..]) => is_bits(kernel, a).and_then(|()| is_bits(kernel, b)),
+        _ => None,
+    }
+}
+
+impl Translator<'_> {
+    /// Writes turns of a loop that counts bits, as many as make whole pieces and as nobody asks about.
+    pub(super) fn bit_sums_at_once(&mut self, plan: &Plan, sums: &BitSums, it: &Loop) {
+        self.settle_bytes();
+        let kernel = &plan.kernel;
+        let weight = i64::from(kernel.outer.weight);
+        let [counter, limit] =
+            [Some(plan.count.counter), plan.count.limit].map(|node| node.map_or(Val::Const(0), |node| self.value_in_front(kernel, node)));
+        let (all, inside) = self.turns(plan.count, counter, limit);
+        let variable = self.budget();
+        let budget = self.b.use_var(variable);
+        let possible = match weight {
+            1 => budget,
+            weight => {
+                let none = self.b.ins().iconst(I64, 0);
+                let budget = self.b.ins().smax(budget, none);
+                self.b.ins().udiv_imm_u(budget, weight)
+            }
+        };
+        let turns = self.b.ins().smin(all, possible);
+        let mut guard = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, turns, TURNS_MIN);
+        if let Some(inside) = inside {
+            guard = self.b.ins().band(guard, inside);
+        }
+        let [enter, go_on, leave] = [self.b.create_block(), self.b.create_block(), self.b.create_block()];
+        self.b.ins().brif(guard, enter, &[], go_on, &[]);
+        self.b.switch_to_block(enter);
+        self.b.seal_block(enter);
+        let more = self.b.ins().iadd_imm_s(turns, -TURNS_MIN);
+        let more = self.b.ins().udiv_imm_u(more, BITS);
+        let pieces = self.b.ins().iadd_imm_s(more, 1);
+        let counts = self.count_bits(kernel, sums, pieces);
+        let made = self.b.ins().imul_imm_s(pieces, BITS);
+        for &(cell, line) in &sums.lines {
+            let before = self.cell_before(kernel, cell);
+            let value = self.behind(before, line, made);
+            self.write_cell(kernel, cell, value);
+        }
+        for (sum, count) in sums.sums.iter().zip(counts) {
+            let before = self.cell_before(kernel, sum.cell);
+            let before = self.int(before);
+            let number = kernel.constant(sum.number).unwrap_or_default() as u32;
+            let count = self.int(Val::Word(count));
+            let added = self.b.ins().imul_imm_u(count, i64::from(number));
+            let sum_now = self.b.ins().iadd(before, added);
+            let value = self.on_line(sum_now, Line { step: 0, bits: sum.bits });
+            self.write_cell(kernel, sum.cell, value);
+        }
+        self.settle_bytes();
+        let taken = self.b.ins().imul_imm_s(made, weight);
+        let left = self.b.ins().isub(budget, taken);
+        self.b.def_var(variable, left);
+        let ended = self.b.ins().icmp(IntCC::Equal, made, all);
+        self.b.ins().brif(ended, leave, &[], go_on, &[]);
+        self.leave_behind(it, leave, left, weight);
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+        self.forget_memory();
+    }
+
+    /// A value of the first turn that rests on nothing that the loop reads.
+    fn value_in_front(&mut self, kernel: &Kernel, node: Node) -> Val {
+        match kernel.what(node) {
+            What::Constant(value) => Val::Const(value),
+            What::Start(_, cell) => self.cell_before(kernel, cell),
+            What::Compute(op, args) => {
+                let args: Vec<Val> = args[..op.arity()].iter().map(|&arg| self.value_in_front(kernel, arg)).collect();
+                self.compute_now(op, &args)
+            }
+            What::After(_) | What::Read(_) => unreachable!("a value on a line rests on no memory"),
+        }
+    }
+
+    /// In how many of the turns of so many pieces each of the conditions holds.
+    fn count_bits(&mut self, kernel: &Kernel, sums: &BitSums, pieces: Value) -> Vec<Value> {
+        // The address of the first byte, and the number of the first bit in it, which stays the same from piece to piece.
+        let places: Vec<(Value, Value, i32)> = kernel
+            .accesses
+            .iter()
+            .map(|access| {
+                let pointer = self.value_in_front(kernel, access.pointer);
+                let pointer = self.int(pointer);
+                let moved = self.b.ins().iadd_imm_u(pointer, i64::from(access.offset));
+                let position = self.b.ins().band_imm_u(moved, 0x00FF_FFFF);
+                let position = self.b.ins().uextend(I64, position);
+                let byte = self.b.ins().ushr_imm_u(position, 3);
+                let (base, start, _) = access.area;
+                let base = if base == Base::Local { self.local } else { self.arena };
+                (self.b.ins().iadd(base, byte), self.b.ins().band_imm_u(position, 7), start)
+            })
+            .collect();
+        let [head, behind] = [self.b.create_block(), self.b.create_block()];
+        let none = self.b.ins().iconst(I64, 0);
+        let mut first = vec![BlockArg::Value(pieces)];
+        first.extend(places.iter().map(|&(address, ..)| BlockArg::Value(address)));
+        first.extend(sums.sums.iter().map(|_| BlockArg::Value(none)));
+        self.b.ins().jump(head, &first);
+        self.b.switch_to_block(head);
+        let parameters: Vec<Value> = first.iter().map(|_| self.b.append_block_param(head, I64)).collect();
+        let (addresses, counts) = parameters[1..].split_at(places.len());
+        let little = MemFlagsData::new().with_notrap().with_endianness(Endianness::Little);
+        let reads: Vec<Value> = places
+            .iter()
+            .zip(addresses)
+            .map(|(&(_, bit, start), &address)| {
+                let word = self.b.ins().load(I64, little, address, start);
+                self.b.ins().ushr(word, bit)
+            })
+            .collect();
+        let mut next = vec![self.b.ins().iadd_imm_s(parameters[0], -1)];
+        next.extend(addresses.iter().map(|&address| self.b.ins().iadd_imm_s(address, BITS / 8)));
+        let counts: Vec<Value> = sums
+            .sums
+            .iter()
+            .zip(counts)
+            .map(|(sum, &count)| {
+                let bits = self.bits_of(kernel, sum.condition, &reads);
+                // The bits of this piece alone.
+                let piece = self.b.ins().ishl_imm_u(bits, 64 - BITS);
+                let ones = self.b.ins().popcnt(piece);
+                self.b.ins().iadd(count, ones)
+            })
+            .collect();
+        next.extend(&counts);
+        let again: Vec<BlockArg> = next.iter().map(|&value| BlockArg::Value(value)).collect();
+        self.b.ins().brif(next[0], head, &again, behind, &[]);
+        self.b.seal_block(head);
+        self.b.switch_to_block(behind);
+        self.b.seal_block(behind);
+        counts
+    }
+
+    /// A condition in all turns of a piece.
+    fn bits_of(&mut self, kernel: &Kernel, node: Node, reads: &[Value]) -> Value {
+        match kernel.what(node) {
+            What::Read(access) => reads[access],
+            What::Compute(Op::Not, [of, ..]) => {
+                let of = self.bits_of(kernel, of, reads);
+                self.b.ins().bnot(of)
+            }
+            What::Compute(op, [a, b, ..]) => {
+                let [a, b] = [a, b].map(|of| self.bits_of(kernel, of, reads));
+                match op {
+                    Op::And => self.b.ins().band(a, b),
+                    Op::AndNot => self.b.ins().band_not(a, b),
+                    Op::Or => self.b.ins().bor(a, b),
+                    _ => self.b.ins().bxor(a, b),
+                }
+            }
+            _ => unreachable!("the condition was looked at"),
+        }
+    }
+}
