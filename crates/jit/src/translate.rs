@@ -116,8 +116,6 @@ struct Program<'a> {
     find: Find<'a>,
     layout: &'a Layout,
     options: Options,
-    /// Whether bits of one byte are written with one store.
-    joins: bool,
 }
 
 /// What a function relies on.
@@ -222,7 +220,7 @@ fn register_offset(register: Register) -> i32 {
 
 impl<'a> Translator<'a> {
     fn new(mut b: FunctionBuilder<'a>, module: &'a mut JITModule, versions: &'a mut Versions, program: Program<'a>, index: usize) -> Self {
-        let Program { functions, blocks, summaries, plans, pointers, find, layout, options, joins } = program;
+        let Program { functions, blocks, summaries, plans, pointers, find, layout, options } = program;
         let entry = b.create_block();
         b.append_block_params_for_function_params(entry);
         b.switch_to_block(entry);
@@ -254,7 +252,7 @@ impl<'a> Translator<'a> {
             changed: 0,
             dirty: 0,
             temporaries: Vec::new(),
-            bytes: Bytes::new(joins),
+            bytes: Bytes::default(),
             words: Words::default(),
             loops: loops::find(&blocks[index].code),
             promoted: Vec::new(),
@@ -317,6 +315,7 @@ impl<'a> Translator<'a> {
 
     /// Writes the statements of the present block.
     fn statements(&mut self) {
+        self.note_bytes();
         let code = &self.native().code;
         for statement in 0..code.statement_count() {
             if !self.ended {

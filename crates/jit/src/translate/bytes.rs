@@ -1,52 +1,76 @@
-//! Bytes at addresses known beforehand, along straight code: bits written to one byte become one store, and a byte that was read is
-//! not read again. Nothing waits and nothing is remembered where somebody else may look at memory or change it, nor where code meets.
+//! Bits at addresses known beforehand, along straight code: bits written to one piece of memory become one store, and a piece that was
+//! read is not read again. Nothing waits and nothing is remembered where somebody else may look at memory or change it, nor where code
+//! meets.
+//!
+//! A piece is four bytes if the code looks at bits of more than one of them and at nothing else in them, else it is one byte: a load of
+//! four bytes behind a store of two of them would have to wait for it.
+
+use std::collections::{HashMap, HashSet};
+use std::ops::Range;
 
 use cranelift_codegen::ir::types::I32;
-use cranelift_codegen::ir::{InstBuilder, Value};
+use cranelift_codegen::ir::{Endianness, InstBuilder, MemFlagsData, Value};
+use sieben_engine::ir::Inst;
 use sieben_model::address::Width;
 
 use super::Translator;
 use super::memory::{Address, Bit, data};
+use super::promote::Base;
 use super::value::Val;
 
-/// Bytes whose new bits wait for their store. More would keep registers that the logic needs.
+/// Pieces whose new bits wait for their store. More would keep registers that the logic needs.
 const WAITING_MAX: usize = 4;
-/// Bytes whose value is remembered; a value that nobody reads again costs nothing.
+/// Pieces whose value is remembered; a value that nobody reads again costs nothing.
 const KNOWN_MAX: usize = 12;
+/// Bytes of a long piece.
+const LONG: i32 = 4;
 
 /// What is known of bytes of memory between two places where it must be as the program left it.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Bytes {
-    waiting_max: usize,
     waiting: Vec<Waiting>,
-    /// Values of bytes in memory, by address, the oldest first. Bits that wait for their store are old here.
-    known: Vec<(Value, i32, Value)>,
+    /// Values of pieces in memory, the oldest first. Bits that wait for their store are old here.
+    known: Vec<(Piece, Value)>,
+    /// Bytes that code looks at bit by bit, and those that it looks at otherwise.
+    of_bits: HashSet<(Base, i32)>,
+    of_others: HashSet<(Base, i32)>,
+    /// Whether the piece that begins at a multiple of four is a long one, as far as that was asked.
+    long: HashMap<(Base, i32), bool>,
 }
 
-/// Bits of one byte that wait for their store.
+/// Bytes that are read and written together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Piece {
+    base: Value,
+    start: i32,
+    bytes: i32,
+}
+
+impl Piece {
+    fn meets(&self, base: Value, bytes: &Range<i32>) -> bool {
+        self.base == base && self.start < bytes.end && bytes.start < self.start + self.bytes
+    }
+
+    /// All its bits.
+    fn mask(&self) -> u32 {
+        if self.bytes == LONG { u32::MAX } else { 0xFF }
+    }
+}
+
+/// Bits of one piece that wait for their store.
 #[derive(Clone, Copy, Debug)]
 struct Waiting {
-    base: Value,
-    offset: i32,
+    piece: Piece,
     /// The bits that were written.
-    mask: u8,
+    mask: u32,
     /// Of them those that are 1 whatever happens.
-    ones: u8,
+    ones: u32,
     /// Of them the others, in 32 bits; bits that were not written are 0. `None` = all 0.
     bits: Option<Value>,
 }
 
-impl Bytes {
-    /// Whether bits of one byte are written with one store.
-    pub(super) fn new(joins: bool) -> Self {
-        Self { waiting_max: if joins { WAITING_MAX } else { 0 }, waiting: Vec::new(), known: Vec::new() }
-    }
-}
-
-impl Waiting {
-    fn is_at(&self, base: Value, offset: i32) -> bool {
-        self.base == base && self.offset == offset
-    }
+fn little() -> MemFlagsData {
+    data().with_endianness(Endianness::Little)
 }
 
 impl Translator<'_> {
@@ -70,17 +94,18 @@ impl Translator<'_> {
             self.remember_word(address, width, value);
             return value;
         };
-        if let Some(waiting) = self.bytes.waiting.iter().find(|waiting| waiting.is_at(base, offset))
-            && waiting.mask & 1 << number != 0
+        let (piece, at) = self.piece_of(base, offset, number);
+        if let Some(waiting) = self.bytes.waiting.iter().find(|waiting| waiting.piece == piece)
+            && waiting.mask & 1 << at != 0
         {
             return match waiting.bits {
-                _ if waiting.ones & 1 << number != 0 => Val::Const(1),
-                Some(bits) => Self::bit_value(bits, number, false),
+                _ if waiting.ones & 1 << at != 0 => Val::Const(1),
+                Some(bits) => Self::bit_value(bits, at, false),
                 None => Val::Const(0),
             };
         }
-        let byte = self.byte_at(base, offset);
-        Self::bit_value(byte, number, false)
+        let bits = self.bits_at(piece);
+        Self::bit_value(bits, at, false)
     }
 
     /// Writes to an address that is known to be there.
@@ -98,28 +123,29 @@ impl Translator<'_> {
         let Address { base, offset, bit } = address;
         let (Width::Bit, Bit::Number(number)) = (width, bit) else {
             self.store_waiting_in(base, offset, width);
-            let end = offset + width.bytes() as i32;
-            self.bytes.known.retain(|&(other, at, _)| other != base || !(offset..end).contains(&at));
+            let written = offset..offset + width.bytes() as i32;
+            self.bytes.known.retain(|(piece, _)| !piece.meets(base, &written));
             self.write(address, width, value);
             self.remember_word(address, width, value);
             return;
         };
         let value = self.force(value);
-        let mut waiting = match self.bytes.waiting.iter().position(|waiting| waiting.is_at(base, offset)) {
+        let (piece, at) = self.piece_of(base, offset, number);
+        let mut waiting = match self.bytes.waiting.iter().position(|waiting| waiting.piece == piece) {
             Some(index) => self.bytes.waiting.remove(index),
-            None => Waiting { base, offset, mask: 0, ones: 0, bits: None },
+            None => Waiting { piece, mask: 0, ones: 0, bits: None },
         };
-        let bit = 1u8 << number;
+        let bit = 1u32 << at;
         if waiting.mask & bit != 0 {
             waiting.ones &= !bit;
-            waiting.bits = waiting.bits.map(|bits| self.b.ins().band_imm_u(bits, i64::from(!bit)));
+            waiting.bits = waiting.bits.map(|bits| self.b.ins().band_imm_u(bits, i64::from(!bit & piece.mask())));
         }
         waiting.mask |= bit;
         match value {
             Val::Const(value) if value & 1 != 0 => waiting.ones |= bit,
             Val::Const(_) => {}
             value => {
-                let new = self.bit_at(value, number);
+                let new = self.bit_at(value, at);
                 waiting.bits = Some(match waiting.bits {
                     Some(bits) => self.b.ins().bor(bits, new),
                     None => new,
@@ -127,36 +153,69 @@ impl Translator<'_> {
             }
         }
         self.bytes.waiting.push(waiting);
-        if self.bytes.waiting.len() > self.bytes.waiting_max {
+        if self.bytes.waiting.len() > WAITING_MAX {
             let oldest = self.bytes.waiting.remove(0);
             self.store_bits(oldest);
         }
     }
 
-    /// A byte as it is in memory, in 32 bits.
-    fn byte_at(&mut self, base: Value, offset: i32) -> Value {
-        if let Some(&(.., byte)) = self.bytes.known.iter().find(|&&(other, at, _)| other == base && at == offset) {
-            return byte;
+    /// Notes which bytes the present block looks at bit by bit, and which otherwise.
+    pub(super) fn note_bytes(&mut self) {
+        for inst in &self.native().code.insts {
+            let (Inst::Load { place, width, .. } | Inst::Store { place, width, .. }) = *inst else { continue };
+            let Some((base, offset)) = self.constant_address(place, width) else { continue };
+            match width {
+                Width::Bit => drop(self.bytes.of_bits.insert((base, offset))),
+                _ => self.bytes.of_others.extend((offset..offset + width.bytes() as i32).map(|offset| (base, offset))),
+            }
         }
-        let byte = self.b.ins().uload8(I32, data(), base, offset);
-        self.remember(base, offset, byte);
-        byte
     }
 
-    fn remember(&mut self, base: Value, offset: i32, byte: Value) {
-        self.bytes.known.retain(|&(other, at, _)| other != base || at != offset);
+    /// The piece with a bit of a byte, and which of its bits that is.
+    fn piece_of(&mut self, base: Value, offset: i32, number: u8) -> (Piece, u8) {
+        let area = if base == self.local { Base::Local } else { Base::Arena };
+        let start = offset & !(LONG - 1);
+        let end = if area == Base::Local { self.local_offset + self.native().local_size as i32 } else { self.layout.size as i32 };
+        let bytes = &mut self.bytes;
+        let long = *bytes.long.entry((area, start)).or_insert_with(|| {
+            let all = || (start..start + LONG).map(|offset| (area, offset));
+            let of_bits = all().filter(|byte| bytes.of_bits.contains(byte)).count();
+            of_bits > 1 && !all().any(|byte| bytes.of_others.contains(&byte)) && start + LONG <= end
+        });
+        if !long {
+            return (Piece { base, start: offset, bytes: 1 }, number);
+        }
+        (Piece { base, start, bytes: LONG }, (offset - start) as u8 * 8 + number)
+    }
+
+    /// A piece as it is in memory, in 32 bits.
+    fn bits_at(&mut self, piece: Piece) -> Value {
+        if let Some(&(_, bits)) = self.bytes.known.iter().find(|(known, _)| *known == piece) {
+            return bits;
+        }
+        let bits = match piece.bytes {
+            LONG => self.b.ins().load(I32, little(), piece.base, piece.start),
+            _ => self.b.ins().uload8(I32, data(), piece.base, piece.start),
+        };
+        self.remember(piece, bits);
+        bits
+    }
+
+    fn remember(&mut self, piece: Piece, bits: Value) {
+        self.bytes.known.retain(|(known, _)| *known != piece);
         if self.bytes.known.len() >= KNOWN_MAX {
             self.bytes.known.remove(0);
         }
-        self.bytes.known.push((base, offset, byte));
+        self.bytes.known.push((piece, bits));
     }
 
-    fn store_bits(&mut self, Waiting { base, offset, mask, ones, bits }: Waiting) {
-        let kept = match mask {
-            u8::MAX => None,
+    fn store_bits(&mut self, Waiting { piece, mask, ones, bits }: Waiting) {
+        let others = piece.mask() & !mask;
+        let kept = match others {
+            0 => None,
             _ => {
-                let old = self.byte_at(base, offset);
-                Some(if mask == ones { old } else { self.b.ins().band_imm_u(old, i64::from(!mask)) })
+                let old = self.bits_at(piece);
+                Some(if mask == ones { old } else { self.b.ins().band_imm_u(old, i64::from(others)) })
             }
         };
         let new = match (kept, bits) {
@@ -165,15 +224,16 @@ impl Translator<'_> {
             (None, None) => self.b.ins().iconst(I32, 0),
         };
         let new = if ones == 0 { new } else { self.b.ins().bor_imm_u(new, i64::from(ones)) };
-        self.b.ins().istore8(data(), new, base, offset);
-        self.remember(base, offset, new);
+        match piece.bytes {
+            LONG => self.b.ins().store(little(), new, piece.base, piece.start),
+            _ => self.b.ins().istore8(data(), new, piece.base, piece.start),
+        };
+        self.remember(piece, new);
     }
 
     fn store_waiting_in(&mut self, base: Value, offset: i32, width: Width) {
-        let end = offset + width.bytes() as i32;
-        while let Some(index) =
-            self.bytes.waiting.iter().position(|waiting| waiting.base == base && (offset..end).contains(&waiting.offset))
-        {
+        let bytes = offset..offset + width.bytes() as i32;
+        while let Some(index) = self.bytes.waiting.iter().position(|waiting| waiting.piece.meets(base, &bytes)) {
             let waiting = self.bytes.waiting.remove(index);
             self.store_bits(waiting);
         }

@@ -222,11 +222,15 @@ impl Translator<'_> {
     pub(super) fn not(&mut self, a: Val) -> Val {
         match self.force(a) {
             Val::Const(a) => Val::Const(!a & 1),
-            Val::At { value, at } => Val::At { value: self.b.ins().bxor_imm_u(value, 1 << at), at },
-            a => {
-                let clean = self.is_clean(a);
+            // What is around the bit may turn, too: there is an instruction for `and not`.
+            Val::At { value, at } => Val::At { value: self.b.ins().bnot(value), at },
+            a if self.is_clean(a) => {
                 let a = self.bit(a);
-                Val::Bit { value: self.b.ins().bxor_imm_u(a, 1), clean }
+                Val::Bit { value: self.b.ins().bxor_imm_u(a, 1), clean: true }
+            }
+            a => {
+                let a = self.bit(a);
+                Val::Bit { value: self.b.ins().bnot(a), clean: false }
             }
         }
     }

@@ -167,18 +167,8 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
         let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
         let target = module.target_config();
         let for_loops = for_loops.as_ref().filter(|_| plans[index].loops);
-        let joins = for_loops.is_none();
-        let program = Program {
-            functions: &functions,
-            blocks,
-            summaries: &summaries,
-            plans: &plans,
-            pointers: &pointers,
-            find,
-            layout,
-            options,
-            joins,
-        };
+        let program =
+            Program { functions: &functions, blocks, summaries: &summaries, plans: &plans, pointers: &pointers, find, layout, options };
         let mut found = Translator::new(builder, &mut module, &mut versions, program, index).run(known, target);
         pinned.append(&mut found.pinned);
         asked.append(&mut found.asked);

@@ -111,7 +111,7 @@ impl Translator<'_> {
             Val::Const(value) => self.b.ins().iconst(I32, (value & 1) as i64),
             Val::Word(value) => self.b.ins().ireduce(I32, value),
             Val::Int(value) | Val::Bit { value, .. } => value,
-            Val::At { value, at } => self.b.ins().ushr_imm_u(value, i64::from(at)),
+            Val::At { value, at } => self.moved(value, at, 0),
             Val::Real { bits, .. } => bits,
             Val::Lazy(_) => unreachable!("it was written"),
         }
@@ -128,13 +128,9 @@ impl Translator<'_> {
         }
     }
 
-    /// Moves bits from one position to another.
+    /// Moves bits from one position to another, around the end: what is at the others does not count.
     fn moved(&mut self, value: Value, from: u8, to: u8) -> Value {
-        match from.cmp(&to) {
-            std::cmp::Ordering::Equal => value,
-            std::cmp::Ordering::Greater => self.b.ins().ushr_imm_u(value, i64::from(from - to)),
-            std::cmp::Ordering::Less => self.b.ins().ishl_imm_u(value, i64::from(to - from)),
-        }
+        if from == to { value } else { self.b.ins().rotr_imm_u(value, i64::from(from.wrapping_sub(to) % 32)) }
     }
 
     /// The bit at a position of 32, the others 0.
@@ -143,12 +139,12 @@ impl Translator<'_> {
             Val::Bit { value, clean: true } => self.moved(value, 0, to),
             Val::At { value, at } => {
                 let value = self.moved(value, at, to);
-                self.b.ins().band_imm_u(value, 1 << to)
+                self.b.ins().band_imm_u(value, 1_i64 << to)
             }
             value => {
                 let value = self.bit(value);
                 let value = self.moved(value, 0, to);
-                self.b.ins().band_imm_u(value, 1 << to)
+                self.b.ins().band_imm_u(value, 1_i64 << to)
             }
         }
     }
