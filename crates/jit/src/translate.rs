@@ -37,6 +37,8 @@ mod instance_pointer;
 mod intrinsics;
 mod loops;
 mod memory;
+mod nesting;
+mod outside;
 mod program;
 mod promote;
 mod ranges;
@@ -54,13 +56,14 @@ use inlining::{Outer, Plan};
 use instance::Instance;
 use instance_pointer::InstancePointer;
 use loops::Loop;
+use outside::{Functions, Outside};
 #[cfg(feature = "aarch64")]
 pub(crate) use program::aarch64_bytes;
-use program::{Find, Functions, block_signature, words_signature};
+use program::{Find, block_signature, words_signature};
 pub(crate) use program::{Options, listing, program};
 use promote::{Base, Promoted};
 use ranges::Ranges;
-use value::{Lazy, Val};
+use value::{Constants, Lazy, Val};
 use versions::{Known, Versions};
 use words::Words;
 
@@ -122,8 +125,6 @@ struct Program<'a> {
 struct Found {
     /// Data blocks that it takes to be as they were loaded.
     pinned: BTreeSet<u16>,
-    /// What it asks in cold code.
-    asked: BTreeSet<Question>,
 }
 
 struct Translator<'a> {
@@ -141,9 +142,8 @@ struct Translator<'a> {
     options: Options,
     /// Data blocks that the code takes to be as they were loaded.
     pinned: BTreeSet<u16>,
-    /// What is asked in cold code.
-    asked: BTreeSet<Question>,
     lazies: Vec<Lazy>,
+    constants: Constants,
     /// The cold block that is being written, if it is one.
     cold: Option<clif::Block>,
     references: HashMap<FuncId, FuncRef>,
@@ -243,8 +243,8 @@ impl<'a> Translator<'a> {
             layout,
             options,
             pinned: BTreeSet::new(),
-            asked: BTreeSet::new(),
             lazies: Vec::new(),
+            constants: Constants::default(),
             cold: None,
             references: HashMap::new(),
             variables,
@@ -310,7 +310,7 @@ impl<'a> Translator<'a> {
         self.b.ins().return_(&[leave]);
         self.b.seal_all_blocks();
         self.b.finalize(target);
-        Found { pinned: self.pinned, asked: self.asked }
+        Found { pinned: self.pinned }
     }
 
     /// Writes the statements of the present block.
@@ -505,7 +505,10 @@ impl<'a> Translator<'a> {
         }
         let answer = match self.cold {
             Some(_) => self.ask_at_gate(question, &arguments),
-            None => self.call(self.functions.questions[&question], &arguments),
+            None => {
+                let function = self.functions.get(self.module, Outside::Question(question));
+                self.call(function, &arguments)
+            }
         };
         self.take_promoted();
         answer
@@ -698,6 +701,15 @@ impl<'a> Translator<'a> {
         if spared && self.options.inline && used.iter().all(|arg| arg.constant().is_none()) {
             return self.later(op, args);
         }
+        if self.options.inline
+            && let Some(value) = self.nesting(op, used)
+        {
+            return value;
+        }
+        // Whether a REAL overflowed is a question for Rust code, and nearly always nobody wants to know.
+        if self.options.inline && matches!(op, Op::RealOverflow | Op::RealProductOverflow | Op::RealExpOverflow) {
+            return self.later(op, args);
+        }
         self.compute_now(op, used)
     }
 
@@ -713,7 +725,8 @@ impl<'a> Translator<'a> {
             return value;
         }
         let args: Vec<Value> = args.iter().map(|&arg| self.word(arg)).collect();
-        Val::Word(self.call(self.functions.ops[&op], &args))
+        let function = self.functions.get(self.module, Outside::Op(op));
+        Val::Word(self.call(function, &args))
     }
 
     /// Takes a register from memory, where Rust code changed it.

@@ -138,7 +138,7 @@ impl Translator<'_> {
         let bit = 1u32 << at;
         if waiting.mask & bit != 0 {
             waiting.ones &= !bit;
-            waiting.bits = waiting.bits.map(|bits| self.b.ins().band_imm_u(bits, i64::from(!bit & piece.mask())));
+            waiting.bits = waiting.bits.map(|bits| self.masked(bits, !bit & piece.mask()));
         }
         waiting.mask |= bit;
         match value {
@@ -215,13 +215,13 @@ impl Translator<'_> {
             0 => None,
             _ => {
                 let old = self.bits_at(piece);
-                Some(if mask == ones { old } else { self.b.ins().band_imm_u(old, i64::from(others)) })
+                Some(if mask == ones { old } else { self.masked(old, others) })
             }
         };
         let new = match (kept, bits) {
             (Some(kept), Some(bits)) => self.b.ins().bor(kept, bits),
             (Some(value), None) | (None, Some(value)) => value,
-            (None, None) => self.b.ins().iconst(I32, 0),
+            (None, None) => self.constant(0),
         };
         let new = if ones == 0 { new } else { self.b.ins().bor_imm_u(new, i64::from(ones)) };
         match piece.bytes {

@@ -1,7 +1,6 @@
 //! Functions between machine code and the Rust code that it asks seldom: they keep every register, so that what is asked in cold code
 //! costs the hot code around it none. The answer is in the run.
 
-use std::collections::{BTreeSet, HashMap};
 use std::mem::offset_of;
 
 use cranelift_codegen::Context;
@@ -12,7 +11,8 @@ use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::JITModule;
 use cranelift_module::{FuncId, Linkage, Module, ModuleError};
 
-use super::{Functions, TRUSTED, Translator, words_signature};
+use super::outside::{Functions, Outside};
+use super::{TRUSTED, Translator, words_signature};
 use crate::ask::Question;
 use crate::run::Run;
 
@@ -23,41 +23,37 @@ fn signature(module: &JITModule, question: Question) -> Signature {
     signature
 }
 
-/// Names the gates of all questions.
-pub(super) fn declare(module: &mut JITModule) -> Result<HashMap<Question, FuncId>, Box<ModuleError>> {
-    let mut gates = HashMap::new();
-    for &question in Question::ALL {
-        let signature = signature(module, question);
-        let name = format!("gate_{}", question.ask().name);
-        gates.insert(question, module.declare_function(&name, Linkage::Local, &signature)?);
-    }
-    Ok(gates)
+/// Names the gate of a question.
+pub(super) fn declare(module: &mut JITModule, question: Question) -> Result<FuncId, Box<ModuleError>> {
+    let signature = signature(module, question);
+    module.declare_function(&format!("gate_{}", question.ask().name), Linkage::Local, &signature).map_err(Box::new)
 }
 
 /// Writes the gates that code uses; their bytes.
 pub(super) fn define(
     module: &mut JITModule,
     functions: &Functions,
-    used: &BTreeSet<Question>,
     context: &mut Context,
     frontend: &mut FunctionBuilderContext,
 ) -> Result<usize, Box<ModuleError>> {
     let mut bytes = 0;
-    for question in used {
-        context.func.signature = signature(module, *question);
+    for question in functions.at_gates() {
+        context.func.signature = signature(module, question);
         let mut b = FunctionBuilder::new(&mut context.func, frontend);
         let entry = b.create_block();
         b.append_block_params_for_function_params(entry);
         b.switch_to_block(entry);
         b.seal_block(entry);
         let arguments = b.block_params(entry).to_vec();
-        let function = module.declare_func_in_func(functions.questions[question], b.func);
+        let function = functions.get(module, Outside::Question(question));
+        let function = module.declare_func_in_func(function, b.func);
         let call = b.ins().call(function, &arguments);
         let answer = b.inst_results(call)[0];
         b.ins().store(TRUSTED, answer, arguments[0], offset_of!(Run<'_, '_>, answer) as i32);
         b.ins().return_(&[]);
         b.finalize(module.target_config());
-        module.define_function(functions.gates[question], context)?;
+        let gate = functions.get(module, Outside::Gate(question));
+        module.define_function(gate, context)?;
         bytes += context.compiled_code().map_or(0, |code| code.code_buffer().len());
         module.clear_context(context);
     }
@@ -67,8 +63,8 @@ pub(super) fn define(
 impl Translator<'_> {
     /// Asks in cold code, through a gate; the answer.
     pub(super) fn ask_at_gate(&mut self, question: Question, arguments: &[Value]) -> Value {
-        self.asked.insert(question);
-        let reference = self.reference(self.functions.gates[&question]);
+        let gate = self.functions.get(self.module, Outside::Gate(question));
+        let reference = self.reference(gate);
         self.b.ins().call(reference, arguments);
         self.b.ins().load(I64, TRUSTED, self.run, offset_of!(Run<'_, '_>, answer) as i32)
     }

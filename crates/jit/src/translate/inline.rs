@@ -23,8 +23,8 @@ impl Translator<'_> {
             Op::AndNot | Op::ResetBit => self.and_not(a, b),
             Op::Or | Op::SetBit => self.or(a, b),
             Op::Xor => self.xor(a, b),
-            Op::ScanAnd => { let first = self.and(a, b); let later = self.or(first, c); self.choose_bit(d, later, b) }
-            Op::ScanAndNot => { let bit = self.not(b); let first = self.and_not(a, b); let later = self.or(first, c); self.choose_bit(d, later, bit) }
+            Op::ScanAnd => self.choose_bit(d, |to| { let first = to.and(a, b); to.or(first, c) }, |_| b),
+            Op::ScanAndNot => self.choose_bit(d, |to| { let first = to.and_not(a, b); to.or(first, c) }, |to| to.not(b)),
             Op::ScanOr => { let kept = self.and(a, c); self.or(kept, b) }
             Op::ScanOrNot => { let bit = self.not(b); let kept = self.and(a, c); self.or(kept, bit) }
             Op::ScanXor => { let kept = self.and(a, c); self.xor(kept, b) }
@@ -225,8 +225,8 @@ impl Translator<'_> {
             // What is around the bit may turn, too: there is an instruction for `and not`.
             Val::At { value, at } => Val::At { value: self.b.ins().bnot(value), at },
             a if self.is_clean(a) => {
-                let a = self.bit(a);
-                Val::Bit { value: self.b.ins().bxor_imm_u(a, 1), clean: true }
+                let (a, one) = (self.bit(a), self.constant(1));
+                Val::Bit { value: self.b.ins().bxor(a, one), clean: true }
             }
             a => {
                 let a = self.bit(a);
@@ -296,7 +296,7 @@ impl Translator<'_> {
         }
     }
 
-    fn xor(&mut self, a: Val, b: Val) -> Val {
+    pub(super) fn xor(&mut self, a: Val, b: Val) -> Val {
         match (self.force(a), self.force(b)) {
             (Val::Const(bit), other) | (other, Val::Const(bit)) => {
                 if bit & 1 != 0 {
@@ -332,14 +332,16 @@ impl Translator<'_> {
         self.b.ins().uextend(I64, flag)
     }
 
-    fn choose_bit(&mut self, condition: Val, a: Val, b: Val) -> Val {
+    /// One of two bits; where the condition is known, the other one is not written.
+    pub(super) fn choose_bit(&mut self, condition: Val, a: impl FnOnce(&mut Self) -> Val, b: impl FnOnce(&mut Self) -> Val) -> Val {
         match self.force(condition) {
             Val::Const(condition) => {
-                let chosen = if condition & 1 != 0 { a } else { b };
+                let chosen = if condition & 1 != 0 { a(self) } else { b(self) };
                 let chosen = self.force(chosen);
                 self.as_bit(chosen)
             }
             condition => {
+                let (a, b) = (a(self), b(self));
                 let (condition, a, b) = (self.flag(condition), self.bit(a), self.bit(b));
                 Val::Bit { value: self.b.ins().select(condition, a, b), clean: false }
             }
@@ -481,12 +483,12 @@ impl Translator<'_> {
         let bit = self.xor(inner, inverted);
         let saved_and_bit = self.and(saved, bit);
         let both = self.or(saved_and_bit, or);
-        let after_and = self.choose_bit(fc, both, bit);
+        let after_and = self.choose_bit(fc, |_| both, |_| bit);
         let kept = self.and(saved, fc);
         let after_or = self.or(kept, bit);
         let after_xor = self.xor(kept, bit);
-        let other = self.choose_bit(is_or, after_or, after_and);
-        self.choose_bit(is_xor, after_xor, other)
+        let other = self.choose_bit(is_or, |_| after_or, |_| after_and);
+        self.choose_bit(is_xor, |_| after_xor, |_| other)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Compiles all blocks of a program: declares their functions, has each one written, and makes machine code of it.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 use cranelift_codegen::Context;
 use cranelift_codegen::control::ControlPlane;
@@ -10,14 +10,13 @@ use cranelift_codegen::isa::OwnedTargetIsa;
 use cranelift_codegen::settings::{self, Configurable};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::{ArenaMemoryProvider, JITBuilder, JITModule};
-use cranelift_module::{FuncId, Linkage, Module, ModuleError, ModuleReloc};
+use cranelift_module::{FuncId, Module, ModuleError, ModuleReloc};
 use sieben_engine::Layout;
-use sieben_engine::ir::Op;
 use sieben_model::block::BlockId;
 
+use super::outside::{self, Functions};
 use super::versions::Versions;
 use super::{Program, Translator, analysis, gates, inlining, instance_pointer};
-use crate::ask::Question;
 use crate::entry::Generation;
 use crate::jit::Native;
 use crate::run::LINKS;
@@ -71,7 +70,7 @@ fn instruction_set(level: &str, algorithm: &str, machine: Machine) -> Result<Own
     set(&mut flags, "is_pic", "false")?;
     // Frames have a limit below, so that nobody has to look for the end of the stack.
     set(&mut flags, "enable_probestack", "false")?;
-    let verified = cfg!(debug_assertions) || machine != Machine::This;
+    let verified = machine != Machine::This;
     set(&mut flags, "enable_verifier", if verified { "true" } else { "false" })?;
     // Nobody unwinds through machine code: what it calls never panics into it.
     set(&mut flags, "unwind_info", "false")?;
@@ -142,15 +141,9 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     let insts: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
     let reserve = insts.saturating_mul(RESERVED_BYTES_PER_INSTRUCTION).clamp(RESERVED_BYTES_MIN, RESERVED_BYTES_MAX);
     builder.memory_provider(Box::new(ArenaMemoryProvider::new_with_size(reserve).map_err(|error| error.to_string())?));
-    for &op in Op::ALL {
-        builder.symbol(op.name(), op.shim());
-    }
-    for &question in Question::ALL {
-        let ask = question.ask();
-        builder.symbol(ask.name, ask.address);
-    }
+    builder.symbol_lookup_fn(Box::new(outside::address));
     let mut module = JITModule::new(builder);
-    let functions = declare(&mut module).map_err(|error| error.to_string())?;
+    let functions = Functions::default();
     let mut versions = Versions::new(&mut module, blocks, find, options.optimize).map_err(|error| error.to_string())?;
     let pointers = instance_pointer::follow(blocks, find);
     let summaries = analysis::summaries(blocks, find, options.exact);
@@ -159,7 +152,7 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     let mut frontend = FunctionBuilderContext::new();
     let mut listing = String::new();
     let (mut bytes, mut frame_max) = (0, 0);
-    let (mut pinned, mut asked) = (BTreeSet::new(), BTreeSet::new());
+    let mut pinned = BTreeSet::new();
     while let Some((index, known, function)) = versions.next() {
         // Whoever clears the context forgets it.
         context.set_disasm(options.lists);
@@ -171,7 +164,6 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
             Program { functions: &functions, blocks, summaries: &summaries, plans: &plans, pointers: &pointers, find, layout, options };
         let mut found = Translator::new(builder, &mut module, &mut versions, program, index).run(known, target);
         pinned.append(&mut found.pinned);
-        asked.append(&mut found.asked);
         if options.lists {
             listing += &format!("{}\n{}\n{}\n", blocks[index].id, blocks[index].code, context.func.display());
         }
@@ -182,7 +174,7 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
         frame_max = frame_max.max(frame_bytes(code));
         module.clear_context(&mut context);
     }
-    bytes += gates::define(&mut module, &functions, &asked, &mut context, &mut frontend).map_err(|error| error.to_string())?;
+    bytes += gates::define(&mut module, &functions, &mut context, &mut frontend).map_err(|error| error.to_string())?;
     let blocks = (0..blocks.len()).map(|index| versions.general(index)).collect();
     Ok(Written { module, blocks, bytes, frame_max, pinned, listing })
 }
@@ -216,14 +208,6 @@ fn frame_bytes(code: &[u8]) -> usize {
     long.or(short).unwrap_or(0)
 }
 
-/// All functions that code refers to, beside those of blocks.
-pub(super) struct Functions {
-    pub(super) ops: HashMap<Op, FuncId>,
-    pub(super) questions: HashMap<Question, FuncId>,
-    /// The same for cold code: see `gates`.
-    pub(super) gates: HashMap<Question, FuncId>,
-}
-
 pub(super) fn block_signature(module: &JITModule) -> clif::Signature {
     words_signature(module, 4)
 }
@@ -233,20 +217,4 @@ pub(super) fn words_signature(module: &JITModule, arguments: usize) -> clif::Sig
     signature.params = vec![AbiParam::new(I64); arguments];
     signature.returns.push(AbiParam::new(I64));
     signature
-}
-
-fn declare(module: &mut JITModule) -> Result<Functions, Box<ModuleError>> {
-    let mut ops = HashMap::new();
-    for &op in Op::ALL {
-        let signature = words_signature(module, op.arity());
-        ops.insert(op, module.declare_function(op.name(), Linkage::Import, &signature)?);
-    }
-    let mut questions = HashMap::new();
-    for &question in Question::ALL {
-        let ask = question.ask();
-        let signature = words_signature(module, ask.arguments);
-        questions.insert(question, module.declare_function(ask.name, Linkage::Import, &signature)?);
-    }
-    let gates = gates::declare(module)?;
-    Ok(Functions { ops, questions, gates })
 }

@@ -10,6 +10,7 @@ use sieben_engine::texts::HEAD;
 use sieben_model::address::{Area, Width};
 
 use super::memory::{Address, Bit, data, moved};
+use super::outside::Outside;
 use super::promote::Base;
 use super::value::Val;
 use super::{After, Translator};
@@ -54,7 +55,7 @@ impl Translator<'_> {
         let kind = self.b.ins().iconst(I64, text_kind(action, to.1, from.1) as i64);
         let [from, to] = [source.1, target.1].map(|address| self.arena_byte(address));
         let piece = self.piece(action, piece);
-        let function = self.functions.questions[&Question::Text];
+        let function = self.functions.get(self.module, Outside::Question(Question::Text));
         let result = self.call(function, &[self.run, kind, from, to, piece]);
         if action.writes() {
             self.take_promoted_in(&written);

@@ -39,6 +39,17 @@ pub(super) struct Lazy {
 /// Waiting operations that rest on one another: more would make cold code long.
 const DEPTH_MAX: u8 = 6;
 
+/// Constants that the present code has named: one name serves all that use it there. Without Cranelift's optimizations nobody else
+/// would see that they are the same, and each name takes its time to compile.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Constants([Option<(clif::Block, i64, Value)>; 64]);
+
+impl Default for Constants {
+    fn default() -> Self {
+        Self([None; 64])
+    }
+}
+
 impl Val {
     /// The constant, if it is one.
     pub(super) fn constant(self) -> Option<u64> {
@@ -52,10 +63,25 @@ impl Val {
 impl Translator<'_> {
     /// The result of an operation, written when it is needed.
     pub(super) fn later(&mut self, op: Op, args: [Val; 4]) -> Val {
-        let depth = args[..op.arity()].iter().map(|&arg| self.depth(arg)).max().unwrap_or(0) + 1;
+        let result = self.waits(op, &args[..op.arity()]);
+        if self.depth(result) > DEPTH_MAX { self.force(result) } else { result }
+    }
+
+    /// The same for an operation of which there can be only a few that rest on one another.
+    pub(super) fn waits(&mut self, op: Op, used: &[Val]) -> Val {
+        let depth = used.iter().map(|&arg| self.depth(arg)).max().unwrap_or(0).saturating_add(1);
         let number = self.lazies.len() as u32;
+        let mut args = [Val::Const(0); 4];
+        args[..used.len()].copy_from_slice(used);
         self.lazies.push(Lazy { op, args, depth, written: None });
-        if depth > DEPTH_MAX { self.force(Val::Lazy(number)) } else { Val::Lazy(number) }
+        Val::Lazy(number)
+    }
+
+    /// The operation that calculates a value, and its arguments, if it was to wait.
+    pub(super) fn waiting(&self, value: Val) -> Option<(Op, [Val; 4])> {
+        let Val::Lazy(number) = value else { return None };
+        let Lazy { op, args, .. } = self.lazies[number as usize];
+        Some((op, args))
     }
 
     fn depth(&self, value: Val) -> u8 {
@@ -80,6 +106,28 @@ impl Translator<'_> {
         result
     }
 
+    /// A constant in 32 bits.
+    pub(super) fn constant(&mut self, constant: u32) -> Value {
+        let constant = i64::from(constant);
+        let Some(block) = self.b.current_block() else { return self.b.ins().iconst(I32, constant) };
+        let slot = constant as usize % self.constants.0.len();
+        if let Some((other, known, value)) = self.constants.0[slot]
+            && other == block
+            && known == constant
+        {
+            return value;
+        }
+        let value = self.b.ins().iconst(I32, constant);
+        self.constants.0[slot] = Some((block, constant, value));
+        value
+    }
+
+    /// The bits of a mask, in 32 bits.
+    pub(super) fn masked(&mut self, value: Value, mask: u32) -> Value {
+        let mask = self.constant(mask);
+        self.b.ins().band(value, mask)
+    }
+
     /// As 64 bits.
     pub(super) fn word(&mut self, value: Val) -> Value {
         match self.force(value) {
@@ -97,7 +145,7 @@ impl Translator<'_> {
     /// The low 32 bits.
     pub(super) fn int(&mut self, value: Val) -> Value {
         match self.force(value) {
-            Val::Const(value) => self.b.ins().iconst(I32, i64::from(value as u32)),
+            Val::Const(value) => self.constant(value as u32),
             Val::Word(value) => self.b.ins().ireduce(I32, value),
             Val::Int(value) => value,
             Val::Real { bits, .. } => bits,
@@ -108,7 +156,7 @@ impl Translator<'_> {
     /// Bit 0, with anything above it, in 32 bits.
     pub(super) fn bit(&mut self, value: Val) -> Value {
         match self.force(value) {
-            Val::Const(value) => self.b.ins().iconst(I32, (value & 1) as i64),
+            Val::Const(value) => self.constant(value as u32 & 1),
             Val::Word(value) => self.b.ins().ireduce(I32, value),
             Val::Int(value) | Val::Bit { value, .. } => value,
             Val::At { value, at } => self.moved(value, at, 0),
@@ -130,7 +178,11 @@ impl Translator<'_> {
 
     /// Moves bits from one position to another, around the end: what is at the others does not count.
     fn moved(&mut self, value: Value, from: u8, to: u8) -> Value {
-        if from == to { value } else { self.b.ins().rotr_imm_u(value, i64::from(from.wrapping_sub(to) % 32)) }
+        if from == to {
+            return value;
+        }
+        let by = self.constant(u32::from(from.wrapping_sub(to) % 32));
+        self.b.ins().rotr(value, by)
     }
 
     /// The bit at a position of 32, the others 0.
@@ -139,12 +191,12 @@ impl Translator<'_> {
             Val::Bit { value, clean: true } => self.moved(value, 0, to),
             Val::At { value, at } => {
                 let value = self.moved(value, at, to);
-                self.b.ins().band_imm_u(value, 1_i64 << to)
+                self.masked(value, 1 << to)
             }
             value => {
                 let value = self.bit(value);
                 let value = self.moved(value, 0, to);
-                self.b.ins().band_imm_u(value, 1_i64 << to)
+                self.masked(value, 1 << to)
             }
         }
     }
@@ -160,7 +212,7 @@ impl Translator<'_> {
             value @ (Val::Const(_) | Val::Bit { clean: true, .. }) => self.bit(value),
             value => {
                 let bit = self.bit(value);
-                self.b.ins().band_imm_u(bit, 1)
+                self.masked(bit, 1)
             }
         }
     }
