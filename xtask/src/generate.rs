@@ -14,6 +14,7 @@ use sieben_model::problems::Problem;
 use sieben_sim::devices::{Direction, Kind};
 
 use crate::compatibility;
+use crate::functions;
 use crate::signal_diagrams;
 use crate::tidy::pages::PROBLEM_PAGES;
 use crate::workspace::{self, TextFile};
@@ -56,6 +57,7 @@ pub fn pages(files: &[TextFile]) -> Vec<TextFile> {
         }
         pages.push(TextFile { path: signal_diagrams::PAGE.to_owned(), text });
     }
+    pages.extend(functions::pages(files));
     if let Some(summary) = old("docs/SUMMARY.md") {
         pages.push(TextFile { path: "docs/SUMMARY.md".to_owned(), text: table_of_contents(summary, files) });
     }
@@ -284,7 +286,7 @@ fn table_of_contents(summary: &str, files: &[TextFile]) -> String {
 }
 
 /// Replaces the lines between a begin mark and the next end mark.
-fn between(text: &str, begin: &str, lines: &str) -> String {
+pub(crate) fn between(text: &str, begin: &str, lines: &str) -> String {
     match text.split_once(begin).and_then(|(before, rest)| Some((before, rest.split_once(LIST_END)?.1))) {
         Some((before, after)) => format!("{before}{begin}{lines}{LIST_END}{after}"),
         None => text.to_owned(),

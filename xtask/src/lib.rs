@@ -4,6 +4,7 @@
 
 pub mod aarch64;
 mod compatibility;
+pub mod functions;
 pub mod fuzz;
 pub mod generate;
 pub mod markdown;

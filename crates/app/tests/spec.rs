@@ -230,6 +230,11 @@ fn the_st_pages_come_true() {
 }
 
 #[test]
+fn the_function_pages_come_true() {
+    run_folder("functions");
+}
+
+#[test]
 fn the_awlsim_pages_come_true() {
     run_folder("awlsim");
 }

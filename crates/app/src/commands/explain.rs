@@ -1,4 +1,6 @@
-//! `sieben explain WORD`: an instruction, a problem code, a CPU type, a status bit, an OB, a system function or an event, from the tables.
+//! `sieben explain WORD`: an instruction, a function, a problem code, a CPU type, a status bit, an OB, a system function or an event, from the tables.
+
+mod functions;
 
 use clap::Args;
 use sieben_cpu::CyclicInterrupt;
@@ -67,11 +69,12 @@ const REASONS_SHOWN: usize = 4;
 /// The pages of all problems by code.
 const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/problem_pages.rs"));
 
-/// Explain an instruction, a problem code, a CPU type, a system function or an event.
+/// Explain an instruction, a function, a problem code, a CPU type, a system function or an event.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
   sieben explain SPB           an instruction, in either mnemonic language\n  \
   sieben explain 'A('          quote what the shell would take\n  \
+  sieben explain TON           a function or a block of Structured Text\n  \
   sieben explain P2001         a problem code\n  \
   sieben explain 416-3         a CPU type\n  \
   sieben explain RLO           a bit of the status word\n  \
@@ -79,7 +82,7 @@ const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/problem_pages
   sieben explain 'SFC 46'      a system function, also by its name: STP\n  \
   sieben explain CONCAT        a block of the library, also by its number: FC 2\n  \
   sieben explain 16#4562       an event of the diagnostic buffer\n  \
-  sieben explain instructions  all of them; also: problems, cpu, library, system, ob")]
+  sieben explain instructions  all of them; also: functions, problems, cpu, library, system, ob")]
 pub(crate) struct Arguments {
     /// What to explain
     #[arg(required = true, value_name = "WORD", allow_hyphen_values = true)]
@@ -104,6 +107,9 @@ fn explain(word: &str) -> Option<String> {
     if word.eq_ignore_ascii_case("instructions") {
         return Some(instructions());
     }
+    if word.eq_ignore_ascii_case("functions") {
+        return Some(functions::functions());
+    }
     if word.eq_ignore_ascii_case("library") {
         return Some(library_blocks());
     }
@@ -113,9 +119,11 @@ fn explain(word: &str) -> Option<String> {
     if word.eq_ignore_ascii_case("OB") {
         return Some(organization_blocks());
     }
-    instruction(word)
-        .or_else(|| system_function(word))
-        .or_else(|| library_block(word))
+    // `MOD` is an instruction and a function, `TON` a function block and SFB 4.
+    let programs: Vec<String> =
+        [instruction(word), functions::function(word), system_function(word), library_block(word)].into_iter().flatten().collect();
+    (!programs.is_empty())
+        .then(|| programs.join("\n"))
         .or_else(|| event(word))
         .or_else(|| Problem::from_code(word).map(problem))
         .or_else(|| CpuType::by_name(word).map(cpu_type))
@@ -322,7 +330,8 @@ fn unknown(word: &str) -> Failure {
         .chain(CpuType::ALL.iter().map(|cpu| cpu.name))
         .chain(Instruction::ALL.iter().flat_map(|row| [row.english(), row.german()]))
         .chain(library::ALL.iter().map(|block| block.name))
-        .chain(["cpu", "problems", "instructions", "library", "system"]);
+        .chain(functions::names())
+        .chain(["cpu", "problems", "instructions", "functions", "library", "system"]);
     let failure = Failure::usage(Problem::P7007, format!("nothing is known about `{word}`"));
     // `315` is how everybody calls the 315-2PN/DP; as letters it is too far away to look alike.
     let family: Vec<String> = CpuType::ALL

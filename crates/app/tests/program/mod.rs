@@ -17,6 +17,7 @@ use sieben_model::symbols::SymbolTable;
 pub(crate) type Load = fn(&Program, &Layout) -> Arc<dyn Engine>;
 
 /// All engines that a program runs on.
+#[allow(dead_code)] // Not every test that shares this file runs what it compiles.
 pub(crate) const ENGINES: &[(&str, Load)] = &[("interpreter", Interpreter::load), ("jit", machine_code)];
 
 /// Machine code and nothing else: a program of a page or vector that stays in the interpreter would be tested twice there.
@@ -25,6 +26,7 @@ fn machine_code(program: &Program, layout: &Layout) -> Arc<dyn Engine> {
 }
 
 /// A text and its translation into the other mnemonic language, with the language's name.
+#[allow(dead_code)] // Only the pages are in both languages.
 pub(crate) fn both_languages(english: &str) -> Result<[(&'static str, Mnemonics, String); 2], String> {
     let german = convert(english, Mnemonics::English, Mnemonics::German)?;
     let back = convert(&german, Mnemonics::German, Mnemonics::English)?;

@@ -246,15 +246,15 @@ impl Checker<'_> {
         let (mut passed, mut before) = (Vec::new(), Vec::new());
         for (index, (argument, (typed, place))) in call.arguments.iter().zip(arguments).enumerate() {
             let formal = match &argument.name {
+                // The one input of a conversion is IN, whatever the block of the library calls it.
+                Some(name) if name.is("IN") && formals.len() == 1 => formals.first().copied(),
                 Some(name) => formals.iter().copied().find(|formal| name.is(&formal.name)),
                 None => formals.get(index).copied(),
             };
             let Some(formal) = formal else {
-                self.report(
-                    Problem::P6219,
-                    argument.span,
-                    format!("this function takes {}", super::calls::counted(formals.len(), "parameter")),
-                );
+                let takes = super::calls::counted(formals.len(), "parameter");
+                let inputs = formals.iter().map(|formal| format!("`{}`", formal.name)).collect::<Vec<_>>().join(", ");
+                self.report(Problem::P6219, argument.span, format!("this function takes {takes}: {inputs}"));
                 return Typed::Poison;
             };
             if !self.input(formal, typed, place, &mut passed, &mut before) {
@@ -291,7 +291,8 @@ impl Checker<'_> {
             "UPPER_BOUND" if self.dialect.judge(Construct::OpenArray) != Judgement::Reject => {
                 return Some(self.bound_function(End::High, call, span));
             }
-            "SIZEOF" | "WORD_TO_BLOCK_DB" | "BLOCK_DB_TO_WORD" => None,
+            "SIZEOF" => None,
+            "WORD_TO_BLOCK_DB" | "BLOCK_DB_TO_WORD" if self.dialect.switches().s5_functions => None,
             _ => return None,
         };
         let [ast::Argument { value: Some(argument), direction: Direction::Assigned, .. }] = call.arguments.as_slice() else {

@@ -290,7 +290,9 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 let own = items.types.values().map(|found| found.declaration.name.text.as_str());
                 let scope = self.types.scope;
                 let nearest = scope.nearest(last, own.chain(blocks));
-                let nearest = nearest.or_else(|| scope.nearest(last, DataType::all_words().chain(["ARRAY", "STRUCT"])));
+                // A type that only other dialects have is not what was meant.
+                let words = DataType::all_words().chain(["ARRAY", "STRUCT"]);
+                let nearest = nearest.or_else(|| scope.nearest(last, words.filter(|word| !word.eq_ignore_ascii_case(last))));
                 let nearest = nearest.or_else(|| scope.nearest_symbol(last));
                 let message = format!("there is no type `{full_name}`{}", did_you_mean(nearest));
                 self.report(Problem::P3015, span, message);

@@ -197,7 +197,8 @@ fn by_name(call: &Call<'_>) -> Answer {
             return None;
         }
     }
-    if dialect.judge(Construct::LongTypes) == Judgement::Reject && DataType::from_word(to).is_none() {
+    let rejects = |construct| dialect.judge(construct) == Judgement::Reject;
+    if rejects(Construct::LongTypes) && DataType::from_word(to).is_none() || rejects(Construct::S5Time) && call.name.contains("S5TIME") {
         return None;
     }
     Some((|| {

@@ -5,6 +5,7 @@
 mod bits;
 pub(crate) mod build;
 mod call;
+pub mod catalogue;
 mod conversions;
 mod generic;
 pub mod library;
