@@ -20,8 +20,10 @@ use crate::workspace;
 use mutator::Mutator;
 pub use targets::{TARGETS, Target};
 
-/// An input that takes longer is a hang. Inputs are at most [`mutator::INPUT_BYTES_MAX`] bytes long and take milliseconds.
+/// An input that takes more CPU time is a hang. Inputs are at most [`mutator::INPUT_BYTES_MAX`] bytes long and take milliseconds.
 const HANG: Duration = Duration::from_secs(10);
+/// So is one that takes longer by the clock, for it waits for something. On a busy machine an input waits for the processor, too.
+const WAITS: Duration = Duration::from_secs(100);
 /// How often the parent looks at the child.
 const POLL: Duration = Duration::from_millis(20);
 /// Stack of the thread that runs a target: the same as a program's main thread has on Linux.
@@ -88,7 +90,7 @@ fn parent(target: &Target, seed: u64, share: Duration) -> Result<bool, String> {
     let folder = workspace::root().join("target/fuzz");
     fs::create_dir_all(&folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
     let progress = folder.join(format!("{}-{}.progress", target.name, std::process::id()));
-    fs::write(&progress, 0u64.to_le_bytes()).map_err(|error| format!("cannot write {}: {error}", progress.display()))?;
+    fs::write(&progress, [0; Progress::BYTES]).map_err(|error| format!("cannot write {}: {error}", progress.display()))?;
     let program = std::env::current_exe().map_err(|error| format!("cannot find myself: {error}"))?;
     let mut child = Command::new(program)
         .args(["fuzz", "--target", target.name, "--seed", &seed.to_string(), "--child"])
@@ -97,7 +99,7 @@ fn parent(target: &Target, seed: u64, share: Duration) -> Result<bool, String> {
         .map_err(|error| format!("cannot start the child: {error}"))?;
     let started = Instant::now();
     let end = watch(&mut child, &progress, started, share);
-    let executions = read_progress(&progress);
+    let executions = Progress::read(&progress).input;
     let _ = fs::remove_file(&progress);
     let seconds = started.elapsed().as_secs_f64();
     let what = match end {
@@ -126,21 +128,21 @@ enum End {
 }
 
 fn watch(child: &mut Child, progress: &Path, started: Instant, share: Duration) -> End {
-    let mut seen = (0, Instant::now());
+    let mut seen = (Progress::read(progress), Instant::now());
     let end = loop {
         std::thread::sleep(POLL);
         if !matches!(child.try_wait(), Ok(None)) {
             return End::Died;
         }
-        let now = read_progress(progress);
-        if now != seen.0 {
+        let now = Progress::read(progress);
+        if now.input != seen.0.input {
             seen = (now, Instant::now());
         }
         // A share that ends while an input runs waits for it: it may be a hang.
         if started.elapsed() >= share && seen.1.elapsed() < POLL * 5 {
             break End::TimeUp;
         }
-        if seen.1.elapsed() >= HANG {
+        if now.cpu_time.saturating_sub(seen.0.cpu_time) >= HANG || seen.1.elapsed() >= WAITS {
             break End::Hung;
         }
     };
@@ -149,23 +151,47 @@ fn watch(child: &mut Child, progress: &Path, started: Instant, share: Duration) 
     end
 }
 
-fn read_progress(path: &Path) -> u64 {
-    let mut bytes = [0; 8];
-    match File::open(path).and_then(|mut file| file.read_exact(&mut bytes)) {
-        Ok(()) => u64::from_le_bytes(bytes),
-        Err(_) => 0,
+/// What the child tells in its file: two numbers of eight bytes.
+#[derive(Clone, Copy, Default)]
+struct Progress {
+    /// The number of the running input.
+    input: u64,
+    /// What the child took of the processor, in nanoseconds in the file.
+    cpu_time: Duration,
+}
+
+impl Progress {
+    const BYTES: usize = 16;
+    const CPU_TIME_AT: u64 = 8;
+
+    fn read(path: &Path) -> Self {
+        let mut bytes = [0; Self::BYTES];
+        match File::open(path).and_then(|mut file| file.read_exact(&mut bytes)) {
+            Ok(()) => {
+                let all = u128::from_le_bytes(bytes);
+                Self { input: all as u64, cpu_time: Duration::from_nanos((all >> 64) as u64) }
+            }
+            Err(_) => Self::default(),
+        }
     }
 }
 
-/// Runs inputs until the parent ends it; the number of the running input stands in the progress file.
+/// What this process took of the processor.
+fn cpu_time() -> Duration {
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
+    Duration::new(time.tv_sec as u64, time.tv_nsec as u32)
+}
+
+/// Runs inputs until the parent ends it, and tells which one is running.
 fn child(target: &'static Target, options: &Options, progress: &Path) -> Result<(), String> {
-    let mut file = OpenOptions::new().write(true).open(progress).map_err(|error| format!("cannot open {}: {error}", progress.display()))?;
+    let open = || OpenOptions::new().write(true).open(progress).map_err(|error| format!("cannot open {}: {error}", progress.display()));
+    let write = |file: &mut File, at: u64, number: u64| file.seek(SeekFrom::Start(at)).and_then(|_| file.write_all(&number.to_le_bytes()));
+    let (mut inputs, mut times) = (open()?, open()?);
     let mutator = Mutator::new(target, options.seed);
     let work = move || {
         for number in 0u64.. {
-            let written = file.seek(SeekFrom::Start(0)).and_then(|_| file.write_all(&number.to_le_bytes()));
             // The parent is gone, or the disk is full: nobody would learn what an input does.
-            if written.is_err() {
+            if write(&mut inputs, 0, number).is_err() {
                 return;
             }
             (target.fuzz)(&mutator.input(number));
@@ -173,6 +199,11 @@ fn child(target: &'static Target, options: &Options, progress: &Path) -> Result<
     };
     let thread =
         std::thread::Builder::new().stack_size(STACK_BYTES).spawn(work).map_err(|error| format!("cannot start a thread: {error}"))?;
+    while !thread.is_finished() {
+        std::thread::sleep(POLL);
+        // Without it the parent goes by the clock.
+        let _ = write(&mut times, Progress::CPU_TIME_AT, cpu_time().as_nanos() as u64);
+    }
     thread.join().map_err(|_| "the target panicked".to_owned())
 }
 
