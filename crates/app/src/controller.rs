@@ -49,7 +49,7 @@ pub(crate) fn load(build: &Build, engine: EngineArgument, status: StatusBits, se
 
 /// Why the CPU stopped, with the line of the source that did it.
 pub(crate) fn stop_text(build: &Build, cause: &StopCause) -> String {
-    let mut text = format!("The CPU went to STOP: {}\n", cause.text);
+    let mut text = format!("The CPU went to STOP: {}\n", named(build, &cause.text, cause.place));
     if let Some(Line { file, number, statement }) = stop_line(build, cause) {
         text.push_str(&format!("  {file}:{number}:  {statement}\n"));
     }
@@ -91,6 +91,12 @@ pub(crate) fn name_in_source(build: &Build, block: BlockId) -> Option<&str> {
 pub(crate) fn place_text(build: &Build, place: FaultPlace) -> String {
     let named = name_in_source(build, place.block);
     named.map_or_else(|| sieben_cpu::diagnostic_buffer::place_text(place), |name| format!("in `{name}`"))
+}
+
+/// What the CPU tells of something that happened at a statement, with the place as people call it: the CPU knows no names.
+pub(crate) fn named(build: &Build, text: &str, place: Option<FaultPlace>) -> String {
+    let Some(place) = place.filter(|place| name_in_source(build, place.block).is_some()) else { return text.to_owned() };
+    text.replace(&sieben_cpu::diagnostic_buffer::place_text(place), &place_text(build, place))
 }
 
 /// The line of a statement.

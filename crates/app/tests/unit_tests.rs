@@ -236,6 +236,9 @@ fn a_failing_test_shows_line_values_types_and_message() {
     ] {
         assert!(seen.stdout.contains(wanted), "wanted: {wanted}\n{}", seen.stdout);
     }
+    // A block of ST has a number that nobody gave it.
+    let block = "FUNCTION_BLOCK Mixer\nVAR p : POINTER TO INT; END_VAR\np^ := 1;\nEND_FUNCTION_BLOCK\n";
+    run(&format!("{block}TEST 'nowhere'\n  VAR m : Mixer; END_VAR\n  m();\nEND_TEST\n")).code(1).stdout("area code 16#00 (in `Mixer`)");
     let folder = folder("TEST 'doubles'\n  ASSERT_EQ(FC5(21), %MW0, 'not yet');\nEND_TEST\n");
     let json = folder.run(&["test", "--json"]).code(1).json();
     let test = &json["tests"][0];

@@ -78,7 +78,7 @@ pub(crate) const NOT_THERE: Text = ["not there", "nicht da"];
 
 pub(crate) const BREAKPOINT: Text = ["breakpoint {0}: {1}", "Haltepunkt {0}: {1}"];
 pub(crate) const NO_BREAKPOINTS: Text = ["no breakpoints", "keine Haltepunkte"];
-pub(crate) const BREAKPOINT_SEEN: Text = ["{0}: {1} (seen {2} times)", "{0}: {1} ({2}-mal gesehen)"];
+pub(crate) const BREAKPOINT_SEEN: Text = ["{0}: {1} (seen {2}×)", "{0}: {1} ({2}× gesehen)"];
 pub(crate) const BETWEEN: Text = [", between two statements", ", zwischen zwei Anweisungen"];
 pub(crate) const PAUSES_BEFORE: Text = ["pauses before {0}:{1}: {2}", "hält vor {0}:{1}: {2}"];
 pub(crate) const MOVED: Text = ["no statement stands there; ", "dort steht keine Anweisung; "];

@@ -116,7 +116,8 @@ fn verdict(build: &Build, cpu: &Cpu, cause: &StopCause) -> Verdict {
     let failed = cpu.failed_assertion();
     let line = controller::stop_line(build, cause);
     Verdict::Failed(Box::new(Wrong {
-        message: failed.map_or_else(|| format!("the CPU went to STOP: {}", cause.text), ToString::to_string),
+        message: failed
+            .map_or_else(|| format!("the CPU went to STOP: {}", controller::named(build, &cause.text, cause.place)), ToString::to_string),
         place: line.as_ref().map(|line| (line.file.clone(), line.number)),
         statement: line.map(|line| line.statement),
         block: cause.place.map(place_text),

@@ -265,7 +265,7 @@ fn failed(build: &Build, test: &Test, wrong: &runner::Wrong, conditions: &Condit
     }
     let value = |index: usize| wrong.values.get(index).map(|value| (value.value.clone(), value.data_type.clone()));
     Wrong {
-        message: wrong.message.clone(),
+        message: controller::named(build, &wrong.message, wrong.place),
         place: Some((sources.file(span.file).name.clone(), line)),
         statement: Some(source_line(build, span)),
         block: None,
