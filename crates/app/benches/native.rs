@@ -1,4 +1,5 @@
-//! Machine code beside C: `cargo bench -p sieben-app --bench native`.
+//! Machine code beside C: `cargo bench -p sieben-app --bench native [NAME [listing]]`; with `listing` the machine code of these programs is
+//! printed instead.
 //!
 //! The same programs in STL and, by hand, in C (`benches/*.c`), compiled by the system's `cc -O3`, take turns in one run. A figure is the
 //! best of all turns, as CPU time of the thread, because other work on the machine only ever adds time.
@@ -110,6 +111,10 @@ fn main() {
             continue;
         }
         let program = compiled("bench.awl", &case.stl);
+        if env::args().nth(2).is_some_and(|word| word == "listing") {
+            println!("{}", Jit::listing(&program, &load(&program, Interpreter::load).machine.memory.layout).expect("machine code"));
+            continue;
+        }
         let [c, tuned] = [&[][..], &["-march=native"]].map(|flags: &[&str]| c_program(&case.name, &case.c, "main.c", flags, index));
         let mut interpreted = load(&program, Interpreter::load);
         let mut count = Count::default();
