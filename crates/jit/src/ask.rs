@@ -66,7 +66,7 @@ asks! {
     Text = text(kind, from, to, piece);
     /// Runs an intrinsic; the result is in `run.value`.
     TryIntrinsic = try_intrinsic(site, a, b, c);
-    /// Opens a data block; its registers are in `run.registers`.
+    /// Opens a data block; its registers are those of the machine.
     TryOpen = try_open(site, number);
     /// Asks the Host about what failed.
     Failed = failed(link, site);
@@ -104,7 +104,7 @@ impl Run<'_, '_> {
 
     /// Puts the registers where access finds them.
     fn show_registers(&mut self) {
-        self.scratch.file[..Register::COUNT].copy_from_slice(&self.registers);
+        self.scratch.file[..Register::COUNT].copy_from_slice(&self.context.machine.registers.to_words());
     }
 
     /// Puts the value of a place's pointer there.
@@ -283,7 +283,7 @@ impl Run<'_, '_> {
         let (id, local_size) = (self.block(code as usize).id, self.block(code as usize).local_size);
         let interrupted = self.scratch.links[depth];
         let local = self.local_range(depth).end;
-        let saved = access::registers(&self.registers);
+        let saved = self.context.machine.registers.clone();
         let [shared, instance] = open_blocks(&saved);
         let origin = Origin::Interrupt { registers: Box::new(saved), deliver: deliver.map(|var| (var, 0)) };
         if let Err(abort) = self.context.machine.push_frame(id, code, local_size, 0, origin) {
@@ -295,7 +295,7 @@ impl Run<'_, '_> {
             self.take_back();
             return self.leave(Some(exit));
         }
-        self.registers = Registers::fresh().to_words();
+        self.context.machine.registers = Registers::fresh();
         access::write_start_information(self.context.machine, information);
         // The block may call as deep as its class allows.
         let layout = &self.context.machine.memory.layout;
@@ -305,7 +305,6 @@ impl Run<'_, '_> {
         if called_only || too_deep || !self.compiled.fits(&self.context.machine.memory) {
             // Too deep for machine code, or data blocks are not as it takes them to be (a system function may change them and be
             // followed by an interrupt), or the code relies on a caller: the frame of the block begins in the interpreter.
-            access::store_file(self.context.machine, &self.registers);
             return self.leave(None);
         }
         let (kept, limits) = (self.kept, (self.link_max, self.local_end));
@@ -331,7 +330,7 @@ impl Run<'_, '_> {
         self.interrupts -= 1;
         (self.link_max, self.local_end) = limits;
         if let Origin::Interrupt { registers, deliver } = frame.origin {
-            self.registers = registers.to_words();
+            machine.registers = *registers;
             self.value = deliver.map_or(0, |(_, value)| u64::from(value));
         }
         GO_ON
@@ -345,7 +344,8 @@ impl Run<'_, '_> {
         if self.link_address(depth + 1) as u64 > self.link_max || (local + size) as u64 > self.local_end {
             return self.ask_no_room(link, site);
         }
-        let caller = access::caller_registers(&self.registers);
+        let mut registers = self.context.machine.registers.to_words();
+        let caller = access::caller_registers(&registers);
         let own = self.scratch.links[depth];
         let end = own.parameters_end + 4 * passed as u64;
         let next = &mut self.scratch.links[depth + 1];
@@ -356,15 +356,18 @@ impl Run<'_, '_> {
         next.parameters_end = end;
         (next.shared, next.instance) = (caller.shared, caller.instance);
         (next.mcr_active, next.nesting) = (caller.mcr_active, caller.nesting);
-        self.registers[Register::Nesting as usize] = 0;
-        self.registers[Register::Ma as usize] = 0;
-        access::after_call(&mut self.registers);
+        registers[Register::Nesting as usize] = 0;
+        registers[Register::Ma as usize] = 0;
+        access::after_call(&mut registers);
+        access::store_file(self.context.machine, &registers);
         let compiled = self.compiled;
         if compiled.generation.call(code, self, local, self.link_address(depth + 1)) {
             return LEAVE;
         }
-        access::restore_caller(&mut self.registers, &caller);
-        access::after_call(&mut self.registers);
+        let mut registers = self.context.machine.registers.to_words();
+        access::restore_caller(&mut registers, &caller);
+        access::after_call(&mut registers);
+        access::store_file(self.context.machine, &registers);
         GO_ON
     }
 
@@ -387,9 +390,10 @@ impl Run<'_, '_> {
         if let Reaction::Stop(reason) = &mut reaction {
             reason.place.get_or_insert(place);
         }
-        self.take_registers();
-        access::after_call(&mut self.registers);
-        access::store_file(self.context.machine, &self.registers);
+        self.check_open_blocks();
+        let mut registers = self.context.machine.registers.to_words();
+        access::after_call(&mut registers);
+        access::store_file(self.context.machine, &registers);
         self.context.machine.parameters.truncate(first);
         let fits = self.follow_frames() && self.compiled.fits(&self.context.machine.memory);
         let (code, inst) = parts(site);
@@ -494,8 +498,10 @@ extern "C" fn try_intrinsic(run: &mut Run<'_, '_>, site: u64, a: u64, b: u64, c:
 extern "C" fn try_open(run: &mut Run<'_, '_>, site: u64, number: u64) -> u64 {
     let Inst::Open { register, .. } = run.inst(site) else { unreachable!("a site of `try_open` is an open") };
     let register: DataRegister = register;
-    match access::open(run.context.machine, &mut run.registers, register, number) {
+    let mut registers = run.context.machine.registers.to_words();
+    match access::open(run.context.machine, &mut registers, register, number) {
         Ok(()) => {
+            access::store_file(run.context.machine, &registers);
             run.check_open_blocks();
             0
         }

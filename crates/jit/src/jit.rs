@@ -5,13 +5,13 @@ use std::sync::{Arc, OnceLock};
 
 use sieben_engine::ir::{Callee, Code, Inst, Place, Target};
 use sieben_engine::machine::memory::DataBlockEntry;
-use sieben_engine::machine::{Memory, Register, Registers};
+use sieben_engine::machine::{Memory, Registers};
 use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
 use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
 
 use crate::entry::Generation;
-use crate::run::{Areas, Run, Scratch, areas};
+use crate::run::{Areas, Limits, Run, Scratch, areas};
 use crate::translate::{self, Options};
 
 /// More parameters at one call are left to the interpreter: every activation has room for as many.
@@ -102,6 +102,19 @@ impl Source {
         statements <= OPTIMIZED_STATEMENTS_MAX && loops <= OPTIMIZED_LOOPS_MAX && accesses <= OPTIMIZED_ACCESSES_MAX
     }
 
+    /// Organization blocks that may begin as machine code, by number. One whose local data have no room ends with a fault.
+    fn outermost(&self) -> Box<[u32]> {
+        let begins = |block: &Native| {
+            let room = self.layout.local_class.min(self.layout.local.len());
+            block.id.kind == BlockKind::OrganizationBlock && block.local_size as usize <= room
+        };
+        let found =
+            || self.blocks.iter().zip(0..).filter(|(block, _)| begins(block)).map(|(block, code)| (usize::from(block.id.number), code));
+        let mut outermost = vec![NONE; found().map(|(number, _)| number + 1).max().unwrap_or(0)];
+        found().for_each(|(number, code)| outermost[number] = code);
+        outermost.into_boxed_slice()
+    }
+
     /// Compiles all blocks.
     pub(crate) fn compile(&self, options: Options) -> Result<Jit, String> {
         let options = Options { asks_before_writing: self.asks_before_writing, ..options };
@@ -112,6 +125,9 @@ impl Source {
             (number, DataBlockEntry { base: range.start as u32, length: range.len() as u32, read_only })
         };
         let compiled = Compiled {
+            outermost: self.outermost(),
+            scratch_parameters: Scratch::parameters(self.parameters_max),
+            limits: Limits::new(&self.layout),
             interpreter: Arc::clone(&self.interpreter),
             blocks: Arc::clone(&self.blocks),
             generation,
@@ -125,9 +141,17 @@ impl Source {
     }
 }
 
+/// No block.
+const NONE: u32 = u32::MAX;
+
 /// A program in both forms.
 #[derive(Debug)]
 pub(crate) struct Compiled {
+    /// Organization blocks that may begin as machine code, by number: their places in the list, or [`NONE`].
+    outermost: Box<[u32]>,
+    /// Parameters for which a run needs room.
+    scratch_parameters: usize,
+    pub(crate) limits: Limits,
     pub(crate) interpreter: Arc<Interpreter>,
     pub(crate) blocks: Arc<[Native]>,
     pub(crate) generation: Generation,
@@ -150,7 +174,7 @@ impl Compiled {
 
     /// Whether no data block is protected, or the code asks before it writes. One may have been restored that SFC 85 made in another program.
     fn protects(&self, memory: &Memory) -> bool {
-        self.asks_before_writing || memory.data_blocks.is_as_laid_out() || !memory.data_blocks.iter().flatten().any(|entry| entry.read_only)
+        self.asks_before_writing || !memory.data_blocks.iter().flatten().any(|entry| entry.read_only)
     }
 }
 
@@ -163,9 +187,6 @@ pub enum StatusBits {
     /// and HOLD, and when an organization block has ended.
     Needed,
 }
-
-/// The registers with which organization blocks begin.
-const FRESH: [u64; Register::COUNT] = Registers::fresh().to_words();
 
 /// A loaded program as machine code; shared by any number of CPUs of the same layout.
 #[derive(Debug)]
@@ -239,19 +260,24 @@ impl Jit {
     /// Whether this run can be machine code: nobody watches statements, and the machine is laid out as the code was compiled for.
     fn fits(&self, machine: &Machine) -> bool {
         let memory = &machine.memory;
-        let arena = memory.arena.len();
         let known = self.known_layout.get().is_some_and(|known| Arc::ptr_eq(known, &memory.layout));
-        if !known && *memory.layout == self.layout {
-            // Somebody else may have been first; then this layout is compared again each time.
-            let _ = self.known_layout.set(Arc::clone(&memory.layout));
-        }
-        (known || *memory.layout == self.layout)
+        (known || self.is_my_layout(&memory.layout))
             // Data blocks that another program created may lie behind what this one knows.
-            && arena >= self.layout.size
+            && memory.arena.len() >= self.layout.size
             && machine.timers.len() == usize::from(self.layout.timers)
             && machine.counters.len() == usize::from(self.layout.counters)
-            && self.compiled.fits(memory)
-            && self.compiled.protects(memory)
+            && (memory.data_blocks.is_as_laid_out() || self.compiled.fits(memory) && self.compiled.protects(memory))
+    }
+
+    /// Whether a layout is the one that the code was compiled for.
+    #[cold]
+    fn is_my_layout(&self, layout: &Arc<Layout>) -> bool {
+        let is_it = **layout == self.layout;
+        if is_it {
+            // Somebody else may have been first; then this layout is compared again each time.
+            let _ = self.known_layout.set(Arc::clone(layout));
+        }
+        is_it
     }
 
     /// Whether machine code may begin with these registers: the open data blocks lie inside the arena, and the code of organization blocks
@@ -263,19 +289,28 @@ impl Jit {
             && inside(registers.di_base, registers.di_length)
     }
 
+    /// The organization block in the list, if it may begin as machine code on this machine.
+    fn begins(&self, context: &Context<'_>, entry: &Entry) -> Option<u32> {
+        let machine = &*context.machine;
+        let code = *self.compiled.outermost.get(usize::from(entry.block.number))?;
+        // The code of other blocks relies on a caller.
+        let begins = code != NONE
+            && entry.block.kind == BlockKind::OrganizationBlock
+            && entry.registers.as_ref().is_none_or(|registers| self.begins_with(registers, machine.memory.arena.len()))
+            && context.tracer.is_none()
+            && self.fits(machine);
+        begins.then_some(code)
+    }
+
+    #[inline]
     fn run_native(&self, context: &mut Context<'_>, code: u32, entry: &Entry) -> Exit {
-        let mut scratch = Scratch::take(self.compiled.parameters_max);
-        let registers = entry.registers.as_ref().map_or(FRESH, Registers::to_words);
-        let mut run = Run::new(context, &self.compiled, &mut scratch, registers);
-        let local = run.local_start();
-        let parameters = run.parameters_start();
-        let first = &mut run.scratch.links[0];
-        (first.code, first.site, first.local) = (u64::from(code), 0, local as u64);
-        (first.parameters, first.parameters_end) = (parameters, parameters);
-        run.limit_outermost();
-        let start = run.context.machine.memory.layout.local.start;
+        let mut scratch = Scratch::take(self.compiled.scratch_parameters);
+        context.machine.registers = match &entry.registers {
+            Some(registers) => registers.clone(),
+            None => Registers::fresh(),
+        };
         let local_size = self.compiled.blocks[code as usize].local_size as usize;
-        let information = &mut run.context.machine.memory.arena[start..];
+        let information = &mut context.machine.memory.arena[self.layout.local.start..];
         match information.first_chunk_mut() {
             // Of a length that is known it is two instructions.
             Some(whole) if local_size >= entry.start_information.len() => *whole = entry.start_information,
@@ -284,20 +319,29 @@ impl Jit {
                 information[..length].copy_from_slice(&entry.start_information[..length]);
             }
         }
-        let link = run.link_address(0);
+        let mut run = Run::new(context, &self.compiled, &mut scratch);
+        let (local, link, parameters) = (run.local_start(), run.link_address(0), run.parameters_start());
+        let first = &mut run.scratch.links[0];
+        (first.code, first.site, first.local) = (u64::from(code), 0, local as u64);
+        (first.parameters, first.parameters_end) = (parameters, parameters);
         let left = self.compiled.generation.call(code as usize, &mut run, local, link);
-        let exit = run.exit.take();
+        if left {
+            return self.leave(run.exit.take(), run.budget, scratch, context);
+        }
         let machine = &mut *run.context.machine;
         machine.budget = run.budget;
-        if !left {
-            machine.registers = Registers::from_words(&run.registers);
-            machine.frames.clear();
-            machine.parameters.clear();
-        }
+        // Whoever was asked was shown frames.
+        machine.frames.clear();
+        machine.parameters.clear();
         scratch.keep();
-        if !left {
-            return Exit::Finished;
-        }
+        Exit::Finished
+    }
+
+    /// The end of a run that was left.
+    #[cold]
+    fn leave(&self, exit: Option<Exit>, budget: i64, scratch: Box<Scratch>, context: &mut Context<'_>) -> Exit {
+        context.machine.budget = budget;
+        scratch.keep();
         match exit {
             Some(exit) => exit,
             // Where the interpreter takes over is no safe point: nobody is to see that it does.
@@ -308,23 +352,13 @@ impl Jit {
 
 impl Engine for Jit {
     fn run(&self, context: &mut Context<'_>, entry: &Entry) -> Exit {
-        let Ok(code) = self.compiled.blocks.binary_search_by_key(&entry.block, |block| block.id) else { return Exit::Finished };
-        let code = code as u32;
-        let local_size = self.compiled.blocks[code as usize].local_size as usize;
         context.machine.frames.clear();
         context.machine.parameters.clear();
-        let begins = entry.registers.as_ref().is_none_or(|registers| self.begins_with(registers, context.machine.memory.arena.len()));
-        // The code of other blocks relies on a caller.
-        let called_only = entry.block.kind != BlockKind::OrganizationBlock;
-        if called_only
-            || !begins
-            || context.tracer.is_some()
-            || local_size > self.layout.local_class.min(self.layout.local.len())
-            || !self.fits(context.machine)
-        {
-            return self.compiled.interpreter.run(context, entry);
+        match self.begins(context, entry) {
+            Some(code) => self.run_native(context, code, entry),
+            None if self.compiled.interpreter.has_block(entry.block) => self.compiled.interpreter.run(context, entry),
+            None => Exit::Finished,
         }
-        self.run_native(context, code, entry)
     }
 
     fn resume(&self, context: &mut Context<'_>) -> Exit {

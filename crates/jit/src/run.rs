@@ -3,8 +3,8 @@
 use std::cell::Cell;
 use std::ops::Range;
 
-use sieben_engine::access::{self, File};
-use sieben_engine::machine::{CallerRegisters, Origin, Register};
+use sieben_engine::access::File;
+use sieben_engine::machine::{CallerRegisters, Origin};
 use sieben_engine::{Context, Exit, Fault, Layout};
 
 use sieben_model::address::Area;
@@ -58,29 +58,31 @@ thread_local! {
 }
 
 impl Scratch {
-    /// Scratch memory for blocks that pass at most this many parameters at once: that of the last run in this thread, if it is enough.
-    pub(crate) fn take(parameters_max: usize) -> Box<Self> {
+    /// Scratch memory with room for so many parameters: that of the last run in this thread, if it is enough.
+    #[inline]
+    pub(crate) fn take(parameters: usize) -> Box<Self> {
         let spare = SPARE.try_with(Cell::take).ok().flatten();
-        spare
-            .filter(|scratch| scratch.parameters.len() >= Self::parameters(parameters_max))
-            .unwrap_or_else(|| Box::new(Self::new(parameters_max)))
+        spare.filter(|scratch| scratch.parameters.len() >= parameters).unwrap_or_else(|| Box::new(Self::new(parameters)))
     }
 
     /// Keeps scratch memory for the next run in this thread.
+    #[inline]
     pub(crate) fn keep(self: Box<Self>) {
         // A thread that ends needs it no more.
         let _ = SPARE.try_with(|spare| spare.set(Some(self)));
     }
 
-    /// Every activation has those that it was given behind those of its caller, and room for those that it passes.
-    fn parameters(parameters_max: usize) -> usize {
+    /// The parameters of a run of blocks that pass at most so many at once: every activation has those that it was given behind those of
+    /// its caller, and room for those that it passes.
+    pub(crate) fn parameters(parameters_max: usize) -> usize {
         (LINKS + 2) * parameters_max.max(1)
     }
 
-    fn new(parameters_max: usize) -> Self {
+    #[cold]
+    fn new(parameters: usize) -> Self {
         Self {
             links: vec![Link::default(); LINKS].into_boxed_slice(),
-            parameters: vec![0; Self::parameters(parameters_max)].into_boxed_slice(),
+            parameters: vec![0; parameters].into_boxed_slice(),
             file: Box::new([0; 256]),
         }
     }
@@ -99,11 +101,31 @@ pub(crate) fn areas(layout: &Layout) -> Areas {
     areas
 }
 
+/// Limits of the calls of an outermost block.
+#[derive(Debug)]
+pub(crate) struct Limits {
+    /// First byte of its local data in the arena.
+    pub(crate) local_start: usize,
+    /// First byte behind the local data of its priority class.
+    local_end: u64,
+    /// Bytes of the links in front of the last one that a call may use.
+    links: u64,
+}
+
+impl Limits {
+    /// The limits in a layout.
+    pub(crate) fn new(layout: &Layout) -> Self {
+        let local_end = (layout.local.start + layout.local_class).min(layout.local.end);
+        let link_max = usize::from(layout.nesting_depth).min(LINKS - 2);
+        Self { local_start: layout.local.start, local_end: local_end as u64, links: (link_max * size_of::<Link>()) as u64 }
+    }
+}
+
 /// One run of machine code. The fields before `context` are reached by machine code through their offsets.
 #[repr(C)]
 pub(crate) struct Run<'a, 'c> {
-    /// All registers, in the order of `Register::ALL`; current wherever machine code asks for something.
-    pub(crate) registers: [u64; Register::COUNT],
+    /// Address of the machine's registers; they are current wherever machine code asks for something.
+    pub(crate) registers: u64,
     /// The result of what was asked for.
     pub(crate) value: u64,
     /// The answer of what was asked in cold code.
@@ -137,14 +159,10 @@ pub(crate) struct Run<'a, 'c> {
 }
 
 impl<'a, 'c> Run<'a, 'c> {
-    /// A run that begins with these registers. Those of the machine are those of the run only where somebody is asked.
+    /// A run that begins with the registers of the machine.
     #[inline]
-    pub(crate) fn new(
-        context: &'a mut Context<'c>,
-        compiled: &'a Compiled,
-        scratch: &'a mut Scratch,
-        registers: [u64; Register::COUNT],
-    ) -> Self {
+    pub(crate) fn new(context: &'a mut Context<'c>, compiled: &'a Compiled, scratch: &'a mut Scratch) -> Self {
+        let registers = std::ptr::from_mut(&mut context.machine.registers) as u64;
         let memory = &mut context.machine.memory;
         let arena = memory.arena.as_mut_ptr();
         let arena_bytes = memory.arena.len();
@@ -156,8 +174,8 @@ impl<'a, 'c> Run<'a, 'c> {
             value: 0,
             answer: 0,
             budget,
-            local_end: 0,
-            link_max: 0,
+            local_end: arena as u64 + compiled.limits.local_end,
+            link_max: scratch.links.as_ptr() as u64 + compiled.limits.links,
             areas: &compiled.areas,
             timers,
             counters,
@@ -186,7 +204,7 @@ impl<'a, 'c> Run<'a, 'c> {
 
     /// Address of the local data of the outermost block.
     pub(crate) fn local_start(&self) -> usize {
-        self.arena as usize + self.context.machine.memory.layout.local.start
+        self.arena as usize + self.compiled.limits.local_start
     }
 
     /// Address of a link.
@@ -202,15 +220,6 @@ impl<'a, 'c> Run<'a, 'c> {
     /// Address of the first place for parameters.
     pub(crate) fn parameters_start(&self) -> u64 {
         self.scratch.parameters.as_ptr() as u64
-    }
-
-    /// Sets the limits of calls of an outermost block, before the machine shows its frame.
-    pub(crate) fn limit_outermost(&mut self) {
-        let layout = &self.context.machine.memory.layout;
-        let local_end = (layout.local.start + layout.local_class).min(layout.local.end);
-        let link_max = usize::from(layout.nesting_depth).min(LINKS - 2);
-        self.local_end = self.arena as u64 + local_end as u64;
-        self.link_max = self.link_address(link_max) as u64;
     }
 
     /// Sets the limits of calls, those of the priority class to which the newest frame of the machine belongs.
@@ -252,7 +261,7 @@ impl<'a, 'c> Run<'a, 'c> {
     }
 
     /// Shows all activations up to `depth` as frames of the machine, with `passed` parameters that the newest is about to pass, and
-    /// the registers and the budget.
+    /// and the budget.
     pub(crate) fn show(&mut self, depth: usize, passed: usize) {
         let first = self.kept;
         let parameters_kept = match first.checked_sub(1) {
@@ -286,7 +295,6 @@ impl<'a, 'c> Run<'a, 'c> {
         let passed = self.parameter_range(end, end + 4 * passed as u64);
         let machine = &mut *self.context.machine;
         machine.parameters.extend_from_slice(&self.scratch.parameters[passed]);
-        access::store_file(machine, &self.registers);
         machine.budget = self.budget;
     }
 
@@ -304,19 +312,14 @@ impl<'a, 'c> Run<'a, 'c> {
         self.arena();
     }
 
-    /// Takes over the registers that a system function may have changed.
-    pub(crate) fn take_registers(&mut self) {
-        self.registers = self.context.machine.registers.to_words();
-        self.check_open_blocks();
-    }
-
     /// Whether the open data blocks lie inside the arena, on which machine code relies.
     ///
     /// # Panics
     /// If they do not: only the engine and system functions write these registers.
     pub(crate) fn check_open_blocks(&self) {
-        for [base, length] in [[Register::DbBase, Register::DbLength], [Register::DiBase, Register::DiLength]] {
-            let end = self.registers[base as usize].checked_add(self.registers[length as usize]);
+        let registers = &self.context.machine.registers;
+        for (base, length) in [(registers.db_base, registers.db_length), (registers.di_base, registers.di_length)] {
+            let end = base.checked_add(length);
             assert!(end.is_some_and(|end| end <= self.arena_bytes as u64), "an open data block lies inside the arena");
         }
     }

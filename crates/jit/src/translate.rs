@@ -24,6 +24,7 @@ use crate::jit::Native;
 use crate::run::Run;
 
 mod analysis;
+mod budget;
 mod bytes;
 mod calls;
 mod choices;
@@ -50,6 +51,7 @@ mod versions;
 mod words;
 
 use analysis::{SPARED, Summary, open_blocks, set_by_calls};
+use budget::Look;
 use bytes::Bytes;
 use flow::Arrival;
 use inlining::{Outer, Plan};
@@ -89,6 +91,15 @@ fn may_be_in_data_block(place: Place) -> bool {
         Place::Fixed { area, .. } | Place::Indirect { area, .. } => matches!(area, Area::SharedData | Area::InstanceData),
         Place::Crossing { .. } => true,
     }
+}
+
+/// Whether an operation compares, which takes more than one instruction with a constant, too.
+fn compares(op: Op) -> bool {
+    use Op as O;
+    let integers = matches!(op, O::EqI16 | O::NeI16 | O::LtI16 | O::LeI16 | O::GtI16 | O::GeI16);
+    let doubles = matches!(op, O::EqI32 | O::NeI32 | O::LtI32 | O::LeI32 | O::GtI32 | O::GeI32);
+    let reals = matches!(op, O::EqF32 | O::NeF32 | O::LtF32 | O::LeF32 | O::GtF32 | O::GeF32 | O::UnorderedF32);
+    integers || doubles || reals
 }
 
 /// What a called block finds.
@@ -158,6 +169,13 @@ struct Translator<'a> {
     /// What is known of memory in the running piece of code.
     bytes: Bytes,
     words: Words,
+    /// Timers that are up to date in the running piece of code.
+    fresh_timers: Vec<u64>,
+    /// What has been taken from the budget and not from its variable.
+    taken: i64,
+    /// The look at the budget on which blocks that are entered now rely.
+    look: Option<usize>,
+    looks: Vec<Look>,
     loops: Vec<Loop>,
     /// Memory for which registers stand, in the loops met so far.
     promoted: Vec<Promoted>,
@@ -172,7 +190,7 @@ struct Translator<'a> {
     /// Blocks in which memory is compared with what the code relies on, by the block in front of which they stand.
     verifying: HashMap<clif::Block, clif::Block>,
     /// Those that are still to be written, and for which statement.
-    verify_later: Vec<(clif::Block, u32, clif::Block)>,
+    verify_later: Vec<(clif::Block, u32, clif::Block, Option<usize>)>,
     /// Loops in front of which turns are written that nobody looks at: the block, first and last statement.
     at_once: Vec<(usize, u32, u32)>,
     /// Values whose bits above so many are 0.
@@ -215,7 +233,7 @@ struct Translator<'a> {
 const TRUSTED: MemFlagsData = MemFlagsData::trusted();
 
 fn register_offset(register: Register) -> i32 {
-    (offset_of!(Run<'_, '_>, registers) + register.offset()) as i32
+    register.offset() as i32
 }
 
 impl<'a> Translator<'a> {
@@ -254,6 +272,10 @@ impl<'a> Translator<'a> {
             temporaries: Vec::new(),
             bytes: Bytes::default(),
             words: Words::default(),
+            fresh_timers: Vec::new(),
+            taken: 0,
+            look: None,
+            looks: Vec::new(),
             loops: loops::find(&blocks[index].code),
             promoted: Vec::new(),
             ranges: Ranges::default(),
@@ -330,6 +352,7 @@ impl<'a> Translator<'a> {
             self.bounds.clear();
             self.fixed.clear();
             self.passed.clear();
+            self.look_at_budget();
             let first = code.statements[statement];
             for (index, inst) in (first..).zip(code.statement(statement)) {
                 self.inst(index, inst);
@@ -374,6 +397,7 @@ impl<'a> Translator<'a> {
         if begins {
             known = Register::ALL.iter().copied().zip(Registers::fresh().to_words()).collect();
         }
+        let registers = self.registers_in_memory();
         for &register in Register::ALL {
             if let Some(&(_, value)) = known.iter().find(|&&(known, _)| known == register) {
                 let ty = if is_bit(register) { I32 } else { I64 };
@@ -385,7 +409,7 @@ impl<'a> Translator<'a> {
                 }
             } else if mentioned & bit_of(register) != 0 {
                 let ty = if is_bit(register) { I32 } else { I64 };
-                let value = self.b.ins().load(ty, TRUSTED, self.run, register_offset(register));
+                let value = self.b.ins().load(ty, TRUSTED, registers, register_offset(register));
                 self.b.def_var(self.variables[register as usize], value);
             }
         }
@@ -412,13 +436,22 @@ impl<'a> Translator<'a> {
 
     /// Stores registers where others read them.
     fn spill(&mut self, registers: u32) {
+        if registers == 0 {
+            return;
+        }
+        let memory = self.registers_in_memory();
         for &register in Register::ALL {
             if registers & bit_of(register) != 0 {
                 let value = self.register(register);
                 let value = self.word(value);
-                self.b.ins().store(TRUSTED, value, self.run, register_offset(register));
+                self.b.ins().store(TRUSTED, value, memory, register_offset(register));
             }
         }
+    }
+
+    /// Address of the machine's registers.
+    fn registers_in_memory(&mut self) -> Value {
+        self.load_run(offset_of!(Run<'_, '_>, registers))
     }
 
     fn register(&mut self, register: Register) -> Val {
@@ -496,7 +529,13 @@ impl<'a> Translator<'a> {
     }
 
     fn ask(&mut self, question: Question, arguments: &[Value]) -> Value {
-        self.settle_bytes();
+        match self.cold {
+            Some(_) => debug_assert!(!self.bits_wait(), "nothing waits in cold code"),
+            None => self.forget_what_was_asked(),
+        }
+        if matches!(question, Question::TryLoad | Question::TryStore | Question::CallOther) {
+            self.look = None;
+        }
         self.store_promoted();
         let mut arguments: Vec<Value> = [self.run].iter().chain(arguments).copied().collect();
         // In an inlined block the link is another one.
@@ -534,6 +573,9 @@ impl<'a> Translator<'a> {
         self.cold_path(cold, question, arguments, after);
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
+        if matches!(after, After::At(_)) {
+            self.forget_what_was_asked();
+        }
     }
 
     /// Fills a cold block: registers stored, the Host asked.
@@ -543,6 +585,9 @@ impl<'a> Translator<'a> {
         let before = self.cold.replace(cold);
         self.spill(self.dirty);
         let answer = self.ask(question, arguments);
+        if matches!(after, After::At(_) | After::Deliver(_)) {
+            self.look = None;
+        }
         match after {
             After::At(block) => {
                 self.b.ins().brif(answer, self.leave, &[], block, &[]);
@@ -557,13 +602,13 @@ impl<'a> Translator<'a> {
                 self.b.ins().brif(answer, self.leave, &[], block, &[BlockArg::Value(value)]);
             }
             After::NextStatement => {
-                let changed = self.changed;
+                let (changed, taken) = (self.changed, self.taken);
                 self.leave_loops(self.statement + 1);
                 let next = self.edge(self.statement + 1);
                 let next = self.verified(self.statement + 1, next);
                 self.b.ins().brif(answer, self.leave, &[], next, &[]);
                 self.write_verifications();
-                self.changed = changed;
+                (self.changed, self.taken) = (changed, taken);
             }
         }
         self.cold = before;
@@ -578,10 +623,6 @@ impl<'a> Translator<'a> {
     }
 
     fn write_inst(&mut self, index: u32, inst: &Inst) {
-        if !matches!(inst, Inst::Constant { .. } | Inst::Compute { .. } | Inst::Load { .. } | Inst::Store { .. }) {
-            // What follows may have ways of its own, on which nothing may wait.
-            self.settle_bytes();
-        }
         match *inst {
             Inst::Constant { dst, value } => self.set(dst, Val::Const(value)),
             Inst::Compute { dst, .. }
@@ -643,9 +684,7 @@ impl<'a> Translator<'a> {
                 let site = self.site(index);
                 let failed = self.ask(Question::TryOpen, &[site, number]);
                 self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
-                for register in OPEN_BLOCKS {
-                    self.reload(register);
-                }
+                self.reload(open_blocks());
             }
             Inst::Jump { to } => {
                 let block = self.way_to(to);
@@ -698,7 +737,8 @@ impl<'a> Translator<'a> {
         }
         // Most status bits are never read; an operation with a constant is often no operation.
         let spared = dst.register().is_some_and(|register| SPARED & bit_of(register) != 0);
-        if spared && self.options.inline && used.iter().all(|arg| arg.constant().is_none()) {
+        let waits = used.iter().all(|arg| arg.constant().is_none()) || compares(op) && used.iter().any(|arg| arg.constant().is_none());
+        if spared && self.options.inline && waits {
             return self.later(op, args);
         }
         if self.options.inline
@@ -729,15 +769,21 @@ impl<'a> Translator<'a> {
         Val::Word(self.call(function, &args))
     }
 
-    /// Takes a register from memory, where Rust code changed it.
-    fn reload(&mut self, register: Register) {
-        let value = if is_bit(register) {
-            Val::Bit { value: self.b.ins().load(I32, TRUSTED, self.run, register_offset(register)), clean: true }
-        } else {
-            Val::Word(self.b.ins().load(I64, TRUSTED, self.run, register_offset(register)))
-        };
-        self.set_register(register, value);
-        self.dirty &= !bit_of(register);
+    /// Takes registers from memory, where others changed them.
+    fn reload(&mut self, registers: u32) {
+        if registers == 0 {
+            return;
+        }
+        let memory = self.registers_in_memory();
+        for &register in Register::ALL.iter().filter(|&&register| registers & bit_of(register) != 0) {
+            let value = if is_bit(register) {
+                Val::Bit { value: self.b.ins().load(I32, TRUSTED, memory, register_offset(register)), clean: true }
+            } else {
+                Val::Word(self.b.ins().load(I64, TRUSTED, memory, register_offset(register)))
+            };
+            self.set_register(register, value);
+            self.dirty &= !bit_of(register);
+        }
     }
 
     /// Opens a data block that the program has; whether that is known beforehand. The run makes sure that it is there.

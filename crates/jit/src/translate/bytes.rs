@@ -1,6 +1,6 @@
-//! Bits at addresses known beforehand, along straight code: bits written to one piece of memory become one store, and a piece that was
-//! read is not read again. Nothing waits and nothing is remembered where somebody else may look at memory or change it, nor where code
-//! meets.
+//! Bits at addresses known beforehand: bits written to one piece of memory along straight code become one store, and a piece that was
+//! read is not read again. Nothing waits where somebody else may look at memory or where code meets; nothing is remembered where somebody
+//! may have changed it, and where code meets only what is the same value on all ways.
 //!
 //! A piece is four bytes if the code looks at bits of more than one of them and at nothing else in them, else it is one byte: a load of
 //! four bytes behind a store of two of them would have to wait for it.
@@ -17,6 +17,7 @@ use super::Translator;
 use super::memory::{Address, Bit, data};
 use super::promote::Base;
 use super::value::Val;
+use super::words::Words;
 
 /// Pieces whose new bits wait for their store. More would keep registers that the logic needs.
 const WAITING_MAX: usize = 4;
@@ -67,6 +68,24 @@ struct Waiting {
     ones: u32,
     /// Of them the others, in 32 bits; bits that were not written are 0. `None` = all 0.
     bits: Option<Value>,
+}
+
+/// What is known of memory where code meets.
+#[derive(Debug, Default)]
+pub(super) struct KnownMemory {
+    bits: Vec<(Piece, Value)>,
+    words: Words,
+    /// Timers that were brought up to date.
+    timers: Vec<u64>,
+}
+
+impl KnownMemory {
+    /// Keeps what is known on another way, too.
+    pub(super) fn keep_common(&mut self, other: &Self) {
+        self.bits.retain(|known| other.bits.contains(known));
+        self.words.keep_common(&other.words);
+        self.timers.retain(|timer| other.timers.contains(timer));
+    }
 }
 
 fn little() -> MemFlagsData {
@@ -122,9 +141,7 @@ impl Translator<'_> {
         }
         let Address { base, offset, bit } = address;
         let (Width::Bit, Bit::Number(number)) = (width, bit) else {
-            self.store_waiting_in(base, offset, width);
-            let written = offset..offset + width.bytes() as i32;
-            self.bytes.known.retain(|(piece, _)| !piece.meets(base, &written));
+            self.forget_bits_in(address, width);
             self.write(address, width, value);
             self.remember_word(address, width, value);
             return;
@@ -239,12 +256,49 @@ impl Translator<'_> {
         }
     }
 
-    /// Stores what waits and forgets what is known: somebody may look at memory or change it from here on, or other code goes on.
-    pub(super) fn settle_bytes(&mut self) {
+    /// Stores bits that wait and forgets what is known in bytes that are written otherwise.
+    pub(super) fn forget_bits_in(&mut self, Address { base, offset, .. }: Address, width: Width) {
+        self.store_waiting_in(base, offset, width);
+        let written = offset..offset + width.bytes() as i32;
+        self.bytes.known.retain(|(piece, _)| !piece.meets(base, &written));
+    }
+
+    /// Whether anything waits.
+    pub(super) fn bits_wait(&self) -> bool {
+        !self.bytes.waiting.is_empty()
+    }
+
+    /// Stores what waits: somebody may look at memory from here on, or other code goes on.
+    pub(super) fn store_waiting(&mut self) {
         for waiting in std::mem::take(&mut self.bytes.waiting) {
             self.store_bits(waiting);
         }
+    }
+
+    /// Stores what waits and forgets what is known: somebody may look at memory or change it.
+    pub(super) fn settle_bytes(&mut self) {
+        self.store_waiting();
         self.bytes.known.clear();
         self.forget_words_behind_block();
+    }
+
+    /// The same, where somebody was asked: time may have gone on, too.
+    pub(super) fn forget_what_was_asked(&mut self) {
+        self.settle_bytes();
+        self.fresh_timers.clear();
+    }
+
+    /// What is known of memory in the running piece of code, in which nothing waits.
+    pub(super) fn known_memory(&self) -> KnownMemory {
+        match self.cold {
+            None => KnownMemory { bits: self.bytes.known.clone(), words: self.words.clone(), timers: self.fresh_timers.clone() },
+            // Somebody was asked.
+            Some(_) => KnownMemory::default(),
+        }
+    }
+
+    /// Knows of memory what is known on all ways to a place.
+    pub(super) fn know_memory(&mut self, known: KnownMemory) {
+        (self.bytes.known, self.words, self.fresh_timers) = (known.bits, known.words, known.timers);
     }
 }

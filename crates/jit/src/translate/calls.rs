@@ -8,7 +8,7 @@ use cranelift_codegen::ir::{InstBuilder, Value};
 use sieben_engine::ir::{Callee, Var};
 use sieben_engine::machine::Register;
 
-use super::analysis::{SPARED, open_blocks, set_by_calls};
+use super::analysis::{ALL, SPARED, open_blocks, set_by_calls};
 use super::inlining::{KEPT_IN, RESTORED};
 use super::value::Val;
 use super::{AFTER_CALL, OPEN_BLOCKS, TRUSTED, Translator, bit_of};
@@ -90,20 +90,19 @@ impl Translator<'_> {
         self.b.seal_block(cold);
         // A call that failed is answered by the next statement.
         let left = self.b.ins().icmp_imm_u(IntCC::Equal, answer, LEAVE as i64);
-        for &register in Register::ALL {
-            self.reload(register);
-        }
+        self.reload(ALL);
+        let taken = self.taken;
         let next = self.edge(self.statement + 1);
+        self.taken = taken;
         self.b.ins().brif(left, self.leave, &[], next, &[]);
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
-        for &register in Register::ALL {
-            self.reload(register);
-        }
+        self.reload(ALL);
     }
 
     fn call_loaded(&mut self, index: u32, code: usize, parameters: u16) {
-        self.settle_bytes();
+        self.forget_what_was_asked();
+        self.look = None;
         if self.pointers[code].writes_outwards {
             self.words.forget_all();
         }
@@ -149,12 +148,9 @@ impl Translator<'_> {
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
         self.take_promoted();
-        for &register in Register::ALL {
-            let needed = SPARED & bit_of(register) == 0 || self.options.exact || callee.live_out & bit_of(register) != 0;
-            if written & !set_by_calls() & bit_of(register) != 0 && needed && !(instance_kept && register == Register::Ar2) {
-                self.reload(register);
-            }
-        }
+        let needed = if self.options.exact { ALL } else { !SPARED | callee.live_out };
+        let kept = if instance_kept { bit_of(Register::Ar2) } else { 0 };
+        self.reload(written & needed & !set_by_calls() & !kept);
         for (register, value) in RESTORED.into_iter().zip(values) {
             let memory_may_differ =
                 written & bit_of(register) != 0 || !OPEN_BLOCKS.contains(&register) || self.dirty & bit_of(register) != 0;

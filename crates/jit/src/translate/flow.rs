@@ -4,11 +4,13 @@ use std::collections::HashMap;
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I32, I64};
-use cranelift_codegen::ir::{self as clif, InstBuilder};
+use cranelift_codegen::ir::{self as clif, InstBuilder, Value};
 use sieben_engine::interpreter::weight;
 use sieben_engine::ir::{Target, Var};
 use sieben_engine::machine::Register;
 
+use super::analysis::restored;
+use super::bytes::KnownMemory;
 use super::loops::Loop;
 use super::value::Val;
 use super::{Translator, bit_of};
@@ -25,6 +27,12 @@ pub(super) struct Arrival {
     pub(super) dirty: u32,
     /// Registers that hold a constant on every way here; `None` until one is known.
     pub(super) known: Option<[Option<u64>; Register::COUNT]>,
+    /// What is known of memory on every way here; `None` until one is known.
+    pub(super) memory: Option<KnownMemory>,
+    /// What the budget's variable lacks on every way here; `None` until one is known.
+    pub(super) taken: Option<i64>,
+    /// The look at the budget that is in front of every way here; `None` until one is known.
+    pub(super) look: Option<Option<usize>>,
 }
 
 impl Translator<'_> {
@@ -34,6 +42,7 @@ impl Translator<'_> {
         let arrival = self.arrival(to);
         arrival.backward = true;
         arrival.again = arrival.again.or(again);
+        arrival.taken = Some(0);
     }
 
     pub(super) fn arrival(&mut self, statement: u32) -> &mut Arrival {
@@ -44,26 +53,43 @@ impl Translator<'_> {
             backward: false,
             dirty: 0,
             known: None,
+            memory: None,
+            taken: None,
+            look: None,
         })
     }
 
     /// The safe point at the beginning of a block.
     pub(super) fn enter_block(&mut self) {
-        let weight = weight(self.native().code.statement_count());
+        let weight = i64::from(weight(self.native().code.statement_count()));
+        if self.is_looked_at(weight) {
+            self.taken += weight;
+            return;
+        }
         let go_on = self.b.create_block();
-        self.count_down(weight, 0, go_on, go_on);
+        let variable = self.budget();
+        let budget = self.b.use_var(variable);
+        self.taken += weight;
+        let used_up = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, budget, self.taken);
+        self.ask_if_used_up(used_up, 0, go_on, go_on);
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
+        self.forget_what_was_asked();
     }
 
     /// Takes the weight of a safe point from the budget, asks the Host if it is used up, and goes on at `go_on`, or at `asked` if the
     /// Host was asked.
-    pub(super) fn count_down(&mut self, weight: u16, statement: u32, go_on: clif::Block, asked: clif::Block) {
+    fn count_down(&mut self, weight: u16, statement: u32, go_on: clif::Block, asked: clif::Block) {
+        self.taken += i64::from(weight);
+        self.take_from_budget(self.taken);
         let variable = self.budget();
-        let budget = self.b.use_var(variable);
-        let left = self.b.ins().iadd_imm_s(budget, -i64::from(weight));
-        self.b.def_var(variable, left);
+        let left = self.b.use_var(variable);
         let used_up = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, left, 0);
+        self.ask_if_used_up(used_up, statement, go_on, asked);
+    }
+
+    /// Asks the Host on a condition, before a statement, and goes on at `go_on`, or at `asked` if the Host was asked.
+    fn ask_if_used_up(&mut self, used_up: Value, statement: u32, go_on: clif::Block, asked: clif::Block) {
         let ask = self.cold_block();
         self.b.ins().brif(used_up, ask, &[], go_on, &[]);
         self.b.switch_to_block(ask);
@@ -95,7 +121,7 @@ impl Translator<'_> {
 
     /// A block for what happens seldom. Memory is as the program left it there.
     pub(super) fn cold_block(&mut self) -> clif::Block {
-        self.settle_bytes();
+        self.store_waiting();
         let block = self.b.create_block();
         self.b.set_cold_block(block);
         block
@@ -116,7 +142,13 @@ impl Translator<'_> {
         let arrival = self.arrival(statement);
         let (block, known, dirty, again) = (arrival.block, arrival.known.unwrap_or_default(), arrival.dirty, arrival.again);
         self.b.switch_to_block(block);
-        self.words.forget_all();
+        let arrival = self.arrival(statement);
+        let (memory, taken, look) = (arrival.memory.take().filter(|_| !arrival.backward), arrival.taken, arrival.look);
+        (self.taken, self.look) = (taken.unwrap_or(0), look.flatten());
+        match memory {
+            Some(memory) => self.know_memory(memory),
+            None => self.forget_memory(),
+        }
         self.changed = 0;
         self.current = known.map(|value| value.map(Val::Const));
         self.dirty = dirty;
@@ -126,6 +158,7 @@ impl Translator<'_> {
             self.b.seal_block(block);
             return;
         }
+        self.look = None;
         // A register that nothing in the loop changes is what it was in front of it.
         let inside = |it: &&Loop| it.contains(statement);
         let smallest = self.loops.iter().filter(inside).min_by_key(|it| it.last - it.first).cloned();
@@ -137,7 +170,12 @@ impl Translator<'_> {
         }
         self.know_instance_again();
         // What is entered in the middle may be reached by a way on which less was stored.
-        let changed = if again.is_some() { written & self.written } else { self.written };
+        let changed = match &smallest {
+            // What a call restores is in memory as the called block had it, if somebody was asked there.
+            Some(it) if again.is_some() && !it.calls_nothing => (written | restored()) & self.written,
+            _ if again.is_some() => written & self.written,
+            _ => self.written,
+        };
         self.dirty |= changed & !self.dead_at(statement);
         if let Some(head) = again {
             // Behind a safe point the loop may begin anew: see `behind_question`.
@@ -152,7 +190,7 @@ impl Translator<'_> {
 
     /// Makes the variables current and returns where the statement begins; the caller jumps there.
     pub(super) fn edge(&mut self, statement: u32) -> clif::Block {
-        self.settle_bytes();
+        self.store_waiting();
         let dead = self.dead_at(statement);
         self.define_variables(!dead);
         let known = self.current.map(|value| match value {
@@ -165,6 +203,14 @@ impl Translator<'_> {
         if let (true, Some(head)) = (from_behind, arrival.again) {
             return head;
         }
+        self.meet_budget(statement);
+        let (memory, look) = (self.known_memory(), self.look);
+        let arrival = self.arrival(statement);
+        match &mut arrival.memory {
+            Some(common) => common.keep_common(&memory),
+            None => arrival.memory = Some(memory),
+        }
+        arrival.look = Some(arrival.look.map_or(look, |other| look.filter(|_| other == look)));
         arrival.dirty |= dirty;
         arrival.known = Some(match arrival.known {
             None => known,
@@ -201,12 +247,14 @@ impl Translator<'_> {
                 self.b.ins().jump(arrival, &[]);
                 continue;
             }
+            let taken = self.taken;
             let weight = weight((self.statement - to) as usize);
             // Who is asked there finds what the loops around both keep.
             let from = std::mem::replace(&mut self.statement, to);
             let asked = self.behind_question(to, arrival);
             self.count_down(weight, to, arrival, asked);
             self.statement = from;
+            self.taken = taken;
         }
     }
 

@@ -270,7 +270,7 @@ impl Translator<'_> {
 
     /// What the code relies on from a statement on, if that can have changed while somebody was asked.
     pub(super) fn relies_on_memory(&self, statement: u32) -> bool {
-        !self.ranges.facts(statement).is_empty()
+        !self.ranges.facts(statement).is_empty() || self.look.is_some()
     }
 
     /// A block in which memory is compared with what the code relies on from a statement on, in front of the block where it begins. The
@@ -285,17 +285,17 @@ impl Translator<'_> {
         let verify = self.b.create_block();
         self.b.set_cold_block(verify);
         self.verifying.insert(next, verify);
-        self.verify_later.push((verify, statement, next));
+        self.verify_later.push((verify, statement, next, self.look));
         verify
     }
 
     /// Writes the comparisons that are still to be written. The block before ended.
     pub(super) fn write_verifications(&mut self) {
-        for (verify, statement, next) in std::mem::take(&mut self.verify_later) {
+        for (verify, statement, next, look) in std::mem::take(&mut self.verify_later) {
             self.b.switch_to_block(verify);
             let before = self.cold.replace(verify);
             let facts = self.ranges.facts(statement).to_vec();
-            let mut holds: Option<Value> = None;
+            let mut holds: Option<Value> = look.map(|look| self.budget_lasts(look));
             for fact in facts {
                 let this = self.holds(fact);
                 holds = Some(match holds {

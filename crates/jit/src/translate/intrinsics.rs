@@ -38,6 +38,9 @@ struct Item {
     offset: i32,
 }
 
+/// Timers that are known to be up to date, the newest ones.
+const FRESH_MAX: usize = 8;
+
 /// The block in which Rust code is asked, once something goes there.
 type Slow = Option<clif::Block>;
 
@@ -106,7 +109,11 @@ impl Translator<'_> {
         let item = self.item(is_timer, number, slow)?;
         Some(match intrinsic {
             I::TimerStart(kind) => {
-                self.start_timer(item, kind, rlo, preset, slow);
+                let refreshed = self.is_fresh(number);
+                self.start_timer(item, kind, rlo, preset.filter(|_| kind != TimerKind::RetentiveOnDelay), refreshed, slow);
+                if preset.is_some() && kind != TimerKind::RetentiveOnDelay {
+                    self.know_as_fresh(number);
+                }
                 Val::Const(0)
             }
             I::TimerReset => {
@@ -124,10 +131,17 @@ impl Translator<'_> {
                 Val::Const(0)
             }
             I::TimerStatus => {
-                self.refresh(item);
+                if !self.is_fresh(number) {
+                    self.refresh(item);
+                    self.know_as_fresh(number);
+                }
                 Val::Bit { value: self.byte(item, offset_of!(Timer, status)), clean: true }
             }
-            I::TimerValue => Val::Int(self.remaining(item)),
+            I::TimerValue => {
+                let value = self.remaining(item);
+                self.know_as_fresh(number);
+                Val::Int(value)
+            }
             I::CounterUp => self.count(item, rlo, offset_of!(Counter, up_edge), 1),
             I::CounterDown => self.count(item, rlo, offset_of!(Counter, down_edge), -1),
             I::CounterSet => {
@@ -166,6 +180,22 @@ impl Translator<'_> {
             I::CounterValue => Val::Int(self.word_field(item, offset_of!(Counter, count))),
             I::TimerBcd | I::CounterBcd | I::Clock => return None,
         })
+    }
+
+    /// Whether a timer was brought up to date before, since when the clock stands still. Nothing that is done to timers makes that untrue.
+    fn is_fresh(&self, number: Val) -> bool {
+        number.constant().is_some_and(|number| self.fresh_timers.contains(&number))
+    }
+
+    fn know_as_fresh(&mut self, number: Val) {
+        if let Val::Const(number) = number
+            && !self.fresh_timers.contains(&number)
+        {
+            if self.fresh_timers.len() == FRESH_MAX {
+                self.fresh_timers.remove(0);
+            }
+            self.fresh_timers.push(number);
+        }
     }
 
     /// The timer or counter with this number; one that the CPU does not have is left to Rust code.
@@ -397,26 +427,26 @@ impl Translator<'_> {
         self.put_byte(item, offset_of!(Timer, status), u8::from(status));
     }
 
-    /// `Timer::start`.
-    fn start_timer(&mut self, item: Item, kind: TimerKind, rlo: Val, preset: Option<u16>, slow: &mut Slow) {
+    /// `Timer::start`, with a preset that is known beforehand; a retentive on delay keeps a status that may have to be brought up to date
+    /// first, and has none.
+    fn start_timer(&mut self, item: Item, kind: TimerKind, rlo: Val, preset: Option<u16>, fresh: bool, slow: &mut Slow) {
         let rlo = self.flag(rlo);
         let edge = self.byte(item, offset_of!(Timer, start_edge));
         let starts = match kind {
             TimerKind::OffDelay => self.b.ins().band_not(edge, rlo),
             _ => self.b.ins().band_not(rlo, edge),
         };
-        // A retentive on delay keeps a status that may have to be brought up to date first.
-        let preset = preset.filter(|_| kind != TimerKind::RetentiveOnDelay);
+        let refresh = |this: &mut Self| {
+            if !fresh {
+                this.refresh(item);
+            }
+        };
         let not_started = |this: &mut Self| match kind {
-            TimerKind::Pulse | TimerKind::OnDelay => this.choose_way(
-                rlo,
-                |this| this.refresh(item),
-                |this| {
-                    this.stop(item);
-                    this.put_byte(item, offset_of!(Timer, status), 0);
-                },
-            ),
-            TimerKind::ExtendedPulse | TimerKind::RetentiveOnDelay => this.refresh(item),
+            TimerKind::Pulse | TimerKind::OnDelay => this.choose_way(rlo, refresh, |this| {
+                this.stop(item);
+                this.put_byte(item, offset_of!(Timer, status), 0);
+            }),
+            TimerKind::ExtendedPulse | TimerKind::RetentiveOnDelay => refresh(this),
             TimerKind::OffDelay => {
                 let rises = this.b.ins().band_not(rlo, edge);
                 this.choose_way(
@@ -425,7 +455,7 @@ impl Translator<'_> {
                         this.stop(item);
                         this.put_byte(item, offset_of!(Timer, status), 1);
                     },
-                    |this| this.refresh(item),
+                    refresh,
                 );
             }
         };

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I16, I32, I64};
-use cranelift_codegen::ir::{BlockArg, InstBuilder, MemFlagsData, Value};
+use cranelift_codegen::ir::{BlockArg, InstBuilder, InstructionData, MemFlagsData, Opcode, Type, Value, ValueDef};
 use sieben_engine::access;
 use sieben_engine::ir::{DataRegister, OnFault, Place, Var};
 use sieben_engine::machine::Register;
@@ -64,6 +64,7 @@ impl Translator<'_> {
             self.set(dst, value);
             return;
         }
+        self.store_waiting();
         if on_fault == OnFault::DeliverZero {
             // Whoever is asked inside a statement sees what it has passed so far.
             self.store_passed();
@@ -110,6 +111,7 @@ impl Translator<'_> {
         self.cold = before;
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
+        self.forget_what_was_asked();
         let delivered = match width {
             Width::Bit => Val::Bit { value: delivered, clean: false },
             Width::QuadWord => Val::Word(delivered),
@@ -144,6 +146,7 @@ impl Translator<'_> {
                 slow
             }
             Way::Asked => {
+                self.store_waiting();
                 go_on = self.b.create_block();
                 let slow = self.b.create_block();
                 self.b.ins().jump(slow, &[]);
@@ -164,6 +167,7 @@ impl Translator<'_> {
         self.cold = before;
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
+        self.forget_what_was_asked();
     }
 
     /// How a place is reached.
@@ -424,14 +428,26 @@ impl Translator<'_> {
                 self.b.ins().istore8(data(), value, base, offset);
             }
             Width::Word => {
-                let value = self.int(value);
-                let word = self.b.ins().ireduce(I16, value);
-                let word = self.b.ins().bswap(word);
+                let word = match self.force(value) {
+                    Val::Const(value) => self.b.ins().iconst(I16, i64::from((value as u16).swap_bytes())),
+                    value => {
+                        let value = self.int(value);
+                        self.as_read(value, I16).unwrap_or_else(|| {
+                            let word = self.b.ins().ireduce(I16, value);
+                            self.b.ins().bswap(word)
+                        })
+                    }
+                };
                 self.b.ins().store(data(), word, base, offset);
             }
             Width::DoubleWord => {
-                let value = self.int(value);
-                let double = self.b.ins().bswap(value);
+                let double = match self.force(value) {
+                    Val::Const(value) => self.b.ins().iconst(I32, i64::from((value as u32).swap_bytes())),
+                    value => {
+                        let value = self.int(value);
+                        self.as_read(value, I32).unwrap_or_else(|| self.b.ins().bswap(value))
+                    }
+                };
                 self.b.ins().store(data(), double, base, offset);
             }
             Width::QuadWord => {
@@ -440,6 +456,20 @@ impl Translator<'_> {
                 self.b.ins().store(data(), quad, base, offset);
             }
         }
+    }
+
+    /// A number in the byte order of memory, if it has just been read from there.
+    fn as_read(&self, value: Value, ty: Type) -> Option<Value> {
+        let dfg = &self.b.func.dfg;
+        let unary = |value: Value, expected: Opcode| match dfg.value_def(dfg.resolve_aliases(value)) {
+            ValueDef::Result(inst, 0) => match dfg.insts[inst] {
+                InstructionData::Unary { opcode, arg } if opcode == expected => Some(arg),
+                _ => None,
+            },
+            _ => None,
+        };
+        let value = if ty == I16 { unary(value, Opcode::Uextend)? } else { value };
+        unary(value, Opcode::Bswap).filter(|&read| dfg.value_type(read) == ty)
     }
 
     /// The value of a place's pointer, 0 if it has none.

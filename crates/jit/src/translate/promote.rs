@@ -513,9 +513,17 @@ impl Translator<'_> {
         kept.expect("the budget is kept from the beginning of the function").variable
     }
 
+    /// The budget, where it is stored.
+    pub(super) fn load_budget(&mut self) -> Value {
+        self.load_run(offset_of!(Run<'_, '_>, budget))
+    }
+
     fn take(&mut self, promoted: Promoted) {
         let value = match promoted.base {
-            Base::Run => self.b.ins().load(I64, TRUSTED, self.run, promoted.offset),
+            Base::Run => {
+                let budget = self.load_budget();
+                if self.taken == 0 { budget } else { self.b.ins().iadd_imm_s(budget, self.taken) }
+            }
             base => {
                 let value = self.read(self.address(base, promoted.offset), promoted.width);
                 if promoted.width == Width::QuadWord { self.word(value) } else { self.int(value) }
@@ -532,14 +540,23 @@ impl Translator<'_> {
         if !promoted.written {
             return;
         }
+        if promoted.base == Base::Run && self.cold.is_none() {
+            self.take_from_budget(self.taken);
+        }
         let value = self.b.use_var(promoted.variable);
         match promoted.base {
             Base::Run => {
-                self.b.ins().store(TRUSTED, value, self.run, promoted.offset);
+                let left = if self.taken == 0 { value } else { self.b.ins().iadd_imm_s(value, -self.taken) };
+                self.b.ins().store(TRUSTED, left, self.run, promoted.offset);
             }
             base => {
                 let value = if promoted.width == Width::QuadWord { Val::Word(value) } else { Val::Int(value) };
-                self.write(self.address(base, promoted.offset), promoted.width, value);
+                let address = self.address(base, promoted.offset);
+                if self.cold.is_none() {
+                    // A piece around it has what was in memory before.
+                    self.forget_bits_in(address, promoted.width);
+                }
+                self.write(address, promoted.width, value);
             }
         }
     }

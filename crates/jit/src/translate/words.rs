@@ -1,4 +1,4 @@
-//! Numbers in local data along straight code: what was written there or read is not read again.
+//! Numbers in local data: what was written there or read is not read again.
 //!
 //! Nothing of it is lost where somebody is asked, nor over calls: nobody but the block, and blocks that get a pointer from it, reaches
 //! its local data. Other memory may be changed then, and remembering it until then costs more registers than it spares loads.
@@ -14,14 +14,19 @@ use super::value::Val;
 const KNOWN_MAX: usize = 12;
 
 /// What is known of numbers in local data.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Words {
     /// Offset behind the local data of the function's outermost block, width, and the value as a load would have it. No two overlap.
     known: Vec<(i32, Width, Val)>,
 }
 
 impl Words {
-    /// Forgets everything: code meets here, or anything may have been written.
+    /// Keeps what others know, too.
+    pub(super) fn keep_common(&mut self, other: &Self) {
+        self.known.retain(|known| other.known.contains(known));
+    }
+
+    /// Forgets everything: anything may have been written.
     pub(super) fn forget_all(&mut self) {
         self.known.clear();
     }
@@ -69,9 +74,9 @@ impl Translator<'_> {
         self.words.known.retain(|&(at, width, _)| at + width.bytes() as i32 <= end);
     }
 
-    /// Forgets all memory: code meets here.
+    /// Forgets all memory: anything may have been written.
     pub(super) fn forget_memory(&mut self) {
-        self.settle_bytes();
+        self.forget_what_was_asked();
         self.words.forget_all();
     }
 

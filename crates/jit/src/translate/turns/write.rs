@@ -681,7 +681,10 @@ impl Translator<'_> {
         self.b.def_var(budget, left);
         let exit = it.last + 1;
         self.leave_loops(exit);
+        self.forget_memory();
+        let taken = self.taken;
         let next = self.edge(exit);
+        self.taken = taken;
         self.b.ins().jump(next, &[]);
     }
 }

@@ -1,0 +1,110 @@
+//! The budget inside a function: a variable, and what blocks have taken from it since that is not yet taken from the variable.
+//!
+//! In an organization block one look in front of a statement serves for the blocks that become part of it from there on, so that entering
+//! them costs nothing and nothing that is known is lost: their weights are added up, and the interpreter goes on at the statement if the
+//! budget does not last for all of them. It asks where the program would have asked.
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::immediates::Imm64;
+use cranelift_codegen::ir::types::I64;
+use cranelift_codegen::ir::{self as clif, InstBuilder, InstructionData, Opcode, Value, ValueDef};
+use sieben_engine::ir::{Callee, Inst};
+
+use super::loops::targets;
+use super::{After, Translator};
+use crate::ask::Question;
+
+/// What a look at the budget may be for: less than the least budget of a CPU, so that the interpreter is seldom needed.
+const WEIGHT_MAX: i64 = 24;
+
+/// A look at the budget in front of a statement.
+#[derive(Debug, Default)]
+pub(super) struct Look {
+    /// What it is for so far.
+    weight: i64,
+    /// Numbers in the code that follow it: the instruction, and what is added there.
+    limits: Vec<(clif::Inst, i64)>,
+}
+
+impl Translator<'_> {
+    /// Takes so much of what has been taken from the budget from its variable.
+    pub(super) fn take_from_budget(&mut self, taken: i64) {
+        if taken == 0 {
+            return;
+        }
+        let variable = self.budget();
+        let budget = self.b.use_var(variable);
+        let left = self.b.ins().iadd_imm_s(budget, -taken);
+        self.b.def_var(variable, left);
+        self.taken -= taken;
+    }
+
+    /// Makes the budget's variable lack the same on all ways to a statement.
+    pub(super) fn meet_budget(&mut self, statement: u32) {
+        let taken = self.taken;
+        let there = *self.arrival(statement).taken.get_or_insert(taken);
+        self.take_from_budget(taken - there);
+    }
+
+    /// Whether the last look at the budget is for a block of this weight, too.
+    pub(super) fn is_looked_at(&mut self, weight: i64) -> bool {
+        let Some(look) = self.look.map(|index| &mut self.looks[index]) else { return false };
+        if look.weight + weight > WEIGHT_MAX {
+            self.look = None;
+            return false;
+        }
+        look.weight += weight;
+        for &(inst, added) in &look.limits {
+            let imm = Imm64::new(look.weight + added);
+            self.b.func.dfg.insts[inst] = InstructionData::UnaryImm { opcode: Opcode::Iconst, imm };
+        }
+        true
+    }
+
+    /// The weight that a look is for at the end, and more.
+    fn weight_of_look(&mut self, index: usize, added: i64) -> Value {
+        let limit = self.b.ins().iconst(I64, self.looks[index].weight + added);
+        if let ValueDef::Result(inst, _) = self.b.func.dfg.value_def(limit) {
+            self.looks[index].limits.push((inst, added));
+        }
+        limit
+    }
+
+    /// Looks at the budget in front of a statement that enters blocks, if no look before is for them.
+    pub(super) fn look_at_budget(&mut self) {
+        if self.look.is_some() || !self.options.optimize || self.called_only() || !self.outer.is_empty() || !self.enters_blocks_once() {
+            return;
+        }
+        let index = self.looks.len();
+        self.looks.push(Look::default());
+        let limit = self.weight_of_look(index, self.taken);
+        let variable = self.budget();
+        let budget = self.b.use_var(variable);
+        let too_low = self.b.ins().icmp(IntCC::SignedLessThan, budget, limit);
+        let code = self.b.ins().iconst(I64, self.index as i64);
+        let statement = self.b.ins().iconst(I64, i64::from(self.statement));
+        self.unless_failed(too_low, Question::Interpret, &[self.link, code, statement], After::Never);
+        self.look = Some(index);
+    }
+
+    /// Whether the running statement is in no loop and calls blocks that become part of it.
+    fn enters_blocks_once(&self) -> bool {
+        let code = &self.native().code;
+        let becomes_part = |inst: &Inst| match inst {
+            Inst::Call { callee: Callee::Block(id), .. } => (self.find)(*id).is_some_and(|code| self.inlines(code as usize)),
+            _ => false,
+        };
+        let jumps_over = |from: usize| {
+            code.statement(from).iter().flat_map(|inst| targets(code, inst)).any(|to| to <= self.statement && to as usize <= from)
+        };
+        code.statement(self.statement as usize).iter().any(becomes_part)
+            && !(self.statement as usize..code.statement_count()).any(jumps_over)
+    }
+
+    /// Whether the budget, as somebody who was asked left it, lasts for what the look was for.
+    pub(super) fn budget_lasts(&mut self, look: usize) -> Value {
+        let limit = self.weight_of_look(look, 0);
+        let budget = self.load_budget();
+        self.b.ins().icmp(IntCC::SignedGreaterThanOrEqual, budget, limit)
+    }
+}
