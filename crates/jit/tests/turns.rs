@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use dice::Dice;
 use noting::{program, run};
-use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
 use sieben_engine::{Entry, Exit, FaultPlace, Interpreter, Layout, Machine, Reaction, StopReason};
 use sieben_jit::{Jit, StatusBits};
@@ -17,13 +17,17 @@ mod dice;
 mod noting;
 
 /// Programs that are compared.
-const PROGRAMS: u64 = 600;
+const PROGRAMS: u64 = 900;
 /// Questions after which the Host stops a run.
 const QUESTIONS_MAX: usize = 40;
 /// Bytes of the data block: room for some arrays.
 const DATA_BYTES: usize = 640;
 /// Where the variables lie in bit memory: not in an array.
 const VARIABLES: u32 = 200;
+
+/// Blocks that some loops call.
+const FUNCTION: BlockId = BlockId::fc(1);
+const FUNCTION_BLOCK: BlockId = BlockId::fb(1);
 
 /// How a loop counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,6 +47,25 @@ struct Maker<'b> {
     statements: u32,
     /// The variable with the next number has not been used.
     next: u32,
+    /// Whether the loops call blocks.
+    calls: bool,
+}
+
+/// Part of a turn.
+enum Part {
+    Statement,
+    /// The first is jumped over if a condition holds; if it is not, the second is.
+    Choice(Vec<Part>, Vec<Part>),
+}
+
+impl Part {
+    fn count(parts: &[Self]) -> u32 {
+        let one = |part: &Self| match part {
+            Self::Statement => 1,
+            Self::Choice(first, second) => 1 + Self::count(first) + if second.is_empty() { 0 } else { 1 + Self::count(second) },
+        };
+        parts.iter().map(one).sum()
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -193,6 +216,68 @@ impl Maker<'_> {
         }
     }
 
+    /// Statements of a loop, some of which are jumped over.
+    fn write_parts(&mut self, indexes: &[(Variable, Counter)], sum: Variable, parts: &[Part]) {
+        for part in parts {
+            match part {
+                Part::Statement => self.statement(indexes, sum),
+                Part::Choice(first, second) => {
+                    self.begin();
+                    let condition = self.some_turns(indexes, sum);
+                    let behind = self.statements + Part::count(first) + u32::from(!second.is_empty());
+                    self.b.push(Inst::Branch { condition, to: Target(behind) });
+                    self.write_parts(indexes, sum, first);
+                    if !second.is_empty() {
+                        self.begin();
+                        let behind = self.statements + Part::count(second);
+                        self.b.push(Inst::Jump { to: Target(behind) });
+                        self.write_parts(indexes, sum, second);
+                    }
+                }
+            }
+        }
+    }
+
+    /// A condition that holds in some turns.
+    fn some_turns(&mut self, indexes: &[(Variable, Counter)], sum: Variable) -> Var {
+        let half = self.dice.roll(4) == 0;
+        let width = if half { Width::Word } else { Width::DoubleWord };
+        let args = [self.operand(indexes, width, &[sum]), self.operand(indexes, width, &[sum])];
+        let op = if half {
+            self.dice.of(&[Op::LtI16, Op::GeI16, Op::EqI16, Op::NeI16])
+        } else {
+            let reals = [Op::LtF32, Op::LeF32, Op::GtF32, Op::GeF32, Op::EqF32, Op::NeF32, Op::DifferF32];
+            let doubles = [Op::LtI32, Op::GtI32, Op::EqI32, Op::Differ, Op::Below];
+            if self.dice.roll(2) == 0 { self.dice.of(&reals) } else { self.dice.of(&doubles) }
+        };
+        let condition = self.b.compute(op, &args);
+        match self.dice.roll(4) {
+            0 => self.b.compute(Op::Not, &[condition]),
+            1 => {
+                let number = self.get(indexes[0].0);
+                let limit = self.dice.of(&[3, 7, 20]);
+                let limit = self.b.constant(limit);
+                let other = self.b.compute(Op::Below, &[number, limit]);
+                let op = self.dice.of(&[Op::And, Op::Or, Op::AndNot, Op::Xor]);
+                self.b.compute(op, &[condition, other])
+            }
+            _ => condition,
+        }
+    }
+
+    fn parts(&mut self, depth: usize) -> Vec<Part> {
+        let count = 1 + self.dice.roll(2);
+        let parts = (0..count).map(|_| match self.dice.roll(3) {
+            0 if depth > 0 => {
+                let first = self.parts(depth - 1);
+                let second = if self.dice.roll(2) == 0 { self.parts(depth - 1) } else { Vec::new() };
+                Part::Choice(first, second)
+            }
+            _ => Part::Statement,
+        });
+        parts.collect()
+    }
+
     /// A loop, with another one in it now and then.
     fn counted(&mut self, around: &[(Variable, Counter)]) {
         let counter = self.dice.of(&[Counter::Double, Counter::Double, Counter::Double, Counter::Word, Counter::Looping]);
@@ -220,9 +305,8 @@ impl Maker<'_> {
             self.begin();
             self.put(index, Register::Accu1.into());
         }
-        for _ in 0..1 + self.dice.roll(2) {
-            self.statement(&indexes, sum);
-        }
+        let parts = self.parts(2);
+        self.write_parts(&indexes, sum, &parts);
         if around.is_empty() && self.dice.roll(2) == 0 {
             self.counted(&indexes);
             if self.dice.roll(2) == 0 {
@@ -387,9 +471,34 @@ impl Elements {
 
     fn operations(self) -> &'static [Op] {
         match self {
-            Self::Halves => &[Op::AddU16, Op::SubU16, Op::MulU16, Op::AddI16Wide, Op::MulI16Wide],
-            Self::Words => &[Op::AddU32, Op::SubU32, Op::MulU32, Op::AndU32, Op::OrU32, Op::XorU32],
-            Self::Reals => &[Op::AddF32, Op::SubF32, Op::MulF32, Op::DivF32],
+            Self::Halves => &[Op::AddU16, Op::SubU16, Op::MulU16, Op::AddI16Wide, Op::MulI16Wide, Op::MinI16, Op::MaxI16, Op::Select],
+            Self::Words => &[
+                Op::AddU32,
+                Op::SubU32,
+                Op::MulU32,
+                Op::AndU32,
+                Op::OrU32,
+                Op::XorU32,
+                Op::MinI32,
+                Op::MaxI32,
+                Op::NegI32,
+                Op::DivI32,
+                Op::RemI32,
+                Op::Shl32,
+                Op::Sar32,
+                Op::Select,
+            ],
+            Self::Reals => {
+                &[Op::AddF32, Op::SubF32, Op::MulF32, Op::DivF32, Op::MinF32, Op::MaxF32, Op::NegF32, Op::AbsF32, Op::Select, Op::Copy]
+            }
+        }
+    }
+
+    fn comparisons(self) -> &'static [Op] {
+        match self {
+            Self::Halves => &[Op::LtI16, Op::GeI16, Op::EqI16, Op::NeI16, Op::LeI16, Op::GtI16],
+            Self::Words => &[Op::LtI32, Op::LeI32, Op::GtI32, Op::GeI32, Op::EqI32, Op::Differ, Op::Below],
+            Self::Reals => &[Op::LtF32, Op::LeF32, Op::GtF32, Op::GeF32, Op::EqF32, Op::NeF32, Op::DifferF32],
         }
     }
 }
@@ -427,6 +536,135 @@ impl Maker<'_> {
         }
     }
 
+    /// Statements of such a loop, some of which are jumped over.
+    fn smooth_parts(&mut self, elements: Elements, variables: [Variable; 3], parts: &[Part]) {
+        let [index, other, sum] = variables;
+        for part in parts {
+            self.begin();
+            let Part::Choice(first, second) = part else {
+                self.smooth_statement(elements, index, other, sum);
+                continue;
+            };
+            let args = [self.smooth_operand(elements, index, other), self.smooth_operand(elements, index, other)];
+            let op = self.dice.of(elements.comparisons());
+            let mut condition = self.b.compute(op, &args);
+            if self.dice.roll(3) == 0 {
+                condition = self.b.compute(Op::Not, &[condition]);
+            }
+            if self.dice.roll(4) == 0 {
+                let args = [self.smooth_operand(elements, index, other), self.smooth_operand(elements, index, other)];
+                let also = self.b.compute(op, &args);
+                let both = self.dice.of(&[Op::And, Op::Or, Op::AndNot, Op::Xor]);
+                condition = self.b.compute(both, &[condition, also]);
+            }
+            if self.dice.roll(6) == 0 {
+                let flag = Place::Fixed { area: Area::BitMemory, position: 8 * 250 + 3 };
+                self.b.store(flag, Width::Bit, condition);
+            }
+            let behind = self.statements + Part::count(first) + u32::from(!second.is_empty());
+            self.b.push(Inst::Branch { condition, to: Target(behind) });
+            self.smooth_parts(elements, variables, first);
+            if !second.is_empty() {
+                self.begin();
+                let behind = self.statements + Part::count(second);
+                self.b.push(Inst::Jump { to: Target(behind) });
+                self.smooth_parts(elements, variables, second);
+            }
+        }
+    }
+
+    /// What a function makes of two values, as the caller of a function in Structured Text has it.
+    fn result_of_function(&mut self, a: Var, b: Var) -> Var {
+        let local = |byte: u32| Place::Fixed { area: Area::Local, position: 8 * byte };
+        for (byte, value) in [(24, a), (28, b)] {
+            self.b.store(local(byte), Width::DoubleWord, value);
+        }
+        for byte in [24, 28, 32] {
+            let pointer = self.b.constant(0x8700_0000 + 8 * byte);
+            self.b.push(Inst::PassParameter { src: pointer });
+        }
+        self.b.push(Inst::Call { callee: Callee::Block(FUNCTION), parameters: 3 });
+        self.b.load(local(32), Width::DoubleWord, OnFault::SkipStatement)
+    }
+
+    /// What a function block of an array makes of a value.
+    fn result_of_function_block(&mut self, index: Variable, value: Var) -> Var {
+        let saved = Place::Fixed { area: Area::Local, position: 8 * 36 };
+        let given = Place::Fixed { area: Area::Local, position: 8 * 40 };
+        self.b.store(given, Width::DoubleWord, value);
+        self.b.store(saved, Width::DoubleWord, Register::Ar2);
+        let mut number = self.get(index);
+        if index.width == Width::Word {
+            number = self.b.compute(Op::Extend16, &[number]);
+        }
+        let limit = self.b.constant(50);
+        let below = self.b.compute(Op::Below, &[number, limit]);
+        self.b.push(Inst::Require { condition: below, code: 162, register: number });
+        let number = self.b.compute(Op::Gate, &[number, below]);
+        let size = self.b.constant(96);
+        let way = self.b.compute(Op::MulU32, &[number, size]);
+        let first = self.b.constant(0x8500_0000);
+        let pointer = self.b.compute(Op::AddU32, &[first, way]);
+        let value = self.b.load(given, Width::DoubleWord, OnFault::SkipStatement);
+        self.b.store(Place::Indirect { area: Area::InstanceData, pointer, offset: 0 }, Width::DoubleWord, value);
+        self.b.compute_into(Register::Ar2, Op::Copy, &[pointer]);
+        self.b.push(Inst::Call { callee: Callee::Block(FUNCTION_BLOCK), parameters: 0 });
+        let result = Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 32 };
+        let result = self.b.load(result, Width::DoubleWord, OnFault::SkipStatement);
+        self.b.store(given, Width::DoubleWord, result);
+        let pointer = self.b.load(saved, Width::DoubleWord, OnFault::SkipStatement);
+        self.b.compute_into(Register::Ar2, Op::Copy, &[pointer]);
+        self.b.load(given, Width::DoubleWord, OnFault::SkipStatement)
+    }
+
+    /// A statement of such a loop, which has begun.
+    fn smooth_statement(&mut self, elements: Elements, index: Variable, other: Variable, sum: Variable) {
+        match self.dice.roll(if self.calls { 4 } else { 1 }) {
+            2 if elements.width() == Width::DoubleWord => {
+                let args = [self.smooth_operand(elements, index, other), self.smooth_operand(elements, index, other)];
+                let value = self.result_of_function(args[0], args[1]);
+                let before = self.get(sum);
+                let after = self.b.compute(Op::AddU32, &[before, value]);
+                return self.put(sum, after);
+            }
+            3 if elements.width() == Width::DoubleWord => {
+                let value = self.smooth_operand(elements, index, other);
+                let value = self.result_of_function_block(index, value);
+                let place = self.at(2, elements, &[(index, 1)]);
+                return self.b.store(place, elements.width(), value);
+            }
+            _ => {}
+        }
+        let args = [self.smooth_operand(elements, index, other), self.smooth_operand(elements, index, other)];
+        let op = self.dice.of(elements.operations());
+        let value = match op {
+            Op::DivI32 | Op::RemI32 | Op::Shl32 | Op::Sar32 => {
+                let number = self.dice.of(&[1, 2, 3, 8, 31, 64, 0x4000_0000, 0x8000_0000]);
+                let number = self.b.constant(number);
+                self.b.compute(op, &[args[0], number])
+            }
+            Op::Select => {
+                let which = self.b.compute(self.dice.of(elements.comparisons()), &args);
+                let third = self.smooth_operand(elements, index, other);
+                self.b.compute(op, &[which, args[0], third])
+            }
+            _ => self.b.compute(op, &args[..op.arity()]),
+        };
+        match self.dice.roll(6) {
+            0 | 1 if elements != Elements::Reals => {
+                let before = self.get(sum);
+                let op = if elements == Elements::Halves { Op::AddU16 } else { Op::AddU32 };
+                let after = self.b.compute(op, &[before, value]);
+                self.put(sum, after);
+            }
+            2 => self.put(other, value),
+            _ => {
+                let place = self.at(2, elements, &[(index, 1)]);
+                self.b.store(place, elements.width(), value);
+            }
+        }
+    }
+
     /// A loop whose turns hardly depend on one another; `inner` = each makes a sum of products.
     fn smooth(&mut self, inner: bool) {
         let elements = self.dice.of(&[Elements::Halves, Elements::Words, Elements::Reals]);
@@ -454,7 +692,7 @@ impl Maker<'_> {
             let second = self.at(1, elements, &[(column, column_of), (index, 1)]);
             let second = self.b.load(second, elements.width(), OnFault::SkipStatement);
             let operations = elements.operations();
-            let product = self.b.compute(self.dice.of(operations), &[first, second]);
+            let product = self.b.compute(self.dice.of(&operations[..4.min(operations.len())]), &[first, second]);
             let before = self.get(sum);
             let after = self.b.compute(operations[self.dice.roll(3) as usize], &[before, product]);
             self.put(sum, after);
@@ -472,21 +710,8 @@ impl Maker<'_> {
             let place = self.at(2, elements, &[(index, 1)]);
             self.b.store(place, elements.width(), value);
         } else {
-            for _ in 0..1 + self.dice.roll(2) {
-                self.begin();
-                let args = [self.smooth_operand(elements, index, other), self.smooth_operand(elements, index, other)];
-                let op = self.dice.of(elements.operations());
-                let value = self.b.compute(op, &args);
-                if elements != Elements::Reals && self.dice.roll(3) == 0 {
-                    let before = self.get(sum);
-                    let op = if elements == Elements::Halves { Op::AddU16 } else { Op::AddU32 };
-                    let after = self.b.compute(op, &[before, value]);
-                    self.put(sum, after);
-                } else {
-                    let place = self.at(2, elements, &[(index, 1)]);
-                    self.b.store(place, elements.width(), value);
-                }
-            }
+            let parts = self.parts(2);
+            self.smooth_parts(elements, [index, other, sum], &parts);
         }
         self.begin();
         let number = self.get(index);
@@ -501,10 +726,13 @@ impl Maker<'_> {
 }
 
 fn loops(b: &mut Builder, seed: u64) {
-    let mut maker = Maker { b, dice: Dice(seed), statements: 0, next: 0 };
+    let mut maker = Maker { b, dice: Dice(seed), statements: 0, next: 0, calls: seed.is_multiple_of(3) };
     maker.begin();
     let number = maker.b.constant(1);
     maker.b.push(Inst::Open { register: DataRegister::Shared, number });
+    maker.begin();
+    let number = maker.b.constant(2);
+    maker.b.push(Inst::Open { register: DataRegister::Instance, number });
     for _ in 0..1 + maker.dice.roll(2) {
         match maker.dice.roll(10) {
             0 => maker.bits(),
@@ -520,10 +748,63 @@ fn loops(b: &mut Builder, seed: u64) {
     maker.b.push(Inst::Return);
 }
 
+/// A function of two values, or a function block with a value and a sum, whose last statements are jumped over by a condition.
+fn called(b: &mut Builder, seed: u64, is_function: bool) {
+    let mut dice = Dice(seed);
+    let sum = if is_function {
+        Place::Fixed { area: Area::Local, position: 0 }
+    } else {
+        Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 32 }
+    };
+    let parameter = |b: &mut Builder, index: u16| {
+        let pointer = b.temporary();
+        b.push(Inst::Parameter { dst: pointer, index });
+        Place::Crossing { pointer, offset: 0 }
+    };
+    let get = |b: &mut Builder, place: Place| b.load(place, Width::DoubleWord, OnFault::SkipStatement);
+    b.begin_statement();
+    let args = if is_function {
+        [0, 1].map(|index| {
+            let place = parameter(b, index);
+            get(b, place)
+        })
+    } else {
+        let first = Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 0 };
+        [first, sum].map(|place| get(b, place))
+    };
+    let value = b.compute(dice.of(&[Op::AddU32, Op::SubU32, Op::MulU32, Op::AddF32, Op::XorU32]), &args);
+    b.store(sum, Width::DoubleWord, value);
+    b.begin_statement();
+    let value = get(b, sum);
+    let limit = dice.of(&[0, 100, 0x4000_0000]);
+    let limit = b.constant(limit);
+    let condition = b.compute(dice.of(&[Op::LtI32, Op::GtI32, Op::LtF32]), &[value, limit]);
+    if !is_function {
+        let bit = Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 67 };
+        b.store(bit, Width::Bit, condition);
+    }
+    b.push(Inst::Branch { condition, to: Target(3) });
+    b.begin_statement();
+    let value = get(b, sum);
+    let by = b.constant(dice.of(&[4, 16, 3]));
+    let value = b.compute(dice.of(&[Op::DivI32, Op::RemI32, Op::AddU32]), &[value, by]);
+    b.store(sum, Width::DoubleWord, value);
+    b.begin_statement();
+    if is_function {
+        let value = get(b, sum);
+        let place = parameter(b, 2);
+        b.store(place, Width::DoubleWord, value);
+    }
+    let yes = b.constant(1);
+    b.compute_into(Register::Br, Op::Copy, &[yes]);
+}
+
 fn layout(program: &sieben_engine::Program) -> Layout {
     let mut layout = noting::layout(program);
-    layout.size += DATA_BYTES;
-    layout.data_blocks.insert(1, layout.size - DATA_BYTES..layout.size);
+    for number in [1, 2] {
+        layout.size += DATA_BYTES;
+        layout.data_blocks.insert(number, layout.size - DATA_BYTES..layout.size);
+    }
     layout
 }
 
@@ -545,7 +826,11 @@ fn turns_that_nobody_looks_at_do_what_the_interpreter_does() {
     let (mut asked, mut finished) = (0, 0);
     for seed in 0..PROGRAMS {
         let block = BlockId::ob(1);
-        let program = program(&[(block, 48, &|b| loops(b, seed))]);
+        let program = program(&[
+            (block, 48, &|b| loops(b, seed)),
+            (FUNCTION, 4, &|b| called(b, seed + 3_000_000, true)),
+            (FUNCTION_BLOCK, 4, &|b| called(b, seed + 4_000_000, false)),
+        ]);
         let layout = layout(&program);
         let entry = Entry { block, start_information: [7; 20], registers: None };
         let prepare = |machine: &mut Machine| {

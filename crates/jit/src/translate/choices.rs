@@ -12,7 +12,7 @@ use super::value::Val;
 const INSTRUCTIONS_MAX: usize = 8;
 
 /// Whether an operation takes no longer than a jump that was not foreseen.
-fn is_cheap(op: Op) -> bool {
+pub(super) fn is_cheap(op: Op) -> bool {
     use Op as O;
     let logic =
         matches!(op, O::Copy | O::Not | O::And | O::AndNot | O::Or | O::Xor | O::Select | O::Gate | O::AndU32 | O::OrU32 | O::XorU32);

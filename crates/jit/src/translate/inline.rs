@@ -156,6 +156,8 @@ impl Translator<'_> {
             Op::DivF32 => { let (a, b) = (self.f32(a), self.f32(b)); let result = self.b.ins().fdiv(a, b); self.quiet(result) }
             Op::SqrF32 => { let a = self.f32(a); let result = self.b.ins().fmul(a, a); self.quiet(result) }
             // Through f64 and rounded, the root is the same: f64 has more than twice the digits.
+            Op::MinF32 => { let first = self.is_first(a, b, b); self.real_of_both(first, a, b) }
+            Op::MaxF32 => { let second = self.is_first(a, b, a); self.real_of_both(second, b, a) }
             Op::SqrtF32 => { let a = self.f32(a); let result = self.b.ins().sqrt(a); self.quiet(result) }
             // A denormal value counts as 0, and no number as greater and less.
             Op::RealCc1 => { let a = self.f32(a); let least = self.b.ins().f32const(f32::MIN_POSITIVE); self.float_flag(FloatCC::UnorderedOrGreaterThanOrEqual, a, least) }
@@ -444,6 +446,21 @@ impl Translator<'_> {
         let bits = self.b.ins().bitcast(I32, MemFlagsData::new(), real);
         let nan = self.b.ins().iconst(I32, i64::from(f32::NAN.to_bits()));
         Val::Real { real, bits: self.b.ins().select(none, nan, bits) }
+    }
+
+    /// Whether the first of two REALs is less, or a third one is no number.
+    fn is_first(&mut self, a: Val, b: Val, number: Val) -> Value {
+        let [a, b, number] = [a, b, number].map(|real| self.f32(real));
+        let less = self.b.ins().fcmp(FloatCC::LessThan, a, b);
+        let none = self.b.ins().fcmp(FloatCC::Unordered, number, number);
+        self.b.ins().bor(less, none)
+    }
+
+    fn real_of_both(&mut self, condition: Value, a: Val, b: Val) -> Val {
+        let [a, b] = [a, b].map(|real| self.int(real));
+        let bits = self.b.ins().select(condition, a, b);
+        let real = self.b.ins().bitcast(F32, MemFlagsData::new(), bits);
+        self.quiet(real)
     }
 
     fn merge(&mut self, high: Val, low: Val, mask: u32) -> Val {

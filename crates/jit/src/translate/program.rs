@@ -151,6 +151,10 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     let mut context = module.make_context();
     let mut frontend = FunctionBuilderContext::new();
     let mut listing = String::new();
+    if options.lists {
+        // Blocks that only become part of others have no function.
+        blocks.iter().for_each(|block| listing += &format!("{}\n{}\n", block.id, block.code));
+    }
     let (mut bytes, mut frame_max) = (0, 0);
     let mut pinned = BTreeSet::new();
     while let Some((index, known, function)) = versions.next() {
@@ -165,7 +169,7 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
         let mut found = Translator::new(builder, &mut module, &mut versions, program, index).run(known, target);
         pinned.append(&mut found.pinned);
         if options.lists {
-            listing += &format!("{}\n{}\n{}\n", blocks[index].id, blocks[index].code, context.func.display());
+            listing += &format!("{}\n{}\n", blocks[index].id, context.func.display());
         }
         define(&mut module, function, &mut context, for_loops).map_err(|error| format!("{}: {error}", blocks[index].id))?;
         listing += context.compiled_code().and_then(|code| code.vcode.as_deref()).unwrap_or_default();

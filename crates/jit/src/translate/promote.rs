@@ -193,6 +193,8 @@ impl Translator<'_> {
 
     fn keep(&mut self, base: Base, offset: i32, candidate: &Candidate, it: &Loop) {
         let &Candidate { width, in_data_block, written, real, .. } = candidate;
+        // A block that becomes part of the loop may write what the loop itself only reads.
+        let written = written || !it.calls_nothing;
         let real = (real && width == Width::DoubleWord).then(|| self.b.declare_var(F32));
         let variable = self.b.declare_var(if width == Width::QuadWord { I64 } else { I32 });
         let promoted = Promoted { base, offset, width, in_data_block, variable, real, written, first: it.first, last: it.last };

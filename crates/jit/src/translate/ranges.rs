@@ -21,7 +21,7 @@ mod interval;
 mod places;
 mod statements;
 
-pub(super) use interval::Interval;
+pub(super) use interval::{Interval, result};
 use interval::{Number, Relation};
 
 /// Blocks with more instructions are not looked at: it takes time that grows faster than they do.

@@ -13,9 +13,12 @@ use super::loops::Loop;
 mod bit_sums;
 mod bits;
 mod count;
+mod held;
 mod kernel;
 mod line;
+mod reader;
 mod vector;
+mod ways;
 mod write;
 
 use count::Count;
@@ -57,7 +60,7 @@ impl Translator<'_> {
         if self.at_once.iter().any(around) {
             return;
         }
-        let Some(kernel) = kernel::read(self, it) else { return };
+        let Some(kernel) = reader::read(self, it) else { return };
         if let Some(bits) = bits::read(&kernel) {
             self.at_once.push((self.index, it.first, it.last));
             self.bits_at_once(&kernel, &bits, it);
@@ -96,10 +99,9 @@ impl Plan {
 
     /// Whether all access is known to stay inside its area, or can be looked at in front of the loop.
     fn can_be_written(&self) -> bool {
-        self.kernel
-            .accesses
-            .iter()
-            .all(|access| access.inside.is_some() || access.level == Level::Outer && self.counted_on(access, Level::Outer).is_some())
+        self.kernel.accesses.iter().all(|access| {
+            access.inside.is_some() && access.sure || access.level == Level::Outer && self.counted_on(access, Level::Outer).is_some()
+        })
     }
 
     /// How many turns are done side by side, the greatest number first.
@@ -123,7 +125,7 @@ impl Plan {
             (Some(Shape::Line(_) | Shape::Halves), Shape::Halves) => true,
             (Some(Shape::Line(line)), Shape::Words) => line.bits == 32 || line.is_same(),
             (Some(Shape::Line(line)), _) => line.is_same(),
-            (Some(Shape::Halves | Shape::Words), Shape::Words) => true,
+            (Some(Shape::Halves | Shape::Words | Shape::Reals), Shape::Words) => true,
             (Some(Shape::Words | Shape::Reals), Shape::Reals) => true,
             _ => false,
         };
@@ -132,7 +134,7 @@ impl Plan {
                 Carried::Line(_) => true,
                 Carried::Chain => false,
                 Carried::Sum { added, bits } => fits(added, if bits == 16 { Shape::Halves } else { Shape::Words }),
-                Carried::Nothing => kernel.shape(end).is_some(),
+                Carried::Nothing => kernel.sum_at_start(end).is_some() || kernel.shape(end).is_some(),
             };
             if !possible {
                 return false;
@@ -173,8 +175,8 @@ impl Plan {
 }
 
 impl Kernel {
-    fn counted_on(&self, access: &Access, level: Level) -> Option<u32> {
-        if access.level != level || access.width == sieben_model::address::Width::Bit {
+    pub(super) fn counted_on(&self, access: &Access, level: Level) -> Option<u32> {
+        if access.level != level || access.width == sieben_model::address::Width::Bit && access.part.is_none() {
             return None;
         }
         self.line(access.pointer, level).filter(|line| line.bits == 32 && line.step % 8 == 0).map(|line| line.step)

@@ -257,7 +257,7 @@ fn wrapping(op: Op) -> Option<(Compute, u32)> {
 }
 
 /// What an operation computes from values of which this is known.
-pub(super) fn result(op: Op, [a, b, c]: [Interval; 3]) -> Interval {
+pub(in crate::translate) fn result(op: Op, [a, b, c]: [Interval; 3]) -> Interval {
     if let Some((compute, bits)) = wrapping(op) {
         return computed(compute, a.modulo(bits), b.modulo(bits), zeros_of(op, a, b), bits);
     }

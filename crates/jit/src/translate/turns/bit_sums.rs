@@ -41,9 +41,14 @@ pub(super) fn read(plan: &Plan) -> Option<BitSums> {
     let kernel = &plan.kernel;
     let follows = |access: &Access| {
         let line = kernel.line(access.pointer, Level::Outer);
-        access.value.is_none() && access.width == Width::Bit && access.inside.is_some() && line == Some(Line { step: 1, bits: 32 })
+        access.value.is_none()
+            && access.width == Width::Bit
+            && access.inside.is_some()
+            && access.sure
+            && line == Some(Line { step: 1, bits: 32 })
     };
-    if kernel.inner.is_some() || kernel.accesses.is_empty() || !kernel.accesses.iter().all(follows) {
+    let is_more = kernel.inner.is_some() || kernel.outer.blocks_most != 0 || !kernel.required.is_empty();
+    if is_more || kernel.accesses.is_empty() || !kernel.accesses.iter().all(follows) {
         return None;
     }
     let (mut sums, mut lines) = (Vec::new(), Vec::new());

@@ -46,7 +46,7 @@ pub(super) fn read(kernel: &Kernel) -> Option<Bits> {
     let mut stores = kernel.accesses.iter().filter_map(|access| Some((access, access.value?)));
     let (Some((store, value)), None) = (stores.next(), stores.next()) else { return None };
     let value = kernel.constant(value)? & 1 != 0;
-    if store.width != Width::Bit {
+    if store.width != Width::Bit || kernel.outer.blocks_most != 0 || !kernel.required.is_empty() {
         return None;
     }
     let start = |node: Node| kernel.is_start(node, Level::Outer, counter);

@@ -147,7 +147,7 @@ mod tests {
     fn turns_are_those_that_the_condition_makes() {
         for step in [-7, -2, -1, 1, 2, 3, 8] {
             for inclusive in [false, true] {
-                let count = Count { counter: Node::FIRST, limit: Some(Node::FIRST), step, bits: 32, inclusive };
+                let count = Count { counter: Node::numbered(0), limit: Some(Node::numbered(0)), step, bits: 32, inclusive };
                 for counter in -20..20 {
                     for limit in -20..20 {
                         assert_eq!(count.turns(counter, limit), counted(count, counter, limit), "{count:?} {counter} {limit}");

@@ -38,6 +38,8 @@ pub(super) enum Shape {
     Words,
     /// REALs.
     Reals,
+    /// Bits, each as 32 that are all like it.
+    Mask,
 }
 
 /// How a cell is carried from turn to turn.
@@ -53,9 +55,26 @@ pub(super) enum Carried {
     Nothing,
 }
 
+/// A cell that grows by a value in each turn, modulo 2 to the power of `bits`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sum {
+    pub(super) of: Cell,
+    pub(super) added: Node,
+    pub(super) bits: u32,
+}
+
 impl Kernel {
     /// The line on which a value lies from turn to turn of a loop.
     pub(super) fn line(&self, node: Node, level: Level) -> Option<Line> {
+        let known = self.lines.borrow().get(&(node, level)).copied();
+        known.unwrap_or_else(|| {
+            let line = self.line_of(node, level);
+            self.lines.borrow_mut().insert((node, level), line);
+            line
+        })
+    }
+
+    fn line_of(&self, node: Node, level: Level) -> Option<Line> {
         match self.what(node) {
             What::Constant(_) => Some(Line::SAME),
             What::Start(of, cell) if of == level => self.cell_line(level, cell),
@@ -209,11 +228,27 @@ impl Kernel {
             () if self.is_start(b, level, cell) => a,
             () => return None,
         };
-        let others = self.turn(level).ends.iter().filter(|&(&other, _)| other != cell).map(|(_, &end)| end);
+        let is_left = |other: Cell, end: Node| self.is_start(end, level, cell) && self.is_left_only(level, other);
+        let others = self.turn(level).ends.iter().filter(|&(&other, &end)| other != cell && !is_left(other, end)).map(|(_, &end)| end);
         let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
         let entries = self.inner.iter().flat_map(|inner| inner.entry.values().chain(inner.ends.values()).copied());
         let mut all = others.chain(of_accesses).chain(entries).chain([added, self.turn(level).again]);
         (!all.any(|node| self.rests_on(node, level, cell))).then_some((added, if op == Op::AddU16 { 16 } else { 32 }))
+    }
+
+    /// Whether nothing in the next turn looks at what a turn leaves in a cell.
+    fn is_left_only(&self, level: Level, cell: Cell) -> bool {
+        let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
+        let turn = self.turn(level);
+        let mut all = turn.ends.values().copied().chain(of_accesses).chain([turn.again]);
+        self.inner.is_none() && !all.any(|node| self.rests_on(node, level, cell))
+    }
+
+    /// The sum that a value is what it was when a turn begins.
+    pub(super) fn sum_at_start(&self, node: Node) -> Option<Sum> {
+        let What::Start(Level::Outer, of) = self.what(node) else { return None };
+        let (added, bits) = self.sum(Level::Outer, of, *self.outer.ends.get(&of)?)?;
+        self.cell_line(Level::Outer, of).is_none().then_some(Sum { of, added, bits })
     }
 
     /// Whether a value rests on what a cell holds when a turn begins.
@@ -247,6 +282,15 @@ impl Kernel {
 
     /// The form of a value when turns of the outer loop are done side by side; `None` if it has none.
     pub(super) fn shape(&self, node: Node) -> Option<Shape> {
+        let known = self.shapes.borrow().get(&node).copied();
+        known.unwrap_or_else(|| {
+            let shape = self.shape_of(node);
+            self.shapes.borrow_mut().insert(node, shape);
+            shape
+        })
+    }
+
+    fn shape_of(&self, node: Node) -> Option<Shape> {
         if let Some(line) = self.line(node, Level::Outer) {
             return Some(Shape::Line(line));
         }
@@ -272,7 +316,19 @@ impl Kernel {
                 for (shape, &arg) in shapes.iter_mut().zip(&args[..op.arity()]) {
                     *shape = self.shape(arg)?;
                 }
-                shape_of_result(op, &shapes[..op.arity()])
+                let divisor = (op.arity() == 2).then(|| self.constant(args[1])).flatten();
+                match op {
+                    Op::DivI32 | Op::RemI32 if !divisor.is_some_and(is_power) => None,
+                    Op::Shl32 | Op::Shr32 | Op::Sar32 if divisor.is_none_or(|count| count & 0xFF >= 32) => None,
+                    // A choice between numbers of 16 bits has 16 bits.
+                    Op::Select if self.is_16_bits(node) && shapes[1..3].iter().all(is_halves) => {
+                        matches!(shapes[0], Shape::Mask | Shape::Line(Line { step: 0, .. })).then_some(Shape::Halves)
+                    }
+                    Op::Gate if self.is_16_bits(node) && is_halves(&shapes[0]) => {
+                        matches!(shapes[1], Shape::Mask | Shape::Line(Line { step: 0, .. })).then_some(Shape::Halves)
+                    }
+                    _ => shape_of_result(op, &shapes[..op.arity()]),
+                }
             }
         }
     }
@@ -297,27 +353,43 @@ impl Kernel {
     }
 }
 
+/// Whether a number divides as shifts do.
+pub(super) fn is_power(divisor: u64) -> bool {
+    u32::try_from(divisor).is_ok_and(|divisor| divisor.is_power_of_two() && divisor < 1 << 31)
+}
+
+fn is_halves(shape: &Shape) -> bool {
+    matches!(shape, Shape::Line(_) | Shape::Halves)
+}
+
 /// The form of a result.
-pub(super) fn shape_of_result(op: Op, args: &[Shape]) -> Option<Shape> {
-    let halves = |shape: &Shape| matches!(shape, Shape::Line(_) | Shape::Halves);
+fn shape_of_result(op: Op, args: &[Shape]) -> Option<Shape> {
+    use Op as O;
+    let same = |shape: &Shape| matches!(shape, Shape::Line(line) if line.is_same());
     let words = |shape: &Shape| match shape {
         Shape::Line(line) => line.bits == 32 || line.is_same(),
-        Shape::Halves | Shape::Words => true,
-        Shape::Reals => false,
+        Shape::Halves | Shape::Words | Shape::Reals => true,
+        Shape::Mask => false,
     };
-    let reals = |shape: &Shape| match shape {
-        Shape::Line(line) => line.is_same(),
-        Shape::Words | Shape::Reals => true,
-        Shape::Halves => false,
-    };
+    let reals = |shape: &Shape| same(shape) || matches!(shape, Shape::Words | Shape::Reals);
+    let masks = |shape: &Shape| same(shape) || *shape == Shape::Mask;
+    let all = |fits: &dyn Fn(&Shape) -> bool, shape: Shape| args.iter().all(fits).then_some(shape);
     match op {
-        _ if args.iter().all(|shape| matches!(shape, Shape::Line(line) if line.is_same())) => Some(Shape::Line(Line::SAME)),
-        Op::AddU16 | Op::SubU16 | Op::MulU16 if args.iter().all(halves) => Some(Shape::Halves),
-        Op::AddU32 | Op::SubU32 | Op::MulU32 | Op::AndU32 | Op::OrU32 | Op::XorU32 if args.iter().all(words) => Some(Shape::Words),
-        Op::Extend16 if matches!(args[0], Shape::Halves | Shape::Line(Line { bits: 16, .. })) => Some(Shape::Words),
-        Op::AddI16Wide | Op::SubI16Wide | Op::MulI16Wide if args.iter().all(halves) => Some(Shape::Words),
-        Op::I32ToF32 if args.iter().all(words) => Some(Shape::Reals),
-        Op::AddF32 | Op::SubF32 | Op::MulF32 | Op::DivF32 if args.iter().all(reals) => Some(Shape::Reals),
+        _ if args.iter().all(same) => Some(Shape::Line(Line::SAME)),
+        O::AddU16 | O::SubU16 | O::MulU16 | O::MinI16 | O::MaxI16 => all(&is_halves, Shape::Halves),
+        O::AddU32 | O::SubU32 | O::MulU32 | O::AndU32 | O::OrU32 | O::XorU32 | O::MinI32 | O::MaxI32 => all(&words, Shape::Words),
+        O::NegI32 | O::NegF32 | O::AbsF32 | O::DivI32 | O::RemI32 | O::Shl32 | O::Shr32 | O::Sar32 => all(&words, Shape::Words),
+        O::Extend16 if matches!(args[0], Shape::Halves | Shape::Line(Line { bits: 16, .. })) => Some(Shape::Words),
+        O::AddI16Wide | O::SubI16Wide | O::MulI16Wide => all(&is_halves, Shape::Words),
+        O::I32ToF32 => all(&words, Shape::Reals),
+        O::AddF32 | O::SubF32 | O::MulF32 | O::DivF32 | O::SqrtF32 | O::MinF32 | O::MaxF32 => all(&reals, Shape::Reals),
+        O::EqI32 | O::NeI32 | O::LtI32 | O::LeI32 | O::GtI32 | O::GeI32 | O::Equal | O::Differ | O::Below => all(&words, Shape::Mask),
+        O::EqI16 | O::NeI16 | O::LtI16 | O::LeI16 | O::GtI16 | O::GeI16 => all(&is_halves, Shape::Mask),
+        O::EqF32 | O::NeF32 | O::LtF32 | O::LeF32 | O::GtF32 | O::GeF32 | O::DifferF32 => all(&reals, Shape::Mask),
+        O::Not | O::And | O::AndNot | O::Or | O::Xor => all(&masks, Shape::Mask),
+        O::Select if masks(&args[0]) && args[1..].iter().all(words) => Some(Shape::Words),
+        O::Select if args.iter().all(masks) => Some(Shape::Mask),
+        O::Gate if words(&args[0]) && masks(&args[1]) => Some(Shape::Words),
         _ => None,
     }
 }

@@ -1,6 +1,6 @@
 //! Turns side by side: a value of each in the lanes of vectors of 128 bits.
 
-use cranelift_codegen::ir::condcodes::FloatCC;
+use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
 use cranelift_codegen::ir::types::{F32, F32X4, I8X16, I16, I16X8, I32, I32X4, I64};
 use cranelift_codegen::ir::{ConstantData, Endianness, Immediate, InstBuilder, MemFlagsData, Type, Value};
 use sieben_engine::ir::Op;
@@ -8,7 +8,7 @@ use sieben_engine::ir::Op;
 use super::super::Translator;
 use super::super::memory::data;
 use super::super::value::Val;
-use super::line::{Line, Shape, shape_of_result};
+use super::line::{Line, Shape};
 
 /// Bytes of a vector.
 pub(super) const VECTOR_BYTES: u32 = 16;
@@ -26,18 +26,8 @@ pub(super) enum Lanes {
     Words(Vec<Value>),
     /// REALs. What is no number is written in its one form.
     Reals(Vec<Value>),
-}
-
-impl Lanes {
-    pub(super) fn shape(&self) -> Shape {
-        match self {
-            Self::One(_) => Shape::Line(Line::SAME),
-            Self::Line(_, line) => Shape::Line(*line),
-            Self::Halves(_) => Shape::Halves,
-            Self::Words(_) => Shape::Words,
-            Self::Reals(_) => Shape::Reals,
-        }
-    }
+    /// Bits, each as 32 that are all like it.
+    Mask(Vec<Value>),
 }
 
 impl Shape {
@@ -46,7 +36,7 @@ impl Shape {
         match self {
             Self::Halves => (I16X8, lanes / 8),
             Self::Reals => (F32X4, lanes / 4),
-            Self::Words | Self::Line(_) => (I32X4, lanes / 4),
+            Self::Words | Self::Mask | Self::Line(_) => (I32X4, lanes / 4),
         }
     }
 
@@ -55,6 +45,7 @@ impl Shape {
         match self {
             Self::Halves => Lanes::Halves(vectors),
             Self::Reals => Lanes::Reals(vectors),
+            Self::Mask => Lanes::Mask(vectors),
             Self::Words | Self::Line(_) => Lanes::Words(vectors),
         }
     }
@@ -87,7 +78,7 @@ impl Translator<'_> {
             Lanes::Halves(vectors) => return vectors.clone(),
             Lanes::One(first) => (*first, Line::SAME),
             Lanes::Line(first, line) => (*first, *line),
-            Lanes::Words(_) | Lanes::Reals(_) => unreachable!("the shapes were looked at"),
+            Lanes::Words(_) | Lanes::Reals(_) | Lanes::Mask(_) => unreachable!("the shapes were looked at"),
         };
         let first = self.int(first);
         let first = self.b.ins().ireduce(I16, first);
@@ -102,7 +93,9 @@ impl Translator<'_> {
             Lanes::Halves(vectors) => return self.widened(&vectors.clone(), false),
             Lanes::One(first) => (*first, Line::SAME),
             Lanes::Line(first, line) => (*first, *line),
-            Lanes::Reals(_) => unreachable!("the shapes were looked at"),
+            // What is no number has one form as bits.
+            Lanes::Reals(reals) => return reals.clone().into_iter().map(|real| self.quiet_vector(real)).collect(),
+            Lanes::Mask(_) => unreachable!("the shapes were looked at"),
         };
         let first = self.int(first);
         let all = self.b.ins().splat(I32X4, first);
@@ -123,6 +116,19 @@ impl Translator<'_> {
                 words.into_iter().map(|word| self.b.ins().bitcast(F32X4, little(), word)).collect()
             }
         }
+    }
+
+    /// As masks.
+    fn masks(&mut self, value: &Lanes, lanes: u32) -> Vec<Value> {
+        let bit = match value {
+            Lanes::Mask(vectors) => return vectors.clone(),
+            Lanes::One(bit) => *bit,
+            _ => unreachable!("the shapes were looked at"),
+        };
+        let flag = self.flag(bit);
+        let all = self.b.ins().ineg(flag);
+        let all = self.b.ins().splat(I32X4, all);
+        vec![all; (lanes / 4) as usize]
     }
 
     fn along(&mut self, all: Value, ty: Type, line: Line, lanes: u32) -> Vec<Value> {
@@ -150,9 +156,10 @@ impl Translator<'_> {
     }
 
     /// The result of an operation in all lanes.
-    pub(super) fn compute_lanes(&mut self, op: Op, args: &[Lanes], lanes: u32) -> Lanes {
-        let shapes: Vec<Shape> = args.iter().map(Lanes::shape).collect();
-        let shape = shape_of_result(op, &shapes).expect("the shapes were looked at");
+    pub(super) fn compute_lanes(&mut self, op: Op, shape: Shape, args: &[Lanes], lanes: u32) -> Lanes {
+        if let Some(vectors) = self.choose_lanes(op, shape, args, lanes) {
+            return shape.of(vectors);
+        }
         let pair = |this: &mut Self, of: &mut dyn FnMut(&mut Self, Value, Value) -> Value| -> Vec<Value> {
             let (a, b) = match shape {
                 Shape::Halves => (this.halves(&args[0], lanes), this.halves(&args[1], lanes)),
@@ -170,6 +177,8 @@ impl Translator<'_> {
             Op::XorU32 => pair(self, &mut |this, a, b| this.b.ins().bxor(a, b)),
             Op::AddF32 => pair(self, &mut |this, a, b| this.b.ins().fadd(a, b)),
             Op::SubF32 => pair(self, &mut |this, a, b| this.b.ins().fsub(a, b)),
+            Op::MinI16 | Op::MinI32 => pair(self, &mut |this, a, b| this.b.ins().smin(a, b)),
+            Op::MaxI16 | Op::MaxI32 => pair(self, &mut |this, a, b| this.b.ins().smax(a, b)),
             Op::MulF32 => pair(self, &mut |this, a, b| this.b.ins().fmul(a, b)),
             Op::DivF32 => pair(self, &mut |this, a, b| this.b.ins().fdiv(a, b)),
             Op::Extend16 => {
@@ -193,9 +202,163 @@ impl Translator<'_> {
                 let words = self.words(&args[0], lanes);
                 words.into_iter().map(|word| self.b.ins().fcvt_from_sint(F32X4, word)).collect()
             }
+            Op::SqrtF32 => {
+                let reals = self.reals(&args[0], lanes);
+                reals.into_iter().map(|real| self.b.ins().sqrt(real)).collect()
+            }
+            Op::MinF32 => pair(self, &mut |this, a, b| {
+                let no_number = this.b.ins().fcmp(FloatCC::Unordered, b, b);
+                let less = this.b.ins().fcmp(FloatCC::LessThan, a, b);
+                let first = this.b.ins().bor(no_number, less);
+                this.reals_of_both(first, a, b)
+            }),
+            Op::MaxF32 => pair(self, &mut |this, a, b| {
+                let no_number = this.b.ins().fcmp(FloatCC::Unordered, a, a);
+                let less = this.b.ins().fcmp(FloatCC::LessThan, a, b);
+                let second = this.b.ins().bor(no_number, less);
+                this.reals_of_both(second, b, a)
+            }),
+            Op::NegI32 => {
+                let words = self.words(&args[0], lanes);
+                words.into_iter().map(|word| self.b.ins().ineg(word)).collect()
+            }
+            Op::NegF32 | Op::AbsF32 => {
+                let words = self.words(&args[0], lanes);
+                let sign = self.constant_vector(I32X4, 0x8000_0000_u32.to_le_bytes().repeat(4));
+                let one = |word| if op == Op::NegF32 { self.b.ins().bxor(word, sign) } else { self.b.ins().band_not(word, sign) };
+                words.into_iter().map(one).collect()
+            }
+            Op::DivI32 | Op::RemI32 | Op::Shl32 | Op::Shr32 | Op::Sar32 => {
+                let Lanes::One(Val::Const(number)) = args[1] else { unreachable!("the shapes were looked at") };
+                let words = self.words(&args[0], lanes);
+                words.into_iter().map(|word| self.shifted(op, word, number)).collect()
+            }
             _ => unreachable!("the shapes were looked at"),
         };
         shape.of(vectors)
+    }
+
+    /// One of two REALs.
+    fn reals_of_both(&mut self, condition: Value, a: Value, b: Value) -> Value {
+        let [a, b] = [a, b].map(|real| self.b.ins().bitcast(I32X4, little(), real));
+        let chosen = self.b.ins().bitselect(condition, a, b);
+        self.b.ins().bitcast(F32X4, little(), chosen)
+    }
+
+    /// Numbers of 32 bits shifted, or divided by a power of two.
+    fn shifted(&mut self, op: Op, word: Value, number: u64) -> Value {
+        let count = i64::from(number as u32 & 0xFF);
+        match op {
+            Op::Shl32 => return self.b.ins().ishl_imm_u(word, count),
+            Op::Shr32 => return self.b.ins().ushr_imm_u(word, count),
+            Op::Sar32 => return self.b.ins().sshr_imm_u(word, count),
+            _ if number == 1 && op == Op::DivI32 => return word,
+            _ if number == 1 => return self.zeros(I32X4),
+            _ => {}
+        }
+        let bits = i64::from(number.trailing_zeros());
+        // A quotient is cut towards 0.
+        let sign = self.b.ins().sshr_imm_u(word, 31);
+        let more = self.b.ins().ushr_imm_u(sign, 32 - bits);
+        let sum = self.b.ins().iadd(word, more);
+        let quotient = self.b.ins().sshr_imm_u(sum, bits);
+        if op == Op::DivI32 {
+            return quotient;
+        }
+        let whole = self.b.ins().ishl_imm_u(quotient, bits);
+        self.b.ins().isub(word, whole)
+    }
+
+    /// Comparisons, what is made of them, and choices.
+    fn choose_lanes(&mut self, op: Op, shape: Shape, args: &[Lanes], lanes: u32) -> Option<Vec<Value>> {
+        use FloatCC as F;
+        use IntCC as I;
+        let (words, halves, reals) = match op {
+            Op::EqI32 | Op::Equal => (Some(I::Equal), None, None),
+            Op::NeI32 | Op::Differ => (Some(I::NotEqual), None, None),
+            Op::LtI32 => (Some(I::SignedLessThan), None, None),
+            Op::LeI32 => (Some(I::SignedLessThanOrEqual), None, None),
+            Op::GtI32 => (Some(I::SignedGreaterThan), None, None),
+            Op::GeI32 => (Some(I::SignedGreaterThanOrEqual), None, None),
+            Op::Below => (Some(I::UnsignedLessThan), None, None),
+            Op::EqI16 => (None, Some(I::Equal), None),
+            Op::NeI16 => (None, Some(I::NotEqual), None),
+            Op::LtI16 => (None, Some(I::SignedLessThan), None),
+            Op::LeI16 => (None, Some(I::SignedLessThanOrEqual), None),
+            Op::GtI16 => (None, Some(I::SignedGreaterThan), None),
+            Op::GeI16 => (None, Some(I::SignedGreaterThanOrEqual), None),
+            Op::EqF32 => (None, None, Some(F::Equal)),
+            Op::LtF32 => (None, None, Some(F::LessThan)),
+            Op::LeF32 => (None, None, Some(F::LessThanOrEqual)),
+            Op::GtF32 => (None, None, Some(F::GreaterThan)),
+            Op::GeF32 => (None, None, Some(F::GreaterThanOrEqual)),
+            Op::DifferF32 => (None, None, Some(F::NotEqual)),
+            _ => (None, None, None),
+        };
+        if let Some(condition) = words {
+            let [a, b] = [0, 1].map(|at: usize| self.words(&args[at], lanes));
+            return Some(a.into_iter().zip(b).map(|(a, b)| self.b.ins().icmp(condition, a, b)).collect());
+        }
+        if let Some(condition) = halves {
+            let [a, b] = [0, 1].map(|at: usize| self.halves(&args[at], lanes));
+            let masks: Vec<Value> = a.into_iter().zip(b).map(|(a, b)| self.b.ins().icmp(condition, a, b)).collect();
+            return Some(self.widened(&masks, true));
+        }
+        if let Some(condition) = reals {
+            let [a, b] = [0, 1].map(|at: usize| self.reals(&args[at], lanes));
+            return Some(a.into_iter().zip(b).map(|(a, b)| self.b.ins().fcmp(condition, a, b)).collect());
+        }
+        match op {
+            // One is less than the other: there is no such comparison of vectors.
+            Op::NeF32 => {
+                let [a, b] = [0, 1].map(|at: usize| self.reals(&args[at], lanes));
+                let one = |(a, b)| {
+                    let less = self.b.ins().fcmp(F::LessThan, a, b);
+                    let more = self.b.ins().fcmp(F::LessThan, b, a);
+                    self.b.ins().bor(less, more)
+                };
+                Some(a.into_iter().zip(b).map(one).collect())
+            }
+            Op::Not => {
+                let masks = self.masks(&args[0], lanes);
+                Some(masks.into_iter().map(|mask| self.b.ins().bnot(mask)).collect())
+            }
+            Op::And | Op::AndNot | Op::Or | Op::Xor => {
+                let [a, b] = [0, 1].map(|at: usize| self.masks(&args[at], lanes));
+                let one = |(a, b)| match op {
+                    Op::And => self.b.ins().band(a, b),
+                    Op::AndNot => self.b.ins().band_not(a, b),
+                    Op::Or => self.b.ins().bor(a, b),
+                    _ => self.b.ins().bxor(a, b),
+                };
+                Some(a.into_iter().zip(b).map(one).collect())
+            }
+            Op::Select => {
+                let mut masks = self.masks(&args[0], lanes);
+                let [a, b] = [1, 2].map(|at: usize| match shape {
+                    Shape::Halves => self.halves(&args[at], lanes),
+                    Shape::Mask => self.masks(&args[at], lanes),
+                    _ => self.words(&args[at], lanes),
+                });
+                if shape == Shape::Halves {
+                    masks = masks.chunks(2).map(|pair| self.b.ins().snarrow(pair[0], pair[1])).collect();
+                }
+                let both = a.into_iter().zip(b).zip(masks);
+                Some(both.map(|((a, b), mask)| self.b.ins().bitselect(mask, a, b)).collect())
+            }
+            Op::Gate => {
+                let mut masks = self.masks(&args[1], lanes);
+                let values = match shape {
+                    Shape::Halves => self.halves(&args[0], lanes),
+                    _ => self.words(&args[0], lanes),
+                };
+                if shape == Shape::Halves {
+                    masks = masks.chunks(2).map(|pair| self.b.ins().snarrow(pair[0], pair[1])).collect();
+                }
+                Some(values.into_iter().zip(masks).map(|(value, mask)| self.b.ins().band(value, mask)).collect())
+            }
+            _ => None,
+        }
     }
 
     /// Turns the bytes of each number of a vector around.
@@ -249,6 +412,7 @@ impl Translator<'_> {
                 Val::Int(self.b.ins().uextend(I32, half))
             }
             Lanes::Words(vectors) => Val::Int(self.b.ins().extractlane(vectors[vectors.len() - 1], 3)),
+            Lanes::Mask(vectors) => Val::Bit { value: self.b.ins().extractlane(vectors[vectors.len() - 1], 3), clean: false },
             Lanes::Reals(vectors) => {
                 let real = self.b.ins().extractlane(vectors[vectors.len() - 1], 3);
                 debug_assert_eq!(self.b.func.dfg.value_type(real), F32);

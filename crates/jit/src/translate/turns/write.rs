@@ -14,8 +14,8 @@ use super::super::promote::Base;
 use super::super::value::Val;
 use super::super::{Translator, is_bit};
 use super::Plan;
-use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Step, What};
-use super::line::{Carried, Line, Shape};
+use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Part, Step, What};
+use super::line::{Carried, Line, Shape, Sum};
 use super::vector::Lanes;
 
 /// What one of the loops has while its turns are written.
@@ -58,6 +58,8 @@ pub(super) struct Writing<'t, 'a, 'k> {
     /// What cells hold in front of the loop.
     before: HashMap<Cell, Val>,
     sums: HashMap<Cell, Vec<Value>>,
+    /// What blocks have taken from the budget that not all turns enter.
+    taken: Option<Val>,
 }
 
 impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
@@ -74,6 +76,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             inner: Scope::default(),
             before: HashMap::new(),
             sums: HashMap::new(),
+            taken: None,
         };
         this.version(it);
     }
@@ -105,18 +108,23 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         self.t.forget_memory();
     }
 
-    /// What a turn takes from the budget, with the way back behind it.
-    fn weight(&self) -> i64 {
-        let inner = self.kernel.inner.as_ref().map_or(0, |inner| i64::from(inner.weight) * (self.plan.inner_turns - 1));
-        i64::from(self.kernel.outer.weight) + inner
+    /// What each turn takes from the budget, with the way back behind it, and what one takes at most.
+    fn weights(&self) -> [i64; 2] {
+        let turns = self.plan.inner_turns;
+        let inner = self.kernel.inner.as_ref().map_or(0, |inner| i64::from(inner.weight) * (turns - 1) + i64::from(inner.blocks) * turns);
+        let outer = &self.kernel.outer;
+        [outer.blocks, outer.blocks_most].map(|blocks| i64::from(outer.weight) + inner + i64::from(blocks))
     }
 
     fn take_budget(&mut self, turns: Value) -> Value {
-        let weight = self.weight();
+        let [weight, _] = self.weights();
         let budget = self.t.budget();
         let budget = self.t.b.use_var(budget);
         let taken = if weight == 1 { turns } else { self.t.b.ins().imul_imm_s(turns, weight) };
-        self.t.b.ins().isub(budget, taken)
+        let left = self.t.b.ins().isub(budget, taken);
+        let Some(also) = self.taken else { return left };
+        let also = self.t.word(also);
+        self.t.b.ins().isub(left, also)
     }
 
     /// How many turns are made here, whether any are, and how many the loop has.
@@ -127,9 +135,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         let (all, inside) = self.t.turns(count, counter, limit);
         let budget = self.t.budget();
         let budget = self.t.b.use_var(budget);
-        let possible = match self.weight() {
-            1 => budget,
-            weight => {
+        let possible = match self.weights() {
+            [_, 1] => budget,
+            [_, weight] => {
                 let none = self.t.b.ins().iconst(I64, 0);
                 let budget = self.t.b.ins().smax(budget, none);
                 self.t.b.ins().udiv_imm_u(budget, weight)
@@ -154,25 +162,50 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 also(self, short);
             }
         }
-        for access in self.kernel.accesses.iter().filter(|access| access.inside.is_none()) {
+        for access in self.kernel.accesses.iter().filter(|access| !access.sure) {
             let inside = self.stays_inside(access, turns);
             also(self, inside);
         }
+        for &(number, limit) in &self.kernel.required {
+            let stays_below = self.stays_below(number, limit, turns);
+            also(self, stays_below);
+        }
         (turns, guard, all)
+    }
+
+    /// Whether a number on a line stays below a limit for so many turns.
+    fn stays_below(&mut self, number: Node, limit: u32, turns: Value) -> Value {
+        let line = self.kernel.line(number, Level::Outer).unwrap_or(Line::SAME);
+        let first = self.value_before(number);
+        let first = self.t.int(first);
+        let first = self.t.b.ins().uextend(I64, first);
+        let below = self.t.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, first, i64::from(limit));
+        if line.is_same() {
+            return below;
+        }
+        let more = self.t.b.ins().iadd_imm_s(turns, -1);
+        let way = self.t.b.ins().imul_imm_s(more, i64::from(line.step as i32));
+        let last = self.t.b.ins().iadd(first, way);
+        let last = self.t.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, last, i64::from(limit));
+        self.t.b.ins().band(below, last)
     }
 
     /// Whether an access whose pointer is on a line stays inside its area for so many turns.
     fn stays_inside(&mut self, access: &Access, turns: Value) -> Value {
         let line = self.kernel.line(access.pointer, Level::Outer).unwrap_or(Line::SAME);
         let position = self.position_before(access.pointer, access.offset);
-        let first = self.t.b.ins().uextend(I64, position);
+        let whole = self.t.b.ins().uextend(I64, position);
+        // On the ways that lead to it, it may be known to go to a part of the area.
+        let (_, start, length) = access.area;
+        let area = 0..length as i64;
+        let bytes = access.inside.as_ref().map_or(area, |inside| inside.start - i64::from(start)..inside.end - i64::from(start));
+        let first = if bytes.start == 0 { whole } else { self.t.b.ins().iadd_imm_s(whole, -8 * bytes.start) };
         let more = self.t.b.ins().iadd_imm_s(turns, -1);
         let way = self.t.b.ins().imul_imm_s(more, i64::from(line.step as i32));
         let last = self.t.b.ins().iadd(first, way);
         let (low, high) = if (line.step as i32) < 0 { (last, first) } else { (first, last) };
-        let (_, _, length) = access.area;
-        let bits = if access.width == Width::Bit { 1 } else { u64::from(access.width.bytes()) * 8 };
-        let end = (length * 8) as i64 - bits as i64;
+        let bits = if access.width == Width::Bit { 1 } else { i64::from(access.width.bytes()) * 8 };
+        let end = (bytes.end - bytes.start) * 8 - bits;
         let low = self.t.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, low, 0);
         let high = self.t.b.ins().icmp_imm_s(IntCC::SignedLessThanOrEqual, high, end);
         let both = self.t.b.ins().band(low, high);
@@ -339,11 +372,12 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             if let Step::Access(access) = step
                 && let access = &kernel.accesses[*access]
                 && let Some(step) = step_of(access)
-                && !known.contains(&(access.area.0, access.pointer, access.offset))
+                && !known.contains(&access.counted())
             {
-                known.push((access.area.0, access.pointer, access.offset));
+                let (base, pointer, offset) = access.counted();
+                known.push((base, pointer, offset));
                 let turns = if level == Level::Outer { self.lanes } else { 1 };
-                handed.push(Handed::Address(access.area.0, access.pointer, access.offset, Translator::bytes_of_step(step, turns)));
+                handed.push(Handed::Address(base, pointer, offset, Translator::bytes_of_step(step, turns)));
             }
         }
         handed
@@ -576,14 +610,16 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 return Lanes::Line(self.t.compute_now(op, &firsts), line);
             }
         }
-        self.t.compute_lanes(op, args, self.lanes)
+        let shape = self.kernel.shape(node).expect("the shapes were looked at");
+        self.t.compute_lanes(op, shape, args, self.lanes)
     }
 
     fn access(&mut self, number: usize, level: Level) {
         let access = &self.kernel.accesses[number];
         let (_, start, _) = access.area;
-        let address = match self.scope(level).addresses.get(&(access.area.0, access.pointer, access.offset)) {
-            Some(&base) => Address { base, offset: start, bit: Bit::Number(0) },
+        let part = access.part.unwrap_or(Part { bytes: 0, bit: 0 });
+        let address = match self.scope(level).addresses.get(&access.counted()) {
+            Some(&base) => Address { base, offset: start + part.bytes, bit: Bit::Number(part.bit) },
             None => {
                 let pointer = self.first(access.pointer, level);
                 let base = self.base(access.area.0);
@@ -618,6 +654,8 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     fn finish(&mut self, it: &Loop, turns: Value) {
         debug_assert!(it.first <= it.last);
         let mut last = Vec::new();
+        // What a sum was when the last turn began.
+        let mut before_last: Vec<(Cell, Sum)> = Vec::new();
         for (cell, end, carried) in self.kernel.carried(Level::Outer) {
             let value = match carried {
                 Carried::Line(line) => {
@@ -632,6 +670,13 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     let sum = self.t.b.ins().iadd(before, sum);
                     self.t.on_line(sum, Line { step: 0, bits })
                 }
+                Carried::Nothing
+                    if self.lanes > 1
+                        && let Some(sum) = self.kernel.sum_at_start(end) =>
+                {
+                    before_last.push((cell, sum));
+                    continue;
+                }
                 _ => {
                     let value = self.value(end, Level::Outer);
                     self.t.last_lane(&value, self.lanes)
@@ -639,10 +684,28 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             };
             last.push((cell, value));
         }
+        for (cell, Sum { of, added, bits }) in before_last {
+            let added = self.value(added, Level::Outer);
+            let added = self.t.last_lane(&added, self.lanes);
+            let whole = last.iter().find(|(cell, _)| *cell == of).map(|&(_, value)| value);
+            let (whole, added) = (self.t.int(whole.expect("a sum is left")), self.t.int(added));
+            let before = self.t.b.ins().isub(whole, added);
+            last.push((cell, self.t.on_line(before, Line { step: 0, bits })));
+        }
         for (cell, value) in last {
+            if self.kernel.kept(cell) == Kept::Budget {
+                self.taken = Some(value);
+            }
             self.t.write_cell(self.kernel, cell, value);
         }
         self.t.settle_bytes();
+    }
+}
+
+impl Access {
+    /// What its address is counted on with.
+    fn counted(&self) -> (Base, Node, u32) {
+        (self.area.0, self.pointer, if self.part.is_some() { 0 } else { self.offset })
     }
 }
 
@@ -651,6 +714,7 @@ impl Translator<'_> {
     pub(super) fn cell_before(&mut self, kernel: &Kernel, cell: Cell) -> Val {
         match kernel.kept(cell) {
             Kept::Register(register) => self.register(register),
+            Kept::Budget => Val::Const(0),
             Kept::Memory { base, offset, width, bit } => {
                 let base = if base == Base::Local { self.local } else { self.arena };
                 self.read_known(Address { base, offset, bit: Bit::Number(bit) }, width)
@@ -665,6 +729,8 @@ impl Translator<'_> {
                 let value = if is_bit(register) { self.flag(value) } else { self.word(value) };
                 self.b.def_var(self.variables[register as usize], value);
             }
+            // It goes into the budget behind the turns.
+            Kept::Budget => {}
             Kept::Memory { base, offset, width, bit } => {
                 let base = if base == Base::Local { self.local } else { self.arena };
                 self.write_known(Address { base, offset, bit: Bit::Number(bit) }, width, value);

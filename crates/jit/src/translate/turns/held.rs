@@ -1,0 +1,128 @@
+//! What a turn knows of memory at addresses that it computes: what it has read or written there is not read again, and what it writes
+//! is written once, when somebody may read it otherwise or the turn ends.
+
+use super::kernel::{Access, Node, Step};
+use super::reader::Reader;
+use super::ways::Ways;
+
+/// Variables at computed addresses.
+#[derive(Default)]
+pub(super) struct Held(Vec<Entry>);
+
+struct Entry {
+    /// An access that reads or writes exactly this variable.
+    access: Access,
+    value: Node,
+    /// Memory does not hold the value yet.
+    waits: bool,
+    /// Where the address is known to be inside its area on some ways only: which, and whether one of them led there.
+    unsure: Option<(Ways, Node)>,
+}
+
+impl Held {
+    pub(super) fn forget(&mut self) {
+        self.0.clear();
+    }
+}
+
+impl Access {
+    /// Whether another access goes to exactly the same variable.
+    fn is_same(&self, other: &Self) -> bool {
+        (self.area, self.pointer, self.offset, self.width) == (other.area, other.pointer, other.offset, other.width)
+    }
+
+    /// Whether another access may go to some of the same bits.
+    fn may_meet(&self, other: &Self) -> bool {
+        if self.area == other.area && self.pointer == other.pointer {
+            let bits = |access: &Self| if access.width == sieben_model::address::Width::Bit { 1 } else { access.width.bytes() * 8 };
+            // Positions have 24 bits.
+            let ahead = other.offset.wrapping_sub(self.offset) & 0x00FF_FFFF;
+            let behind = self.offset.wrapping_sub(other.offset) & 0x00FF_FFFF;
+            return ahead < bits(self) || behind < bits(other);
+        }
+        let ((base, bytes), (other_base, others)) = (self.bytes(), other.bytes());
+        base == other_base && bytes.start < others.end && others.start < bytes.end
+    }
+}
+
+impl Reader<'_, '_> {
+    /// What a variable at a computed address holds.
+    pub(super) fn read_at(&mut self, access: Access, steps: &mut Vec<Step>) -> Node {
+        let at = match self.place_of(&access, steps) {
+            Some(at) => at,
+            None => self.hold(access, steps),
+        };
+        self.known_here(self.held.0[at].value)
+    }
+
+    /// Writes a variable at a computed address on the ways that led here.
+    pub(super) fn write_at(&mut self, access: Access, value: Node, steps: &mut Vec<Step>) {
+        let at = match self.place_of(&access, steps) {
+            Some(at) => at,
+            // On other ways it holds what it held.
+            None if !self.is_always_reached() => self.hold(access, steps),
+            None => {
+                self.write_what_meets(&access, steps);
+                self.held.0.push(Entry { access, value, waits: true, unsure: None });
+                self.held.0.len() - 1
+            }
+        };
+        let access = self.held.0[at].access.clone();
+        let before = self.held.0[at].value;
+        let value = self.chosen(value, before);
+        self.write_what_meets(&access, steps);
+        let own = |entry: &Entry| entry.access.is_same(&access);
+        self.held.0.retain(|entry| own(entry) || !entry.access.may_meet(&access));
+        for entry in self.held.0.iter_mut().filter(|entry| own(entry)) {
+            (entry.value, entry.waits) = (value, true);
+        }
+    }
+
+    /// The place in the list of a variable that is there.
+    fn place_of(&mut self, access: &Access, steps: &mut Vec<Step>) -> Option<usize> {
+        let at = self.held.0.iter().position(|entry| entry.access.is_same(access))?;
+        match &self.held.0[at].unsure {
+            // Its address was known to be inside on other ways than these.
+            Some((ways, _)) if !self.ways.are_all_among(ways) => {
+                self.write_where(|entry| entry.access.is_same(access), steps);
+                self.held.0.remove(at);
+                None
+            }
+            _ => Some(at),
+        }
+    }
+
+    /// Reads a variable; its place in the list.
+    fn hold(&mut self, access: Access, steps: &mut Vec<Step>) -> usize {
+        self.write_what_meets(&access, steps);
+        let unsure = (!access.sure && access.inside.is_some()).then(|| {
+            let [no, yes] = [0, 1].map(|value| self.constant(value));
+            (self.ways.clone(), self.chosen(yes, no))
+        });
+        let value = self.access(access.clone(), unsure.as_ref().map(|&(_, reached)| reached), steps);
+        self.held.0.push(Entry { access, value, waits: false, unsure });
+        self.held.0.len() - 1
+    }
+
+    /// Writes what waits and may share bits with an access, but not the same variable.
+    fn write_what_meets(&mut self, access: &Access, steps: &mut Vec<Step>) {
+        self.write_where(|entry| !entry.access.is_same(access) && entry.access.may_meet(access), steps);
+    }
+
+    /// Writes all that waits.
+    pub(super) fn write_held(&mut self, steps: &mut Vec<Step>) {
+        self.write_where(|_| true, steps);
+    }
+
+    fn write_where(&mut self, wanted: impl Fn(&Entry) -> bool, steps: &mut Vec<Step>) {
+        for at in 0..self.held.0.len() {
+            let entry = &mut self.held.0[at];
+            if entry.waits && wanted(entry) {
+                entry.waits = false;
+                let access = Access { value: Some(entry.value), ..entry.access.clone() };
+                let reached = entry.unsure.as_ref().map(|&(_, reached)| reached);
+                self.access(access, reached, steps);
+            }
+        }
+    }
+}

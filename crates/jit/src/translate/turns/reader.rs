@@ -1,0 +1,861 @@
+//! Reads a turn of a loop: what its statements make of the values with which it began. Jumps forward become choices, and blocks that
+//! become part of the loop are part of its turns.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use sieben_engine::access::pointed_area;
+use sieben_engine::interpreter::weight;
+use sieben_engine::ir::{Callee, Inst, Op, Place, Target, Var};
+use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
+use sieben_model::address::{Area, Width};
+
+use super::super::inlining::RESTORED;
+use super::super::loops::Loop;
+use super::super::memory::moved;
+use super::super::promote::Base;
+use super::super::ranges::{self, Interval, Ranges};
+use super::super::value::Val;
+use super::super::{AFTER_CALL, AT_CALL, OPEN_BLOCKS, Translator, bit_of};
+use super::held::Held;
+use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Part, Step, Turn, What};
+use super::ways::{Way, Ways};
+
+/// Instructions of a turn that is looked at, with those of the blocks that are part of it.
+const INSTRUCTIONS_MAX: usize = 320;
+/// Instructions that a turn computes though it may jump over them.
+const CHOSEN_MAX: usize = 96;
+/// How far the range of a value is followed back.
+const DEPTH_MAX: usize = 8;
+
+/// Reads a loop; `None` if a turn of it does more than a kernel can say.
+pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel> {
+    if !it.asks_nothing {
+        return None;
+    }
+    let mut inner = translator.loops.iter().filter(|inner| inner.first > it.first && inner.last <= it.last);
+    let inside = inner.next().map(|inner| (inner.first, inner.last));
+    if inner.next().is_some() {
+        return None;
+    }
+    let facts = [Some(it.first), inside.map(|(first, _)| first)].map(|first| facts(translator, first));
+    let mut reader = Reader {
+        translator,
+        written: it.written,
+        inside,
+        kernel: Kernel::empty(),
+        numbers: HashMap::new(),
+        outer: BTreeMap::new(),
+        now: BTreeMap::new(),
+        level: Level::Outer,
+        written_inside: None,
+        temporaries: BTreeMap::new(),
+        ways: Ways::always(),
+        held: Held::default(),
+        frames: Vec::new(),
+        passed: Vec::new(),
+        given: Vec::new(),
+        facts,
+        ranges: HashMap::new(),
+        met: BTreeSet::new(),
+        unsure: Vec::new(),
+        read: 0,
+        chosen: 0,
+        blocks: 0,
+        blocks_most: 0,
+    };
+    let outer = reader.turn((it.first, it.last));
+    reader.leave_frames(0);
+    reader.kernel.outer = outer?;
+    reader.choose_pointers();
+    let mut kernel = reader.kernel;
+    kernel.forget_unread();
+    kernel.live = !(translator.dead_at(it.first) & translator.dead_at(it.last + 1));
+    let live_inside = inside.map_or(!0, |(first, last)| !(translator.dead_at(first) & translator.dead_at(last + 1)));
+    kernel.forget_dead(live_inside);
+    let on_lines = kernel.required.iter().all(|&(number, _)| kernel.line(number, Level::Outer).is_some_and(|line| line.bits == 32));
+    (on_lines && kernel.is_apart()).then_some(kernel)
+}
+
+/// Ranges of the variables in memory when a turn begins.
+fn facts(translator: &Translator<'_>, first: Option<u32>) -> Vec<(Kept, Interval)> {
+    let facts = first.map_or(&[][..], |first| translator.ranges.facts(first));
+    let kept = facts.iter().map(|fact| {
+        let (base, offset, width) = fact.cell;
+        (Kept::Memory { base, offset, width, bit: 0 }, fact.range)
+    });
+    kept.collect()
+}
+
+/// What waits while a called block is read.
+struct Frame {
+    index: usize,
+    local_offset: i32,
+    ranges: Ranges,
+    vals: Vec<Val>,
+    instance: Val,
+    pointer: Option<Val>,
+    given: Vec<Node>,
+    passed: Vec<Node>,
+}
+
+pub(super) struct Reader<'t, 'a> {
+    translator: &'t mut Translator<'a>,
+    /// Registers that the loop changes.
+    written: u32,
+    /// First and last statement of the inner loop.
+    inside: Option<(u32, u32)>,
+    pub(super) kernel: Kernel,
+    numbers: HashMap<What, Node>,
+    /// What cells hold in front of the inner loop, while that is read.
+    outer: BTreeMap<Cell, Node>,
+    /// What cells hold that the turn has written so far.
+    now: BTreeMap<Cell, Node>,
+    level: Level,
+    /// What the inner loop writes, once that is known.
+    written_inside: Option<BTreeSet<Cell>>,
+    temporaries: BTreeMap<u8, Node>,
+    /// The ways on which the running statement is reached.
+    pub(super) ways: Ways,
+    /// What is known of memory at computed addresses.
+    pub(super) held: Held,
+    /// Callers of the block that is read.
+    frames: Vec<Frame>,
+    /// Pointers for the block that is called next.
+    passed: Vec<Node>,
+    /// Pointers that the caller gave.
+    given: Vec<Node>,
+    /// Ranges of variables when a turn of the whole loop begins, and one of the inner loop.
+    facts: [Vec<(Kept, Interval)>; 2],
+    /// Ranges that values have in each turn.
+    ranges: HashMap<Node, Interval>,
+    /// Conditions that hold in each turn.
+    met: BTreeSet<Node>,
+    /// Accesses whose range is known only where they are reached, and whether they are.
+    unsure: Vec<(usize, Node)>,
+    /// Instructions read so far, and those of them that some turns jump over.
+    read: usize,
+    chosen: usize,
+    /// What entering blocks takes from the budget in each turn, and at most.
+    blocks: u32,
+    blocks_most: u32,
+}
+
+impl Reader<'_, '_> {
+    fn turn(&mut self, (first, last): (u32, u32)) -> Option<Turn> {
+        let mut steps = Vec::new();
+        self.held.forget();
+        (self.blocks, self.blocks_most) = (0, 0);
+        let again = self.statements((first, last), &mut steps)?;
+        self.write_held(&mut steps);
+        self.held.forget();
+        let weight = weight((last - first) as usize);
+        let (blocks, blocks_most) = (self.blocks, self.blocks_most);
+        Some(Turn { steps, ends: std::mem::take(&mut self.now), entry: BTreeMap::new(), again: again?, weight, blocks, blocks_most })
+    }
+
+    /// Reads statements that follow one another; the condition under which the last one jumps back to the first.
+    fn statements(&mut self, (first, last): (u32, u32), steps: &mut Vec<Step>) -> Option<Option<Node>> {
+        let code = &self.translator.native().code;
+        let is_loop = self.frames.is_empty();
+        let mut arriving: BTreeMap<u32, Ways> = BTreeMap::new();
+        let mut again = None;
+        let mut statement = first;
+        while statement <= last {
+            if let Some(ways) = arriving.remove(&statement) {
+                self.ways.join(ways)?;
+            }
+            if self.ways.is_never() {
+                statement += 1;
+                continue;
+            }
+            if self.level == Level::Outer
+                && is_loop
+                && let Some((inner, end)) = self.inside
+                && inner == statement
+            {
+                if !self.ways.is_always() {
+                    return None;
+                }
+                self.write_held(steps);
+                self.held.forget();
+                self.inner((inner, end))?;
+                steps.push(Step::Inner);
+                statement = end + 1;
+                continue;
+            }
+            self.temporaries.clear();
+            let insts = code.statement(statement as usize);
+            self.read += insts.len();
+            if !self.ways.is_always() {
+                self.chosen += insts.len();
+            }
+            if self.read > INSTRUCTIONS_MAX || self.chosen > CHOSEN_MAX {
+                return None;
+            }
+            for (at, (index, inst)) in (code.statements[statement as usize]..).zip(insts).enumerate() {
+                let is_last = at + 1 == insts.len();
+                let is_ahead = |to: u32| to > statement && to <= last;
+                match *inst {
+                    Inst::Branch { condition, to: Target(to) } if is_last && is_loop && to == first && statement == last => {
+                        if !self.ways.is_always() {
+                            return None;
+                        }
+                        again = Some(self.get(condition)?);
+                    }
+                    Inst::Branch { condition, to: Target(to) } if is_last && is_ahead(to) => {
+                        let condition = self.get(condition)?;
+                        let (taken, other) = self.ways_behind(condition);
+                        arriving.entry(to).or_default().join(taken)?;
+                        self.ways = other;
+                    }
+                    Inst::Jump { to: Target(to) } if is_last && is_ahead(to) => {
+                        let ways = std::mem::take(&mut self.ways);
+                        arriving.entry(to).or_default().join(ways)?;
+                    }
+                    Inst::Return if is_last && !is_loop && statement == last => {}
+                    Inst::Call { callee: Callee::Block(id), parameters } => {
+                        let called = (self.translator.find)(id)? as usize;
+                        self.call(called, usize::from(parameters), steps)?;
+                    }
+                    _ => self.inst(index, inst, steps)?,
+                }
+            }
+            statement += 1;
+        }
+        Some(again)
+    }
+
+    /// The ways behind a branch on which its condition holds, and on which it does not.
+    fn ways_behind(&self, condition: Node) -> (Ways, Ways) {
+        if let Some(value) = self.kernel.constant(condition) {
+            let both = (self.ways.clone(), Ways::default());
+            return if value & 1 != 0 { both } else { (both.1, both.0) };
+        }
+        let (condition, holds) = self.positive(condition);
+        (self.ways.and(condition, holds), self.ways.and(condition, !holds))
+    }
+
+    /// A condition without a negation, and whether it has to hold.
+    fn positive(&self, mut condition: Node) -> (Node, bool) {
+        let mut holds = true;
+        while let What::Compute(Op::Not, [of, ..]) = self.kernel.what(condition) {
+            (condition, holds) = (of, !holds);
+        }
+        (condition, holds)
+    }
+
+    /// Reads the inner loop: once to see what it writes, and once more with what else is known.
+    fn inner(&mut self, statements: (u32, u32)) -> Option<()> {
+        let accesses = self.kernel.accesses.len();
+        let (blocks, unsure) = ((self.blocks, self.blocks_most), self.unsure.len());
+        self.outer = std::mem::take(&mut self.now);
+        self.level = Level::Inner;
+        let ranges = self.ranges.clone();
+        let written: BTreeSet<Cell> = self.turn(statements)?.ends.into_keys().collect();
+        // What is read then may be something else.
+        self.ranges = ranges;
+        self.kernel.accesses.truncate(accesses);
+        self.kernel.reads.truncate(accesses);
+        self.unsure.truncate(unsure);
+        self.written_inside = Some(written.clone());
+        let mut turn = self.turn(statements)?;
+        self.level = Level::Outer;
+        self.now = std::mem::take(&mut self.outer);
+        (self.blocks, self.blocks_most) = blocks;
+        // Each of its turns takes the same from the budget.
+        if !turn.ends.keys().eq(written.iter()) || turn.blocks != turn.blocks_most {
+            return None;
+        }
+        for cell in written {
+            let before = self.read_cell(cell);
+            turn.entry.insert(cell, before);
+        }
+        for &cell in turn.ends.keys() {
+            let after = self.node(What::After(cell));
+            self.now.insert(cell, after);
+        }
+        self.kernel.inner = Some(turn);
+        Some(())
+    }
+
+    /// Reads a block that becomes part of the loop.
+    fn call(&mut self, code: usize, parameters: usize, steps: &mut Vec<Step>) -> Option<()> {
+        let t = &mut *self.translator;
+        let block = &t.blocks[code].code;
+        let others = bit_of(Register::Ma) | bit_of(Register::Nesting) | OPEN_BLOCKS.iter().fold(0, |all, &register| all | bit_of(register));
+        let touches = |inst: &Inst| {
+            let touched = sieben_engine::ir::verify::reads(inst).into_iter().chain(sieben_engine::ir::verify::writes(inst));
+            touched.filter_map(Var::register).any(|register| others & bit_of(register) != 0) || matches!(inst, Inst::Open { .. })
+        };
+        // What a call restores stays as it is.
+        if !t.inlines(code) || block.insts.iter().any(touches) {
+            return None;
+        }
+        let given = self.passed.split_off(self.passed.len().checked_sub(parameters)?);
+        let behind = i32::try_from(t.local_behind()).ok()?;
+        let weight = u32::from(weight(block.statement_count()));
+        let last = (block.statement_count() as u32).checked_sub(1)?;
+        self.blocks_most += weight;
+        if self.ways.is_always() {
+            self.blocks += weight;
+        } else {
+            self.take_sometimes(weight)?;
+        }
+        for &(register, value) in AT_CALL.iter().filter(|(register, _)| !RESTORED.contains(register)) {
+            let value = self.constant(value);
+            self.set(register.into(), value)?;
+        }
+        let pointer = self.get(Register::Ar2.into())?;
+        let known = |this: &Self, node: Node| this.kernel.constant(node).map(Val::Const);
+        let unknown = Val::Word(self.translator.arena);
+        let instance = known(self, pointer).unwrap_or(unknown);
+        let vals = given.iter().map(|&node| known(self, node).unwrap_or(unknown)).collect();
+        let t = &mut *self.translator;
+        self.frames.push(Frame {
+            index: std::mem::replace(&mut t.index, code),
+            local_offset: std::mem::replace(&mut t.local_offset, behind),
+            ranges: std::mem::take(&mut t.ranges),
+            vals: std::mem::replace(&mut t.given, vals),
+            instance: std::mem::replace(&mut t.instance, instance),
+            pointer: std::mem::replace(&mut t.current[Register::Ar2 as usize], instance.constant().map(Val::Const)),
+            given: std::mem::replace(&mut self.given, given),
+            passed: std::mem::take(&mut self.passed),
+        });
+        t.ranges = t.find_ranges();
+        let ways = self.ways.clone();
+        self.statements((0, last), steps)?;
+        self.leave_frames(self.frames.len() - 1);
+        self.ways = ways;
+        self.temporaries.clear();
+        for (register, value) in AFTER_CALL {
+            let value = self.constant(value);
+            self.set(register.into(), value)?;
+        }
+        Some(())
+    }
+
+    /// Goes back to a caller, by the number of its own callers.
+    fn leave_frames(&mut self, depth: usize) {
+        while self.frames.len() > depth
+            && let Some(frame) = self.frames.pop()
+        {
+            let t = &mut *self.translator;
+            (t.index, t.local_offset, t.ranges, t.given, t.instance) =
+                (frame.index, frame.local_offset, frame.ranges, frame.vals, frame.instance);
+            t.current[Register::Ar2 as usize] = frame.pointer;
+            (self.given, self.passed) = (frame.given, frame.passed);
+        }
+    }
+
+    /// Notes what a block takes from the budget that some turns do not enter.
+    fn take_sometimes(&mut self, weight: u32) -> Option<()> {
+        if self.level == Level::Inner {
+            return None;
+        }
+        let cell = self.cell(Kept::Budget);
+        let before = self.read_cell(cell);
+        let weight = self.constant(u64::from(weight));
+        let after = self.compute(Op::AddU32, [before, weight, before, before]);
+        self.put(cell, after);
+        Some(())
+    }
+
+    pub(super) fn node(&mut self, what: What) -> Node {
+        let next = Node::numbered(self.kernel.nodes.len() as u32);
+        let node = *self.numbers.entry(what).or_insert(next);
+        if node == next {
+            self.kernel.nodes.push(what);
+        }
+        node
+    }
+
+    pub(super) fn constant(&mut self, value: u64) -> Node {
+        self.node(What::Constant(value))
+    }
+
+    fn cell(&mut self, kept: Kept) -> Cell {
+        let cells = &mut self.kernel.cells;
+        let at = cells.iter().position(|&known| known == kept).unwrap_or(cells.len());
+        if at == cells.len() {
+            cells.push(kept);
+        }
+        Cell::numbered(at as u16)
+    }
+
+    /// What a cell holds, whatever way led here.
+    fn read_cell(&mut self, cell: Cell) -> Node {
+        if let Some(&node) = self.now.get(&cell) {
+            return node;
+        }
+        let mut level = self.level;
+        if level == Level::Inner && self.written_inside.as_ref().is_some_and(|written| !written.contains(&cell)) {
+            if let Some(&node) = self.outer.get(&cell) {
+                return node;
+            }
+            level = Level::Outer;
+        }
+        let node = self.node(What::Start(level, cell));
+        let kept = self.kernel.kept(cell);
+        if let Some(&(_, range)) = self.facts[usize::from(level == Level::Inner)].iter().find(|(known, _)| *known == kept) {
+            self.ranges.insert(node, range);
+        }
+        node
+    }
+
+    /// Writes a cell on the ways that led here.
+    fn put(&mut self, cell: Cell, value: Node) {
+        let value = if self.ways.is_always() {
+            value
+        } else {
+            let before = self.read_cell(cell);
+            self.chosen(value, before)
+        };
+        self.now.insert(cell, value);
+    }
+
+    /// A value on the ways that led here, another one on all others.
+    pub(super) fn chosen(&mut self, value: Node, other: Node) -> Node {
+        let ways = self.ways.clone();
+        ways.each().iter().fold(other, |other, way| self.on_way(way, value, other))
+    }
+
+    fn on_way(&mut self, way: &[(Node, bool)], value: Node, other: Node) -> Node {
+        let Some((&(condition, holds), rest)) = way.split_first() else { return value };
+        let [here, there] = [holds, !holds].map(|holds| self.known(other, &vec![(condition, holds)]));
+        let here = self.on_way(rest, value, here);
+        let (a, b) = if holds { (here, there) } else { (there, here) };
+        self.compute(Op::Select, [condition, a, b, condition])
+    }
+
+    /// A value where some conditions are known to hold or not.
+    fn known(&self, mut node: Node, way: &Way) -> Node {
+        while let What::Compute(Op::Select, [condition, a, b, _]) = self.kernel.what(node) {
+            let Some(&(_, holds)) = way.iter().find(|&&(known, _)| known == condition) else { break };
+            node = if holds { a } else { b };
+        }
+        node
+    }
+
+    /// A value on all ways that led here.
+    pub(super) fn known_here(&self, node: Node) -> Node {
+        if self.ways.is_always() { node } else { self.known(node, &self.ways.common()) }
+    }
+
+    pub(super) fn is_always_reached(&self) -> bool {
+        self.ways.is_always()
+    }
+
+    fn get(&mut self, var: Var) -> Option<Node> {
+        let Some(register) = var.register() else { return self.temporaries.get(&var.0).copied() };
+        if register == Register::Nesting {
+            // The only register of 64 bits.
+            return None;
+        }
+        let cell = self.cell(Kept::Register(register));
+        // AR2 may be known when a turn begins though turns change it.
+        let as_it_began = self.written & bit_of(register) == 0
+            || register == Register::Ar2 && self.level == Level::Outer && !self.now.contains_key(&cell);
+        if as_it_began && let Some(Val::Const(value)) = self.translator.current[register as usize] {
+            return Some(self.constant(value));
+        }
+        let node = self.read_cell(cell);
+        Some(self.known_here(node))
+    }
+
+    fn set(&mut self, var: Var, node: Node) -> Option<()> {
+        match var.register() {
+            Some(Register::Nesting) => return None,
+            Some(register) => {
+                let cell = self.cell(Kept::Register(register));
+                self.put(cell, node);
+            }
+            None => drop(self.temporaries.insert(var.0, node)),
+        }
+        Some(())
+    }
+
+    fn inst(&mut self, index: u32, inst: &Inst, steps: &mut Vec<Step>) -> Option<()> {
+        match *inst {
+            Inst::Constant { dst, value } => {
+                let node = self.constant(value);
+                self.set(dst, node)
+            }
+            Inst::Compute { op, dst, args } => {
+                let node = match self.translator.ranges.result(index) {
+                    Some((least, most)) if least == most => self.constant(u64::from(least)),
+                    _ => {
+                        let none = self.constant(0);
+                        let mut nodes = [none; 4];
+                        for (node, &arg) in nodes.iter_mut().zip(&args[..op.arity()]) {
+                            *node = self.get(arg)?;
+                        }
+                        let divisor = (op.arity() == 2).then(|| self.kernel.constant(nodes[1])).flatten();
+                        if !self.ways.is_always() && !is_cheap(op, divisor) {
+                            return None;
+                        }
+                        self.compute(op, nodes)
+                    }
+                };
+                self.note_range(index, node);
+                self.set(dst, node)
+            }
+            Inst::Load { dst, place, width, .. } => {
+                let node = match self.place(index, place, width, false)? {
+                    Reached::Cell(cell) => {
+                        let node = self.read_cell(cell);
+                        self.known_here(node)
+                    }
+                    Reached::Access(access) => self.read_at(access, steps),
+                };
+                self.note_range(index, node);
+                self.set(dst, node)
+            }
+            Inst::Store { place, width, src } => {
+                let value = self.get(src)?;
+                let value = self.cut(width, value);
+                match self.place(index, place, width, true)? {
+                    Reached::Cell(cell) => self.put(cell, value),
+                    Reached::Access(access) => self.write_at(access, value, steps),
+                }
+                Some(())
+            }
+            Inst::Parameter { dst, index } if !self.frames.is_empty() => {
+                let pointer = match self.given.get(usize::from(index)) {
+                    Some(&pointer) => pointer,
+                    None => self.constant(0),
+                };
+                self.set(dst, pointer)
+            }
+            Inst::PassParameter { src } => {
+                let pointer = self.get(src)?;
+                let pointer = self.cut(Width::DoubleWord, pointer);
+                self.passed.push(pointer);
+                Some(())
+            }
+            Inst::Require { .. } if self.translator.ranges.is_met(index) => Some(()),
+            Inst::Require { condition, .. } => {
+                let condition = self.get(condition)?;
+                self.require(condition)
+            }
+            _ => None,
+        }
+    }
+
+    /// Takes a condition to hold in each turn: that is looked at in front of the loop, which is possible for numbers on a line.
+    fn require(&mut self, condition: Node) -> Option<()> {
+        if self.is_true(condition) {
+            return Some(());
+        }
+        let What::Compute(Op::Below, [number, limit, ..]) = self.kernel.what(condition) else { return None };
+        let limit = u32::try_from(self.kernel.constant(limit)?).ok()?;
+        if self.level == Level::Inner || limit == 0 {
+            return None;
+        }
+        self.kernel.required.push((number, limit));
+        self.met.insert(condition);
+        let range = Interval { least: 0, most: i64::from(limit) - 1, zeros: 0, bits: 32 };
+        self.ranges.insert(number, range);
+        Some(())
+    }
+
+    /// Whether a condition holds in each turn.
+    fn is_true(&self, condition: Node) -> bool {
+        self.met.contains(&condition) || self.kernel.constant(condition).is_some_and(|value| value & 1 != 0)
+    }
+
+    /// What a variable of a width holds when a value was written to it.
+    fn cut(&mut self, width: Width, value: Node) -> Node {
+        let op = match width {
+            Width::Bit => {
+                let one = self.constant(1);
+                return self.compute(Op::And, [value, one, value, value]);
+            }
+            Width::Byte => Op::Low8,
+            Width::Word => Op::Low16,
+            _ => Op::Low32,
+        };
+        self.compute(op, [value; 4])
+    }
+
+    fn place(&mut self, index: u32, place: Place, width: Width, write: bool) -> Option<Reached> {
+        let (area, pointer, offset) = match place {
+            Place::Fixed { area, position } => (area, self.constant(0), position),
+            Place::Indirect { area, pointer, offset } => (area, self.get(pointer)?, offset),
+            Place::Crossing { pointer, offset } => {
+                let pointer = self.get(pointer)?;
+                let constant = self.kernel.constant(pointer)?;
+                match pointed_area(constant, write).ok()? {
+                    Area::CallerLocal => return self.in_caller(moved(constant, offset), width),
+                    Area::PeripheralInput | Area::PeripheralOutput => return None,
+                    area => (area, pointer, offset),
+                }
+            }
+        };
+        if width == Width::QuadWord {
+            return None;
+        }
+        let (value_of_base, start, length) = self.translator.known_area(area, write)?;
+        let base = if area == Area::Local { Base::Local } else { Base::Arena };
+        debug_assert!(base == Base::Local || value_of_base == self.translator.arena);
+        if let Some(pointer) = self.kernel.constant(pointer) {
+            let position = moved(pointer, offset);
+            let (byte, bit) = (u64::from(position / 8), (position % 8) as u8);
+            if byte + u64::from(width.bytes()) > length || width != Width::Bit && bit != 0 {
+                return None;
+            }
+            let offset = i32::try_from(i64::from(start) + byte as i64).ok()?;
+            return Some(Reached::Cell(self.cell(Kept::Memory { base, offset, width, bit })));
+        }
+        let area = (base, start, length);
+        let always = self.always_inside(area, pointer, offset, width);
+        let inside = match self.translator.ranges.inside(index) {
+            _ if always.is_some() => always.clone(),
+            Some((known, range)) if known == base => Some(range),
+            _ => None,
+        };
+        let sure = always.is_some() || self.ways.is_always() && inside.is_some();
+        let whole = self.range(pointer, DEPTH_MAX);
+        let is_part = always.is_some() && whole.zeros >= 3 && whole.unsigned(24).1 + i128::from(offset) < 1 << 24;
+        let part = is_part.then_some(Part { bytes: (offset / 8) as i32, bit: (offset % 8) as u8 });
+        Some(Reached::Access(Access { level: self.level, area, pointer, offset, width, value: None, inside, sure, part }))
+    }
+
+    /// A variable in the local data of a caller.
+    fn in_caller(&mut self, position: u32, width: Width) -> Option<Reached> {
+        let calls = (position >> CALLS_SHIFT) as usize;
+        let (first, bytes) = match self.frames.len().checked_sub(1 + calls) {
+            Some(at) => {
+                let caller = &self.frames[at];
+                (caller.local_offset, self.translator.blocks[caller.index].local_size as usize)
+            }
+            None => {
+                // Behind the callers that are read are those that are written.
+                let outer = calls.checked_sub(self.frames.len())?;
+                self.translator.caller_local(outer)?
+            }
+        };
+        let (byte, bit) = ((position & CALLS_MASK) / 8, (position % 8) as u8);
+        let inside = byte as usize + width.bytes() as usize <= bytes && (width == Width::Bit || bit == 0);
+        if !inside || width == Width::QuadWord {
+            return None;
+        }
+        let offset = first + byte as i32;
+        Some(Reached::Cell(self.cell(Kept::Memory { base: Base::Local, offset, width, bit })))
+    }
+
+    /// Notes what is known of a value in each turn.
+    fn note_range(&mut self, index: u32, node: Node) {
+        if let Some((least, most)) = self.translator.ranges.result(index)
+            && self.ways.is_always()
+            && self.kernel.constant(node).is_none()
+        {
+            let range = Interval { least: i64::from(least), most: i64::from(most), zeros: 0, bits: 32 };
+            self.ranges.entry(node).or_insert(range);
+        }
+    }
+
+    /// The range of a value in each turn.
+    fn range(&self, node: Node, depth: usize) -> Interval {
+        let made = match self.kernel.what(node) {
+            What::Constant(value) => return Interval::constant(value),
+            What::Compute(op, args) if depth > 0 && op.arity() <= 3 => {
+                let mut ranges = [Interval::constant(0); 3];
+                for (range, &arg) in ranges.iter_mut().zip(&args[..op.arity()]) {
+                    *range = self.range(arg, depth - 1);
+                }
+                ranges::result(op, ranges)
+            }
+            _ => Interval::any(64),
+        };
+        match self.ranges.get(&node) {
+            Some(&known) if made.bits != 32 => known,
+            Some(known) if made.most - made.least > known.most - known.least => Interval { zeros: made.zeros.max(known.zeros), ..*known },
+            _ => made,
+        }
+    }
+
+    /// The bytes that an access may touch in any turn, if they are known to lie inside its area.
+    fn always_inside(
+        &self,
+        (_, start, length): (Base, i32, u64),
+        pointer: Node,
+        offset: u32,
+        width: Width,
+    ) -> Option<std::ops::Range<i64>> {
+        let pointer = self.range(pointer, DEPTH_MAX);
+        let position = ranges::result(Op::AddU32, [pointer, Interval::constant(u64::from(offset)), pointer]);
+        let (least, most) = position.unsigned(24);
+        let (first, end) = ((least / 8) as i64, (most / 8) as i64 + i64::from(width.bytes()));
+        let aligned = width == Width::Bit || position.zeros >= 3;
+        let start = i64::from(start);
+        (aligned && end <= length as i64).then_some(start + first..start + end)
+    }
+
+    /// What a statement reaches by an address whose range is known only there stays inside on all other ways, too.
+    fn choose_pointers(&mut self) {
+        for (number, reached) in std::mem::take(&mut self.unsure) {
+            let access = &self.kernel.accesses[number];
+            let Some(inside) = &access.inside else { continue };
+            if access.level == Level::Outer && self.kernel.counted_on(access, Level::Outer).is_some() {
+                continue;
+            }
+            let (_, start, _) = access.area;
+            let (pointer, first) = (access.pointer, (inside.start - i64::from(start)) as u32);
+            let other = (first * 8).wrapping_sub(access.offset);
+            let other = self.constant(u64::from(other));
+            let pointer = self.node(What::Compute(Op::Select, [reached, pointer, other, reached]));
+            let access = &mut self.kernel.accesses[number];
+            (access.pointer, access.sure) = (pointer, true);
+        }
+    }
+
+    /// Adds an access to the turn; `reached` tells whether its address is inside its area, if that is not sure.
+    pub(super) fn access(&mut self, access: Access, reached: Option<Node>, steps: &mut Vec<Step>) -> Node {
+        let number = self.kernel.accesses.len();
+        self.unsure.extend(reached.map(|reached| (number, reached)));
+        self.kernel.accesses.push(access);
+        let read = self.node(What::Read(number));
+        self.kernel.reads.push(read);
+        steps.push(Step::Access(number));
+        read
+    }
+
+    /// The result of an operation, in the simplest form.
+    pub(super) fn compute(&mut self, op: Op, mut args: [Node; 4]) -> Node {
+        let used = op.arity();
+        let constants: Option<Vec<u64>> = args[..used].iter().map(|&arg| self.kernel.constant(arg)).collect();
+        if let Some(constants) = constants {
+            let mut words = [0; 4];
+            words[..used].copy_from_slice(&constants);
+            return self.constant(op.eval(words));
+        }
+        if op == Op::Select {
+            let (condition, holds) = self.positive(args[0]);
+            let (a, b) = if holds { (args[1], args[2]) } else { (args[2], args[1]) };
+            args = [condition, a, b, condition];
+            if let Some(node) = self.counted_where(condition, a, b) {
+                return node;
+            }
+        }
+        if let Some(node) = self.is_one_of_its_arguments(op, args) {
+            return node;
+        }
+        let op = match (op, self.kernel.what(args[0])) {
+            // The low half of a sum rests on the low halves of its terms.
+            (Op::Low16, What::Compute(wide, of)) if narrow(wide).is_some() => {
+                args = of;
+                narrow(wide).unwrap_or(wide)
+            }
+            (Op::Low32, What::Compute(wide @ (Op::AddI32Wide | Op::SubI32Wide | Op::MulI32Wide), of)) => {
+                args = of;
+                match wide {
+                    Op::AddI32Wide => Op::AddU32,
+                    Op::SubI32Wide => Op::SubU32,
+                    _ => Op::MulU32,
+                }
+            }
+            // A DINT on its way to a REAL.
+            (Op::I64ToF32, What::Compute(Op::ExtendI32I64, of)) => {
+                args = of;
+                Op::I32ToF32
+            }
+            _ => op,
+        };
+        if matches!(op, Op::AddU16 | Op::SubU16 | Op::MulU16 | Op::Low16 | Op::Decrement16) {
+            for arg in &mut args[..op.arity()] {
+                *arg = self.with_low_half(*arg);
+            }
+            if op == Op::Low16 && self.kernel.is_16_bits(args[0]) {
+                return args[0];
+            }
+        }
+        if op == Op::MergeLow16 && self.kernel.is_16_bits(args[0]) {
+            return self.compute(Op::Low16, [args[1]; 4]);
+        }
+        // What does not count shall not make two values of one.
+        let (first, rest) = args.split_at_mut(op.arity().max(1));
+        rest.fill(first[0]);
+        self.node(What::Compute(op, args))
+    }
+
+    /// A value that grows on one side of a condition only grows by 0 on the other one: so a sum stays a sum.
+    fn counted_where(&mut self, condition: Node, a: Node, b: Node) -> Option<Node> {
+        let grown = |this: &Self, more: Node, value: Node| match this.kernel.what(more) {
+            What::Compute(op @ (Op::AddU32 | Op::SubU32), [of, by, ..]) if of == value && this.kernel.is_32_bits(of) => Some((op, by)),
+            What::Compute(op @ Op::AddU32, [by, of, ..]) if of == value && this.kernel.is_32_bits(of) => Some((op, by)),
+            What::Compute(op @ (Op::AddU16 | Op::SubU16), [of, by, ..]) if of == value && this.kernel.is_16_bits(of) => Some((op, by)),
+            What::Compute(op @ Op::AddU16, [by, of, ..]) if of == value && this.kernel.is_16_bits(of) => Some((op, by)),
+            _ => None,
+        };
+        if a == b {
+            return None;
+        }
+        let (op, value, by, condition) = if let Some((op, by)) = grown(self, a, b) {
+            (op, b, by, condition)
+        } else {
+            let (op, by) = grown(self, b, a)?;
+            (op, a, by, self.compute(Op::Not, [condition; 4]))
+        };
+        let by = self.compute(Op::Gate, [by, condition, by, by]);
+        Some(self.compute(op, [value, by, value, value]))
+    }
+
+    fn is_one_of_its_arguments(&self, op: Op, args: [Node; 4]) -> Option<Node> {
+        let constant = |at: usize| self.kernel.constant(args[at]);
+        match op {
+            Op::Copy => Some(args[0]),
+            Op::AddU32 | Op::SubU32 if constant(1) == Some(0) && self.kernel.is_32_bits(args[0]) => Some(args[0]),
+            Op::AddU32 if constant(0) == Some(0) && self.kernel.is_32_bits(args[1]) => Some(args[1]),
+            Op::MulU32 if constant(1) == Some(1) && self.kernel.is_32_bits(args[0]) => Some(args[0]),
+            Op::Low32 if self.kernel.is_32_bits(args[0]) => Some(args[0]),
+            Op::Low16 if self.kernel.is_16_bits(args[0]) => Some(args[0]),
+            Op::Gate if self.is_true(args[1]) => Some(args[0]),
+            Op::Select if self.is_true(args[0]) => Some(args[1]),
+            Op::Select if args[1] == args[2] => Some(args[1]),
+            Op::Select => constant(0).map(|condition| if condition & 1 != 0 { args[1] } else { args[2] }),
+            Op::Not => match self.kernel.what(args[0]) {
+                What::Compute(Op::Not, [of, ..]) if self.kernel.is_bit(of) => Some(of),
+                _ => None,
+            },
+            Op::And if constant(1) == Some(1) && self.kernel.is_bit(args[0]) => Some(args[0]),
+            Op::AndNot if constant(1).is_some_and(|other| other & 1 == 0) && self.kernel.is_bit(args[0]) => Some(args[0]),
+            _ => None,
+        }
+    }
+
+    /// A value with the same low half.
+    fn with_low_half(&self, node: Node) -> Node {
+        match self.kernel.what(node) {
+            What::Compute(Op::MergeLow16, [_, low, ..]) => self.with_low_half(low),
+            What::Compute(Op::Low16 | Op::Extend16, [of, ..]) => self.with_low_half(of),
+            _ => node,
+        }
+    }
+}
+
+/// What an instruction reaches.
+enum Reached {
+    Cell(Cell),
+    Access(Access),
+}
+
+/// Whether an operation is worth doing though its result may not be needed.
+fn is_cheap(op: Op, divisor: Option<u64>) -> bool {
+    use Op as O;
+    let divides = matches!(op, O::DivI16 | O::DivI32 | O::RemI16 | O::RemI32) && divisor.is_some_and(|divisor| divisor as i32 > 0);
+    let others = matches!(
+        op,
+        O::Below | O::IsNonzero | O::Differ | O::Equal | O::DivF32 | O::I32ToF32 | O::I64ToF32 | O::ExtendI32I64 | O::NotU32 | O::NotU16
+    );
+    divides || others || Kernel::compares(op) || super::super::choices::is_cheap(op)
+}
+
+/// The operation on halves whose result is the low half of that of one on wider numbers.
+fn narrow(op: Op) -> Option<Op> {
+    match op {
+        Op::AddI16Wide | Op::AddU32 => Some(Op::AddU16),
+        Op::SubI16Wide | Op::SubU32 => Some(Op::SubU16),
+        Op::MulI16Wide | Op::MulU32 => Some(Op::MulU16),
+        _ => None,
+    }
+}
