@@ -16,7 +16,7 @@ use sieben_model::types::DataType;
 const GENERIC: [(&str, &str); 5] = [("ANY_NUM", "INT"), ("ANY_INT", "INT"), ("ANY_REAL", "REAL"), ("ANY_BIT", "WORD"), ("ANY", "INT")];
 
 /// Blocks of the library in ST that only its other blocks and the compiler call, by a part of their names.
-const INNER: [&str; 7] = ["IEC_", "TIA_", "CODESYS_", "_IN_TEXT", "DIGITS_OF_", "_STRING_", "X_STRING"];
+const INNER: [&str; 9] = ["IEC_", "TIA_", "CODESYS_", "_IN_TEXT", "DIGITS_OF_", "_OF_DATE", "_STRING_", "X_STRING", "_WSTRING_"];
 
 /// Words of the language and addresses that stand in quotes beside names of functions.
 const OTHER_WORDS: [&str; 5] = ["TRUE", "FALSE", "NULL", "THIS", "T1"];

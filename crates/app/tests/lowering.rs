@@ -5,7 +5,7 @@ mod trees;
 
 use sieben_engine::ir::Op;
 use sieben_lang::st::tree::{
-    Argument, Base, Bounds, Branch, Call, Callee, For, Local, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind,
+    Argument, Base, Bounds, Branch, Call, Callee, For, Local, Place, Scalar, Statement, StatementKind, Text, TextRoom, Value, ValueKind,
 };
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
@@ -509,8 +509,10 @@ fn instances_keep_their_data() {
 #[test]
 fn texts_are_cut_compared_and_measured() {
     let constant = |text: &str| Text::Constant(text.as_bytes().to_vec());
-    let at = |place: Place, capacity: u8| Text::Place { place, capacity };
-    let set = |target: Place, capacity: u8, source: Text| statement(StatementKind::AssignString { target, capacity, source });
+    let at = |place: Place, capacity: u8| Text::Place { place, room: TextRoom::narrow(capacity) };
+    let set = |target: Place, capacity: u8, source: Text| {
+        statement(StatementKind::AssignString { target, room: TextRoom::narrow(capacity), source })
+    };
     let compare = |a: Text, b: Text| value(ValueKind::CompareTexts(Box::new(a), Box::new(b)), I32);
     let length = |text: Text| value(ValueKind::Length(Box::new(text)), I16);
     let long: String = "0123456789".repeat(25);
@@ -551,8 +553,8 @@ fn texts_are_parameters_and_results() {
         BlockId::fc(1),
         vec![statement(StatementKind::AssignString {
             target: place(Base::ComplexParameter(1), 0),
-            capacity: 0,
-            source: Text::Place { place: place(Base::ComplexParameter(0), 0), capacity: 0 },
+            room: TextRoom::narrow(0),
+            source: Text::Place { place: place(Base::ComplexParameter(0), 0), room: TextRoom::narrow(0) },
         })],
     );
     echo.interface.variables.push(variable("s", Section::Input, DataType::String(254), 0));
@@ -560,10 +562,10 @@ fn texts_are_parameters_and_results() {
     let invoke = |text: Text| Text::Call {
         call: Box::new(call(
             Callee::Function(BlockId::fc(1)),
-            vec![Argument::Text { parameter: 0, text, capacity: 254 }],
+            vec![Argument::Text { parameter: 0, text, room: TextRoom::narrow(254) }],
             DataType::String(20),
         )),
-        capacity: 20,
+        room: TextRoom::narrow(20),
     };
     let constant = |text: &str| Text::Constant(text.as_bytes().to_vec());
     let main = block(
@@ -571,7 +573,7 @@ fn texts_are_parameters_and_results() {
         vec![
             statement(StatementKind::AssignString {
                 target: m(0),
-                capacity: 30,
+                room: TextRoom::narrow(30),
                 source: invoke(invoke(constant("one, two, three, four, five"))),
             }),
             assign(m(50), value(ValueKind::CompareTexts(Box::new(invoke(constant("b"))), Box::new(invoke(constant("a")))), I32)),

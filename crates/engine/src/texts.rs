@@ -1,33 +1,31 @@
-//! STRINGs in data memory: the greatest length, the actual length, then the characters, one byte each.
+//! Texts in data memory: the greatest length, the actual length, then the characters; a byte each in a STRING, a word each in a WSTRING.
 
+use std::cmp::Ordering;
 use std::ops::Range;
 
 use sieben_model::address::Width;
 
 use crate::access::{File, Target, locate_far};
 use crate::fault::Fault;
-use crate::ir::{Place, TextAction};
+use crate::ir::{Place, TextAction, TextRoom};
 use crate::machine::Machine;
 
-/// Bytes before the characters.
-pub const HEAD: u32 = 2;
-
-/// A STRING and how many characters it may have; 0 = as its first byte says.
+/// A text and how many of its characters count.
 #[derive(Clone, Copy, Debug)]
 pub struct Text {
     /// Its first byte.
     pub place: Place,
-    /// The greatest number of characters that count.
-    pub characters_max: u8,
+    /// What it has room for.
+    pub room: TextRoom,
 }
 
-/// A STRING that lies inside its area, as far as it counts.
+/// A text that lies inside its area, as far as it counts.
 #[derive(Clone, Copy, Debug)]
 pub struct Found {
     /// The arena byte where it begins.
     pub start: usize,
-    /// The greatest number of characters that count; 0 = as its first byte says.
-    pub characters_max: u8,
+    /// What it has room for.
+    pub room: TextRoom,
 }
 
 /// The two texts of an instruction.
@@ -61,12 +59,12 @@ pub fn find(
     piece: Piece,
 ) -> Result<Both, Fault> {
     let text = |text: Text, write: bool| {
-        let start = start(machine, file, local, text.place, HEAD, write)?;
-        Ok(Found { start, characters_max: text.characters_max })
+        let start = start(machine, file, local, text.place, text.room.head(), write)?;
+        Ok(Found { start, room: text.room })
     };
     let arena = &machine.memory.arena;
     let inside = |text: Text, characters: usize, write: bool| {
-        start(machine, file, local, text.place, HEAD + characters as u32, write)?;
+        start(machine, file, local, text.place, text.room.head() + characters as u32 * text.room.unit(), write)?;
         Ok(())
     };
     let source = text(from, false)?;
@@ -83,7 +81,7 @@ pub fn find(
             let target = text(to, true)?;
             let there = if action == TextAction::Append { target.length(arena) } else { 0 };
             let piece = if action == TextAction::Assign { Piece::ALL } else { piece };
-            let count = piece.within(length).len().min(target.room(arena) - there);
+            let count = piece.within(length).len().min(target.most(arena) - there);
             inside(to, there + count, true)?;
             target
         }
@@ -97,48 +95,93 @@ impl Both {
         let Self { to, from } = self;
         match action {
             TextAction::Length => from.length(arena) as u64,
-            TextAction::Compare => u64::from(to.characters(arena).cmp(from.characters(arena)) as i32 as u32),
-            TextAction::Find => position(to.characters(arena), from.characters(arena)) as u64,
+            // The order of words is that of their bytes.
+            TextAction::Compare if to.room.wide == from.room.wide => order(to.bytes(arena).cmp(from.bytes(arena))),
+            TextAction::Compare => order(to.characters(arena).cmp(from.characters(arena))),
+            TextAction::Find if !to.room.wide && !from.room.wide => position(to.bytes(arena), from.bytes(arena)) as u64,
+            TextAction::Find => wide_position(to, from, arena) as u64,
             TextAction::Assign => {
                 let length = from.length(arena);
-                u64::from(to.put(arena, 0, from.start, 0..length) < length)
+                let foreign = from.room.wide && !to.room.wide && from.characters(arena).any(|character| character > u16::from(u8::MAX));
+                u64::from(to.put(arena, 0, from, 0..length) < length || foreign)
             }
             TextAction::Piece | TextAction::Append => {
                 let behind = if action == TextAction::Append { to.length(arena) } else { 0 };
                 let piece = piece.within(from.length(arena));
                 let count = piece.len();
-                to.put(arena, behind, from.start, piece);
+                to.put(arena, behind, from, piece);
                 count as u64
             }
         }
     }
 }
 
+/// An order as a number of 32 bits.
+fn order(order: Ordering) -> u64 {
+    u64::from(order as i32 as u32)
+}
+
 impl Found {
+    /// The greatest (0) or the actual (1) length, as it stands there.
+    fn head(self, arena: &[u8], which: usize) -> usize {
+        match self.room.wide {
+            false => usize::from(arena[self.start + which]),
+            true => usize::from(u16::from_be_bytes([arena[self.start + 2 * which], arena[self.start + 2 * which + 1]])),
+        }
+    }
+
     /// How many characters there is room for.
-    fn room(self, arena: &[u8]) -> usize {
-        usize::from(if self.characters_max == 0 { arena[self.start] } else { self.characters_max })
+    fn most(self, arena: &[u8]) -> usize {
+        if self.room.is_unknown() { self.head(arena, 0) } else { usize::from(self.room.characters_max) }
     }
 
     /// How many characters count.
     fn length(self, arena: &[u8]) -> usize {
-        usize::from(arena[self.start + 1]).min(self.room(arena))
+        self.head(arena, 1).min(self.most(arena))
     }
 
-    fn characters(self, arena: &[u8]) -> &[u8] {
-        let first = self.start + HEAD as usize;
-        &arena[first..first + self.length(arena)]
+    /// The arena byte of a character.
+    fn byte_of(self, character: usize) -> usize {
+        self.start + (self.room.head() as usize) + character * self.room.unit() as usize
     }
 
-    /// Writes characters of the text at `from` behind so many of this one, and both length bytes; how many there was room for.
-    fn put(self, arena: &mut [u8], behind: usize, from: usize, piece: Range<usize>) -> usize {
-        let room = self.room(arena);
-        let count = piece.len().min(room - behind);
-        let source = from + HEAD as usize + piece.start;
-        // The characters first: both texts may overlap.
-        arena.copy_within(source..source + count, self.start + HEAD as usize + behind);
-        arena[self.start] = room as u8;
-        arena[self.start + 1] = (behind + count) as u8;
+    /// The characters that count, as they lie there.
+    fn bytes(self, arena: &[u8]) -> &[u8] {
+        &arena[self.byte_of(0)..self.byte_of(self.length(arena))]
+    }
+
+    /// The same, each as a number.
+    fn characters(self, arena: &[u8]) -> impl Iterator<Item = u16> {
+        self.bytes(arena).chunks_exact(self.room.unit() as usize).map(|character| match *character {
+            [high, low] => u16::from_be_bytes([high, low]),
+            _ => u16::from(character[0]),
+        })
+    }
+
+    /// Writes characters of another text behind so many of this one, and both lengths; how many there was room for.
+    fn put(self, arena: &mut [u8], behind: usize, from: Self, piece: Range<usize>) -> usize {
+        let most = self.most(arena);
+        let count = piece.len().min(most - behind);
+        if self.room.wide == from.room.wide {
+            // The characters first: both texts may overlap.
+            let (first, end) = (from.byte_of(piece.start), from.byte_of(piece.start + count));
+            arena.copy_within(first..end, self.byte_of(behind));
+        } else {
+            for index in 0..count {
+                let (source, target) = (from.byte_of(piece.start + index), self.byte_of(behind + index));
+                match self.room.wide {
+                    true => [arena[target], arena[target + 1]] = [0, arena[source]],
+                    false => arena[target] = if arena[source] == 0 { arena[source + 1] } else { b'?' },
+                }
+            }
+        }
+        let lengths = [most, behind + count];
+        for (which, length) in lengths.into_iter().enumerate() {
+            match self.room.wide {
+                false => arena[self.start + which] = length as u8,
+                true => arena[self.start + 2 * which..][..2].copy_from_slice(&(length as u16).to_be_bytes()),
+            }
+        }
         count
     }
 }
@@ -166,6 +209,16 @@ fn position(all: &[u8], wanted: &[u8]) -> usize {
         }
     }
     0
+}
+
+/// The same of texts that are not both STRINGs.
+fn wide_position(all: Found, wanted: Found, arena: &[u8]) -> usize {
+    let (length, count) = (all.length(arena), wanted.length(arena));
+    if count == 0 || count > length {
+        return 0;
+    }
+    let starts = |first: &usize| all.characters(arena).skip(*first).zip(wanted.characters(arena)).all(|(a, b)| a == b);
+    (0..=length - count).find(starts).map_or(0, |first| first + 1)
 }
 
 /// The arena byte at which so many bytes begin, all of them inside their area.

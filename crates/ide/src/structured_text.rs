@@ -1,7 +1,9 @@
 //! What the statements of a block of ST refer to.
 
 use sieben_lang::Compiled;
-use sieben_lang::st::tree::{Argument, Base, Call, Index, Intrinsic, Place, Statement, StatementKind, Text, TypedBlock, Value, ValueKind};
+use sieben_lang::st::tree::{
+    Argument, Base, Call, Index, Intrinsic, Place, Statement, StatementKind, Text, TextRoom, TypedBlock, Value, ValueKind,
+};
 use sieben_lang::stl::operands::Direction;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
@@ -60,9 +62,9 @@ impl Collector<'_> {
                 self.place(source, extent, READ);
                 self.place(target, extent, WRITE);
             }
-            StatementKind::AssignString { target, capacity, source } => {
+            StatementKind::AssignString { target, room, source } => {
                 self.text(source);
-                self.place(target, text_extent(*capacity), WRITE);
+                self.place(target, text_extent(*room), WRITE);
             }
             StatementKind::Call(call) => self.call(call),
             StatementKind::If { branches, otherwise } => {
@@ -154,8 +156,9 @@ impl Collector<'_> {
 
     fn text(&mut self, text: &Text) {
         match text {
-            Text::Constant(_) => {}
-            Text::Place { place, capacity } => self.place(place, text_extent(*capacity), READ),
+            Text::Constant(_) | Text::WideConstant(_) => {}
+            Text::Place { place, room } => self.place(place, text_extent(*room), READ),
+            Text::Converted(text) => self.text(text),
             Text::Character(value) => self.value(value),
             Text::Call { call, .. } => self.call(call),
         }
@@ -301,7 +304,7 @@ impl Collector<'_> {
             Argument::Text { text, .. } => self.text(text),
             Argument::Aggregate { source, data_type, .. } => self.place(source, type_extent(data_type), READ),
             Argument::Output { target, converted, .. } => self.place(target, scalar_extent(converted.bits()), WRITE),
-            Argument::OutputText { target, target_capacity, .. } => self.place(target, text_extent(*target_capacity), WRITE),
+            Argument::OutputText { target, target_room, .. } => self.place(target, text_extent(*target_room), WRITE),
             Argument::OutputAggregate { target, data_type, .. } => self.place(target, type_extent(data_type), WRITE),
             Argument::InOut { place, data_type, .. } => self.place(place, type_extent(data_type), Usage::Access(Direction::ReadWrite)),
             Argument::Pointer { place, data_type, .. } => self.place(place, type_extent(data_type), Usage::Address),
@@ -320,8 +323,8 @@ fn type_extent(data_type: &DataType) -> Extent {
 }
 
 /// A text with its two bytes of lengths; where it ends is not known of a parameter.
-fn text_extent(capacity: u8) -> Extent {
-    if capacity == 0 { Extent::Unknown } else { Extent::Bits((u32::from(capacity) + 2) * 8) }
+fn text_extent(room: TextRoom) -> Extent {
+    if room.is_unknown() { Extent::Unknown } else { Extent::Bits(room.bytes() * 8) }
 }
 
 /// What all elements take that the indexes may choose.

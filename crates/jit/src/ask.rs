@@ -4,7 +4,7 @@
 //! nothing when they fail and answer 1; machine code then stores its registers and calls [`failed`], which asks the Host.
 
 use sieben_engine::access::{self, Target};
-use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Place, TextAction, Var};
+use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Place, TextAction, TextRoom, Var};
 use sieben_engine::machine::{Origin, Register, Registers};
 use sieben_engine::texts::{self, Both, Found, Piece, Text};
 use sieben_engine::{Abort, Exit, Fault, FaultPlace, Reaction, StopReason};
@@ -172,7 +172,7 @@ impl Run<'_, '_> {
     }
 
     fn text(&mut self, link: u64, site: u64, pointers: [u64; 2], piece: Piece) -> Result<u64, Fault> {
-        let Inst::Text { action, to, to_max, from, from_max, .. } = self.inst(site) else {
+        let Inst::Text { action, to, to_room, from, from_room, .. } = self.inst(site) else {
             unreachable!("a site of `try_text` works on texts")
         };
         self.show_registers();
@@ -180,7 +180,7 @@ impl Run<'_, '_> {
         self.point(to, pointers[1]);
         let depth = self.depth(link);
         let local = |outwards: usize| self.local_data(depth, outwards);
-        let texts = [(to, to_max), (from, from_max)].map(|(place, characters_max)| Text { place, characters_max });
+        let texts = [(to, to_room), (from, from_room)].map(|(place, room)| Text { place, room });
         let found = texts::find(self.context.machine, &self.scratch.file, &local, action, texts, piece)?;
         Ok(found.run(&mut self.context.machine.memory.arena, action, piece))
     }
@@ -462,15 +462,22 @@ fn piece(word: u64) -> Piece {
     Piece { first: word as u32 as i32, count: (word >> 32) as u32 as i32 }
 }
 
-/// What is done with texts that are inside their areas, in one word: the greatest numbers of characters and the action.
-pub(crate) fn text_kind(action: TextAction, to_max: u8, from_max: u8) -> u64 {
-    u64::from(to_max) | u64::from(from_max) << 8 | (action as u64) << 16
+/// What is done with texts that are inside their areas, in one word: what they have room for, and the action.
+pub(crate) fn text_kind(action: TextAction, to: TextRoom, from: TextRoom) -> u64 {
+    let room = |room: TextRoom| u64::from(room.characters_max) << 1 | u64::from(room.wide);
+    room(to) | room(from) << ROOM_BITS | (action as u64) << (2 * ROOM_BITS)
 }
 
+/// Bits that tell what a text has room for.
+const ROOM_BITS: u32 = 17;
+
 extern "C" fn text(run: &mut Run<'_, '_>, kind: u64, from: u64, to: u64, word: u64) -> u64 {
-    let found = |start: u64, characters_max: u8| Found { start: start as usize, characters_max };
-    let both = Both { to: found(to, kind as u8), from: found(from, (kind >> 8) as u8) };
-    let action = TextAction::ALL[(kind >> 16) as usize];
+    let found = |start: u64, room: u64| {
+        let room = TextRoom { characters_max: (room >> 1) as u16, wide: room & 1 != 0 };
+        Found { start: start as usize, room }
+    };
+    let both = Both { to: found(to, kind), from: found(from, kind >> ROOM_BITS) };
+    let action = TextAction::ALL[(kind >> (2 * ROOM_BITS)) as usize];
     both.run(&mut run.context.machine.memory.arena, action, piece(word))
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use dice::Dice;
 use noting::{layout, program, run};
-use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, TextAction, Var};
+use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, TextAction, TextRoom, Var};
 use sieben_engine::{Entry, Exit, FaultPlace, Interpreter, Machine, Reaction, StopReason};
 use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::{Area, Width};
@@ -160,8 +160,9 @@ fn text(b: &mut Builder, dice: &mut Dice, from: Array, index: Variable, sum: Var
     let count = b.constant(dice.of(&[0, 1, 3, 20, 0xFFFF_FFFF, 0x7FFF_FFFF]));
     let dst = b.temporary();
     let (action, maxima) = (dice.of(&TextAction::ALL), [0, 1, 4, 6, 12]);
-    let (to_max, from_max) = (dice.of(&maxima), dice.of(&maxima));
-    b.push(Inst::Text { action, dst, to, to_max, from, from_max, piece: [first, count] });
+    let mut room = || TextRoom { characters_max: dice.of(&maxima), wide: dice.roll(3) == 0 };
+    let (to_room, from_room) = (room(), room());
+    b.push(Inst::Text { action, dst, to, to_room, from, from_room, piece: [first, count] });
     b.store(sum.place, sum.width, dst);
 }
 

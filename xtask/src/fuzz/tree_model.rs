@@ -97,7 +97,7 @@ impl<'a> Model<'a> {
         match kind {
             StatementKind::Assign { target, value } => {
                 let new = self.value(frame, value)?;
-                self.store(frame, target, value.scalar, new)
+                self.store(frame, target, value.scalar, new).map(|_| ())
             }
             StatementKind::Call(call) => self.call(frame, call).map(|_| ()),
             StatementKind::If { branches, otherwise } => {
@@ -162,7 +162,9 @@ impl<'a> Model<'a> {
             index.value.kind = ValueKind::Constant(value);
         }
         let from = self.value(frame, &for_loop.from)?;
-        self.store(frame, &variable, scalar, from)?;
+        if !self.store(frame, &variable, scalar, from)? {
+            return Ok(());
+        }
         let to = number(scalar, self.value(frame, &for_loop.to)?);
         let by = number(scalar, self.value(frame, &for_loop.by)?);
         if by == 0 {
@@ -279,7 +281,9 @@ impl<'a> Model<'a> {
                     };
                     self.store(frame, &place, *scalar, value)?;
                 }
-                _ => self.store(frame, &place, Scalar::I32, inner.parameters[3])?,
+                _ => {
+                    self.store(frame, &place, Scalar::I32, inner.parameters[3])?;
+                }
             }
         }
         frame.ok &= self.br || !call.clears_ok;
@@ -328,18 +332,19 @@ impl<'a> Model<'a> {
         Ok(if used { read(bytes, position, scalar) } else { 0 })
     }
 
-    fn store(&mut self, frame: &mut Frame, place: &Place, scalar: Scalar, value: u64) -> Done<()> {
+    /// Whether the variable is there.
+    fn store(&mut self, frame: &mut Frame, place: &Place, scalar: Scalar, value: u64) -> Done<bool> {
         let (position, used) = self.locate(frame, place)?;
         if let Base::Parameter(index) = place.base {
             frame.parameters[usize::from(index)] = value;
-            return Ok(());
+            return Ok(true);
         }
         let bytes = self.bytes(frame, &place.base);
         let position = if place.base == Base::Area(Area::Local) { position - 8 * LOCAL as usize } else { position };
         if used {
             write(bytes, position, scalar, value);
         }
-        Ok(())
+        Ok(used)
     }
 
     fn bytes<'m>(&'m mut self, frame: &'m mut Frame, base: &Base) -> &'m mut [u8; REGION] {

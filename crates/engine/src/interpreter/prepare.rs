@@ -273,8 +273,8 @@ fn step(inst: &Inst, statement: usize, code: &Code, layout: &Layout, find: &dyn 
             out.moves.push((from, to, bytes));
             Step::Move { index: out.moves.len() as u32 - 1 }
         }
-        Inst::Text { action, dst, to, to_max, from, from_max, piece } => {
-            let [to, from] = [(to, to_max), (from, from_max)].map(|(place, characters_max)| Text { place, characters_max });
+        Inst::Text { action, dst, to, to_room, from, from_room, piece } => {
+            let [to, from] = [(to, to_room), (from, from_room)].map(|(place, room)| Text { place, room });
             out.texts.push((action, to, from, piece.map(|var| var.0)));
             Step::Text { dst: dst.0, index: out.texts.len() as u32 - 1 }
         }

@@ -300,7 +300,7 @@ impl Interpreter {
                     Step::Text { dst, index } => {
                         let (action, to, from, [first, count]) = block.texts[index as usize];
                         if WATCHED && action.writes() {
-                            let bytes = 2 + u32::from(to.characters_max);
+                            let bytes = if to.room.is_unknown() { to.room.head() } else { to.room.bytes() };
                             local_data::moved(context, &file, place_of(block, at), (from.place, to.place, bytes));
                             stores::moved(context, &file, to.place, bytes);
                         }

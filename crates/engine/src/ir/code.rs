@@ -98,11 +98,63 @@ pub enum OnFault {
     DeliverZero,
 }
 
+/// How a text lies in memory, and how many of its characters count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct TextRoom {
+    /// The greatest number of characters that count; 0 = as the text itself says.
+    pub characters_max: u16,
+    /// Whether both lengths and the characters are words (WSTRING) instead of bytes (STRING).
+    pub wide: bool,
+}
+
+impl TextRoom {
+    /// A STRING.
+    #[must_use]
+    pub const fn narrow(characters_max: u8) -> Self {
+        Self { characters_max: characters_max as u16, wide: false }
+    }
+    /// A WSTRING.
+    #[must_use]
+    pub const fn wide(characters_max: u16) -> Self {
+        Self { characters_max, wide: true }
+    }
+    /// The same width, and the text itself says how many characters count.
+    #[must_use]
+    pub const fn unknown(self) -> Self {
+        Self { characters_max: 0, ..self }
+    }
+    /// Whether the text itself says how many characters count.
+    #[must_use]
+    pub const fn is_unknown(self) -> bool {
+        self.characters_max == 0
+    }
+    /// Bytes of a character, and of each of both lengths.
+    #[must_use]
+    pub const fn unit(self) -> u32 {
+        if self.wide { 2 } else { 1 }
+    }
+    /// Bytes before the characters: the greatest and the actual length.
+    #[must_use]
+    pub const fn head(self) -> u32 {
+        2 * self.unit()
+    }
+    /// Bytes that the text takes at most.
+    #[must_use]
+    pub const fn bytes(self) -> u32 {
+        let most = match (self.characters_max, self.wide) {
+            (0, false) => u8::MAX as u32,
+            (0, true) => u16::MAX as u32,
+            (count, _) => count as u32,
+        };
+        self.head() + most * self.unit()
+    }
+}
+
 /// What a text instruction does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TextAction {
-    /// Writes `from` to `to`, both length bytes too, cut to the room there; the result is 1 if it was cut. With `to_max` = 0 the
-    /// first byte of `to` stays.
+    /// Writes `from` to `to`, both lengths too, cut to the room there; the result is 1 if it was cut, or if it has characters that a
+    /// STRING does not know, for each of which it gets `?`. Where the room is unknown, the greatest length of `to` stays.
     Assign,
     /// The order of `to` and `from` by the codes of their characters: −1, 0 or 1 in 32 bits; a shorter text comes before a longer
     /// one that begins with it.
@@ -155,9 +207,8 @@ pub enum Inst {
     Store { place: Place, width: Width, src: Var },
     /// `memory := memory`, so many bytes; both places are known to be bytes.
     Move { from: Place, to: Place, bytes: u32 },
-    /// Works on two STRINGs: their first byte is the greatest, the second the actual length. `to_max` and `from_max` limit their
-    /// characters; 0 = as the first byte says.
-    Text { action: TextAction, dst: Var, to: Place, to_max: u8, from: Place, from_max: u8, piece: [Var; 2] },
+    /// Works on two texts, STRINGs or WSTRINGs. `to_room` and `from_room` limit their characters.
+    Text { action: TextAction, dst: Var, to: Place, to_room: TextRoom, from: Place, from_room: TextRoom, piece: [Var; 2] },
     /// `dst := pointer` that the caller gave for parameter `index` of an FC.
     Parameter { dst: Var, index: u16 },
     /// Gives the pointer of the next parameter to the call that follows.

@@ -7,6 +7,6 @@ pub mod text;
 pub mod verify;
 
 pub use builder::Builder;
-pub use code::{Callee, Code, DataRegister, Inst, OnFault, Place, Target, TextAction, Var};
+pub use code::{Callee, Code, DataRegister, Inst, OnFault, Place, Target, TextAction, TextRoom, Var};
 pub use ops::Op;
 pub use verify::verify;

@@ -4,9 +4,8 @@ use std::ops::Range;
 
 use cranelift_codegen::ir::InstBuilder;
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::{I32, I64};
-use sieben_engine::ir::{Inst, Place, TextAction, Var};
-use sieben_engine::texts::HEAD;
+use cranelift_codegen::ir::types::{I16, I32, I64};
+use sieben_engine::ir::{Inst, Place, TextAction, TextRoom, Var};
 use sieben_model::address::{Area, Width};
 
 use super::memory::{Address, Bit, data, moved};
@@ -21,8 +20,8 @@ const NUMBER_SHIFT: u32 = 32;
 
 impl Translator<'_> {
     pub(super) fn text(&mut self, index: u32, inst: &Inst) {
-        let Inst::Text { action, dst, to, to_max, from, from_max, piece } = *inst else { return };
-        if let Some(result) = self.text_inside(action, (to, to_max), (from, from_max), piece) {
+        let Inst::Text { action, dst, to, to_room, from, from_room, piece } = *inst else { return };
+        if let Some(result) = self.text_inside(action, (to, to_room), (from, from_room), piece) {
             return self.set(dst, result);
         }
         let pointers = [self.pointer(from), self.pointer(to)];
@@ -37,13 +36,20 @@ impl Translator<'_> {
     }
 
     /// The result of an instruction whose texts are known to lie inside their areas.
-    fn text_inside(&mut self, action: TextAction, to: (Place, u8), from: (Place, u8), piece: [Var; 2]) -> Option<Val> {
+    fn text_inside(&mut self, action: TextAction, to: (Place, TextRoom), from: (Place, TextRoom), piece: [Var; 2]) -> Option<Val> {
         let source = self.known_text(from, false)?;
         if action == TextAction::Length {
             self.settle_bytes();
             self.store_promoted_in(&touched(source, from.1));
-            let length = self.b.ins().uload8(I32, data(), source.1.base, source.1.offset + 1);
-            let most = self.b.ins().iconst(I32, i64::from(from.1));
+            let length = match from.1.wide {
+                false => self.b.ins().uload8(I32, data(), source.1.base, source.1.offset + 1),
+                true => {
+                    let word = self.b.ins().load(I16, data(), source.1.base, source.1.offset + 2);
+                    let word = self.b.ins().bswap(word);
+                    self.b.ins().uextend(I32, word)
+                }
+            };
+            let most = self.b.ins().iconst(I32, i64::from(from.1.characters_max));
             let over = self.b.ins().icmp(IntCC::UnsignedGreaterThan, length, most);
             return Some(Val::Int(self.b.ins().select(over, most, length)));
         }
@@ -92,8 +98,8 @@ impl Translator<'_> {
     }
 
     /// Where a text lies whose address and greatest length are known, if all of it is inside its area and may be accessed.
-    fn known_text(&mut self, (place, characters_max): (Place, u8), write: bool) -> Option<(Base, Address)> {
-        if characters_max == 0 {
+    fn known_text(&mut self, (place, room): (Place, TextRoom), write: bool) -> Option<(Base, Address)> {
+        if room.is_unknown() {
             return None;
         }
         let (area, position) = match place {
@@ -108,7 +114,7 @@ impl Translator<'_> {
                 let area = sieben_engine::access::pointed_area(pointer, write).ok()?;
                 let number = (pointer >> NUMBER_SHIFT & 0xFFFF) as u16;
                 if number != 0 && area == Area::SharedData {
-                    return self.text_in_block(number, moved(pointer, offset), characters_max, write);
+                    return self.text_in_block(number, moved(pointer, offset), room, write);
                 }
                 (area, moved(pointer, offset))
             }
@@ -117,19 +123,19 @@ impl Translator<'_> {
             return None;
         }
         let (base, start, length) = self.known_area(area, write)?;
-        inside(start.into(), length, position, characters_max).map(|offset| {
+        inside(start.into(), length, position, room).map(|offset| {
             let kind = if base == self.local { Base::Local } else { Base::Arena };
             (kind, Address { base, offset, bit: Bit::Number(0) })
         })
     }
 
     /// The same in a data block that a pointer names.
-    fn text_in_block(&mut self, number: u16, position: u32, characters_max: u8, write: bool) -> Option<(Base, Address)> {
+    fn text_in_block(&mut self, number: u16, position: u32, room: TextRoom, write: bool) -> Option<(Base, Address)> {
         if !position.is_multiple_of(8) || write && self.layout.read_only.contains(&number) {
             return None;
         }
         let range = self.layout.data_blocks.get(&number)?;
-        let offset = inside(i64::try_from(range.start).ok()?, range.len() as u64, position, characters_max)?;
+        let offset = inside(i64::try_from(range.start).ok()?, range.len() as u64, position, room)?;
         self.pinned.insert(number);
         Some((Base::Arena, Address { base: self.arena, offset, bit: Bit::Number(0) }))
     }
@@ -145,14 +151,14 @@ impl Translator<'_> {
 }
 
 /// Where a text begins behind a base, if all of it lies in an area that begins at a byte behind it and has so many.
-fn inside(start: i64, length: u64, position: u32, characters_max: u8) -> Option<i32> {
+fn inside(start: i64, length: u64, position: u32, room: TextRoom) -> Option<i32> {
     let byte = u64::from(position / 8);
-    let end = byte + u64::from(HEAD) + u64::from(characters_max);
+    let end = byte + u64::from(room.bytes());
     i32::try_from(start + byte as i64).ok().filter(|_| end <= length)
 }
 
 /// The bytes that a text instruction may touch.
-fn touched((base, address): (Base, Address), characters_max: u8) -> (Base, Range<i64>) {
+fn touched((base, address): (Base, Address), room: TextRoom) -> (Base, Range<i64>) {
     let start = i64::from(address.offset);
-    (base, start..start + i64::from(HEAD) + i64::from(characters_max))
+    (base, start..start + i64::from(room.bytes()))
 }

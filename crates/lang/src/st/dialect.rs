@@ -312,6 +312,8 @@ pub struct Switches {
     pub real_literal_widens: bool,
     /// Operators such as AND and ADD can be called as functions.
     pub operators_as_functions: bool,
+    /// The functions of WSTRINGs have names of their own: WLEN, WLEFT.
+    pub wide_names: bool,
     /// The timers and counters of the CPU can be called as functions: `S_ODT(T_NO := T5, …)`.
     pub s5_functions: bool,
 }
@@ -362,6 +364,7 @@ switches! {
     newline_is_two:          false,           false,             true,                    false;
     real_literal_widens:     false,           true,              false,                   false;
     operators_as_functions:  true,            true,              false,                   false;
+    wide_names:              false,           true,              false,                   false;
     s5_functions:            false,           false,             true,                    true;
 }
 

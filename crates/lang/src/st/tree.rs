@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 pub use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::Op;
+pub use sieben_engine::ir::TextRoom;
 use sieben_model::address::Area;
 use sieben_model::block::BlockId;
 use sieben_model::interface::Interface;
@@ -100,8 +101,8 @@ pub enum StatementKind {
     Assign { target: Place, value: Value },
     /// `target := source` for arrays and structures of one type; `bytes` is even. As if through a temporary if they overlap.
     Copy { target: Place, source: Place, bytes: u32 },
-    /// `target := source` for strings: cut to `capacity` characters.
-    AssignString { target: Place, capacity: u8, source: Text },
+    /// `target := source` for texts: cut to the room there.
+    AssignString { target: Place, room: TextRoom, source: Text },
     /// A call whose result nobody uses.
     Call(Call),
     /// IF, ELSIF, ELSE.
@@ -211,18 +212,54 @@ pub enum ValueKind {
     After(Vec<Statement>, Box<Value>),
 }
 
-/// A text (STRING) as a value.
+/// A text (STRING or WSTRING) as a value.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The fields are named in the sentence of each variant.
 pub enum Text {
     /// Characters of a literal, at most 254.
     Constant(Vec<u8>),
-    /// A STRING variable with room for `capacity` characters; 0 = as its first byte says (a parameter).
-    Place { place: Place, capacity: u8 },
-    /// One character.
+    /// Characters of a literal of a WSTRING.
+    WideConstant(Vec<u16>),
+    /// A variable; a parameter says itself how many characters it has room for.
+    Place { place: Place, room: TextRoom },
+    /// One character: of 16 bits that of a WSTRING.
     Character(Box<Value>),
-    /// The result of a function whose result has room for `capacity` characters.
-    Call { call: Box<Call>, capacity: u8 },
+    /// The result of a function.
+    Call { call: Box<Call>, room: TextRoom },
+    /// A STRING as WSTRING, or the other way; ENO/OK of the block is cleared if a STRING does not know one of the characters.
+    Converted(Box<Text>),
+}
+
+impl Text {
+    /// Whether it is a WSTRING.
+    pub fn is_wide(&self) -> bool {
+        match self {
+            Self::Constant(_) => false,
+            Self::WideConstant(_) => true,
+            Self::Place { room, .. } | Self::Call { room, .. } => room.wide,
+            Self::Character(value) => value.scalar.bits() == 16,
+            Self::Converted(text) => !text.is_wide(),
+        }
+    }
+    /// What it has room for, or how long it is.
+    pub fn room(&self) -> TextRoom {
+        match self {
+            Self::Constant(text) => TextRoom::narrow(u8::try_from(text.len()).unwrap_or(u8::MAX)),
+            Self::WideConstant(text) => TextRoom::wide(u16::try_from(text.len()).unwrap_or(u16::MAX)),
+            Self::Place { room, .. } | Self::Call { room, .. } => *room,
+            Self::Character(_) => TextRoom { characters_max: 1, wide: self.is_wide() },
+            Self::Converted(text) => TextRoom { wide: self.is_wide(), ..text.room() },
+        }
+    }
+}
+
+/// What a variable of a type of texts has room for; `None` for other types.
+pub fn room_of(data_type: &DataType) -> Option<TextRoom> {
+    match data_type {
+        DataType::String(length) => Some(TextRoom::narrow(*length)),
+        DataType::WideString(length) => Some(TextRoom::wide(*length)),
+        _ => None,
+    }
 }
 
 /// Where a variable lies: a base, a constant offset, and indexes computed at run time.
@@ -345,14 +382,14 @@ impl Callee {
 pub enum Argument {
     /// A scalar by value.
     Value { parameter: u32, value: Value },
-    /// A text by value, into a STRING with room for `capacity` characters.
-    Text { parameter: u32, text: Text, capacity: u8 },
+    /// A text by value.
+    Text { parameter: u32, text: Text, room: TextRoom },
     /// An array or structure by value.
     Aggregate { parameter: u32, source: Place, data_type: DataType },
     /// An output of type `scalar`: after the call the place, of type `converted`, gets the value, converted by these operations.
     Output { parameter: u32, scalar: Scalar, target: Place, convert: Vec<Op>, converted: Scalar },
     /// A text as output.
-    OutputText { parameter: u32, capacity: u8, target: Place, target_capacity: u8 },
+    OutputText { parameter: u32, room: TextRoom, target: Place, target_room: TextRoom },
     /// An array or structure as output.
     OutputAggregate { parameter: u32, target: Place, data_type: DataType },
     /// An in-out parameter: the place itself.

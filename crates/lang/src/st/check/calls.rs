@@ -12,7 +12,7 @@ use super::members::is_super;
 use super::names::{self, Entity, Role};
 use super::places::Reached;
 use super::typed::{Target, Through, Typed};
-use super::types::{Implicit, Kind, implicit};
+use super::types::{Class, Implicit, Kind, implicit};
 use super::{Checker, literals, words};
 use crate::library;
 use crate::scope::nearest;
@@ -22,7 +22,7 @@ use crate::st::open_arrays::{is_bound, is_open};
 use crate::st::standard;
 use crate::st::standard::operators::{Beyond, Rounding, convert as steps};
 use crate::st::tree::{
-    Argument, Base, Call, Callee, Dispatch, Place, Scalar, Statement, StatementKind, Text, TextFunction, Value, ValueKind,
+    Argument, Base, Call, Callee, Dispatch, Place, Scalar, Statement, StatementKind, Text, TextFunction, Value, ValueKind, room_of,
 };
 
 /// The output of system functions that is their result.
@@ -161,7 +161,7 @@ impl Checker<'_> {
             _ => {
                 let message = format!("`{}` is {} and cannot be called", target.name, words(&target.data_type));
                 let diagnostic = self.report(Problem::P6217, span, message);
-                if matches!(target.data_type, DataType::Array { .. } | DataType::String(_)) {
+                if matches!(target.data_type, DataType::Array { .. } | DataType::String(_) | DataType::WideString(_)) {
                     diagnostic.help = Some("An element is written with square brackets, `a[1]`.".to_owned());
                 }
                 Called::Nothing
@@ -311,6 +311,11 @@ impl Checker<'_> {
 
     /// A call inside an expression.
     pub(super) fn call_value(&mut self, call: &ast::Call, span: Span) -> Typed {
+        if let ExpressionKind::Name(name) = &call.callee.kind
+            && self.calls_wide(call)
+        {
+            return self.standard(name, call, span);
+        }
         match self.called(&call.callee) {
             Called::Nothing => {
                 // The arguments may have mistakes of their own.
@@ -347,7 +352,7 @@ impl Checker<'_> {
     }
 
     /// The result of a system function, which is an output: it goes through a place in the local data.
-    fn delivered_result(&mut self, formal: &Variable, mut call: Call, mut before: Vec<Statement>, span: Span) -> Typed {
+    pub(super) fn delivered_result(&mut self, formal: &Variable, mut call: Call, mut before: Vec<Statement>, span: Span) -> Typed {
         let Some(kind) = Kind::of(&formal.data_type) else { return self.result_of(call, before, span) };
         let scalar = kind.scalar(self.dialect);
         let target = self.temporary_place(kind.bits.div_ceil(8), span);
@@ -370,7 +375,10 @@ impl Checker<'_> {
                 self.report(Problem::P6218, span, "this function has no result");
                 Typed::Poison
             }
-            DataType::String(capacity) if before.is_empty() => Typed::Text(Text::Call { call: Box::new(call), capacity }),
+            DataType::String(_) | DataType::WideString(_) if before.is_empty() => match room_of(&data_type) {
+                Some(room) => Typed::Text(Text::Call { call: Box::new(call), room }),
+                None => Typed::Poison,
+            },
             _ => self.not_built(span, &format!("a result of type {} inside an expression", words(&data_type))),
         }
     }
@@ -630,9 +638,10 @@ impl Checker<'_> {
         }
         let parameter = formal.offset;
         let argument = match &formal.data_type {
-            DataType::String(capacity) => {
-                let Some(text) = self.text(typed, span) else { return false };
-                Argument::Text { parameter, text, capacity: *capacity }
+            DataType::String(_) | DataType::WideString(_) => {
+                let Some(room) = room_of(&formal.data_type) else { return false };
+                let Some(text) = self.text_of(typed, span, room.wide) else { return false };
+                Argument::Text { parameter, text, room }
             }
             DataType::Pointer | DataType::Any => {
                 let any = formal.data_type == DataType::Any;
@@ -689,7 +698,7 @@ impl Checker<'_> {
         match typed {
             Typed::Aggregate(target) => Some((target.place, target.data_type)),
             Typed::Scalar { value: Value { kind: ValueKind::Load(place), .. }, data_type } => Some((place, data_type)),
-            Typed::Text(Text::Place { place, capacity }) => Some((place, DataType::String(if capacity == 0 { 254 } else { capacity }))),
+            Typed::Text(Text::Place { place, room }) => Some((place, super::texts::type_of_room(room))),
             Typed::Pointer(pointer) => match literals::pointed(&pointer, span) {
                 Some(found) => Some(found),
                 None => {
@@ -712,17 +721,23 @@ impl Checker<'_> {
     fn output(&mut self, formal: &Variable, value: &Expression, all: &mut Arguments<'_>) -> bool {
         let Some(target) = self.target(value) else { return false };
         let parameter = formal.offset;
+        let rooms = room_of(&formal.data_type).zip(super::texts::text_room(&target)).filter(|(from, to)| from.wide == to.wide);
         let argument = match (&formal.data_type, &target.data_type) {
-            (DataType::String(capacity), DataType::String(length)) => Argument::OutputText {
-                parameter,
-                capacity: *capacity,
-                target_capacity: if super::places::unknown_length(&target.place) { 0 } else { *length },
-                target: target.place,
-            },
+            _ if let Some((room, target_room)) = rooms => Argument::OutputText { parameter, room, target_room, target: target.place },
             (from, to) => match (Kind::of(from), Kind::of(to)) {
                 (Some(source), Some(kind)) => {
                     let exact = from == to || same_type(from, to);
-                    match if exact { Implicit::Yes } else { implicit(source, kind, self.dialect) } {
+                    // An output is converted by operations on one value, which cannot count nanoseconds instead of milliseconds.
+                    let longer = source.class == kind.class
+                        && source.bits != kind.bits
+                        && matches!(source.class, Class::Duration | Class::TimeOfDay | Class::Date);
+                    match if longer {
+                        Implicit::No
+                    } else if exact {
+                        Implicit::Yes
+                    } else {
+                        implicit(source, kind, self.dialect)
+                    } {
                         Implicit::Yes => {}
                         Implicit::Warned(loss) => {
                             let message = format!("{} becomes {} here: {}", words(from), words(to), loss.words());
@@ -765,7 +780,7 @@ impl Checker<'_> {
             all.arguments.push(Argument::InOut { parameter: formal.offset, place: target.place, data_type: target.data_type });
             return true;
         }
-        let lengths = matches!((&formal.data_type, &target.data_type), (DataType::String(_), DataType::String(_)));
+        let lengths = room_of(&formal.data_type).zip(room_of(&target.data_type)).is_some_and(|(a, b)| a.wide == b.wide);
         let extends = match (&formal.data_type, &target.data_type) {
             (DataType::Instance { block: wanted, .. }, DataType::Instance { block, .. }) => self.names.objects().is_a(*block, *wanted),
             _ => false,

@@ -11,9 +11,13 @@ use super::typed::Typed;
 use super::types::{Class, Implicit, Kind, common, implicit};
 use super::{Checker, operators, words};
 use crate::st::ast::{BinaryOperator, Expression, ExpressionKind, Literal, LiteralKind, UnaryOperator};
-use crate::st::dialect::{Calendar, Construct, Judgement};
+use crate::st::dialect::{Calendar, Construct, Dialect, Judgement};
 use crate::st::tree::{Scalar, Text, Value, ValueKind};
 
+/// Characters of the longest WSTRING.
+const WIDE_LENGTH_MAX: usize = 16_382;
+/// What DATE of the S7 counts from.
+const DAYS_FROM_1970_TO_1990: u64 = 7_305;
 const MILLISECONDS_OF_DAY: u64 = 86_400_000;
 const NANOSECONDS_OF_MILLISECOND: u64 = 1_000_000;
 
@@ -108,8 +112,13 @@ impl Checker<'_> {
                 self.report(Problem::P4001, span, message);
                 Typed::Poison
             }
-            (LiteralKind::WideCharacters(_), None | Some(DataType::WideString(_))) => {
-                self.not_built(span, "a text in `\"`, which is a WSTRING (a STRING is written `'text'`),")
+            (LiteralKind::WideCharacters(text), None | Some(DataType::WideString(_))) if text.len() <= WIDE_LENGTH_MAX => {
+                Typed::Text(Text::WideConstant(text.clone()))
+            }
+            (LiteralKind::WideCharacters(text), None | Some(DataType::WideString(_))) => {
+                let message = format!("this text has {} characters, and a WSTRING holds at most {WIDE_LENGTH_MAX}", text.len());
+                self.report(Problem::P4001, span, message);
+                Typed::Poison
             }
             (LiteralKind::Null, _) => Typed::Null,
             (LiteralKind::Pointer(value), _) => Typed::Pointer(value.clone()),
@@ -169,6 +178,9 @@ impl Checker<'_> {
             Typed::Text(Text::Constant(text)) if text.len() == 1 => {
                 (LiteralKind::Characters(text), Kind { class: Class::Character, bits: 8 })
             }
+            Typed::Text(Text::WideConstant(text)) if text.len() == 1 => {
+                (LiteralKind::WideCharacters(text), Kind { class: Class::Character, bits: 16 })
+            }
             other => {
                 let what = self.what(&other);
                 self.report(Problem::P6202, span, format!("a number or another elementary value belongs here, not {what}"));
@@ -211,6 +223,7 @@ impl Checker<'_> {
             Typed::Integer { value, radix } => LiteralKind::Integer { value, radix },
             Typed::Real { value, single } => LiteralKind::Real { value, single },
             Typed::Text(Text::Constant(text)) if kind.class == Class::Character => LiteralKind::Characters(text),
+            Typed::Text(Text::WideConstant(text)) if kind.class == Class::Character => LiteralKind::WideCharacters(text),
             Typed::Null if kind.class == Class::Reference => LiteralKind::Null,
             Typed::Scalar { value, data_type } => return self.convert(value, &data_type, wanted, span),
             other => {
@@ -239,7 +252,11 @@ impl Checker<'_> {
                 None
             }
             Err(Misfit::Type) => {
-                let shown = if matches!(literal, LiteralKind::Characters(_)) { "a text" } else { "a number" };
+                let shown = match literal {
+                    LiteralKind::Characters(_) => "a text",
+                    LiteralKind::WideCharacters(_) => "a text between `\"`, which is a WSTRING",
+                    _ => "a number",
+                };
                 self.report(Problem::P6200, span, format!("{} is wanted here, not {shown}", words(wanted)));
                 None
             }
@@ -292,7 +309,7 @@ impl Checker<'_> {
                 return None;
             }
         }
-        let value = operators::convert(value, scalar);
+        let value = operators::convert(lengthened(value, source, target, self.dialect), scalar);
         self.within_subrange(&value, wanted, span).then_some(value)
     }
 
@@ -514,7 +531,11 @@ impl Checker<'_> {
             self.report(Problem::P6202, sign, message).help = Some("Convert one of the two to the type of the other.".to_owned());
             return None;
         };
-        Some((kind, a.0, b.0))
+        let long = |(value, data_type): (Value, DataType)| match Kind::of(&data_type) {
+            Some(own) => lengthened(value, own, kind, self.dialect),
+            None => value,
+        };
+        Some((kind, long(a), long(b)))
     }
 
     /// A number without a type beside an operand with one.
@@ -558,17 +579,13 @@ impl Checker<'_> {
             return of_bool(Value { kind: ValueKind::Constant(u64::from(holds)), scalar: Scalar::Bool, span: left });
         }
         if matches!(a, Typed::Text(_)) || matches!(b, Typed::Text(_)) {
-            let character = |typed: &Typed| matches!(typed, Typed::Scalar { data_type: DataType::Char, .. });
+            let character = |typed: &Typed| matches!(typed, Typed::Scalar { data_type: DataType::Char | DataType::WideChar, .. });
             // A literal of one character beside a CHAR is a CHAR.
-            let as_characters = (character(&a) && matches!(&b, Typed::Text(Text::Constant(text)) if text.len() == 1))
-                || (character(&b) && matches!(&a, Typed::Text(Text::Constant(text)) if text.len() == 1));
+            let as_characters = (character(&a) && is_one_character(&b)) || (character(&b) && is_one_character(&a));
             if !as_characters {
-                let (Some(a), Some(b)) = (self.text(a, left), self.text(b, right)) else { return Typed::Poison };
-                let kind = ValueKind::CompareTexts(Box::new(a), Box::new(b));
-                let order = Value { kind, scalar: Scalar::I32, span: left.to(right) };
-                let zero = Value { kind: ValueKind::Constant(0), scalar: Scalar::I32, span: right };
+                let Some((a, b)) = self.two_texts((a, left), (b, right)) else { return Typed::Poison };
                 let Some((op, _)) = operators::binary(operator, Scalar::I32) else { return Typed::Poison };
-                return of_bool(operators::compute(op, vec![order, zero], Scalar::Bool));
+                return of_bool(super::texts::compared(op, a, b, left.to(right)));
             }
         }
         if a == Typed::Null || b == Typed::Null {
@@ -637,7 +654,13 @@ impl Checker<'_> {
         }
     }
 
-    fn arithmetic(&mut self, operator: BinaryOperator, sign: Span, (a, left): (Typed, Span), (b, right): (Typed, Span)) -> Typed {
+    pub(super) fn arithmetic(
+        &mut self,
+        operator: BinaryOperator,
+        sign: Span,
+        (a, left): (Typed, Span),
+        (b, right): (Typed, Span),
+    ) -> Typed {
         if let Some(folded) = self.fold(operator, sign, &a, &b) {
             return folded;
         }
@@ -845,20 +868,28 @@ impl Checker<'_> {
         let value = self.operation(operation, vec![a, b], wide);
         Typed::Scalar { value: operators::convert(value, scalar), data_type: kind.data_type() }
     }
+}
 
-    /// An expression as a text.
-    pub(super) fn text(&mut self, typed: Typed, span: Span) -> Option<Text> {
-        match typed {
-            Typed::Poison => None,
-            Typed::Text(text) => Some(text),
-            Typed::Scalar { value, data_type: DataType::Char } => Some(Text::Character(Box::new(value))),
-            other => {
-                let what = self.what(&other);
-                self.report(Problem::P6200, span, format!("a text is wanted here, not {what}"));
-                None
-            }
-        }
+/// A duration, a time of day or a date as the type with L, which counts nanoseconds, dates since 1970; other values as they are.
+fn lengthened(value: Value, from: Kind, to: Kind, dialect: Dialect) -> Value {
+    if from.class != to.class || from.bits >= to.bits {
+        return value;
     }
+    let (before, factor) = match from.class {
+        Class::Duration | Class::TimeOfDay => (0, NANOSECONDS_OF_MILLISECOND),
+        Class::Date => (DAYS_FROM_1970_TO_1990, MILLISECONDS_OF_DAY * NANOSECONDS_OF_MILLISECOND),
+        _ => return value,
+    };
+    let scalar = to.scalar(dialect);
+    let constant = |bits| Value { kind: ValueKind::Constant(bits), scalar, span: value.span };
+    let (before, factor) = (constant(before), constant(factor));
+    let value = operators::compute(Op::AddU64, vec![operators::convert(value, scalar), before], scalar);
+    operators::compute(Op::MulU64, vec![value, factor], scalar)
+}
+
+/// Whether it is a literal of one character.
+fn is_one_character(typed: &Typed) -> bool {
+    matches!(generic(typed), Some(LiteralKind::Characters(_) | LiteralKind::WideCharacters(_)))
 }
 
 /// Whether an operator asks for an order.
@@ -891,6 +922,7 @@ fn generic(typed: &Typed) -> Option<LiteralKind> {
         Typed::Integer { value, radix } => Some(LiteralKind::Integer { value: *value, radix: *radix }),
         Typed::Real { value, single } => Some(LiteralKind::Real { value: *value, single: *single }),
         Typed::Text(Text::Constant(text)) if text.len() == 1 => Some(LiteralKind::Characters(text.clone())),
+        Typed::Text(Text::WideConstant(text)) if text.len() == 1 => Some(LiteralKind::WideCharacters(text.clone())),
         _ => None,
     }
 }

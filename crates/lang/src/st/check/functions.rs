@@ -30,6 +30,9 @@ impl Checker<'_> {
         if let Some(typed) = self.peek(name, call, span) {
             return typed;
         }
+        if let Some(typed) = self.instruction(name, call, span) {
+            return typed;
+        }
         if let Some(typed) = self.built_in(name, call, span) {
             return typed;
         }
@@ -56,6 +59,9 @@ impl Checker<'_> {
             .zip(&arguments)
             .map(|(argument, (typed, _))| Given { name: argument.name.as_ref().map(|name| name.text.as_str()), kind: kind_of(typed) })
             .collect();
+        if let Some(typed) = self.wide_function(name, call, &arguments, span) {
+            return typed;
+        }
         match standard::resolve(&name.text, self.dialect, &given) {
             None if self.misplaced_word(name) => Typed::Poison,
             None => {
@@ -82,7 +88,7 @@ impl Checker<'_> {
         if let Some(function) = S5Function::find(&name.text, self.dialect) {
             return self.s5_function(function, name, call, span).map(|(statements, _)| StatementKind::Block(statements));
         }
-        if let Some(done) = self.memory_statement(name, call, span) {
+        if let Some(done) = self.memory_statement(name, call, span).or_else(|| self.library_statement(name, call, span)) {
             return done;
         }
         match self.standard(name, call, span) {
@@ -100,6 +106,21 @@ impl Checker<'_> {
         }
     }
 
+    /// A call of a block of the library that has outputs; `None` if it has none, or is no block.
+    fn library_statement(&mut self, name: &Name, call: &ast::Call, span: Span) -> Option<Option<StatementKind>> {
+        let provided = standard::library::function(&name.text, self.dialect)?;
+        let standard::Provided::Source { .. } = provided else { return None };
+        let Some(block) = self.names.provided(&provided) else {
+            self.not_built(span, "this function");
+            return Some(None);
+        };
+        let interface = self.interface(block, call.callee.span)?;
+        interface.parameters().find(|formal| matches!(formal.section, Section::Output | Section::InOut))?;
+        let Some((call, mut before)) = self.arguments(Callee::Function(block), &interface, call, span) else { return Some(None) };
+        before.push(Statement { kind: StatementKind::Call(call), span });
+        Some(Some(StatementKind::Block(before)))
+    }
+
     /// The name in sight that looks most like this one; in a test file its words are in sight.
     fn nearest_function(&self, name: &str) -> Option<String> {
         let words = Word::ALL.iter().map(|word| word.text()).filter(|_| self.dialect.is_test());
@@ -107,7 +128,7 @@ impl Checker<'_> {
         word.or_else(|| self.names.nearest(name))
     }
 
-    fn refused(&mut self, refusal: Refusal, arguments: &[(Typed, Span)], span: Span) -> Typed {
+    pub(super) fn refused(&mut self, refusal: Refusal, arguments: &[(Typed, Span)], span: Span) -> Typed {
         let place = refusal.argument.and_then(|index| arguments.get(index)).map_or(span, |&(_, span)| span);
         let diagnostic = self.report(refusal.problem, place, refusal.message);
         if !refusal.help.is_empty() {
@@ -116,7 +137,14 @@ impl Checker<'_> {
         Typed::Poison
     }
 
-    fn composed(&mut self, name: &str, resolved: Resolved, call: &ast::Call, arguments: Vec<(Typed, Span)>, span: Span) -> Typed {
+    pub(super) fn composed(
+        &mut self,
+        name: &str,
+        resolved: Resolved,
+        call: &ast::Call,
+        arguments: Vec<(Typed, Span)>,
+        span: Span,
+    ) -> Typed {
         match resolved.meaning {
             Meaning::Length => {
                 let Some((typed, place)) = arguments.into_iter().next() else { return Typed::Poison };
@@ -125,19 +153,10 @@ impl Checker<'_> {
                 Typed::Scalar { value, data_type: resolved.result }
             }
             Meaning::CompareTexts(operation) => {
-                let mut texts = Vec::with_capacity(2);
-                for (typed, place) in arguments {
-                    match self.text(typed, place) {
-                        Some(text) => texts.push(Box::new(text)),
-                        None => return Typed::Poison,
-                    }
-                }
-                let Ok([a, b]) = <[Box<Text>; 2]>::try_from(texts) else { return Typed::Poison };
-                let order = Value { kind: ValueKind::CompareTexts(a, b), scalar: Scalar::I32, span };
-                let zero = Value { kind: ValueKind::Constant(0), scalar: Scalar::I32, span };
+                let Ok([a, b]) = <[(Typed, Span); 2]>::try_from(arguments) else { return Typed::Poison };
+                let Some((a, b)) = self.two_texts(a, b) else { return Typed::Poison };
                 let Some(op) = standard::operators::op_for(operation, Scalar::I32) else { return Typed::Poison };
-                let value = operators::compute(op, vec![order, zero], Scalar::Bool);
-                Typed::Scalar { value: Value { span, ..value }, data_type: DataType::Bool }
+                Typed::Scalar { value: super::texts::compared(op, a, b, span), data_type: DataType::Bool }
             }
             Meaning::Build(build) => {
                 let mut rest: Vec<Option<(Typed, Span)>> = arguments.into_iter().map(Some).collect();
@@ -373,7 +392,7 @@ impl Checker<'_> {
 }
 
 /// Which argument each parameter gets: by its name, else by its position.
-fn order_of(parameters: &[standard::Parameter], call: &ast::Call) -> Vec<usize> {
+pub(super) fn order_of(parameters: &[standard::Parameter], call: &ast::Call) -> Vec<usize> {
     let position = |(index, parameter): (usize, &standard::Parameter)| {
         let named = |argument: &ast::Argument| argument.name.as_ref().is_some_and(|name| name.is(&parameter.name));
         call.arguments.iter().position(named).unwrap_or(index)
@@ -382,15 +401,13 @@ fn order_of(parameters: &[standard::Parameter], call: &ast::Call) -> Vec<usize> 
 }
 
 /// What an argument is for the choice of a standard function.
-fn kind_of(typed: &Typed) -> GivenKind {
+pub(super) fn kind_of(typed: &Typed) -> GivenKind {
     match typed {
         Typed::Integer { value, radix } => GivenKind::Integer { value: *value, radix: *radix },
         Typed::Real { .. } => GivenKind::Real,
         Typed::Scalar { data_type, .. } | Typed::Number { data_type, .. } => GivenKind::Typed(data_type.clone()),
-        Typed::Text(Text::Constant(text)) => GivenKind::Typed(DataType::String(u8::try_from(text.len()).unwrap_or(u8::MAX))),
-        Typed::Text(Text::Place { capacity: 0, .. }) => GivenKind::Typed(DataType::String(254)),
-        Typed::Text(Text::Place { capacity, .. } | Text::Call { capacity, .. }) => GivenKind::Typed(DataType::String(*capacity)),
-        Typed::Text(Text::Character(_)) => GivenKind::Typed(DataType::Char),
+        Typed::Text(text @ Text::Character(_)) => GivenKind::Typed(if text.is_wide() { DataType::WideChar } else { DataType::Char }),
+        Typed::Text(text) => GivenKind::Typed(super::texts::type_of_room(text.room())),
         Typed::Aggregate(target) => GivenKind::Typed(target.data_type.clone()),
         Typed::Moment(_) => GivenKind::Typed(DataType::DateAndTime),
         Typed::Pointer(pointer) => {

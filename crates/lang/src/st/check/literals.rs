@@ -63,7 +63,7 @@ pub(crate) fn bits(literal: &LiteralKind, kind: Kind, dialect: Dialect) -> Resul
         },
         (LiteralKind::DateAndTime { nanoseconds, .. }, Class::DateAndTime) => plain(*nanoseconds as u64),
         (LiteralKind::Characters(text), Class::Character) => match (text.as_slice(), kind.bits) {
-            ([byte], 8) => plain(u64::from(*byte)),
+            ([byte], 8 | 16) => plain(u64::from(*byte)),
             _ => Err(Misfit::Type),
         },
         (LiteralKind::WideCharacters(text), Class::Character) => match (text.as_slice(), kind.bits) {

@@ -153,12 +153,7 @@ impl Checker<'_> {
     pub(super) fn case(&mut self, selector: &Expression, arms: &[CaseArm], otherwise: &[ast::Statement]) -> Option<StatementKind> {
         let typed = self.expression(selector);
         let found = match typed {
-            Typed::Text(_) => {
-                if self.judge(Construct::CaseOfString, selector.span) {
-                    self.not_built(selector.span, "CASE of a STRING");
-                }
-                None
-            }
+            Typed::Text(text) => return self.case_of_text(text, selector, arms, otherwise),
             typed => self.scalar(typed, selector.span),
         };
         let found = found.and_then(|(value, data_type)| {

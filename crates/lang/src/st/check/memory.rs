@@ -19,7 +19,7 @@ use crate::st::dialect::{Construct, Judgement};
 use crate::st::open_arrays::End;
 use crate::st::standard::build::compute;
 use crate::st::standard::operators::{Operation, compares, op_for};
-use crate::st::tree::{Base, Bounds, For, Index, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
+use crate::st::tree::{Base, Bounds, For, Index, Place, Scalar, Statement, StatementKind, Text, TextRoom, Value, ValueKind, room_of};
 
 /// What PEEK delivers by its name, in bits.
 const PEEKS: &[(&str, u32)] = &[("PEEK", 8), ("PEEK_BYTE", 8), ("PEEK_WORD", 16), ("PEEK_DWORD", 32), ("PEEK_LWORD", 64), ("PEEK_BOOL", 1)];
@@ -40,15 +40,25 @@ enum Somewhere {
 }
 
 /// A part of an array: its elements from one on.
-struct Part {
-    array: Target,
-    element: DataType,
+pub(super) struct Part {
+    pub(super) array: Target,
+    pub(super) element: DataType,
     /// The first element, as I64.
-    first: Value,
+    pub(super) first: Value,
+}
+
+/// Elements that go from one array to another one.
+pub(super) struct Moved {
+    /// Whether all of them are in the source.
+    pub(super) fits: Value,
+    /// The same, and there is room for all of them in the target.
+    pub(super) all_fit: Value,
+    /// What moves them.
+    pub(super) repeated: Statement,
 }
 
 impl Checker<'_> {
-    fn has_memory_functions(&self) -> bool {
+    pub(super) fn has_memory_functions(&self) -> bool {
         self.dialect.judge(Construct::PeekPoke) != Judgement::Reject
     }
 
@@ -87,12 +97,18 @@ impl Checker<'_> {
             "POKE_BLK" => self.poke_block(call, span),
             "MOVE_BLK" | "UMOVE_BLK" => self.move_block(&upper, call, span),
             "FILL_BLK" | "UFILL_BLK" => self.fill_block(&upper, call, span),
-            _ => return None,
+            _ => return self.instruction_statement(&upper, call, span),
         })
     }
 
     /// The arguments of a call by the names of its parameters, all of which are needed.
-    fn named<'c>(&mut self, function: &str, call: &'c ast::Call, parameters: &[&str], span: Span) -> Option<Vec<&'c Expression>> {
+    pub(super) fn named<'c>(
+        &mut self,
+        function: &str,
+        call: &'c ast::Call,
+        parameters: &[&str],
+        span: Span,
+    ) -> Option<Vec<&'c Expression>> {
         let mut found: Vec<Option<&Expression>> = vec![None; parameters.len()];
         for (position, argument) in call.arguments.iter().enumerate() {
             let index = match &argument.name {
@@ -289,7 +305,7 @@ impl Checker<'_> {
     }
 
     /// ENO is FALSE from here on, if the block looks at it.
-    fn not_ok(&self, span: Span) -> Vec<Statement> {
+    pub(super) fn not_ok(&self, span: Span) -> Vec<Statement> {
         let failed = Statement { kind: StatementKind::SetOk(number(0, Scalar::Bool, span)), span };
         if self.reads_ok { vec![failed] } else { Vec::new() }
     }
@@ -356,27 +372,44 @@ impl Checker<'_> {
         let source = self.part(function, given[0])?;
         let target = self.part(function, given[2])?;
         self.target(given[2])?;
+        let mut statements = Vec::new();
+        let moved = self.moved_elements(function, source, target, given[1], given[2].span, &mut statements, span)?;
+        Some(self.if_it_fits(moved.all_fit, statements, moved.repeated, span))
+    }
+
+    /// COUNT elements from one part of an array to another one.
+    #[allow(clippy::too_many_arguments)] // Both sides of a copy, and where it is written.
+    pub(super) fn moved_elements(
+        &mut self,
+        function: &str,
+        source: Part,
+        target: Part,
+        count: &Expression,
+        at: Span,
+        statements: &mut Vec<Statement>,
+        span: Span,
+    ) -> Option<Moved> {
         if !same_type(&source.element, &target.element) {
             let message = format!("`{function}` copies elements of one type, not {} to {}", words(&source.element), words(&target.element));
-            self.report(Problem::P4011, given[2].span, message);
+            self.report(Problem::P4011, at, message);
             return None;
         }
         let element = target.element.clone();
-        let mut statements = Vec::new();
-        let count = self.count(given[1], &mut statements)?;
-        let (source, fits) = self.elements(source, &count, &mut statements, span)?;
-        let (target, also) = self.elements(target, &count, &mut statements, span)?;
+        let count = self.count(count, statements)?;
+        let (source, fits) = self.elements(source, &count, statements, span)?;
+        let (target, also) = self.elements(target, &count, statements, span)?;
         let step = element_step(&element);
         let kind = Kind::of(&element).map(|kind| kind.scalar(self.dialect));
         let copy = |[target, source]: [Place; 2]| match (&element, kind) {
             (_, Some(scalar)) => StatementKind::Assign { target, value: Value { kind: ValueKind::Load(source), scalar, span } },
-            (DataType::String(capacity), _) => {
-                StatementKind::AssignString { target, capacity: *capacity, source: Text::Place { place: source, capacity: *capacity } }
+            (text, _) if let Some(room) = room_of(text) => {
+                StatementKind::AssignString { target, room, source: Text::Place { place: source, room } }
             }
             (other, _) => StatementKind::Copy { target, source, bytes: (other.bits() / 8) as u32 },
         };
         let repeated = self.for_each(count, [(target, step), (source, step)], copy, span);
-        Some(self.if_it_fits(fits, also, statements, repeated, span))
+        let all_fit = compute(Op::And, vec![fits.clone(), also], Scalar::Bool, span);
+        Some(Moved { fits, all_fit, repeated })
     }
 
     fn fill_block(&mut self, function: &str, call: &ast::Call, span: Span) -> Option<StatementKind> {
@@ -390,12 +423,12 @@ impl Checker<'_> {
         let typed = self.expression_for(given[0], &element);
         enum What {
             Value(Value),
-            Text(Text, u8),
+            Text(Text, TextRoom),
             Whole(Place),
         }
         let what = match (&element, typed) {
             (_, Typed::Poison) => return None,
-            (DataType::String(capacity), typed) => What::Text(self.text(typed, given[0].span)?, *capacity),
+            (text, typed) if let Some(room) = room_of(text) => What::Text(self.text_of(typed, given[0].span, room.wide)?, room),
             (_, typed) if Kind::of(&element).is_some() => {
                 let value = self.coerce(typed, given[0].span, &element)?;
                 let (keep, value) = self.kept(value);
@@ -413,24 +446,22 @@ impl Checker<'_> {
         let bytes = (element.bits() / 8) as u32;
         let fill = |[target]: [Place; 1]| match &what {
             What::Value(value) => StatementKind::Assign { target, value: value.clone() },
-            What::Text(text, capacity) => StatementKind::AssignString { target, capacity: *capacity, source: text.clone() },
+            What::Text(text, room) => StatementKind::AssignString { target, room: *room, source: text.clone() },
             What::Whole(source) => StatementKind::Copy { target, source: source.clone(), bytes },
         };
         let repeated = self.for_each(count, [(target, step)], fill, span);
-        let always = number(1, Scalar::Bool, span);
-        Some(self.if_it_fits(fits, always, statements, repeated, span))
+        Some(self.if_it_fits(fits, statements, repeated, span))
     }
 
     /// What moves elements stays undone if they do not all fit.
-    fn if_it_fits(&mut self, fits: Value, also: Value, mut statements: Vec<Statement>, repeated: Statement, span: Span) -> StatementKind {
-        let condition = compute(Op::And, vec![fits, also], Scalar::Bool, span);
-        let kind = StatementKind::If { branches: vec![(condition, vec![repeated])], otherwise: self.not_ok(span) };
+    fn if_it_fits(&mut self, fits: Value, mut statements: Vec<Statement>, repeated: Statement, span: Span) -> StatementKind {
+        let kind = StatementKind::If { branches: vec![(fits, vec![repeated])], otherwise: self.not_ok(span) };
         statements.push(Statement { kind, span });
         StatementKind::Block(statements)
     }
 }
 
-fn number(value: i64, scalar: Scalar, span: Span) -> Value {
+pub(super) fn number(value: i64, scalar: Scalar, span: Span) -> Value {
     let bits = if scalar.bits() == 32 { u64::from(value as u32) } else { value as u64 };
     Value { kind: ValueKind::Constant(bits), scalar, span }
 }

@@ -3,6 +3,7 @@
 mod calls;
 mod expressions;
 mod functions;
+mod instructions;
 mod literals;
 mod locals;
 mod loops;
@@ -16,6 +17,7 @@ mod ranges;
 mod s5;
 mod statements;
 mod testing;
+mod texts;
 mod typed;
 mod types;
 mod usage;

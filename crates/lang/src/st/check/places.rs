@@ -9,6 +9,7 @@ use sieben_model::types::{DataType, ReferenceKind};
 
 use super::members::{is_super, is_this};
 use super::names::{Constant, Entity, Role};
+use super::texts::text_room;
 use super::typed::{Target, Through, Typed};
 use super::types::{Class, Kind};
 use super::{Checker, literals, operators, words};
@@ -83,10 +84,10 @@ impl Checker<'_> {
             return Typed::Scalar { value: Value { kind: ValueKind::Load(target.place), scalar, span }, data_type: target.data_type };
         }
         match target.data_type {
-            DataType::String(length) => {
-                let capacity = if unknown_length(&target.place) { 0 } else { length };
-                Typed::Text(Text::Place { place: target.place, capacity })
-            }
+            DataType::String(_) | DataType::WideString(_) => match text_room(&target) {
+                Some(room) => Typed::Text(Text::Place { place: target.place, room }),
+                None => Typed::Poison,
+            },
             number if number.is_number() => {
                 // A function gets the number itself, an instance keeps it in a word.
                 let kind = match target.place.base {
@@ -95,7 +96,6 @@ impl Checker<'_> {
                 };
                 Typed::Number { data_type: number, value: Value { kind, scalar: Scalar::U16, span } }
             }
-            DataType::WideString(_) => self.not_built(span, "a WSTRING in an expression"),
             _ if !self.is_whole(&target) => Typed::Poison,
             _ => Typed::Aggregate(target),
         }
@@ -104,7 +104,7 @@ impl Checker<'_> {
     fn name(&mut self, name: &Name) -> Reached {
         let found = match name.quoting {
             Quoting::Local => self.names.local(&name.text),
-            Quoting::Global => self.names.global(&name.text),
+            Quoting::Global => self.own_result(name).or_else(|| self.names.global(&name.text)),
             Quoting::Bare | Quoting::Backquoted => self.names.local(&name.text).or_else(|| self.names.global(&name.text)),
         };
         match found {
@@ -114,6 +114,13 @@ impl Checker<'_> {
                 None => self.unknown(name),
             },
         }
+    }
+
+    /// The result of the function that bears the name, in the function itself: `"Name" := 1`.
+    fn own_result(&self, name: &Name) -> Option<Entity> {
+        let own = self.names.local(&name.text)?;
+        let is_result = matches!(&own, Entity::Variable(variable) if variable.role == Role::Result);
+        is_result.then_some(own)
     }
 
     /// OK and ENO.
@@ -183,6 +190,11 @@ impl Checker<'_> {
             None => self.literal(&constant.value, None, span),
             Some(DataType::String(_)) => match &constant.value {
                 LiteralKind::Characters(text) => Typed::Text(Text::Constant(text.clone())),
+                _ => Typed::Poison,
+            },
+            Some(DataType::WideString(_)) => match &constant.value {
+                LiteralKind::WideCharacters(text) => Typed::Text(Text::WideConstant(text.clone())),
+                LiteralKind::Characters(text) => Typed::Text(Text::WideConstant(text.iter().map(|&byte| byte.into()).collect())),
                 _ => Typed::Poison,
             },
             Some(data_type) => {
@@ -494,7 +506,7 @@ impl Checker<'_> {
                     }
                     self.element(target, own, expression.span)
                 }
-                DataType::String(_) => {
+                DataType::String(_) | DataType::WideString(_) => {
                     rest = &rest[1..];
                     self.character(target, first, expression.span)
                 }
@@ -557,9 +569,10 @@ impl Checker<'_> {
         Some(Target { data_type: *element, through, name: format!("{}[…]", target.name), ..target })
     }
 
-    /// A character of a STRING.
+    /// A character of a text.
     fn character(&mut self, mut target: Target, index: &Expression, span: Span) -> Option<Target> {
-        let DataType::String(length) = target.data_type else { return None };
+        let room = crate::st::tree::room_of(&target.data_type)?;
+        let length = room.characters_max;
         let (value, (least, most)) = self.index_value(index)?;
         let first = i64::from(self.dialect.switches().string_first);
         let (low, high) = (i128::from(first), i128::from(first) + i128::from(length) - 1);
@@ -568,11 +581,16 @@ impl Checker<'_> {
             self.report(Problem::P4005, index.span, message);
             return None;
         }
-        target.place.offset = target.place.offset.saturating_add(16);
+        target.place.offset = target.place.offset.saturating_add(8 * room.head());
         let check = if low <= least && most <= high { Bounds::None } else { self.bounds_check() };
-        target.place.indexes.push(Index { value, low: first, count: u64::from(length), step: 8, check });
+        target.place.indexes.push(Index { value, low: first, count: u64::from(length), step: 8 * room.unit(), check });
         target.place.span = span;
-        let data_type = if first == 0 { DataType::Byte } else { DataType::Char };
+        let data_type = match (first == 0, room.wide) {
+            (true, false) => DataType::Byte,
+            (true, true) => DataType::Word,
+            (false, false) => DataType::Char,
+            (false, true) => DataType::WideChar,
+        };
         Some(Target { data_type, through: Through::Part, name: format!("{}[…]", target.name), ..target })
     }
 
@@ -765,6 +783,7 @@ impl Checker<'_> {
             Typed::Poison => "this".to_owned(),
             Typed::Integer { .. } | Typed::Real { .. } => "a number".to_owned(),
             Typed::Scalar { data_type, .. } | Typed::Number { data_type, .. } => format!("a value of type {}", words(data_type)),
+            Typed::Text(text) if text.is_wide() => "a WSTRING".to_owned(),
             Typed::Text(_) => "a text".to_owned(),
             Typed::Aggregate(target) => format!("`{}` of type {}", target.name, words(&target.data_type)),
             Typed::Moment(_) => "a DATE_AND_TIME".to_owned(),

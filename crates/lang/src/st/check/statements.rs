@@ -8,15 +8,16 @@ use sieben_model::types::{DataType, ReferenceKind};
 use super::calls::Called;
 use super::expressions::same_type;
 use super::names::Role;
-use super::places::{Reached, unknown_length};
+use super::places::Reached;
 use super::ranges::same_place;
 use super::testing::and_hold;
+use super::texts::text_room;
 use super::typed::{Target, Through, Typed};
 use super::types::Kind;
 use super::{Block, Checker, Label, operators, walk, words};
 use crate::st::ast::{self, AssignOperator, BinaryOperator, Expression, ExpressionKind, Name, StatementKind as Kinds};
 use crate::st::dialect::{Construct, IndexFault, Judgement};
-use crate::st::tree::{Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
+use crate::st::tree::{Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind, room_of};
 
 impl Checker<'_> {
     /// A list of statements.
@@ -316,7 +317,7 @@ impl Checker<'_> {
     /// A function whose result is an array or a structure writes it to the target itself.
     fn result_into(&mut self, target: &Target, value: &Expression, span: Span) -> Option<Option<StatementKind>> {
         let ExpressionKind::Call(call) = &value.kind else { return None };
-        if Kind::of(&target.data_type).is_some() || matches!(target.data_type, DataType::String(_)) {
+        if Kind::of(&target.data_type).is_some() || room_of(&target.data_type).is_some() {
             return None;
         }
         let (block, callee) = match self.quietly(|checker| checker.called(&call.callee)) {
@@ -326,7 +327,7 @@ impl Checker<'_> {
         };
         let interface = self.names.interface(block)?;
         let result = interface.variables.iter().find(|variable| variable.section == sieben_model::interface::Section::Return)?.clone();
-        if Kind::of(&result.data_type).is_some() || matches!(result.data_type, DataType::String(_)) {
+        if Kind::of(&result.data_type).is_some() || room_of(&result.data_type).is_some() {
             return None;
         }
         self.called.insert(block);
@@ -351,23 +352,24 @@ impl Checker<'_> {
     }
 
     /// Writes a value to a variable.
-    fn store(&mut self, target: Target, typed: Typed, from: Span, span: Span) -> Option<StatementKind> {
+    pub(super) fn store(&mut self, target: Target, typed: Typed, from: Span, span: Span) -> Option<StatementKind> {
         if Kind::of(&target.data_type).is_some() {
             let value = self.coerce(typed, from, &target.data_type)?;
             return Some(self.limited(target, value, span));
         }
         match (&target.data_type, typed) {
             (_, Typed::Poison) => None,
-            (DataType::String(length), typed) => {
-                let capacity = if unknown_length(&target.place) { 0 } else { *length };
-                if let Typed::Text(Text::Constant(text)) = &typed
-                    && text.len() > usize::from(*length)
+            (DataType::String(_) | DataType::WideString(_), typed) => {
+                let room = text_room(&target)?;
+                let source = self.text_of(typed, from, room.wide)?;
+                if let Text::Constant(_) | Text::WideConstant(_) = &source
+                    && let (long, most) = (source.room().characters_max, room_of(&target.data_type)?.characters_max)
+                    && long > most
                 {
-                    let message = format!("this text has {} characters and is cut to the {length} of `{}`", text.len(), target.name);
+                    let message = format!("this text has {long} characters and is cut to the {most} of `{}`", target.name);
                     self.report(Problem::P6201, from, message);
                 }
-                let source = self.text(typed, from)?;
-                Some(StatementKind::AssignString { target: target.place, capacity, source })
+                Some(StatementKind::AssignString { target: target.place, room, source })
             }
             (DataType::DateAndTime, Typed::Moment(bytes)) => Some(StatementKind::Block(moment(&target.place, bytes, span))),
             (wanted, Typed::Aggregate(source)) if same_type(wanted, &source.data_type) => {

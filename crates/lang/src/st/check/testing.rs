@@ -14,7 +14,7 @@ use super::typed::{Target, Typed};
 use super::types::{Class, Kind};
 use super::{Checker, operators, words};
 use crate::st::ast::{self, BinaryOperator, Expression, ExpressionKind, LiteralKind, Name, Quoting};
-use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind};
+use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, Statement, StatementKind, Text, TextRoom, Value, ValueKind};
 
 /// Nanoseconds of a millisecond.
 const MILLISECOND: i64 = 1_000_000;
@@ -307,8 +307,8 @@ impl Checker<'_> {
     fn assert_texts(&mut self, word: Word, a: &Expression, b: &Expression, row: u32, span: Span) -> Option<Option<StatementKind>> {
         let texts = |typed: &Typed| matches!(typed, Typed::Text(_));
         let (left, right) = self.quietly(|checker| checker.both(a, b));
-        let long = |typed: &Typed| matches!(typed, Typed::Text(Text::Constant(text)) if text.len() != 1);
-        let variable = |typed: &Typed| matches!(typed, Typed::Text(text) if !matches!(text, Text::Constant(_)));
+        let long = |typed: &Typed| matches!(typed, Typed::Text(text @ (Text::Constant(_) | Text::WideConstant(_))) if text.room().characters_max != 1);
+        let variable = |typed: &Typed| matches!(typed, Typed::Text(text) if !matches!(text, Text::Constant(_) | Text::WideConstant(_)));
         if !(texts(&left) || texts(&right)) || !(long(&left) || long(&right) || variable(&left) || variable(&right)) {
             return None;
         }
@@ -318,6 +318,8 @@ impl Checker<'_> {
             return Some(None);
         };
         let (Some(left), Some(right)) = (self.text(left, a.span), self.text(right, b.span)) else { return Some(None) };
+        let narrow = |text: Text| if text.is_wide() { Text::Converted(Box::new(text)) } else { text };
+        let (left, right) = (narrow(left), narrow(right));
         let mut question = Question::default();
         for one in [a, b] {
             question.operands.push(Operand { span: one.span, data_type: Some(DataType::String(254)), bytes: 0 });
@@ -329,8 +331,8 @@ impl Checker<'_> {
         let row = Value { kind: ValueKind::Constant(u64::from(row)), scalar: Scalar::U32, span };
         let arguments = vec![
             Argument::Value { parameter: 0, value: row },
-            Argument::Text { parameter: 1, text: left, capacity: 254 },
-            Argument::Text { parameter: 2, text: right, capacity: 254 },
+            Argument::Text { parameter: 1, text: left, room: TextRoom::narrow(254) },
+            Argument::Text { parameter: 2, text: right, room: TextRoom::narrow(254) },
         ];
         let call = call_of(TEXTS, arguments, span);
         Some(Some(StatementKind::If { branches: vec![(failed, vec![call])], otherwise: Vec::new() }))

@@ -310,7 +310,8 @@ impl Walk<'_> {
             Text::Place { place, .. } => self.read(place),
             Text::Character(value) => self.value(value),
             Text::Call { call, .. } => self.call(call),
-            Text::Constant(_) => {}
+            Text::Constant(_) | Text::WideConstant(_) => {}
+            Text::Converted(text) => self.text(text),
         }
     }
 

@@ -24,7 +24,7 @@ use crate::st::check::names::{DataBlockView, Entity, Names, Role, Variable};
 use crate::st::dialect::Dialect;
 use crate::st::objects::Objects;
 use crate::st::standard::Provided;
-use crate::st::tree::{self, Base, Local, Place, Scalar, Statement, StatementKind, Text, ValueKind};
+use crate::st::tree::{self, Base, Local, Place, Scalar, Statement, StatementKind, Text, TextRoom, ValueKind};
 
 pub(crate) use super::globals::Globals;
 
@@ -440,12 +440,18 @@ fn starting_statement(variable: &Variable, initial: &[Value], span: Span) -> Opt
     let target = Place { base: variable.base.clone(), offset: variable.offset, indexes: Vec::new(), span };
     let data_type = &variable.data_type;
     let kind = match data_type {
-        DataType::String(capacity) => {
+        DataType::String(length) => {
             let text = match initial {
                 [Value::Characters(text)] => text.clone(),
                 _ => Vec::new(),
             };
-            StatementKind::AssignString { target, capacity: *capacity, source: Text::Constant(text) }
+            StatementKind::AssignString { target, room: TextRoom::narrow(*length), source: Text::Constant(text) }
+        }
+        DataType::WideString(length) => {
+            let image = bytes(data_type, initial);
+            let words: Vec<u16> = image.chunks_exact(2).map(|word| u16::from_be_bytes([word[0], word[1]])).collect();
+            let text = words[2..].iter().copied().take(usize::from(words[1])).collect();
+            StatementKind::AssignString { target, room: TextRoom::wide(*length), source: Text::WideConstant(text) }
         }
         _ if data_type.is_elementary() || data_type.is_long() => {
             let scalar = match data_type.bits() {

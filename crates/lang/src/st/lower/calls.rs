@@ -9,7 +9,7 @@ use sieben_model::types::DataType;
 
 use super::pointers::at;
 use super::{Lowering, bytes, width, width_of_bits};
-use crate::st::tree::{Argument, Base, Call, Callee, Dispatch, Place, Scalar, ValueKind};
+use crate::st::tree::{Argument, Base, Call, Callee, Dispatch, Place, Scalar, TextRoom, ValueKind, room_of};
 use crate::stl::meaning::data_blocks::REGISTER_PAIRS;
 use crate::stl::meaning::logic_control::{CALLER_LOCAL, INSTANCE_START};
 
@@ -52,7 +52,7 @@ impl Lowering<'_> {
     }
 
     /// The same. The result of a function of texts may go to a target with room for so many characters; whether it did.
-    pub(super) fn call_into(&mut self, call: &Call, target: Option<(&Place, u8)>) -> bool {
+    pub(super) fn call_into(&mut self, call: &Call, target: Option<(&Place, TextRoom)>) -> bool {
         if let (Some(function), None) = (call.written_out, &call.enable)
             && let Some(is_there) = self.write_out(function, call, target)
         {
@@ -115,8 +115,8 @@ impl Lowering<'_> {
 
     /// Room for a value in hidden local data that a called block sees, cleared.
     fn cleared(&mut self, data_type: &DataType) -> Place {
-        if let DataType::String(capacity) = data_type {
-            return self.empty_text(*capacity);
+        if let Some(room) = room_of(data_type) {
+            return self.empty_text(room);
         }
         let size = bytes(data_type).clamp(1, VALUE_BYTES_MAX);
         let place = self.hidden_bytes(size);
@@ -247,8 +247,8 @@ impl Lowering<'_> {
                 behind.push(Behind::Take(place.clone(), argument));
                 self.pass_place(&place, formal)
             }
-            Argument::OutputText { capacity, .. } => {
-                let place = self.empty_text(*capacity);
+            Argument::OutputText { room, .. } => {
+                let place = self.empty_text(*room);
                 behind.push(Behind::Take(place.clone(), argument));
                 self.pass_place(&place, formal)
             }
@@ -308,9 +308,9 @@ impl Lowering<'_> {
     fn take_out(&mut self, from: &Place, argument: &Argument) {
         match argument {
             Argument::Output { scalar, target, convert, converted, .. } => self.take_value(from, *scalar, target, convert, *converted),
-            Argument::OutputText { capacity, target, target_capacity, .. } => {
-                let text = crate::st::tree::Text::Place { place: from.clone(), capacity: *capacity };
-                self.assign_text(target, *target_capacity, &text);
+            Argument::OutputText { room, target, target_room, .. } => {
+                let text = crate::st::tree::Text::Place { place: from.clone(), room: *room };
+                self.assign_text(target, *target_room, &text);
             }
             Argument::OutputAggregate { target, data_type, .. } => self.copy_typed(target, from, data_type),
             _ => {}
@@ -346,7 +346,7 @@ impl Lowering<'_> {
                     self.store(&at(&instance, *parameter), Width::Word, var);
                     self.release(var);
                 }
-                Argument::Text { parameter, text, capacity } => self.assign_text(&at(&instance, *parameter), *capacity, text),
+                Argument::Text { parameter, text, room } => self.assign_text(&at(&instance, *parameter), *room, text),
                 Argument::Aggregate { parameter, source, data_type } => self.copy_typed(&at(&instance, *parameter), source, data_type),
                 Argument::InOut { parameter, place, data_type } if is_elementary(data_type) => {
                     let frozen = self.freeze(place);

@@ -95,10 +95,16 @@ impl Lowering<'_> {
         let (from, to, by) = (constant(&for_loop.from), constant(&for_loop.to), constant(&for_loop.by));
         let variable = self.freeze(&for_loop.variable);
         let first_value = self.value(&for_loop.from);
-        self.store(&variable, width(scalar), first_value);
+        let inside = self.store_inside(&variable, width(scalar), first_value);
         self.release(first_value);
-        // Without its first value the loop is left out.
-        if self.fallible {
+        let gated = inside.is_some();
+        // Without its first value the loop is left out: a control variable that is not there would never reach its last value.
+        if let Some(inside) = inside {
+            let out = if by == Some(0) { self.behind } else { out };
+            self.branch_on(inside, out, false);
+            self.release(inside);
+            self.part();
+        } else if self.fallible {
             self.part();
         }
 
@@ -177,7 +183,7 @@ impl Lowering<'_> {
         self.branch_on(goes_on, first, true);
         self.release(goes_on);
         self.part();
-        if !enters {
+        if !enters || gated {
             self.not_entered(decision, out);
         }
     }

@@ -56,6 +56,13 @@ impl Lowering<'_> {
 
     /// Writes a value, which stays, to a place.
     pub(super) fn store(&mut self, place: &Place, width: Width, src: Var) {
+        if let Some(gate) = self.store_inside(place, width, src) {
+            self.release(gate);
+        }
+    }
+
+    /// The same; the bit that is 1 if an element with an index that may be outside its array is there.
+    pub(super) fn store_inside(&mut self, place: &Place, width: Width, src: Var) -> Option<Var> {
         let located = self.locate(place, width.bits(), true);
         self.open_block(&located.block);
         match located.gate {
@@ -67,11 +74,11 @@ impl Lowering<'_> {
                 self.push(Inst::Store { place: located.address, width, src: new });
                 self.release(old);
                 self.release(new);
-                self.release(gate);
             }
             None => self.push(Inst::Store { place: located.address, width, src }),
         }
         self.release_pointer(&located);
+        located.gate
     }
 
     pub(super) fn release_pointer(&mut self, located: &Located) {

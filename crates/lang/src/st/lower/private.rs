@@ -32,9 +32,9 @@ impl Seen {
                 bytes_at(from, *bytes);
                 bytes_at(to, *bytes);
             }
-            Inst::Text { from, from_max, to, to_max, .. } => {
-                bytes_at(from, text_bytes(*from_max));
-                bytes_at(to, text_bytes(*to_max));
+            Inst::Text { from, from_room, to, to_room, .. } => {
+                bytes_at(from, from_room.bytes());
+                bytes_at(to, to_room.bytes());
             }
             _ => {}
         }
@@ -84,9 +84,4 @@ impl Seen {
         }
         private
     }
-}
-
-/// Bytes of a text of at most so many characters; 0 = as its first byte says.
-fn text_bytes(characters_max: u8) -> u32 {
-    2 + if characters_max == 0 { u32::from(u8::MAX) } else { u32::from(characters_max) }
 }

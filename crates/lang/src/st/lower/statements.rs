@@ -60,7 +60,7 @@ impl Lowering<'_> {
         match &statement.kind {
             StatementKind::Assign { target, value } => self.assign(target, value),
             StatementKind::Copy { target, source, bytes } => self.copy_bytes(target, source, *bytes),
-            StatementKind::AssignString { target, capacity, source } => self.assign_text(target, *capacity, source),
+            StatementKind::AssignString { target, room, source } => self.assign_text(target, *room, source),
             StatementKind::Call(call) => self.call(call),
             StatementKind::If { branches, otherwise } => self.if_statement(branches, otherwise),
             StatementKind::Case { selector, branches, otherwise } => self.case_statement(selector, branches, otherwise),

@@ -7,13 +7,13 @@ use sieben_model::types::{DataType, STRING_LENGTH_MAX};
 
 use super::Lowering;
 use crate::st::standard::texts::{Manner, TextAction, TextFunction};
-use crate::st::tree::{Argument, Base, Call, Place, Value};
+use crate::st::tree::{Argument, Base, Call, Place, TextRoom, Value};
 
 /// More characters than any text has.
 const ALL: u64 = i32::MAX as u64;
 
-/// A text that is there, and how many of its characters count; 0 = as its first byte says.
-type Ready = (Place, u8);
+/// A text that is there, and how many of its characters count.
+type Ready = (Place, TextRoom);
 
 /// A piece of one of the texts: from which character on, counted from 0, and how many.
 struct Part {
@@ -25,7 +25,7 @@ struct Part {
 impl Lowering<'_> {
     /// Writes out a call of a function of texts; `None` if its arguments are not those of one. The result goes to `target` if nobody can
     /// tell the difference, else to hidden local data, whose position is left in `self.result`; whether it went to the target.
-    pub(super) fn write_out(&mut self, function: TextFunction, call: &Call, target: Option<(&Place, u8)>) -> Option<bool> {
+    pub(super) fn write_out(&mut self, function: TextFunction, call: &Call, target: Option<(&Place, TextRoom)>) -> Option<bool> {
         if !is_usual(function, call) {
             return None;
         }
@@ -34,8 +34,8 @@ impl Lowering<'_> {
         for argument in &call.arguments {
             match argument {
                 Argument::Text { parameter, text, .. } => {
-                    let (place, capacity) = self.text(text);
-                    texts.push((*parameter, (self.freeze(&place), capacity)));
+                    let (place, room) = self.text(text);
+                    texts.push((*parameter, (self.freeze(&place), room)));
                 }
                 Argument::Value { parameter, value } => numbers.push((*parameter, self.keep(value))),
                 _ => {}
@@ -52,9 +52,12 @@ impl Lowering<'_> {
             return Some(false);
         }
         let target = target.filter(|target| texts.iter().all(|text| are_apart(*target, text)));
-        let (room, capacity) = match target {
-            Some((place, capacity)) => (place.clone(), capacity),
-            None => (self.hidden_bytes(2 + u32::from(STRING_LENGTH_MAX)), STRING_LENGTH_MAX),
+        let (to, room) = match target {
+            Some((place, room)) => (place.clone(), room),
+            None => {
+                let room = function.result_room();
+                (self.hidden_bytes(room.bytes()), room)
+            }
         };
         let numbers: Vec<Var> = numbers
             .iter()
@@ -77,7 +80,7 @@ impl Lowering<'_> {
         for (index, Part { text, first, count }) in parts.into_iter().enumerate() {
             let action = if index == 0 { Action::Piece } else { Action::Append };
             let (place, max) = &texts[text];
-            let length = self.text_instruction(action, (&room, capacity), (place, *max), Some([first, count]));
+            let length = self.text_instruction(action, (&to, room), (place, *max), Some([first, count]));
             whole = Some(match whole {
                 Some(whole) => self.compute(Op::AddU32, &[whole, length]),
                 None => length,
@@ -90,7 +93,7 @@ impl Lowering<'_> {
             self.compute(Op::And, &[good, fits])
         });
         self.set_br(good);
-        self.result = target.is_none().then_some(room.offset);
+        self.result = target.is_none().then_some(to.offset);
         Some(target.is_some())
     }
 
@@ -107,7 +110,7 @@ impl Lowering<'_> {
     }
 
     /// The pieces of which the result consists, and whether the numbers name characters; `None` = nobody asks.
-    fn parts(&mut self, TextFunction { action, manner }: TextFunction, texts: &[Ready], numbers: &[Var]) -> (Vec<Part>, Option<Var>) {
+    fn parts(&mut self, TextFunction { action, manner, .. }: TextFunction, texts: &[Ready], numbers: &[Var]) -> (Vec<Part>, Option<Var>) {
         let reports = manner != Manner::Codesys;
         let zero = self.constant(0);
         let one = self.constant(1);
@@ -235,23 +238,24 @@ fn is_usual(function: TextFunction, call: &Call) -> bool {
     let numbers = call.arguments.iter().filter(|argument| matches!(argument, Argument::Value { .. })).count();
     let result = match function.action {
         TextAction::Find => DataType::Int,
+        _ if function.wide => DataType::WideString(STRING_LENGTH_MAX.into()),
         _ => DataType::String(STRING_LENGTH_MAX),
     };
     (texts, numbers) == function.arity() && call.arguments.len() == texts + numbers && call.result == result
 }
 
 /// Whether a target is known to share no byte with a text, wherever the program runs.
-fn are_apart((target, room): (&Place, u8), (text, max): &Ready) -> bool {
+fn are_apart((target, room): (&Place, TextRoom), (text, from_room): &Ready) -> bool {
     let is_plain = |place: &Place| {
         let area = matches!(place.base, Base::Area(Area::Local | Area::BitMemory) | Base::Instance | Base::DataBlock(_));
         area && place.indexes.is_empty()
     };
-    if room == 0 || !is_plain(target) || !is_plain(text) {
+    if room.is_unknown() || !is_plain(target) || !is_plain(text) {
         return false;
     }
-    let end = |place: &Place, max: u8| u64::from(place.offset) + 8 * (2 + if max == 0 { u64::from(u8::MAX) } else { u64::from(max) });
+    let end = |place: &Place, room: TextRoom| u64::from(place.offset) + 8 * u64::from(room.bytes());
     match (&target.base, &text.base) {
-        (a, b) if a == b => end(target, room) <= u64::from(text.offset) || end(text, *max) <= u64::from(target.offset),
+        (a, b) if a == b => end(target, room) <= u64::from(text.offset) || end(text, *from_room) <= u64::from(target.offset),
         // The instance may be the same data block.
         (Base::Instance, Base::DataBlock(_)) | (Base::DataBlock(_), Base::Instance) => false,
         _ => true,

@@ -1,6 +1,6 @@
-//! STRING: assignment, comparison, length.
+//! STRING and WSTRING: assignment, comparison, length.
 
-use sieben_engine::ir::{Inst, TextAction, Var};
+use sieben_engine::ir::{Inst, TextAction, TextRoom, Var};
 use sieben_model::address::Width;
 
 use super::Lowering;
@@ -9,42 +9,80 @@ use crate::st::tree::{Place, Text};
 
 /// Characters that a STRING may have.
 const CHARACTERS_MAX: usize = 254;
+/// Characters that a WSTRING may have.
+const WIDE_CHARACTERS_MAX: usize = 16_382;
+
+/// The room of a text of so many characters. An empty text has room for no character; 0 would mean the same here.
+fn exactly(characters: usize, wide: bool) -> TextRoom {
+    TextRoom { characters_max: characters as u16, wide }
+}
 
 impl Lowering<'_> {
-    /// A text as a place with room for so many characters; 0 = as its first byte says.
-    pub(super) fn text(&mut self, text: &Text) -> (Place, u8) {
+    /// A text as a place, and what it has room for.
+    pub(super) fn text(&mut self, text: &Text) -> (Place, TextRoom) {
         match text {
-            Text::Place { place, capacity } => (place.clone(), *capacity),
+            Text::Place { place, room } => (place.clone(), *room),
             Text::Constant(characters) => {
                 let characters = &characters[..characters.len().min(CHARACTERS_MAX)];
                 let length = characters.len() as u8;
-                let place = self.hidden_bytes(2 + u32::from(length));
                 let bytes: Vec<u8> = [length, length].into_iter().chain(characters.iter().copied()).collect();
-                self.store_bytes(place.offset, &bytes);
-                // An empty text has room for no character; 0 would mean the same here.
-                (place, length)
+                (self.literal_text(&bytes), exactly(characters.len(), false))
+            }
+            Text::WideConstant(characters) => {
+                let characters = &characters[..characters.len().min(WIDE_CHARACTERS_MAX)];
+                let length = characters.len() as u16;
+                let bytes: Vec<u8> = [length, length].iter().chain(characters).flat_map(|word| word.to_be_bytes()).collect();
+                (self.literal_text(&bytes), exactly(characters.len(), true))
             }
             Text::Character(value) => {
+                let room = exactly(1, text.is_wide());
                 let value = self.value(value);
-                let place = self.hidden_bytes(4);
-                self.store(&at(&place, 16), Width::Byte, value);
+                let place = self.hidden_bytes(room.bytes().next_multiple_of(2) + 2);
+                let (behind, width, head, whole) = match room.wide {
+                    false => (16, Width::Byte, 0x0101, Width::Word),
+                    true => (32, Width::Word, 0x0001_0001, Width::DoubleWord),
+                };
+                self.store(&at(&place, behind), width, value);
                 self.release(value);
-                let head = self.constant(0x0101);
-                self.store_local(place.offset, Width::Word, head);
-                (place, 1)
+                let head = self.constant(head);
+                self.store_local(place.offset, whole, head);
+                (place, room)
             }
-            Text::Call { call, capacity } => {
+            Text::Call { call, room } => {
                 self.call(call);
-                (self.text_result(*capacity), *capacity)
+                (self.text_result(*room), *room)
+            }
+            Text::Converted(inner) => {
+                let (from, from_room) = self.text(inner);
+                // The result of a function stays where it is while the copy is made; a variable may move with its index.
+                let from = self.freeze(&from);
+                let room = match text.room() {
+                    room if room.is_unknown() => exactly(CHARACTERS_MAX, room.wide),
+                    room => room,
+                };
+                let place = self.hidden_bytes(room.bytes());
+                let lost = self.text_instruction(TextAction::Assign, (&place, room), (&from, from_room), None);
+                if !room.wide {
+                    self.clear_ok_if(lost);
+                }
+                self.release(lost);
+                (place, room)
             }
         }
     }
 
+    /// The bytes of a literal in hidden local data.
+    fn literal_text(&mut self, bytes: &[u8]) -> Place {
+        let place = self.hidden_bytes(bytes.len() as u32);
+        self.store_bytes(place.offset, bytes);
+        place
+    }
+
     /// Where the last call left its result.
-    fn text_result(&mut self, capacity: u8) -> Place {
+    fn text_result(&mut self, room: TextRoom) -> Place {
         match self.result.take() {
             Some(position) => self.local(position),
-            None => self.empty_text(capacity),
+            None => self.empty_text(room),
         }
     }
 
@@ -55,29 +93,30 @@ impl Lowering<'_> {
     }
 
     /// An empty text in hidden local data.
-    pub(super) fn empty_text(&mut self, capacity: u8) -> Place {
-        let place = self.hidden_bytes(2 + u32::from(capacity));
-        let head = self.constant(u64::from(capacity) << 8);
-        self.store_local(place.offset, Width::Word, head);
+    pub(super) fn empty_text(&mut self, room: TextRoom) -> Place {
+        let place = self.hidden_bytes(room.head() + u32::from(room.characters_max) * room.unit());
+        let (shift, width) = if room.wide { (16, Width::DoubleWord) } else { (8, Width::Word) };
+        let head = self.constant(u64::from(room.characters_max) << shift);
+        self.store_local(place.offset, width, head);
         place
     }
 
     /// `target := source`, cut to the room there.
-    pub(super) fn assign_text(&mut self, target: &Place, capacity: u8, source: &Text) {
-        if let Text::Call { call, capacity: most } = source {
-            if self.call_into(call, Some((target, capacity))) {
+    pub(super) fn assign_text(&mut self, target: &Place, room: TextRoom, source: &Text) {
+        if let Text::Call { call, room: most } = source {
+            if self.call_into(call, Some((target, room))) {
                 return;
             }
             let place = self.text_result(*most);
-            return self.copy_text(target, capacity, &place, *most);
+            return self.copy_text(target, room, &place, *most);
         }
-        let (place, from_max) = self.text(source);
-        self.copy_text(target, capacity, &place, from_max);
+        let (place, from_room) = self.text(source);
+        self.copy_text(target, room, &place, from_room);
     }
 
-    fn copy_text(&mut self, target: &Place, capacity: u8, place: &Place, from_max: u8) {
+    fn copy_text(&mut self, target: &Place, room: TextRoom, place: &Place, from_room: TextRoom) {
         let [place, target] = self.settle([place, target]);
-        let cut = self.text_instruction(TextAction::Assign, (&target, capacity), (&place, from_max), None);
+        let cut = self.text_instruction(TextAction::Assign, (&target, room), (&place, from_room), None);
         self.release(cut);
     }
 
@@ -94,27 +133,26 @@ impl Lowering<'_> {
 
     /// The number of characters.
     pub(super) fn text_length(&mut self, text: &Text) -> Var {
-        let (place, max) = self.text(text);
-        self.text_instruction(TextAction::Length, (&place, max), (&place, max), None)
+        let (place, room) = self.text(text);
+        self.text_instruction(TextAction::Length, (&place, room), (&place, room), None)
     }
 
     /// The result of a text instruction. The piece stays.
     pub(super) fn text_instruction(
         &mut self,
         action: TextAction,
-        (to, to_max): (&Place, u8),
-        (from, from_max): (&Place, u8),
+        (to, to_room): (&Place, TextRoom),
+        (from, from_room): (&Place, TextRoom),
         piece: Option<[Var; 2]>,
     ) -> Var {
-        let bytes = |max: u8| 2 + if max == 0 { u32::from(u8::MAX) } else { u32::from(max) };
-        let from = self.locate_bytes(from, bytes(from_max), false);
+        let from = self.locate_bytes(from, from_room.bytes(), false);
         let to = if action == TextAction::Length {
             super::places::Located { pointer: None, gate: None, block: super::places::Block::Any, ..from }
         } else {
-            self.locate_bytes(to, bytes(to_max), action.writes())
+            self.locate_bytes(to, to_room.bytes(), action.writes())
         };
         let dst = self.temporary();
-        self.push(Inst::Text { action, dst, to: to.address, to_max, from: from.address, from_max, piece: piece.unwrap_or_default() });
+        self.push(Inst::Text { action, dst, to: to.address, to_room, from: from.address, from_room, piece: piece.unwrap_or_default() });
         self.release_pointer(&from);
         self.release_pointer(&to);
         dst

@@ -119,7 +119,8 @@ impl Counter {
 
     fn text(&mut self, text: &Text) {
         match text {
-            Text::Constant(_) => {}
+            Text::Constant(_) | Text::WideConstant(_) => {}
+            Text::Converted(text) => self.text(text),
             Text::Place { place, .. } => self.place(place, Use::Address),
             Text::Character(value) => self.value(value),
             Text::Call { call, .. } => self.call(call),

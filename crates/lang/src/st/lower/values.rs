@@ -246,7 +246,8 @@ impl Lowering<'_> {
 
     pub(super) fn text_breaks(&self, text: &Text) -> bool {
         match text {
-            Text::Constant(_) => false,
+            Text::Constant(_) | Text::WideConstant(_) => false,
+            Text::Converted(text) => self.text_breaks(text),
             Text::Place { place, .. } => self.place_breaks(place),
             Text::Character(value) => self.breaks(value),
             Text::Call { .. } => true,

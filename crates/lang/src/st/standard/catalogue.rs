@@ -66,11 +66,11 @@ chapters! {
         "s_offdt" "S5 timer: off late" ["S_OFFDT" "S_AVERZ"] "S_OFFDT(T_NO: TIMER; S: BOOL; TV: S5TIME; R: BOOL; BI => WORD; Q => BOOL): S5TIME";
     }
     "Counters" true {
-        "ctu" "up" ["CTU" "CTU_SINT" "CTU_INT" "CTU_DINT" "CTU_LINT" "CTU_USINT" "CTU_UINT" "CTU_UDINT" "CTU_ULINT"]
+        "ctu" "up" ["CTU" "CTU_SINT" "CTU_INT" "CTU_DINT" "CTU_LINT" "CTU_USINT" "CTU_UINT" "CTU_UDINT" "CTU_ULINT" "LCTU"]
             "iec scl tia: CTU(CU: BOOL; R: BOOL; PV: INT) → Q: BOOL; CV: INT" "codesys: CTU(CU: BOOL; RESET: BOOL; PV: WORD) → Q: BOOL; CV: WORD" "CTU_DINT(CU: BOOL; R: BOOL; PV: DINT) → Q: BOOL; CV: DINT";
-        "ctd" "down" ["CTD" "CTD_SINT" "CTD_INT" "CTD_DINT" "CTD_LINT" "CTD_USINT" "CTD_UINT" "CTD_UDINT" "CTD_ULINT"]
+        "ctd" "down" ["CTD" "CTD_SINT" "CTD_INT" "CTD_DINT" "CTD_LINT" "CTD_USINT" "CTD_UINT" "CTD_UDINT" "CTD_ULINT" "LCTD"]
             "iec tia: CTD(CD: BOOL; LD: BOOL; PV: INT) → Q: BOOL; CV: INT" "codesys: CTD(CD: BOOL; LOAD: BOOL; PV: WORD) → Q: BOOL; CV: WORD" "scl: CTD(CD: BOOL; LOAD: BOOL; PV: INT) → Q: BOOL; CV: INT";
-        "ctud" "up and down" ["CTUD" "CTUD_SINT" "CTUD_INT" "CTUD_DINT" "CTUD_LINT" "CTUD_USINT" "CTUD_UINT" "CTUD_UDINT" "CTUD_ULINT"]
+        "ctud" "up and down" ["CTUD" "CTUD_SINT" "CTUD_INT" "CTUD_DINT" "CTUD_LINT" "CTUD_USINT" "CTUD_UINT" "CTUD_UDINT" "CTUD_ULINT" "LCTUD"]
             "iec tia: CTUD(CU: BOOL; CD: BOOL; R: BOOL; LD: BOOL; PV: INT) → QU: BOOL; QD: BOOL; CV: INT"
             "codesys: CTUD(CU: BOOL; CD: BOOL; RESET: BOOL; LOAD: BOOL; PV: WORD) → QU: BOOL; QD: BOOL; CV: WORD"
             "scl: CTUD(CU: BOOL; CD: BOOL; R: BOOL; LOAD: BOOL; PV: INT) → QU: BOOL; QD: BOOL; CV: INT";
@@ -103,6 +103,8 @@ chapters! {
         "and" "logic, bit by bit" ["AND" "OR" "XOR" "NOT"] "AND(IN1: ANY_BIT; IN2: ANY_BIT; …): ANY_BIT" "OR(IN1: ANY_BIT; IN2: ANY_BIT; …): ANY_BIT" "XOR(IN1: ANY_BIT; IN2: ANY_BIT; …): ANY_BIT" "NOT(value): the same type";
         "shl" "shifting" ["SHL" "SHR"] "SHL(IN: ANY_BIT; N: ANY_INT): ANY_BIT" "SHR(IN: ANY_BIT; N: ANY_INT): ANY_BIT";
         "rol" "rotating" ["ROL" "ROR"] "ROL(IN: ANY_BIT; N: ANY_INT): ANY_BIT" "ROR(IN: ANY_BIT; N: ANY_INT): ANY_BIT";
+        "swap" "bytes in the other order" ["SWAP" "TO_BIG_ENDIAN" "FROM_BIG_ENDIAN" "TO_LITTLE_ENDIAN" "FROM_LITTLE_ENDIAN"] "SWAP(IN: WORD): WORD" "TO_LITTLE_ENDIAN(IN: WORD): WORD";
+        "byte_to_gray" "Gray code" ["BYTE_TO_GRAY" "WORD_TO_GRAY" "DWORD_TO_GRAY" "GRAY_TO_BYTE" "GRAY_TO_WORD" "GRAY_TO_DWORD"] "BYTE_TO_GRAY(X: BYTE): BYTE" "GRAY_TO_BYTE(X: BYTE): BYTE";
         "extract" "single bits" ["EXTRACT" "PUTBIT" "PACK" "UNPACK"] "EXTRACT(X: DWORD; N: BYTE): BOOL" "PUTBIT(X: DWORD; N: BYTE; B: BOOL): DWORD"
             "PACK(B0: BOOL; B1: BOOL; B2: BOOL; B3: BOOL; B4: BOOL; B5: BOOL; B6: BOOL; B7: BOOL): BYTE"
             "UNPACK(B: BYTE) → B0: BOOL; B1: BOOL; B2: BOOL; B3: BOOL; B4: BOOL; B5: BOOL; B6: BOOL; B7: BOOL";
@@ -112,6 +114,7 @@ chapters! {
         "max" "the greatest, the least" ["MAX" "MIN"] "MAX(IN1: ANY; IN2: ANY; …): ANY" "MIN(IN1: ANY; IN2: ANY; …): ANY";
         "limit" "between two limits" ["LIMIT"] "LIMIT(MN: ANY; IN: ANY; MX: ANY): ANY";
         "mux" "one of several" ["MUX"] "MUX(K: ANY_INT; IN0: ANY; IN1: ANY; …): ANY" "scl tia: MUX(K: ANY_INT; IN0: ANY; …; INELSE: ANY): ANY";
+        "demux" "to one of several" ["DEMUX"] "DEMUX(number; value; outputs)";
         "gt" "comparisons" ["GT" "GE" "EQ" "LE" "LT" "NE"] "GT(IN1: ANY; IN2: ANY; …): BOOL" "GE(IN1: ANY; IN2: ANY; …): BOOL" "EQ(IN1: ANY; IN2: ANY; …): BOOL" "LE(IN1: ANY; IN2: ANY; …): BOOL" "LT(IN1: ANY; IN2: ANY; …): BOOL" "NE(IN1: ANY; IN2: ANY): BOOL";
     }
     "Conversions" false {
@@ -128,30 +131,43 @@ chapters! {
         "dt_to_date" "date and time of day" ["DT_TO_DATE" "DT_TO_TOD"] "DT_TO_DATE(IN: DT): DATE" "DT_TO_TOD(IN: DT): TOD";
         "s5time_to_time" "times of S5 timers" ["S5TIME_TO_TIME" "TIME_TO_S5TIME"] "S5TIME_TO_TIME(IN: S5TIME): TIME" "TIME_TO_S5TIME(IN: TIME): S5TIME";
         "to_string" "a value becomes text" ["INT_TO_STRING" "DINT_TO_STRING" "REAL_TO_STRING" "BOOL_TO_STRING" "TIME_TO_STRING" "TOD_TO_STRING" "DATE_TO_STRING" "DT_TO_STRING" "TO_STRING"] "DINT_TO_STRING(IN: DINT): STRING" "iec codesys: TO_STRING(IN: ANY): STRING";
+        "string_to_time" "a text becomes a time or a date" ["STRING_TO_TIME" "STRING_TO_LTIME" "STRING_TO_DATE" "STRING_TO_TOD" "STRING_TO_LTOD" "STRING_TO_DT"] "STRING_TO_TIME(IN: STRING): TIME" "STRING_TO_DATE(IN: STRING): DATE" "STRING_TO_TOD(IN: STRING): TOD" "STRING_TO_DT(IN: STRING): DT";
+        "string_to_wstring" "texts of both widths" ["STRING_TO_WSTRING" "WSTRING_TO_STRING" "CHAR_TO_WCHAR" "WCHAR_TO_WSTRING" "WSTRING_TO_WCHAR"] "STRING_TO_WSTRING(IN: STRING): WSTRING" "WSTRING_TO_STRING(IN: WSTRING): STRING";
         "string_to_int" "a text becomes a number" ["STRING_TO_INT" "STRING_TO_DINT" "STRING_TO_REAL" "STRING_TO_BOOL"] "STRING_TO_INT(IN: STRING): INT" "STRING_TO_REAL(IN: STRING): REAL";
     }
     "Texts" false {
-        "len" "the length" ["LEN"] "iec tia: LEN(IN: STRING): INT";
-        "left" "the first characters" ["LEFT"] "iec scl tia: LEFT(IN: STRING; L: INT): STRING" "codesys: LEFT(STR: STRING; SIZE: INT): STRING";
-        "right" "the last characters" ["RIGHT"] "iec scl tia: RIGHT(IN: STRING; L: INT): STRING" "codesys: RIGHT(STR: STRING; SIZE: INT): STRING";
-        "mid" "characters from the middle" ["MID"] "iec scl tia: MID(IN: STRING; L: INT; P: INT): STRING" "codesys: MID(STR: STRING; LEN: INT; POS: INT): STRING";
-        "concat" "one behind the other" ["CONCAT"] "iec tia: CONCAT(IN1: STRING; IN2: STRING; …): STRING" "scl: CONCAT(IN1: STRING; IN2: STRING): STRING" "codesys: CONCAT(STR1: STRING; STR2: STRING): STRING";
-        "insert" "a text into another" ["INSERT"] "iec scl tia: INSERT(IN1: STRING; IN2: STRING; P: INT): STRING" "codesys: INSERT(STR1: STRING; STR2: STRING; POS: INT): STRING";
-        "delete" "without some characters" ["DELETE"] "iec scl tia: DELETE(IN: STRING; L: INT; P: INT): STRING" "codesys: DELETE(STR: STRING; LEN: INT; POS: INT): STRING";
-        "replace" "some characters by others" ["REPLACE"] "iec scl tia: REPLACE(IN1: STRING; IN2: STRING; L: INT; P: INT): STRING" "codesys: REPLACE(STR1: STRING; STR2: STRING; L: INT; P: INT): STRING";
-        "find" "where a text begins" ["FIND"] "iec scl tia: FIND(IN1: STRING; IN2: STRING): INT" "codesys: FIND(STR1: STRING; STR2: STRING): INT";
+        "len" "the length" ["LEN" "WLEN"] "iec tia: LEN(IN: STRING): INT";
+        "left" "the first characters" ["LEFT" "WLEFT"] "iec scl tia: LEFT(IN: STRING; L: INT): STRING" "codesys: LEFT(STR: STRING; SIZE: INT): STRING";
+        "right" "the last characters" ["RIGHT" "WRIGHT"] "iec scl tia: RIGHT(IN: STRING; L: INT): STRING" "codesys: RIGHT(STR: STRING; SIZE: INT): STRING";
+        "mid" "characters from the middle" ["MID" "WMID"] "iec scl tia: MID(IN: STRING; L: INT; P: INT): STRING" "codesys: MID(STR: STRING; LEN: INT; POS: INT): STRING";
+        "concat" "one behind the other" ["CONCAT" "WCONCAT"] "iec tia: CONCAT(IN1: STRING; IN2: STRING; …): STRING" "scl: CONCAT(IN1: STRING; IN2: STRING): STRING" "codesys: CONCAT(STR1: STRING; STR2: STRING): STRING";
+        "insert" "a text into another" ["INSERT" "WINSERT"] "iec scl tia: INSERT(IN1: STRING; IN2: STRING; P: INT): STRING" "codesys: INSERT(STR1: STRING; STR2: STRING; POS: INT): STRING";
+        "delete" "without some characters" ["DELETE" "WDELETE"] "iec scl tia: DELETE(IN: STRING; L: INT; P: INT): STRING" "codesys: DELETE(STR: STRING; LEN: INT; POS: INT): STRING";
+        "replace" "some characters by others" ["REPLACE" "WREPLACE"] "iec scl tia: REPLACE(IN1: STRING; IN2: STRING; L: INT; P: INT): STRING" "codesys: REPLACE(STR1: STRING; STR2: STRING; L: INT; P: INT): STRING";
+        "max_len" "room for characters" ["MAX_LEN" "S_MOVE"] "MAX_LEN(text): DINT" "S_MOVE(IN: STRING; OUT => STRING)";
+        "strg_to_chars" "characters one by one" ["STRG_TO_CHARS" "CHARS_TO_STRG"] "Strg_TO_Chars(text; first; count; array)" "Chars_TO_Strg(array; first; count; text)";
+        "find" "where a text begins" ["FIND" "WFIND"] "iec scl tia: FIND(IN1: STRING; IN2: STRING): INT" "codesys: FIND(STR1: STRING; STR2: STRING): INT";
     }
     "Times and dates" false {
         "add_time" "sums and differences" ["ADD_TIME" "ADD_TOD_TIME" "ADD_DT_TIME" "SUB_TIME" "SUB_DATE_DATE" "SUB_TOD_TIME" "SUB_TOD_TOD" "SUB_DT_TIME" "SUB_DT_DT" "ADD_LTIME" "ADD_LTOD_LTIME" "ADD_LDT_LTIME" "SUB_LTIME" "SUB_LDATE_LDATE" "SUB_LTOD_LTIME" "SUB_LTOD_LTOD" "SUB_LDT_LTIME" "SUB_LDT_LDT"]
             "ADD_TIME(IN1: TIME; IN2: TIME): TIME" "ADD_DT_TIME(IN1: DT; IN2: TIME): DT" "SUB_DT_DT(IN1: DT; IN2: DT): TIME";
         "mul_time" "times a number" ["MUL_TIME" "DIV_TIME" "MULTIME" "DIVTIME" "MUL_LTIME" "DIV_LTIME"] "MUL_TIME(IN1: TIME; IN2: ANY_NUM): TIME" "DIV_TIME(IN1: TIME; IN2: ANY_NUM): TIME";
         "concat_date_tod" "a point in time" ["CONCAT_DATE_TOD" "CONCAT_DATE_LTOD"] "CONCAT_DATE_TOD(IN1: DATE; IN2: TOD): DT";
+        "concat_date" "from parts, and into parts" ["CONCAT_DATE" "CONCAT_LDATE" "CONCAT_TOD" "CONCAT_LTOD" "CONCAT_DT" "CONCAT_LDT" "SPLIT_DATE" "SPLIT_LDATE" "SPLIT_TOD" "SPLIT_LTOD" "SPLIT_DT" "SPLIT_LDT"]
+            "CONCAT_DATE(YEAR: INT; MONTH: INT; DAY: INT): DATE" "CONCAT_TOD(HOUR: INT; MINUTE: INT; SECOND: INT; MILLISECOND: INT): TOD"
+            "SPLIT_DATE(IN: DATE; YEAR => INT; MONTH => INT; DAY => INT)" "SPLIT_TOD(IN: TOD; HOUR => INT; MINUTE => INT; SECOND => INT; MILLISECOND => INT)";
+        "t_add" "sums and differences of tia" ["T_ADD" "T_SUB" "T_DIFF"] "T_ADD(IN1: TIME; IN2: TIME): TIME" "T_SUB(IN1: TIME; IN2: TIME): TIME" "T_DIFF(IN1: TOD; IN2: TOD): TIME";
+        "rd_sys_t" "the clock of the CPU" ["RD_SYS_T" "RD_LOC_T" "WR_SYS_T" "WR_LOC_T"] "RD_SYS_T(variable): INT" "WR_SYS_T(variable): INT";
         "day_of_week" "Sunday to Saturday" ["DAY_OF_WEEK"] "DAY_OF_WEEK(IN: DATE): INT";
     }
     "Arrays and memory" false {
         "lower_bound" "first and last index" ["LOWER_BOUND" "UPPER_BOUND"] "LOWER_BOUND(array; dimension): DINT" "UPPER_BOUND(array; dimension): DINT";
         "peek" "memory by numbers" ["PEEK" "PEEK_BOOL" "PEEK_BYTE" "PEEK_WORD" "PEEK_DWORD" "PEEK_LWORD" "POKE" "POKE_BOOL" "POKE_BLK"]
             "PEEK(area: BYTE; dbNumber: DINT; byteOffset: DINT): BYTE" "PEEK_WORD(area: BYTE; dbNumber: DINT; byteOffset: DINT): WORD" "PEEK_BOOL(area: BYTE; dbNumber: DINT; byteOffset: DINT; bitOffset: INT): BOOL" "POKE(area: BYTE; dbNumber: DINT; byteOffset: DINT; value: WORD)";
+        "countofelements" "how many elements" ["COUNTOFELEMENTS"] "CountOfElements(array): UDINT";
+        "move_blk_variant" "elements from array to array" ["MOVE_BLK_VARIANT"] "MOVE_BLK_VARIANT(array; count; index; index; array): INT";
+        "serialize" "variables as bytes" ["SERIALIZE" "DESERIALIZE"] "Serialize(variable; array of bytes; position): INT" "Deserialize(array of bytes; variable; position): INT";
+        "scatter" "bits and arrays of BOOL" ["SCATTER" "GATHER"] "SCATTER(bits; array of BOOL)" "GATHER(array of BOOL; bits)";
         "move_blk" "parts of arrays" ["MOVE_BLK" "UMOVE_BLK" "FILL_BLK" "UFILL_BLK"] "MOVE_BLK(element; count; target element)" "FILL_BLK(value; count; target element)";
     }
     "Names, sizes and numbers" false {
@@ -183,7 +199,10 @@ chapters! {
 /// any type.
 #[rustfmt::skip] // A table.
 const CONVERSIONS: &[(&[&str], &[&str], &str)] = &[
+    (&["STRING", "WSTRING", "CHAR", "WCHAR"], &["WSTRING"], "string_to_wstring"),
+    (&["WSTRING"], &["STRING", "WCHAR"], "string_to_wstring"),
     (&["*"], &["STRING", "WSTRING"], "to_string"),
+    (&["STRING", "WSTRING"], TIMES, "string_to_time"),
     (&["STRING", "WSTRING"], &["*"], "string_to_int"),
     (&["S5TIME"], &["*"], "s5time_to_time"),
     (&["*"], &["S5TIME"], "s5time_to_time"),

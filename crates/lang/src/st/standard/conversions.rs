@@ -375,6 +375,7 @@ fn of_text(call: &Call<'_>, source: &DataType, target: &DataType, long: bool) ->
         (DataType::String(_), DataType::DoubleInt) if s7 => Some("STRNG_DI".to_owned()),
         (DataType::String(_), DataType::Real) if s7 => Some("STRNG_R".to_owned()),
         (_, DataType::String(_)) => class(other).map(|class| format!("{class}_TO_STRING")),
+        _ if unit(target).is_some() => class(target).map(|class| format!("STRING_TO_{class}")),
         _ => target.word().map(|word| format!("STRING_TO_{word}")),
     };
     let Some(block) = name.and_then(|name| library::function(&name, dialect)) else {

@@ -104,7 +104,7 @@ pub(crate) fn is_integer(data_type: &DataType) -> bool {
 
 /// Whether an argument is a text.
 pub(crate) fn is_text(given: &Given<'_>) -> bool {
-    matches!(&given.kind, GivenKind::Typed(DataType::String(_)))
+    matches!(&given.kind, GivenKind::Typed(DataType::String(_) | DataType::WideString(_)))
 }
 
 /// The type that an argument without one takes where nothing else says it.

@@ -40,6 +40,8 @@ pub(super) fn resolve(call: &Call<'_>) -> Answer {
         "ATAN2" => [true, false, false, false],
         "IS_VALID" => [true, false, false, false],
         "NORM_X" | "SCALE_X" => [false, false, false, true],
+        "SWAP" => [false, false, false, true],
+        "TO_BIG_ENDIAN" | "FROM_BIG_ENDIAN" | "TO_LITTLE_ENDIAN" | "FROM_LITTLE_ENDIAN" => [true, false, false, false],
         _ => return None,
     };
     dialects[column].then(|| match call.name {
@@ -68,6 +70,10 @@ pub(super) fn resolve(call: &Call<'_>) -> Answer {
         }),
         "NORM_X" => norm_x(call),
         "SCALE_X" => scale_x(call),
+        "SWAP" => one(call, Group::Bits, swapped),
+        // The memory of the CPU has the highest byte first.
+        "TO_BIG_ENDIAN" | "FROM_BIG_ENDIAN" => one(call, Group::Elementary, |value, _| value),
+        "TO_LITTLE_ENDIAN" | "FROM_LITTLE_ENDIAN" => one(call, Group::Elementary, swapped),
         "ATAN2" => {
             let given = call.bind(&["Y", "X"])?;
             let data_type = call.real(&given)?;
@@ -103,6 +109,18 @@ fn one(call: &Call<'_>, group: Group, build: impl Fn(Value, &mut Building<'_>) -
     let given = call.bind(&["IN"])?;
     let data_type = call.common(&given, group)?;
     built(vec![("IN", data_type.clone())], data_type, move |mut args, at| build(args.remove(0), at))
+}
+
+/// The bytes in the other order.
+fn swapped(value: Value, at: &mut Building<'_>) -> Value {
+    let scalar = value.scalar;
+    let op = match scalar.bits() {
+        16 => Op::Swap16,
+        32 => Op::Swap32,
+        64 => Op::Swap64,
+        _ => return value,
+    };
+    compute(op, vec![value], scalar, at.span)
 }
 
 /// Two inputs of one type.

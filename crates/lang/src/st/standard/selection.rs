@@ -53,7 +53,9 @@ pub(super) fn resolve(call: &Call<'_>) -> Answer {
 
 /// Two texts.
 fn texts(call: &Call<'_>, given: &[&Given<'_>], meaning: Meaning) -> Result<Resolved, Refusal> {
-    if let Some(wrong) = given.iter().find(|given| !is_text(given) && given.kind != super::GivenKind::Typed(DataType::Char)) {
+    if let Some(wrong) =
+        given.iter().find(|given| !is_text(given) && !matches!(given.kind, super::GivenKind::Typed(DataType::Char | DataType::WideChar)))
+    {
         return Err(call.wrong(wrong, "a STRING"));
     }
     let result =
@@ -64,7 +66,7 @@ fn texts(call: &Call<'_>, given: &[&Given<'_>], meaning: Meaning) -> Result<Reso
 fn sel(call: &Call<'_>) -> Result<Resolved, Refusal> {
     let given = call.bind(&["G", "IN0", "IN1"])?;
     if is_text(given[1]) || is_text(given[2]) {
-        return text_block(call, "SEL_STRING", &["G", "IN0", "IN1"]);
+        return text_block(call, "SEL", &["G", "IN0", "IN1"]);
     }
     let data_type = call.common(&given[1..], Group::Elementary)?;
     let scalar = call.scalar(&data_type);
@@ -89,7 +91,7 @@ fn extreme(call: &Call<'_>, function: Operation) -> Result<Resolved, Refusal> {
     let bound = call.bind_list(&[], "IN", 1, 2)?;
     let given: Vec<_> = bound.iter().map(|(_, given)| *given).collect();
     if given.iter().any(|given| is_text(given)) {
-        let block = if function == Operation::Maximum { "MAX_STRING" } else { "MIN_STRING" };
+        let block = if function == Operation::Maximum { "MAX" } else { "MIN" };
         return folded(call, block, &bound);
     }
     let data_type = call.common(&given, Group::Elementary)?;
@@ -105,7 +107,7 @@ fn extreme(call: &Call<'_>, function: Operation) -> Result<Resolved, Refusal> {
 fn limit(call: &Call<'_>) -> Result<Resolved, Refusal> {
     let given = call.bind(&["MN", "IN", "MX"])?;
     if given.iter().any(|given| is_text(given)) {
-        return text_block(call, "LIMIT_STRING", &["MN", "IN", "MX"]);
+        return text_block(call, "LIMIT", &["MN", "IN", "MX"]);
     }
     let data_type = call.common(&given, Group::Elementary)?;
     let parameters = ["MN", "IN", "MX"].map(|name| (name, data_type.clone())).to_vec();
@@ -136,7 +138,7 @@ fn mux(call: &Call<'_>) -> Result<Resolved, Refusal> {
         if named_else.is_some() {
             parameters.push(Parameter { name: "INELSE".to_owned(), data_type: string.clone() });
         }
-        let block = string_block(call, "SEL_STRING")?;
+        let block = string_block(call, "SEL")?;
         let meaning = Meaning::Choose { block, inputs: bound.len() - 1, last: otherwise == Otherwise::Last };
         return Ok(Resolved { parameters, result: string, meaning });
     }
@@ -238,8 +240,14 @@ fn text_block(call: &Call<'_>, name: &'static str, names: &[&str]) -> Result<Res
     Ok(Resolved { parameters, result: DataType::String(sieben_model::types::STRING_LENGTH_MAX), meaning: Meaning::Block(block) })
 }
 
+/// CONCAT, or MAX, MIN, LIMIT and SEL of the texts that the call has.
 fn string_block(call: &Call<'_>, name: &'static str) -> Result<Provided, Refusal> {
-    library::function(name, call.dialect).ok_or_else(|| {
+    let wide = call.arguments.iter().any(|given| matches!(given.kind, super::GivenKind::Typed(DataType::WideString(_))));
+    let block = match name {
+        "CONCAT" => name.to_owned(),
+        _ => format!("{name}_{}", if wide { "WSTRING" } else { "STRING" }),
+    };
+    library::function(&block, call.dialect).ok_or_else(|| {
         let message = format!("`{}` takes no STRING", call.name);
         call.refuse(sieben_model::problems::Problem::P4011, None, message, "compare and assign the texts with IF")
     })

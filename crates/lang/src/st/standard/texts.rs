@@ -2,7 +2,10 @@
 //!
 //! The blocks of the library do the same, for programs that call them as blocks; a test compares both.
 
+use sieben_model::types::STRING_LENGTH_MAX;
+
 use super::Provided;
+use crate::st::tree::TextRoom;
 
 /// A function of texts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,6 +14,8 @@ pub struct TextFunction {
     pub action: TextAction,
     /// What it does with numbers that name no characters.
     pub manner: Manner,
+    /// Whether its texts are WSTRINGs.
+    pub wide: bool,
 }
 
 /// What a function of texts does.
@@ -77,7 +82,12 @@ impl TextFunction {
     /// What the block with this name does, if callers write it out.
     pub fn of_block(name: &str) -> Option<Self> {
         let (_, action, manner) = BLOCKS.iter().find(|(block, ..)| *block == name)?;
-        Some(Self { action: *action, manner: *manner })
+        Some(Self { action: *action, manner: *manner, wide: false })
+    }
+
+    /// What its result has room for.
+    pub fn result_room(self) -> TextRoom {
+        TextRoom { characters_max: STRING_LENGTH_MAX.into(), wide: self.wide }
     }
 
     /// How many texts and numbers it takes.

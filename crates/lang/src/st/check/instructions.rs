@@ -1,0 +1,446 @@
+//! Instructions of tia that know the types of what they work on: DEMUX, MOVE_BLK_VARIANT, Serialize, SCATTER, CountOfElements and their kin.
+
+use sieben_engine::ir::Op;
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+use sieben_model::types::DataType;
+
+use super::calls::after;
+use super::memory::{Part, number, two};
+use super::operators::convert;
+use super::places::{Reached, element_step};
+use super::texts::text_room;
+use super::typed::{Target, Typed};
+use super::types::{Class, Kind};
+use super::{Checker, words};
+use crate::st::ast::{self, BinaryOperator, Expression, Name};
+use crate::st::open_arrays::End;
+use crate::st::standard::build::compute;
+use crate::st::standard::operators::Operation;
+use crate::st::tree::{Bounds, Branch, Callee, Index, Place, Scalar, Statement, StatementKind, Value, ValueKind, room_of};
+
+/// Elements from the first one on that are not all in the source, in the target.
+const SOURCE_TOO_SHORT: u64 = 0x8383;
+const TARGET_TOO_SHORT: u64 = 0x8483;
+/// A position outside the array of bytes, and one behind which there is not enough room.
+const POSITION_OUTSIDE: u64 = 0x8382;
+const ARRAY_TOO_SHORT: u64 = 0x8383;
+
+/// Functions that are a system function with other names: name, SFC, its parameter, what the parameter is called here.
+const CLOCKS: &[(&str, u16, &str, &str)] =
+    &[("RD_SYS_T", 1, "CDT", "OUT"), ("RD_LOC_T", 1, "CDT", "OUT"), ("WR_SYS_T", 0, "PDT", "IN"), ("WR_LOC_T", 0, "PDT", "IN")];
+
+impl Checker<'_> {
+    /// What delivers a value; `None` for other names.
+    pub(super) fn instruction(&mut self, name: &Name, call: &ast::Call, span: Span) -> Option<Typed> {
+        if !self.has_memory_functions() {
+            return None;
+        }
+        let upper = name.text.to_ascii_uppercase();
+        let found = match upper.as_str() {
+            "T_ADD" => self.sum(&upper, BinaryOperator::Add, call, span),
+            "T_SUB" | "T_DIFF" => self.sum(&upper, BinaryOperator::Subtract, call, span),
+            "COUNTOFELEMENTS" => self.count_of_elements(call, span),
+            "MAX_LEN" => self.max_len(call, span),
+            "MOVE_BLK_VARIANT" => self.move_variant(call, span).map(|(statements, place)| delivered(statements, place, span)),
+            "SERIALIZE" => self.serialize(call, span).map(|(statements, place)| delivered(statements, place, span)),
+            "DESERIALIZE" => self.deserialize(call, span).map(|(statements, place)| delivered(statements, place, span)),
+            _ => return self.clock(&upper, call, span),
+        };
+        Some(found.unwrap_or(Typed::Poison))
+    }
+
+    /// What is a statement, or has a result that nobody takes; `None` for other names.
+    pub(super) fn instruction_statement(&mut self, name: &str, call: &ast::Call, span: Span) -> Option<Option<StatementKind>> {
+        Some(match name {
+            "DEMUX" => self.demux(call, span),
+            "S_MOVE" => self.string_move(call, span),
+            "SCATTER" => self.scatter(call, span),
+            "GATHER" => self.gather(call, span),
+            "MOVE_BLK_VARIANT" => self.move_variant(call, span).map(|(statements, _)| StatementKind::Block(statements)),
+            "SERIALIZE" => self.serialize(call, span).map(|(statements, _)| StatementKind::Block(statements)),
+            "DESERIALIZE" => self.deserialize(call, span).map(|(statements, _)| StatementKind::Block(statements)),
+            _ => return None,
+        })
+    }
+
+    /// A sum or a difference of times, by a name.
+    fn sum(&mut self, name: &str, operator: BinaryOperator, call: &ast::Call, span: Span) -> Option<Typed> {
+        let given = self.named(name, call, &["IN1", "IN2"], span)?;
+        let (a, b) = (self.expression(given[0]), self.expression(given[1]));
+        let timed = |typed: &Typed| {
+            let Typed::Scalar { data_type, .. } = typed else { return false };
+            Kind::of(data_type)
+                .is_some_and(|kind| matches!(kind.class, Class::Duration | Class::Date | Class::TimeOfDay | Class::DateAndTime))
+        };
+        if a == Typed::Poison || b == Typed::Poison {
+            return None;
+        }
+        if !timed(&a) {
+            let what = self.what(&a);
+            let message = format!("`{name}` takes a time, a time of day or a date first, not {what}");
+            self.report(Problem::P4011, given[0].span, message).help =
+                Some("Call AD_DT_TM or SB_DT_TM for a DATE_AND_TIME; write `+` and `-` for numbers.".to_owned());
+            return None;
+        }
+        Some(self.arithmetic(operator, span, (a, given[0].span), (b, given[1].span)))
+    }
+
+    /// RD_SYS_T and its like: a system function whose result says whether it went well.
+    fn clock(&mut self, name: &str, call: &ast::Call, span: Span) -> Option<Typed> {
+        let &(_, number, own, given) = CLOCKS.iter().find(|(one, ..)| *one == name)?;
+        let block = BlockId::new(BlockKind::SystemFunction, number);
+        let mut renamed = call.clone();
+        for argument in &mut renamed.arguments {
+            match &mut argument.name {
+                Some(name) if name.is(given) => own.clone_into(&mut name.text),
+                _ => {}
+            }
+        }
+        let Some(interface) = self.interface(block, call.callee.span) else { return Some(Typed::Poison) };
+        let Some((done, before)) = self.arguments(Callee::Function(block), &interface, &renamed, span) else { return Some(Typed::Poison) };
+        let result = interface.variable("RET_VAL")?;
+        Some(self.delivered_result(result, done, before, span))
+    }
+
+    fn count_of_elements(&mut self, call: &ast::Call, span: Span) -> Option<Typed> {
+        let [ast::Argument { value: Some(array), .. }] = call.arguments.as_slice() else {
+            self.report(Problem::P6219, span, "`CountOfElements` takes one array");
+            return None;
+        };
+        let target = self.whole_array("CountOfElements", array)?;
+        let DataType::Array { bounds, .. } = &target.data_type else { return None };
+        let mut all = number(1, Scalar::I64, span);
+        for dimension in 1..=bounds.len() {
+            let [low, high] = [self.bound(&target, dimension, End::Low, span)?, self.bound(&target, dimension, End::High, span)?];
+            let [low, high] = [low, high].map(|value| convert(value, Scalar::I64));
+            let distance = two(Operation::Subtract, high, low, span);
+            let count = two(Operation::Add, distance, number(1, Scalar::I64, span), span);
+            all = two(Operation::Multiply, all, count, span);
+        }
+        let data_type = DataType::UnsignedDoubleInt;
+        Some(Typed::Scalar { value: convert(all, Scalar::U32), data_type })
+    }
+
+    /// A variable that is an array.
+    fn whole_array(&mut self, function: &str, expression: &Expression) -> Option<Target> {
+        match self.reach(expression) {
+            Reached::Target(target) if matches!(target.data_type, DataType::Array { .. }) => Some(target),
+            Reached::Target(target) => {
+                let message = format!("`{function}` takes an array here, and `{}` is {}", target.name, words(&target.data_type));
+                self.report(Problem::P4011, expression.span, message);
+                None
+            }
+            Reached::Other(Typed::Poison) => None,
+            Reached::Other(other) => {
+                let what = self.what(&other);
+                self.report(Problem::P4011, expression.span, format!("`{function}` takes an array here, not {what}"));
+                None
+            }
+        }
+    }
+
+    /// How many characters a text has room for.
+    fn max_len(&mut self, call: &ast::Call, span: Span) -> Option<Typed> {
+        let given = self.named("MAX_LEN", call, &["IN"], span)?;
+        let target = match self.reach(given[0]) {
+            Reached::Target(target) => target,
+            Reached::Other(Typed::Poison) => return None,
+            Reached::Other(other) => {
+                let what = self.what(&other);
+                self.report(Problem::P4011, given[0].span, format!("`MAX_LEN` takes a variable, not {what}"));
+                return None;
+            }
+        };
+        let Some(room) = text_room(&target) else {
+            let message = format!("`MAX_LEN` takes a text, and `{}` is {}", target.name, words(&target.data_type));
+            self.report(Problem::P4011, given[0].span, message);
+            return None;
+        };
+        let value = if room.is_unknown() {
+            let scalar = if room.wide { Scalar::U16 } else { Scalar::U8 };
+            convert(Value { kind: ValueKind::Load(target.place), scalar, span }, Scalar::I32)
+        } else {
+            number(room.characters_max.into(), Scalar::I32, span)
+        };
+        Some(Typed::Scalar { value, data_type: DataType::DoubleInt })
+    }
+
+    /// A text to a variable of its kind.
+    fn string_move(&mut self, call: &ast::Call, span: Span) -> Option<StatementKind> {
+        let given = self.named("S_MOVE", call, &["IN", "OUT"], span)?;
+        let typed = self.expression(given[0]);
+        let target = self.target(given[1])?;
+        if room_of(&target.data_type).is_none() {
+            let message = format!("`S_MOVE` writes a text, and `{}` is {}", target.name, words(&target.data_type));
+            self.report(Problem::P4011, given[1].span, message);
+            return None;
+        }
+        self.store(target, typed, given[0].span, span)
+    }
+
+    /// `DEMUX(K := n, IN := x, OUT0 => a, OUT1 => b, OUTELSE => c)`: one of the outputs gets the value.
+    fn demux(&mut self, call: &ast::Call, span: Span) -> Option<StatementKind> {
+        let (mut selector, mut input, mut otherwise) = (None, None, None);
+        let mut outputs: Vec<(i128, &Expression)> = Vec::new();
+        for argument in &call.arguments {
+            let (Some(name), Some(value)) = (&argument.name, &argument.value) else {
+                self.report(Problem::P6219, argument.span, "`DEMUX` takes its parameters by name").help =
+                    Some("Write `DEMUX(K := n, IN := x, OUT0 => a, OUT1 => b, OUTELSE => c)`.".to_owned());
+                return None;
+            };
+            let upper = name.text.to_ascii_uppercase();
+            match upper.as_str() {
+                "K" => selector = Some(value),
+                "IN" => input = Some(value),
+                "OUTELSE" => otherwise = Some(value),
+                other => match other.strip_prefix("OUT").and_then(|number| number.parse::<u16>().ok()) {
+                    Some(number) if !outputs.iter().any(|(known, _)| *known == i128::from(number)) => {
+                        outputs.push((number.into(), value));
+                    }
+                    Some(_) => {
+                        self.report(Problem::P3011, name.span, format!("`{}` of `DEMUX` is given twice", name.text));
+                        return None;
+                    }
+                    None => {
+                        self.report(Problem::P3009, name.span, format!("`DEMUX` has no parameter `{}`", name.text)).help =
+                            Some("It has K, IN, OUT0, OUT1 and so on, and OUTELSE.".to_owned());
+                        return None;
+                    }
+                },
+            }
+        }
+        let (Some(selector), Some(input), false) = (selector, input, outputs.is_empty()) else {
+            self.report(Problem::P3010, span, "the call of `DEMUX` leaves out `K`, `IN` or all outputs");
+            return None;
+        };
+        let (number, _) = self.index_value(selector)?;
+        let number = convert(number, Scalar::I64);
+        let mut statements = Vec::new();
+        let mut typed = self.expression(input);
+        if let Typed::Scalar { value, data_type } = typed {
+            let (keep, value) = self.kept(value);
+            statements.push(keep);
+            typed = Typed::Scalar { value, data_type };
+        }
+        let mut branches = Vec::with_capacity(outputs.len());
+        for (number, output) in outputs {
+            let target = self.target(output)?;
+            let kind = self.store(target, typed.clone(), input.span, span)?;
+            branches.push(Branch { ranges: vec![(number, number)], span: output.span, body: vec![Statement { kind, span }] });
+        }
+        let mut last = Vec::new();
+        if let Some(otherwise) = otherwise {
+            let target = self.target(otherwise)?;
+            let kind = self.store(target, typed, input.span, span)?;
+            last.push(Statement { kind, span });
+        }
+        last.extend(self.not_ok(span));
+        statements.push(Statement { kind: StatementKind::Case { selector: number, branches, otherwise: last }, span });
+        Some(StatementKind::Block(statements))
+    }
+
+    /// Elements of one array to another one, both counted from 0; the statements, and where the result lies.
+    fn move_variant(&mut self, call: &ast::Call, span: Span) -> Option<(Vec<Statement>, Place)> {
+        const NAME: &str = "MOVE_BLK_VARIANT";
+        let given = self.named(NAME, call, &["SRC", "COUNT", "SRC_INDEX", "DEST_INDEX", "DEST"], span)?;
+        self.target(given[4])?;
+        let [source, target] =
+            [(given[0], given[2]), (given[4], given[3])].map(|(array, index)| self.counted_part(NAME, array, index, span));
+        let (source, target) = (source?, target?);
+        let mut statements = Vec::new();
+        let moved = self.moved_elements(NAME, source, target, given[1], given[4].span, &mut statements, span)?;
+        let place = self.temporary_place(2, span);
+        let answer = |code: u64| answer(&place, code, span);
+        let mut refused = self.not_ok(span);
+        let not = |value: Value| compute(Op::Not, vec![value], Scalar::Bool, span);
+        let which = StatementKind::If {
+            branches: vec![(not(moved.fits), vec![answer(SOURCE_TOO_SHORT)])],
+            otherwise: vec![answer(TARGET_TOO_SHORT)],
+        };
+        refused.push(Statement { kind: which, span });
+        let kind = StatementKind::If { branches: vec![(moved.all_fit, vec![moved.repeated, answer(0)])], otherwise: refused };
+        statements.push(Statement { kind, span });
+        Some((statements, place))
+    }
+
+    /// The part of an array that begins so many elements behind its first.
+    fn counted_part(&mut self, function: &str, array: &Expression, index: &Expression, span: Span) -> Option<Part> {
+        let array_span = array.span;
+        let array = self.whole_array(function, array)?;
+        let DataType::Array { bounds, element } = &array.data_type else { return None };
+        if bounds.len() != 1 {
+            let message = format!("`{function}` takes arrays with one dimension, and `{}` has {}", array.name, bounds.len());
+            self.report(Problem::P4011, array_span, message);
+            return None;
+        }
+        let element = (**element).clone();
+        let (index, _) = self.index_value(index)?;
+        let low = convert(self.bound(&array, 1, End::Low, span)?, Scalar::I64);
+        let first = two(Operation::Add, convert(index, Scalar::I64), low, span);
+        Some(Part { array, element, first })
+    }
+
+    /// The bytes of a variable to a place in an array of bytes.
+    fn serialize(&mut self, call: &ast::Call, span: Span) -> Option<(Vec<Statement>, Place)> {
+        let given = self.named("Serialize", call, &["SRC_VARIABLE", "DEST_ARRAY", "POS"], span)?;
+        let source = self.bytes_of("Serialize", given[0])?;
+        self.target(given[1])?;
+        self.in_bytes("Serialize", (given[1], given[2]), source, true, span)
+    }
+
+    /// The other way.
+    fn deserialize(&mut self, call: &ast::Call, span: Span) -> Option<(Vec<Statement>, Place)> {
+        let given = self.named("Deserialize", call, &["SRC_ARRAY", "DEST_VARIABLE", "POS"], span)?;
+        self.target(given[1])?;
+        let target = self.bytes_of("Deserialize", given[1])?;
+        self.in_bytes("Deserialize", (given[0], given[2]), target, false, span)
+    }
+
+    /// A variable of whole bytes.
+    fn bytes_of(&mut self, function: &str, expression: &Expression) -> Option<Target> {
+        let span = expression.span;
+        let target = match self.reach(expression) {
+            Reached::Target(target) => target,
+            Reached::Other(Typed::Poison) => return None,
+            Reached::Other(other) => {
+                let what = self.what(&other);
+                self.report(Problem::P4011, span, format!("`{function}` takes a variable here, not {what}"));
+                return None;
+            }
+        };
+        if !self.is_whole(&target) {
+            return None;
+        }
+        if target.data_type == DataType::Bool || matches!(target.data_type, DataType::Instance { .. } | DataType::Reference(_)) {
+            let message = format!("`{function}` copies bytes, and `{}` is {}", target.name, words(&target.data_type));
+            self.report(Problem::P4011, span, message).help = Some("Put it into a structure.".to_owned());
+            return None;
+        }
+        Some(target)
+    }
+
+    fn in_bytes(
+        &mut self,
+        function: &str,
+        (array, position): (&Expression, &Expression),
+        other: Target,
+        into: bool,
+        span: Span,
+    ) -> Option<(Vec<Statement>, Place)> {
+        let array_span = array.span;
+        let array = self.whole_array(function, array)?;
+        let byte = |data_type: &DataType| Kind::of(data_type).is_some_and(|kind| kind.bits == 8);
+        match &array.data_type {
+            DataType::Array { bounds, element } if bounds.len() == 1 && byte(element) => {}
+            wrong => {
+                let message = format!("`{function}` takes an array of bytes with one dimension, and `{}` is {}", array.name, words(wrong));
+                self.report(Problem::P4011, array_span, message);
+                return None;
+            }
+        }
+        let position_target = self.target(position)?;
+        let Some(kind) = Kind::of(&position_target.data_type).filter(|kind| kind.is_integer()) else {
+            let message = format!("`POS` is a whole number, and `{}` is {}", position_target.name, words(&position_target.data_type));
+            self.report(Problem::P4011, position.span, message);
+            return None;
+        };
+        let mut statements = Vec::new();
+        let load = Value { kind: ValueKind::Load(position_target.place.clone()), scalar: kind.scalar(self.dialect), span };
+        let (keep, at) = self.kept(convert(load, Scalar::I64));
+        statements.push(keep);
+        let [low, high] = [self.bound(&array, 1, End::Low, span)?, self.bound(&array, 1, End::High, span)?];
+        let [low, high] = [low, high].map(|value| convert(value, Scalar::I64));
+        let distance = two(Operation::Subtract, high, low, span);
+        let length = two(Operation::Add, distance, number(1, Scalar::I64, span), span);
+        let size = i64::try_from(other.data_type.bits().div_ceil(8)).unwrap_or(i64::MAX);
+        let behind = two(Operation::Add, at.clone(), number(size, Scalar::I64, span), span);
+        let not_before = two(Operation::GreaterEqual, at.clone(), number(0, Scalar::I64, span), span);
+        let starts = two(Operation::LessEqual, at.clone(), length.clone(), span);
+        let inside = compute(Op::And, vec![not_before, starts], Scalar::Bool, span);
+        let ends = two(Operation::LessEqual, behind.clone(), length, span);
+        let mut bytes = array.place;
+        bytes.indexes.push(Index { value: at, low: 0, count: 0, step: element_step(&DataType::Byte), check: Bounds::None });
+        let (source, target) = if into { (other.place, bytes) } else { (bytes, other.place) };
+        let copy = match Kind::of(&other.data_type) {
+            Some(kind) => {
+                let scalar = kind.scalar(self.dialect);
+                StatementKind::Assign { target, value: Value { kind: ValueKind::Load(source), scalar, span } }
+            }
+            None => StatementKind::Copy { target, source, bytes: u32::try_from(size).unwrap_or(u32::MAX) },
+        };
+        let place = self.temporary_place(2, span);
+        let further = StatementKind::Assign { target: position_target.place, value: convert(behind, kind.scalar(self.dialect)) };
+        let mut done: Vec<Statement> = [copy, further].into_iter().map(|kind| Statement { kind, span }).collect();
+        done.push(answer(&place, 0, span));
+        let mut refused = self.not_ok(span);
+        let which = StatementKind::If {
+            branches: vec![(inside.clone(), vec![answer(&place, ARRAY_TOO_SHORT, span)])],
+            otherwise: vec![answer(&place, POSITION_OUTSIDE, span)],
+        };
+        refused.push(Statement { kind: which, span });
+        let fits = compute(Op::And, vec![inside, ends], Scalar::Bool, span);
+        statements.push(Statement { kind: StatementKind::If { branches: vec![(fits, done)], otherwise: refused }, span });
+        Some((statements, place))
+    }
+
+    /// The bits of a value to the elements of an array of BOOL, the lowest first.
+    fn scatter(&mut self, call: &ast::Call, span: Span) -> Option<StatementKind> {
+        let given = self.named("SCATTER", call, &["IN", "OUT"], span)?;
+        self.target(given[1])?;
+        let (bits, place) = self.bits_of_array("SCATTER", given[1])?;
+        let wanted = Kind { class: Class::Bits, bits };
+        let value = self.value(given[0], &wanted.data_type())?;
+        Some(StatementKind::Assign { target: place, value: mirrored(value, span) })
+    }
+
+    /// The elements of an array of BOOL as the bits of a value, the lowest first.
+    fn gather(&mut self, call: &ast::Call, span: Span) -> Option<StatementKind> {
+        let given = self.named("GATHER", call, &["IN", "OUT"], span)?;
+        let (bits, place) = self.bits_of_array("GATHER", given[0])?;
+        let kind = Kind { class: Class::Bits, bits };
+        let load = Value { kind: ValueKind::Load(place), scalar: kind.scalar(self.dialect), span };
+        let typed = Typed::Scalar { value: mirrored(load, span), data_type: kind.data_type() };
+        let target = self.target(given[1])?;
+        self.store(target, typed, given[0].span, span)
+    }
+
+    /// How many bits an array of BOOL has that is as long as a bit string, and where they lie.
+    fn bits_of_array(&mut self, function: &str, expression: &Expression) -> Option<(u32, Place)> {
+        let target = self.whole_array(function, expression)?;
+        if let DataType::Array { bounds, element } = &target.data_type
+            && let [(low, high)] = bounds.as_slice()
+            && **element == DataType::Bool
+            && let Some(bits) = [8, 16, 32, 64].into_iter().find(|&bits| i64::from(*high) - i64::from(*low) + 1 == i64::from(bits))
+        {
+            return Some((bits, target.place));
+        }
+        let message = format!("`{function}` takes an array of 8, 16, 32 or 64 BOOL, and `{}` is {}", target.name, words(&target.data_type));
+        self.report(Problem::P4011, expression.span, message);
+        None
+    }
+}
+
+/// The bytes of a bit string in the other order: an array of BOOL begins with the lowest bit of its first byte.
+fn mirrored(value: Value, span: Span) -> Value {
+    let scalar = value.scalar;
+    match scalar.bits() {
+        16 => compute(Op::Swap16, vec![value], scalar, span),
+        32 => compute(Op::Swap32, vec![value], scalar, span),
+        64 => compute(Op::Swap64, vec![value], scalar, span),
+        _ => value,
+    }
+}
+
+/// The result of an instruction: 0 or the number of an error.
+fn answer(place: &Place, code: u64, span: Span) -> Statement {
+    let value = Value { kind: ValueKind::Constant(code), scalar: Scalar::I16, span };
+    Statement { kind: StatementKind::Assign { target: place.clone(), value }, span }
+}
+
+/// The result behind the statements that make it.
+fn delivered(statements: Vec<Statement>, place: Place, span: Span) -> Typed {
+    let value = Value { kind: ValueKind::Load(place), scalar: Scalar::I16, span };
+    Typed::Scalar { value: after(statements, value), data_type: DataType::Int }
+}
