@@ -312,6 +312,12 @@ impl Run<'_, '_> {
         self.interrupts += 1;
         self.limit_calls();
         let local = self.arena() as usize + local;
+        let room = self.compiled.rooms[code as usize];
+        let deepest = self.link_address(depth + 1 + room.depth) as u64;
+        if deepest > self.link_max || (local + local_size as usize + room.local) as u64 > self.local_end {
+            // The interpreter looks at each call.
+            return self.leave(None);
+        }
         // Behind everything that the interrupted block may be about to pass.
         let free = interrupted.parameters_end + 4 * self.compiled.parameters_max as u64;
         let next = &mut self.scratch.links[depth + 1];

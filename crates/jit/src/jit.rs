@@ -11,7 +11,7 @@ use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
 
 use crate::entry::Generation;
-use crate::run::{Areas, Limits, Run, Scratch, areas};
+use crate::run::{Areas, Limits, Room, Run, Scratch, areas};
 use crate::translate::{self, Options};
 
 /// More parameters at one call are left to the interpreter: every activation has room for as many.
@@ -102,14 +102,15 @@ impl Source {
         statements <= OPTIMIZED_STATEMENTS_MAX && loops <= OPTIMIZED_LOOPS_MAX && accesses <= OPTIMIZED_ACCESSES_MAX
     }
 
-    /// Organization blocks that may begin as machine code, by number. One whose local data have no room ends with a fault.
-    fn outermost(&self) -> Box<[u32]> {
-        let begins = |block: &Native| {
-            let room = self.layout.local_class.min(self.layout.local.len());
-            block.id.kind == BlockKind::OrganizationBlock && block.local_size as usize <= room
+    /// Organization blocks that may begin as machine code, by number. In others the interpreter looks at each call whether it has room.
+    fn outermost(&self, rooms: &[Room]) -> Box<[u32]> {
+        let limits = Limits::new(&self.layout);
+        let begins =
+            |block: &Native, room: Room| block.id.kind == BlockKind::OrganizationBlock && limits.have(block.local_size as usize, room);
+        let found = || {
+            let blocks = self.blocks.iter().zip(rooms).zip(0..);
+            blocks.filter(|&((block, &room), _)| begins(block, room)).map(|((block, _), code)| (usize::from(block.id.number), code))
         };
-        let found =
-            || self.blocks.iter().zip(0..).filter(|(block, _)| begins(block)).map(|(block, code)| (usize::from(block.id.number), code));
         let mut outermost = vec![NONE; found().map(|(number, _)| number + 1).max().unwrap_or(0)];
         found().for_each(|(number, code)| outermost[number] = code);
         outermost.into_boxed_slice()
@@ -118,14 +119,15 @@ impl Source {
     /// Compiles all blocks.
     pub(crate) fn compile(&self, options: Options) -> Result<Jit, String> {
         let options = Options { asks_before_writing: self.asks_before_writing, ..options };
-        let (generation, pinned) = translate::program(&self.blocks, &|id| self.interpreter.code(id), &self.layout, options)?;
+        let (generation, pinned, rooms) = translate::program(&self.blocks, &|id| self.interpreter.code(id), &self.layout, options)?;
         let entry = |number: u16| {
             let range = &self.layout.data_blocks[&number];
             let read_only = self.layout.read_only.contains(&number);
             (number, DataBlockEntry { base: range.start as u32, length: range.len() as u32, read_only })
         };
         let compiled = Compiled {
-            outermost: self.outermost(),
+            outermost: self.outermost(&rooms),
+            rooms,
             scratch_parameters: Scratch::parameters(self.parameters_max),
             limits: Limits::new(&self.layout),
             interpreter: Arc::clone(&self.interpreter),
@@ -149,6 +151,8 @@ const NONE: u32 = u32::MAX;
 pub(crate) struct Compiled {
     /// Organization blocks that may begin as machine code, by number: their places in the list, or [`NONE`].
     outermost: Box<[u32]>,
+    /// By block, what a function needs where it begins.
+    pub(crate) rooms: Vec<Room>,
     /// Parameters for which a run needs room.
     scratch_parameters: usize,
     pub(crate) limits: Limits,

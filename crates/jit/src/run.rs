@@ -68,9 +68,18 @@ impl Scratch {
     /// Keeps scratch memory for the next run in this thread.
     #[inline]
     pub(crate) fn keep(self: Box<Self>) {
+        let mut own = Some(self);
         // A thread that ends needs it no more.
-        let _ = SPARE.try_with(|spare| spare.set(Some(self)));
+        let _ = SPARE.try_with(|spare| own = spare.replace(own.take()));
+        if let Some(other) = own {
+            Self::forget(other);
+        }
     }
+
+    /// Frees scratch memory that a run inside another one has kept.
+    #[cold]
+    #[inline(never)]
+    fn forget(_: Box<Self>) {}
 
     /// The parameters of a run of blocks that pass at most so many at once: every activation has those that it was given behind those of
     /// its caller, and room for those that it passes.
@@ -101,6 +110,15 @@ pub(crate) fn areas(layout: &Layout) -> Areas {
     areas
 }
 
+/// What all blocks that become part of a function, and those that it calls first, need together.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Room {
+    /// Activations below that of the function.
+    pub(crate) depth: usize,
+    /// Bytes of local data behind its own.
+    pub(crate) local: usize,
+}
+
 /// Limits of the calls of an outermost block.
 #[derive(Debug)]
 pub(crate) struct Limits {
@@ -118,6 +136,11 @@ impl Limits {
         let local_end = (layout.local.start + layout.local_class).min(layout.local.end);
         let link_max = usize::from(layout.nesting_depth).min(LINKS - 2);
         Self { local_start: layout.local.start, local_end: local_end as u64, links: (link_max * size_of::<Link>()) as u64 }
+    }
+
+    /// Whether an organization block with so many bytes of local data has room for all that it enters itself.
+    pub(crate) fn have(&self, local_size: usize, room: Room) -> bool {
+        (room.depth * size_of::<Link>()) as u64 <= self.links && (self.local_start + local_size + room.local) as u64 <= self.local_end
     }
 }
 

@@ -7,7 +7,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::mem::offset_of;
 
 use cranelift_codegen::ir::types::{I32, I64};
-use cranelift_codegen::ir::{self as clif, BlockArg, FuncRef, InstBuilder, MemFlagsData, Value};
+use cranelift_codegen::ir::{self as clif, BlockArg, FuncRef, InstBuilder, InstructionData, MemFlagsData, Opcode, Value, ValueDef};
 use cranelift_frontend::{FunctionBuilder, Variable};
 use cranelift_jit::JITModule;
 use cranelift_module::{FuncId, Module};
@@ -171,6 +171,8 @@ struct Translator<'a> {
     words: Words,
     /// Timers that are up to date in the running piece of code.
     fresh_timers: Vec<u64>,
+    /// Where timers and counters begin, if the running piece of code knows it.
+    items: [Option<Value>; 2],
     /// What has been taken from the budget and not from its variable.
     taken: i64,
     /// The look at the budget on which blocks that are entered now rely.
@@ -273,6 +275,7 @@ impl<'a> Translator<'a> {
             bytes: Bytes::default(),
             words: Words::default(),
             fresh_timers: Vec::new(),
+            items: [None; 2],
             taken: 0,
             look: None,
             looks: Vec::new(),
@@ -578,13 +581,27 @@ impl<'a> Translator<'a> {
         }
     }
 
+    /// A constant that only cold code uses costs the hot code in front of it nothing.
+    fn named_here(&mut self, value: Value) -> Value {
+        let dfg = &self.b.func.dfg;
+        let ValueDef::Result(inst, 0) = dfg.value_def(value) else { return value };
+        match dfg.insts[inst] {
+            InstructionData::UnaryImm { opcode: Opcode::Iconst, imm } => {
+                let ty = dfg.value_type(value);
+                self.b.ins().iconst(ty, imm)
+            }
+            _ => value,
+        }
+    }
+
     /// Fills a cold block: registers stored, the Host asked.
     fn cold_path(&mut self, cold: clif::Block, question: Question, arguments: &[Value], after: After) {
         self.b.switch_to_block(cold);
         self.b.seal_block(cold);
         let before = self.cold.replace(cold);
         self.spill(self.dirty);
-        let answer = self.ask(question, arguments);
+        let arguments: Vec<_> = arguments.iter().map(|&argument| self.named_here(argument)).collect();
+        let answer = self.ask(question, &arguments);
         if matches!(after, After::At(_) | After::Deliver(_)) {
             self.look = None;
         }

@@ -116,6 +116,34 @@ fn the_interpreter_takes_over_where_no_safe_point_is() {
 }
 
 #[test]
+fn what_has_no_room_for_its_local_data_fails_at_its_call() {
+    let large = |builder: &mut Builder| count(builder, 4);
+    let calls = |builder: &mut Builder| {
+        count(builder, 0);
+        call(builder, BlockId::fc(1));
+        count(builder, 2);
+    };
+    let stops = |_: &mut Machine, what: &str, _: usize| match what {
+        "safe point at OB 1 0" => enter(40),
+        _ if what.contains("LocalData") => STOP(),
+        _ => Reaction::Continue,
+    };
+    let fc = (BlockId::fc(1), 40_000, &large as &dyn Fn(&mut Builder));
+    let started = both(&[(BlockId::ob(1), 20, &calls), fc], &stops);
+    let interrupting = both_from(
+        BlockId::ob(1),
+        None,
+        &[(BlockId::ob(1), 20, &|builder| count(builder, 6)), (BlockId::ob(40), 20, &calls), fc],
+        &|machine| machine.budget = 0,
+        &stops,
+    );
+    for outcome in [started, interrupting] {
+        assert_ne!(outcome.exit, Exit::Finished, "{:?}", outcome.asked);
+        assert!(outcome.asked.last().is_some_and(|what| what.contains("LocalData") && what.ends_with("1")), "{:?}", outcome.asked);
+    }
+}
+
+#[test]
 fn an_interrupt_right_behind_a_deleted_data_block_misses_it() {
     let outcome = both(
         &[

@@ -77,6 +77,7 @@ pub(super) struct KnownMemory {
     words: Words,
     /// Timers that were brought up to date.
     timers: Vec<u64>,
+    items: [Option<Value>; 2],
 }
 
 impl KnownMemory {
@@ -85,6 +86,9 @@ impl KnownMemory {
         self.bits.retain(|known| other.bits.contains(known));
         self.words.keep_common(&other.words);
         self.timers.retain(|timer| other.timers.contains(timer));
+        for (item, other) in self.items.iter_mut().zip(other.items) {
+            *item = item.filter(|&item| Some(item) == other);
+        }
     }
 }
 
@@ -119,6 +123,8 @@ impl Translator<'_> {
         {
             return match waiting.bits {
                 _ if waiting.ones & 1 << at != 0 => Val::Const(1),
+                // The only bit that was written.
+                Some(value) if waiting.mask == 1 => Val::Bit { value, clean: true },
                 Some(bits) => Self::bit_value(bits, at, false),
                 None => Val::Const(0),
             };
@@ -286,12 +292,18 @@ impl Translator<'_> {
     pub(super) fn forget_what_was_asked(&mut self) {
         self.settle_bytes();
         self.fresh_timers.clear();
+        self.items = [None; 2];
     }
 
     /// What is known of memory in the running piece of code, in which nothing waits.
     pub(super) fn known_memory(&self) -> KnownMemory {
         match self.cold {
-            None => KnownMemory { bits: self.bytes.known.clone(), words: self.words.clone(), timers: self.fresh_timers.clone() },
+            None => KnownMemory {
+                bits: self.bytes.known.clone(),
+                words: self.words.clone(),
+                timers: self.fresh_timers.clone(),
+                items: self.items,
+            },
             // Somebody was asked.
             Some(_) => KnownMemory::default(),
         }
@@ -299,6 +311,7 @@ impl Translator<'_> {
 
     /// Knows of memory what is known on all ways to a place.
     pub(super) fn know_memory(&mut self, known: KnownMemory) {
-        (self.bytes.known, self.words, self.fresh_timers) = (known.bits, known.words, known.timers);
+        (self.bytes.known, self.words) = (known.bits, known.words);
+        (self.fresh_timers, self.items) = (known.timers, known.items);
     }
 }

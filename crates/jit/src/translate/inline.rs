@@ -3,7 +3,7 @@
 
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
 use cranelift_codegen::ir::types::{F32, I16, I32, I64};
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
+use cranelift_codegen::ir::{InstBuilder, InstructionData, MemFlagsData, Opcode, Value, ValueDef};
 use sieben_engine::ir::Op;
 
 use super::{Translator, value::Val};
@@ -419,7 +419,16 @@ impl Translator<'_> {
             return self.b.ins().iconst(I32, i64::from(value as i16 as i32 as u32));
         }
         let value = self.int(value);
-        let low = self.b.ins().ireduce(I16, value);
+        let dfg = &self.b.func.dfg;
+        let read = match dfg.value_def(dfg.resolve_aliases(value)) {
+            ValueDef::Result(inst, 0) => match dfg.insts[inst] {
+                // What has just been read.
+                InstructionData::Unary { opcode: Opcode::Uextend, arg } if dfg.value_type(arg) == I16 => Some(arg),
+                _ => None,
+            },
+            _ => None,
+        };
+        let low = read.unwrap_or_else(|| self.b.ins().ireduce(I16, value));
         self.b.ins().sextend(I32, low)
     }
 

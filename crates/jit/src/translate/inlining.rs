@@ -24,7 +24,7 @@ use super::versions::callees;
 use super::{AFTER_CALL, AT_CALL, After, Arrival, Find, OPEN_BLOCKS, TRUSTED, Translator, bit_of};
 use crate::ask::Question;
 use crate::jit::{Native, loop_heads};
-use crate::run::{Link, Run};
+use crate::run::{Link, Room, Run};
 
 /// Rounds in which blocks are chosen: an inlined block has others inlined in it, and so on, as deep as this.
 const DEPTH_MAX: usize = 4;
@@ -65,6 +65,13 @@ pub(super) struct Plan {
     local: usize,
     /// Whether its function has a loop.
     pub(super) loops: bool,
+}
+
+impl Plan {
+    /// What a function needs where it begins.
+    pub(super) fn room(&self) -> Room {
+        Room { depth: self.depth, local: self.local }
+    }
 }
 
 /// Decides for all blocks. A block that calls itself, however far around, is never inlined.
@@ -141,10 +148,10 @@ impl Translator<'_> {
     }
 
     /// Looks at the beginning of a function whether all that it calls itself has room. If not, the interpreter goes on, which looks at
-    /// each call.
+    /// each call. Who enters an organization block has looked before.
     pub(super) fn look_for_room(&mut self) {
         let Plan { depth, local, .. } = self.plans[self.index];
-        if depth == 0 {
+        if depth == 0 || !self.called_only() {
             return;
         }
         let link = self.b.ins().iadd_imm_u(self.link, (depth * size_of::<Link>()) as i64);

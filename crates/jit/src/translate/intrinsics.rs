@@ -206,14 +206,24 @@ impl Translator<'_> {
         };
         if let Val::Const(number) = number {
             let offset = i32::try_from(number.checked_mul(bytes as u64)?).ok().filter(|_| number < u64::from(count))?;
-            return Some(Item { base: self.load_run(first), offset });
+            return Some(Item { base: self.item_base(is_timer, first), offset });
         }
         let number = self.word(number);
         let missing = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThanOrEqual, number, i64::from(count));
         self.leave_fast(missing, slow);
-        let base = self.load_run(first);
+        let base = self.item_base(is_timer, first);
         let moved = self.b.ins().imul_imm_u(number, bytes as i64);
         Some(Item { base: self.b.ins().iadd(base, moved), offset: 0 })
+    }
+
+    /// Address of the first timer or counter, which stays there until somebody is asked.
+    fn item_base(&mut self, is_timer: bool, field: usize) -> Value {
+        if let Some(base) = self.items[usize::from(is_timer)] {
+            return base;
+        }
+        let base = self.load_run(field);
+        self.items[usize::from(is_timer)] = Some(base);
+        base
     }
 
     /// Asks Rust code if a condition holds; nothing has changed so far.

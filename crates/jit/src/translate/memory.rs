@@ -385,7 +385,11 @@ impl Translator<'_> {
             Width::Word => {
                 let word = self.b.ins().load(I16, data(), base, offset);
                 let word = self.b.ins().bswap(word);
-                Val::Int(self.b.ins().uextend(I32, word))
+                let value = self.b.ins().uextend(I32, word);
+                if self.options.optimize {
+                    self.narrow.insert(value, 16);
+                }
+                Val::Int(value)
             }
             Width::DoubleWord => {
                 let double = self.b.ins().load(I32, data(), base, offset);

@@ -19,7 +19,7 @@ use super::versions::Versions;
 use super::{Program, Translator, analysis, gates, inlining, instance_pointer};
 use crate::entry::Generation;
 use crate::jit::Native;
-use crate::run::LINKS;
+use crate::run::{LINKS, Room};
 
 /// How a program is compiled.
 #[derive(Clone, Copy, Debug)]
@@ -102,6 +102,8 @@ struct Written {
     bytes: usize,
     frame_max: usize,
     pinned: BTreeSet<u16>,
+    /// What each block needs where it begins.
+    rooms: Vec<Room>,
     /// Each block in Cranelift's IR and as instructions of the machine, if somebody wants to read it.
     listing: String,
 }
@@ -112,8 +114,13 @@ pub(crate) fn listing(blocks: &[Native], find: Find<'_>, layout: &Layout, option
 }
 
 /// Compiles all blocks. The code takes the data blocks with the returned numbers to be as they were loaded.
-pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<(Generation, BTreeSet<u16>), String> {
-    let Written { mut module, blocks, bytes, frame_max, mut pinned, .. } = write(blocks, find, layout, options, Machine::This)?;
+pub(crate) fn program(
+    blocks: &[Native],
+    find: Find<'_>,
+    layout: &Layout,
+    options: Options,
+) -> Result<(Generation, BTreeSet<u16>, Vec<Room>), String> {
+    let Written { mut module, blocks, bytes, frame_max, mut pinned, rooms, .. } = write(blocks, find, layout, options, Machine::This)?;
     module.finalize_definitions().map_err(|error| error.to_string())?;
     let levels = (STACK_BYTES / (frame_max + STACK_BYTES_OF_A_CALL)).min(LINKS);
     // Interrupts that come on top go to the interpreter.
@@ -122,7 +129,7 @@ pub(crate) fn program(blocks: &[Native], find: Find<'_>, layout: &Layout, option
         return Err(format!("its blocks need up to {frame_max} bytes of stack"));
     }
     pinned.remove(&0);
-    Ok((Generation::new(module, &blocks, bytes, levels), pinned))
+    Ok((Generation::new(module, &blocks, bytes, levels), pinned, rooms))
 }
 
 /// Compiles all blocks for aarch64 with Cranelift's checks, to see that it can be done; how many bytes of code there are.
@@ -180,7 +187,8 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     }
     bytes += gates::define(&mut module, &functions, &mut context, &mut frontend).map_err(|error| error.to_string())?;
     let blocks = (0..blocks.len()).map(|index| versions.general(index)).collect();
-    Ok(Written { module, blocks, bytes, frame_max, pinned, listing })
+    let rooms = plans.iter().map(inlining::Plan::room).collect();
+    Ok(Written { module, blocks, bytes, frame_max, pinned, rooms, listing })
 }
 
 /// Compiles a function, for the instruction set of the module or another one.
