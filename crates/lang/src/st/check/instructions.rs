@@ -46,6 +46,12 @@ impl Checker<'_> {
             "MOVE_BLK_VARIANT" => self.move_variant(call, span).map(|(statements, place)| delivered(statements, place, span)),
             "SERIALIZE" => self.serialize(call, span).map(|(statements, place)| delivered(statements, place, span)),
             "DESERIALIZE" => self.deserialize(call, span).map(|(statements, place)| delivered(statements, place, span)),
+            "DEMUX" | "S_MOVE" | "SCATTER" | "GATHER" => {
+                self.look_at(&call.arguments);
+                self.report(Problem::P6218, span, format!("`{upper}` has no result")).help =
+                    Some("Call it in a statement of its own.".to_owned());
+                None
+            }
             _ => return self.clock(&upper, call, span),
         };
         Some(found.unwrap_or(Typed::Poison))

@@ -99,7 +99,7 @@ impl<'a> Environment<'a> {
 
     /// What of the library the program needs and does not have yet.
     pub(crate) fn demands(&self) -> Vec<Demand> {
-        self.demands.borrow().clone()
+        self.demands.borrow().iter().chain(&self.items.demands).copied().collect()
     }
 
     fn type_entity(&self, wanted: &str) -> Option<Entity> {

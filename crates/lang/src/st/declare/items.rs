@@ -8,6 +8,7 @@ use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
 
+use super::needed::Demand;
 use super::numbers::{Wanted, assign};
 use super::objects::objects;
 use super::{StFile, ast};
@@ -128,6 +129,8 @@ pub(crate) struct Items<'a> {
     pub(crate) spaces: Vec<Surroundings>,
     /// Blocks as objects.
     pub(crate) objects: Objects,
+    /// Sources of the library that blocks extend and that are not there yet.
+    pub(crate) demands: Vec<Demand>,
 }
 
 /// The block that a name such as `FB10` means by itself.
@@ -272,7 +275,9 @@ pub(crate) fn collect<'a>(
     for (name, id) in items.blocks.iter().filter(|(_, id)| items.code.get(id).is_none_or(|code| code.block.member.is_none())) {
         scope.define_block(name, items.names.get(id).map_or(name.as_str(), String::as_str), *id);
     }
-    items.objects = objects(&items, scope, &mut found);
+    let mut demands = Vec::new();
+    items.objects = objects(&items, scope, &mut found, &mut demands);
+    items.demands = demands;
     diagnostics.append(&mut found);
     items
 }

@@ -9,8 +9,11 @@ use sieben_model::source::Span;
 
 use super::ast;
 use super::items::{Code, Items, joined};
+use super::needed::Demand;
 use crate::scope::{Scope, did_you_mean, key};
 use crate::st::objects::{Member, Object, Objects};
+use crate::st::standard::Provided;
+use crate::st::standard::library::block_type;
 
 /// How many blocks may extend one another in a row: no program needs more, and each costs a look at every call.
 const DEPTH_MAX: usize = 64;
@@ -18,10 +21,12 @@ const DEPTH_MAX: usize = 64;
 const SEARCH_MAX: usize = 3 * DEPTH_MAX;
 
 /// Finds the objects among the blocks, what they extend and implement, and their members.
-pub(super) fn objects(items: &Items<'_>, scope: &Scope, diagnostics: &mut Vec<Diagnostic>) -> Objects {
+///
+/// `demands` gets the sources of the library that blocks extend and that are not there yet.
+pub(super) fn objects(items: &Items<'_>, scope: &Scope, diagnostics: &mut Vec<Diagnostic>, demands: &mut Vec<Demand>) -> Objects {
     let mut all = BTreeMap::new();
     for (&id, &code) in items.code.iter().filter(|(id, _)| id.kind == BlockKind::FunctionBlock) {
-        all.insert(id, object(items, scope, id, code, diagnostics));
+        all.insert(id, object(items, scope, id, code, (diagnostics, demands)));
     }
     for (&id, code) in &items.code {
         let Some(member) = &code.block.member else { continue };
@@ -46,7 +51,13 @@ pub(super) fn objects(items: &Items<'_>, scope: &Scope, diagnostics: &mut Vec<Di
     Objects::new(all)
 }
 
-fn object(items: &Items<'_>, scope: &Scope, id: BlockId, code: Code<'_>, diagnostics: &mut Vec<Diagnostic>) -> Object {
+fn object(
+    items: &Items<'_>,
+    scope: &Scope,
+    id: BlockId,
+    code: Code<'_>,
+    (diagnostics, demands): (&mut Vec<Diagnostic>, &mut Vec<Demand>),
+) -> Object {
     let block = code.block;
     let interface = block.kind == ast::BlockKind::Interface;
     let mut object = Object {
@@ -65,7 +76,15 @@ fn object(items: &Items<'_>, scope: &Scope, id: BlockId, code: Code<'_>, diagnos
         diagnostics.push(Diagnostic::new(Problem::P6280, span, message).help(help.to_owned()));
     };
     for (index, path) in block.extends.iter().enumerate() {
-        let Some(found) = upper(items, scope, code, path, &mut report) else { continue };
+        let found = match of_library(items, code, path) {
+            Some(Ok(found)) => Some(found),
+            Some(Err(demand)) => {
+                demands.push(demand);
+                None
+            }
+            None => upper(items, scope, code, path, &mut report),
+        };
+        let Some(found) = found else { continue };
         let of = items.code.get(&found).map(|code| code.block);
         let name = joined(path);
         match of.map(|of| of.kind) {
@@ -108,6 +127,18 @@ fn object(items: &Items<'_>, scope: &Scope, id: BlockId, code: Code<'_>, diagnos
     object
 }
 
+/// The function block of the library that a path behind EXTENDS names, or what is needed to have it; `None` if it names none, or one of
+/// the project.
+fn of_library(items: &Items<'_>, code: Code<'_>, path: &ast::Path) -> Option<Result<BlockId, Demand>> {
+    let name = joined(path);
+    if items.block_in(code.space, &name).is_some() {
+        return None;
+    }
+    let Provided::Source { name, source } = block_type(&name, code.dialect)? else { return None };
+    let found = items.library.get(&(source.path, key(name))).copied();
+    Some(found.ok_or(Demand::Source(source)))
+}
+
 /// The block that a path behind EXTENDS or IMPLEMENTS names.
 fn upper(
     items: &Items<'_>,
@@ -130,7 +161,7 @@ fn upper(
             report(
                 path.span,
                 message,
-                "Only blocks and interfaces of Structured Text are extended and implemented; those of the library are not.",
+                "Name a FUNCTION_BLOCK, a CLASS or an INTERFACE of the project, or a function block that the dialect brings along, such as TON.",
             );
             None
         }
