@@ -222,17 +222,42 @@ impl Translator<'_> {
         let rest = self.b.ins().bnot(mask);
         let more = self.b.ins().iadd_imm_s(turns, 7);
         let count = self.b.ins().ushr_imm_u(more, 3);
-        self.repeat_by(address, step, count, |this, address| {
+        let write = |this: &mut Self, address: Value| {
             let old = this.b.ins().load(I8, data(), address, bits.area.1);
             let new = if bits.value { this.b.ins().bor(old, mask) } else { this.b.ins().band(old, rest) };
             this.b.ins().store(data(), new, address, bits.area.1);
+        };
+        // Four bits in each round, and those that are left.
+        let [rounds, left] = [self.b.ins().ushr_imm_u(count, 2), self.b.ins().band_imm_u(count, 3)];
+        let [double, four] = [self.b.ins().ishl_imm_u(step, 1), self.b.ins().ishl_imm_u(step, 2)];
+        let triple = self.b.ins().iadd(double, step);
+        let way = self.b.ins().imul(rounds, four);
+        let address_left = self.b.ins().iadd(address, way);
+        self.repeat_if_any(address, four, rounds, |this, address| {
+            write(this, address);
+            for further in [step, double, triple] {
+                let address = this.b.ins().iadd(address, further);
+                write(this, address);
+            }
         });
+        self.repeat_if_any(address_left, step, left, |this, address| write(this, address));
         let passes = self.b.ins().iadd_imm_s(passes, -1);
         let position = self.b.ins().iadd(position, step);
         let turns = self.b.ins().iadd_imm_s(turns, -1);
         let arguments = [passes, position, turns].map(BlockArg::Value);
         self.b.ins().brif(passes, head, &arguments, behind, &[]);
         self.b.seal_block(head);
+        self.b.switch_to_block(behind);
+        self.b.seal_block(behind);
+    }
+
+    fn repeat_if_any(&mut self, address: Value, step: Value, count: Value, body: impl FnOnce(&mut Self, Value)) {
+        let [some, behind] = [self.b.create_block(), self.b.create_block()];
+        self.b.ins().brif(count, some, &[], behind, &[]);
+        self.b.switch_to_block(some);
+        self.b.seal_block(some);
+        self.repeat_by(address, step, count, body);
+        self.b.ins().jump(behind, &[]);
         self.b.switch_to_block(behind);
         self.b.seal_block(behind);
     }
