@@ -76,6 +76,8 @@ pub enum Reaction {
 /// What a program must ask for. The Host never calls an engine.
 pub trait Host {
     /// A statement failed. An [`Fault::Abort`] can only be answered by `Stop`.
+    ///
+    /// Of one that [is noted](Fault::is_noted) the Host is only told: it changes nothing of the machine but the budget.
     fn fault(&mut self, machine: &mut Machine, fault: &Fault, place: Place) -> Reaction;
     /// Reads a module; `None` = no module answers at this address.
     fn peripheral_read(&mut self, machine: &mut Machine, byte: u32, width: Width) -> Option<u32>;

@@ -164,8 +164,9 @@ pub(crate) struct Run<'a, 'c> {
     pub(crate) timers: u64,
     /// Address of the first counter.
     pub(crate) counters: u64,
-    /// `machine.clock_us`.
+    /// `machine.clock_us`, and the same in milliseconds.
     pub(crate) clock_us: u64,
+    pub(crate) clock_ms: u64,
     pub(crate) context: &'a mut Context<'c>,
     pub(crate) compiled: &'a Compiled,
     pub(crate) scratch: &'a mut Scratch,
@@ -203,6 +204,7 @@ impl<'a, 'c> Run<'a, 'c> {
             timers,
             counters,
             clock_us,
+            clock_ms: clock_us / 1000,
             context,
             compiled,
             scratch,
@@ -327,7 +329,7 @@ impl<'a, 'c> Run<'a, 'c> {
     /// If the arena moved, or timers or counters were taken away: the contract with the Host forbids it.
     pub(crate) fn take_back(&mut self) {
         let machine = &mut *self.context.machine;
-        (self.budget, self.clock_us) = (machine.budget, machine.clock_us);
+        (self.budget, self.clock_us, self.clock_ms) = (machine.budget, machine.clock_us, machine.clock_us / 1000);
         let layout = &machine.memory.layout;
         let there = machine.timers.len() == usize::from(layout.timers) && machine.counters.len() == usize::from(layout.counters);
         assert!(there, "a CPU keeps its timers and counters");

@@ -30,6 +30,7 @@ mod calls;
 mod choices;
 mod flow;
 mod gates;
+mod home;
 mod inline;
 mod inlining;
 mod inside;
@@ -37,6 +38,7 @@ mod instance;
 mod instance_pointer;
 mod intrinsics;
 mod loops;
+mod meeting;
 mod memory;
 mod nesting;
 mod outside;
@@ -58,6 +60,7 @@ use inlining::{Outer, Plan};
 use instance::Instance;
 use instance_pointer::InstancePointer;
 use loops::Loop;
+use meeting::Meeting;
 use outside::{Functions, Outside};
 #[cfg(feature = "aarch64")]
 pub(crate) use program::aarch64_bytes;
@@ -219,15 +222,21 @@ struct Translator<'a> {
     grown: usize,
     /// Safe points on ways back that are still to be written: the block, the statement, where it begins.
     ways: Vec<(clif::Block, u32, clif::Block)>,
-    /// The next value that is written stays away if this bit is 1.
-    choice: Option<Value>,
+    /// The next value that is written stays away if this is not 0, or if it is.
+    choice: Option<(Value, bool)>,
+    /// Where the ways of the running statement meet, if it is written twice.
+    meeting: Option<Meeting>,
     /// The running statement has not begun yet.
     arriving: bool,
     /// Nothing that follows is reached.
     ended: bool,
     leave: clif::Block,
     run: Value,
+    /// The arena as the running code has it, and as the function was given it.
     arena: Value,
+    first_arena: Value,
+    /// Where it is taken from anew.
+    arena_slot: Option<clif::StackSlot>,
     local: Value,
     link: Value,
 }
@@ -302,11 +311,14 @@ impl<'a> Translator<'a> {
             grown: 0,
             ways: Vec::new(),
             choice: None,
+            meeting: None,
             arriving: false,
             ended: false,
             leave,
             run,
             arena,
+            first_arena: arena,
+            arena_slot: None,
             local,
             link,
         }
@@ -326,6 +338,7 @@ impl<'a> Translator<'a> {
         self.find_registers_and_loops(known);
         self.ranges = self.find_ranges();
         self.keep_budget();
+        self.keep_arena();
         self.enter_block();
         self.look_for_room();
         self.statements();
@@ -358,10 +371,12 @@ impl<'a> Translator<'a> {
             self.look_at_budget();
             let first = code.statements[statement];
             for (index, inst) in (first..).zip(code.statement(statement)) {
+                self.meet_in_front(index);
                 self.inst(index, inst);
                 if self.ended {
                     break;
                 }
+                self.meet_behind(index);
             }
         }
     }
@@ -659,6 +674,7 @@ impl<'a> Translator<'a> {
                 self.set(dst, pointer);
             }
             Inst::Load { .. } | Inst::Store { .. } if self.access_instance(inst) => {}
+            Inst::Load { dst, place, width, .. } if self.is_there(index, place, width) && self.is_needless(index, dst) => {}
             Inst::Load { dst, place, width, on_fault } => self.load(index, dst, place, width, on_fault),
             Inst::Store { place, width, src } => {
                 let mut value = self.get(src);
@@ -680,6 +696,7 @@ impl<'a> Translator<'a> {
             Inst::PassParameter { src } => self.pass_parameter(src),
             Inst::Intrinsic { dst, intrinsic, args } => self.intrinsic(index, dst, intrinsic, args),
             Inst::Require { .. } if self.ranges.is_met(index) => {}
+            Inst::Require { condition, code, register } if code & NOTED != 0 && self.look_and_part(index, condition, register) => {}
             Inst::Require { condition, code, register } if code & NOTED != 0 => {
                 let go_on = self.b.create_block();
                 self.require(index, condition, Some(register), After::At(go_on));
@@ -721,10 +738,11 @@ impl<'a> Translator<'a> {
                 if self.chooses(index, condition, to.0) {
                     return;
                 }
-                let condition = self.flag(condition);
+                let (condition, negated) = self.condition(condition);
                 let block = self.way_to(to);
                 let go_on = self.b.create_block();
-                self.b.ins().brif(condition, block, &[], go_on, &[]);
+                let (then, otherwise) = if negated { (go_on, block) } else { (block, go_on) };
+                self.b.ins().brif(condition, then, &[], otherwise, &[]);
                 self.fill_ways();
                 self.b.switch_to_block(go_on);
                 self.b.seal_block(go_on);
@@ -826,10 +844,17 @@ impl<'a> Translator<'a> {
             return;
         }
         let condition = self.flag(condition);
-        let unmet = self.b.ins().bxor_imm_u(condition, 1);
         let site = self.site(index);
         let register = register.map_or(Val::Const(0), |register| self.get(register));
         let register = self.word(register);
-        self.unless_failed(unmet, Question::Unmet, &[self.link, site, register], after);
+        let cold = self.cold_block();
+        let go_on = self.b.create_block();
+        self.b.ins().brif(condition, go_on, &[], cold, &[]);
+        self.cold_path(cold, Question::Unmet, &[self.link, site, register], after);
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+        if matches!(after, After::At(_)) {
+            self.forget_what_was_asked();
+        }
     }
 }

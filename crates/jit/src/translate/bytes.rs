@@ -42,13 +42,13 @@ pub(super) struct Bytes {
 /// Bytes that are read and written together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Piece {
-    base: Value,
+    base: Base,
     start: i32,
     bytes: i32,
 }
 
 impl Piece {
-    fn meets(&self, base: Value, bytes: &Range<i32>) -> bool {
+    fn meets(&self, base: Base, bytes: &Range<i32>) -> bool {
         self.base == base && self.start < bytes.end && bytes.start < self.start + self.bytes
     }
 
@@ -196,12 +196,12 @@ impl Translator<'_> {
 
     /// The piece with a bit of a byte, and which of its bits that is.
     fn piece_of(&mut self, base: Value, offset: i32, number: u8) -> (Piece, u8) {
-        let area = if base == self.local { Base::Local } else { Base::Arena };
+        let base = self.known_base(base);
         let start = offset & !(LONG - 1);
-        let end = if area == Base::Local { self.local_offset + self.native().local_size as i32 } else { self.layout.size as i32 };
+        let end = if base == Base::Local { self.local_offset + self.native().local_size as i32 } else { self.layout.size as i32 };
         let bytes = &mut self.bytes;
-        let long = *bytes.long.entry((area, start)).or_insert_with(|| {
-            let all = || (start..start + LONG).map(|offset| (area, offset));
+        let long = *bytes.long.entry((base, start)).or_insert_with(|| {
+            let all = || (start..start + LONG).map(|offset| (base, offset));
             let of_bits = all().filter(|byte| bytes.of_bits.contains(byte)).count();
             of_bits > 1 && !all().any(|byte| bytes.of_others.contains(&byte)) && start + LONG <= end
         });
@@ -211,14 +211,24 @@ impl Translator<'_> {
         (Piece { base, start, bytes: LONG }, (offset - start) as u8 * 8 + number)
     }
 
+    /// What an address that is known to be there is counted from.
+    fn known_base(&self, base: Value) -> Base {
+        if base == self.local { Base::Local } else { Base::Arena }
+    }
+
+    fn address_of_base(&self, base: Base) -> Value {
+        if base == Base::Local { self.local } else { self.arena }
+    }
+
     /// A piece as it is in memory, in 32 bits.
     fn bits_at(&mut self, piece: Piece) -> Value {
         if let Some(&(_, bits)) = self.bytes.known.iter().find(|(known, _)| *known == piece) {
             return bits;
         }
+        let base = self.address_of_base(piece.base);
         let bits = match piece.bytes {
-            LONG => self.b.ins().load(I32, little(), piece.base, piece.start),
-            _ => self.b.ins().uload8(I32, data(), piece.base, piece.start),
+            LONG => self.b.ins().load(I32, little(), base, piece.start),
+            _ => self.b.ins().uload8(I32, data(), base, piece.start),
         };
         self.remember(piece, bits);
         bits
@@ -247,15 +257,16 @@ impl Translator<'_> {
             (None, None) => self.constant(0),
         };
         let new = if ones == 0 { new } else { self.b.ins().bor_imm_u(new, i64::from(ones)) };
+        let base = self.address_of_base(piece.base);
         match piece.bytes {
-            LONG => self.b.ins().store(little(), new, piece.base, piece.start),
-            _ => self.b.ins().istore8(data(), new, piece.base, piece.start),
+            LONG => self.b.ins().store(little(), new, base, piece.start),
+            _ => self.b.ins().istore8(data(), new, base, piece.start),
         };
         self.remember(piece, new);
     }
 
     fn store_waiting_in(&mut self, base: Value, offset: i32, width: Width) {
-        let bytes = offset..offset + width.bytes() as i32;
+        let (bytes, base) = (offset..offset + width.bytes() as i32, self.known_base(base));
         while let Some(index) = self.bytes.waiting.iter().position(|waiting| waiting.piece.meets(base, &bytes)) {
             let waiting = self.bytes.waiting.remove(index);
             self.store_bits(waiting);
@@ -265,7 +276,7 @@ impl Translator<'_> {
     /// Stores bits that wait and forgets what is known in bytes that are written otherwise.
     pub(super) fn forget_bits_in(&mut self, Address { base, offset, .. }: Address, width: Width) {
         self.store_waiting_in(base, offset, width);
-        let written = offset..offset + width.bytes() as i32;
+        let (written, base) = (offset..offset + width.bytes() as i32, self.known_base(base));
         self.bytes.known.retain(|(piece, _)| !piece.meets(base, &written));
     }
 

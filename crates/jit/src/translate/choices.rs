@@ -52,8 +52,7 @@ impl Translator<'_> {
         if !self.options.optimize || to != next + 1 || !is_last || self.arrivals.contains_key(&next) || !self.is_plain(next) {
             return false;
         }
-        let condition = self.flag(condition);
-        self.choice = Some(condition);
+        self.choice = Some(self.condition(condition));
         true
     }
 
@@ -79,11 +78,12 @@ impl Translator<'_> {
     }
 
     /// What a statement that is not jumped over writes: what is there already if the condition holds.
-    pub(super) fn chosen(&mut self, condition: Value, (place, width): (Place, Width), index: u32, value: Val) -> Val {
+    pub(super) fn chosen(&mut self, (condition, negated): (Value, bool), (place, width): (Place, Width), index: u32, value: Val) -> Val {
         let free = Var::temporary(self.temporaries.len()).unwrap_or_default();
         self.load(index, free, place, width, OnFault::SkipWrite);
         let (old, new) = (self.get(free), self.force(value));
         let old = self.force(old);
+        let (old, new) = if negated { (new, old) } else { (old, new) };
         match width {
             Width::Bit => {
                 let [old, new] = [old, new].map(|value| self.bit(value));

@@ -142,6 +142,7 @@ impl Translator<'_> {
         let arrival = self.arrival(statement);
         let (block, known, dirty, again) = (arrival.block, arrival.known.unwrap_or_default(), arrival.dirty, arrival.again);
         self.b.switch_to_block(block);
+        self.take_arena();
         let arrival = self.arrival(statement);
         let (memory, taken, look) = (arrival.memory.take().filter(|_| !arrival.backward), arrival.taken, arrival.look);
         (self.taken, self.look) = (taken.unwrap_or(0), look.flatten());

@@ -68,6 +68,11 @@ pub(super) struct Plan {
 }
 
 impl Plan {
+    /// IR instructions that the block adds to its caller, if it becomes part of that.
+    pub(super) fn inlined(&self) -> Option<usize> {
+        self.inlined
+    }
+
     /// What a function needs where it begins.
     pub(super) fn room(&self) -> Room {
         Room { depth: self.depth, local: self.local }
@@ -135,6 +140,13 @@ pub(super) struct Outer {
     in_range: Option<Instance>,
     local_offset: i32,
     parameters_end: usize,
+}
+
+impl Outer {
+    /// Whether the call is in a loop.
+    pub(super) fn is_in_loop(&self) -> bool {
+        self.loops.iter().any(|it| it.contains(self.statement))
+    }
 }
 
 impl Translator<'_> {
@@ -221,6 +233,7 @@ impl Translator<'_> {
         }
         self.ranges = self.find_ranges();
         self.enter_block();
+        self.take_arena();
         self.statements();
         let Some(outer) = self.outer.pop() else { unreachable!("it was pushed above") };
         let written = self.summaries[code].written;

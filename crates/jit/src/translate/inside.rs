@@ -311,20 +311,26 @@ impl Translator<'_> {
             };
             self.b.switch_to_block(give_up);
             self.b.seal_block(give_up);
-            let code = self.b.ins().iconst(I64, self.index as i64);
-            let statement = self.first_with_code(statement);
-            let statement = self.b.ins().iconst(I64, i64::from(statement));
-            let link = self.shown_link();
-            let arguments = [self.run, link, code, statement];
-            self.ask_at_gate(Question::Interpret, &arguments);
-            self.b.ins().jump(self.leave, &[]);
+            self.give_up_at(statement);
             self.cold = before;
         }
     }
 
+    /// Hands over to the interpreter at a statement. All that it looks at is in memory.
+    pub(super) fn give_up_at(&mut self, statement: u32) {
+        let code = self.b.ins().iconst(I64, self.index as i64);
+        let statement = self.first_with_code(statement);
+        let statement = self.b.ins().iconst(I64, i64::from(statement));
+        let link = self.shown_link();
+        let arguments = [self.run, link, code, statement];
+        self.ask_at_gate(Question::Interpret, &arguments);
+        self.b.ins().jump(self.leave, &[]);
+    }
+
     /// Whether a variable in memory is in its range.
     fn holds(&mut self, Fact { cell: (base, offset, width), range }: Fact) -> Value {
-        let base = if base == Base::Local { self.local } else { self.arena };
+        // Other ways come here, too.
+        let base = if base == Base::Local { self.local } else { self.first_arena };
         let value = self.read(Address { base, offset, bit: Bit::Number(0) }, width);
         let value = self.int(value);
         let Interval { least, most, zeros, bits } = range;

@@ -184,7 +184,7 @@ impl Translator<'_> {
     }
 
     /// The instruction that computes a value.
-    fn definition(&self, value: Value) -> Option<(cranelift_codegen::ir::Inst, InstructionData)> {
+    pub(super) fn definition(&self, value: Value) -> Option<(cranelift_codegen::ir::Inst, InstructionData)> {
         let dfg = &self.b.func.dfg;
         match dfg.value_def(dfg.resolve_aliases(value)) {
             ValueDef::Result(inst, 0) => Some((inst, dfg.insts[inst])),

@@ -24,9 +24,6 @@ use crate::run::Run;
 /// half of a product with it is exactly the quotient.
 static BASES: [[u64; 2]; 4] = [numbers(0), numbers(1), numbers(2), numbers(3)];
 
-/// 2⁶⁸ / 125, rounded up: the upper half of a product with a number below 2⁶¹, divided by 16, is exactly its 125th.
-const INVERSE_OF_125: u64 = 0x20C4_9BA5_E353_F7CF;
-
 const fn numbers(base: usize) -> [u64; 2] {
     [BASE_US[base], u64::MAX / BASE_US[base] + 1]
 }
@@ -77,12 +74,7 @@ impl Translator<'_> {
 
     /// The clock in milliseconds, 32 bits.
     fn clock_ms(&mut self) -> Val {
-        let clock = self.b.ins().load(I64, TRUSTED, self.run, offset_of!(Run<'_, '_>, clock_us) as i32);
-        // A division by 1000 = 8 × 125, exact for all 64 bits.
-        let eighth = self.b.ins().ushr_imm_u(clock, 3);
-        let inverse = self.b.ins().iconst(I64, INVERSE_OF_125 as i64);
-        let high = self.b.ins().umulhi(eighth, inverse);
-        let ms = self.b.ins().ushr_imm_u(high, 4);
+        let ms = self.load_run(offset_of!(Run<'_, '_>, clock_ms));
         Val::Int(self.b.ins().ireduce(I32, ms))
     }
 

@@ -108,6 +108,12 @@ impl Translator<'_> {
         self.promoted.iter().copied().filter(|it| it.is_in(self.statement)).collect()
     }
 
+    /// The variables that hold what is kept at the running statement, without the budget.
+    pub(super) fn held(&self) -> Vec<Variable> {
+        let kept = self.kept().into_iter().filter(|it| it.base != Base::Run);
+        kept.flat_map(|it| [Some(it.variable), it.real]).flatten().collect()
+    }
+
     /// Chooses what a loop keeps and loads it, in front of the loop. Registers that it changes are not known here.
     pub(super) fn promote(&mut self, it: &Loop) {
         if !it.asks_nothing || !self.keeps_over_calls(it) {

@@ -1,7 +1,7 @@
 //! Values of variables, in the form that costs least.
 
 use cranelift_codegen::ir::types::{I32, I64};
-use cranelift_codegen::ir::{self as clif, InstBuilder, Value};
+use cranelift_codegen::ir::{self as clif, InstBuilder, InstructionData, Opcode, Value};
 use sieben_engine::ir::Op;
 
 use super::Translator;
@@ -204,6 +204,33 @@ impl Translator<'_> {
     /// A bit at its position; `clean` counts at position 0.
     pub(super) fn bit_value(value: Value, at: u8, clean: bool) -> Val {
         if at == 0 { Val::Bit { value, clean } } else { Val::At { value, at } }
+    }
+
+    /// A bit for a jump or a choice: a value that is not 0 if it is 1, or, behind a NOT, if it is 0.
+    pub(super) fn condition(&mut self, value: Val) -> (Value, bool) {
+        let (value, negated) = self.without_not(value);
+        match value {
+            Val::At { value, at } => (self.b.ins().band_imm_u(value, 1 << at), negated),
+            value => (self.flag(value), negated),
+        }
+    }
+
+    /// What was negated, if a value is the result of a NOT.
+    fn without_not(&mut self, value: Val) -> (Val, bool) {
+        let value = self.force(value);
+        let (Val::Bit { value: bits, .. } | Val::At { value: bits, .. }) = value else { return (value, false) };
+        let Some((_, data)) = self.definition(bits) else { return (value, false) };
+        let is_one = |this: &Self, value: Value| matches!(this.definition(value), Some((_, InstructionData::UnaryImm { opcode: Opcode::Iconst, imm })) if imm.bits() == 1);
+        match (value, data) {
+            (Val::Bit { clean: false, .. }, InstructionData::Unary { opcode: Opcode::Bnot, arg }) => {
+                (Val::Bit { value: arg, clean: false }, true)
+            }
+            (Val::At { at, .. }, InstructionData::Unary { opcode: Opcode::Bnot, arg }) => (Val::At { value: arg, at }, true),
+            (Val::Bit { clean: true, .. }, InstructionData::Binary { opcode: Opcode::Bxor, args: [of, one] }) if is_one(self, one) => {
+                (Val::Bit { value: of, clean: true }, true)
+            }
+            _ => (value, false),
+        }
     }
 
     /// Bit 0 alone, in 32 bits.

@@ -1,0 +1,187 @@
+//! Statements with indexes that are looked at and noted if they are outside their arrays: behind each look the statement is written
+//! twice, for an index that is inside and, in cold code, for one that is not. Both ways meet at its end, where the hot one has neither
+//! chosen an index nor an element.
+
+use cranelift_codegen::ir::types::I32;
+use cranelift_codegen::ir::{self as clif, BlockArg, InstBuilder, Value};
+use cranelift_frontend::Variable;
+use sieben_engine::fault::NOTED;
+use sieben_engine::ir::{Inst, Op, Place, Var};
+use sieben_model::address::Width;
+
+use super::bytes::KnownMemory;
+use super::value::Val;
+use super::{After, Translator};
+use crate::ask::Question;
+
+/// Where the ways of a statement meet.
+pub(super) struct Meeting {
+    block: clif::Block,
+    /// The last instruction of the statement, behind which they meet, or in front of which, if it is a branch.
+    last: u32,
+    /// Its condition, then.
+    condition: Option<Var>,
+    /// Registers whose memory may be older than their value, on ways that are written already.
+    dirty: u32,
+    /// What was known of memory where the ways parted, and what the budget's variable lacked.
+    memory: KnownMemory,
+    taken: i64,
+}
+
+impl Translator<'_> {
+    /// Looks at an index that is noted, if the rest of its statement can be written twice; whether it was.
+    pub(super) fn look_and_part(&mut self, index: u32, condition: Var, shown: Var) -> bool {
+        let look = self.get(condition);
+        let look = self.force(look);
+        if look.constant().is_some() || !self.options.optimize || self.cold.is_some() || !self.can_part(index, condition) {
+            return false;
+        }
+        let code = &self.native().code;
+        let end = code.statements.get(self.statement as usize + 1).copied().unwrap_or(code.insts.len() as u32);
+        let last = end - 1;
+        let branch = match code.insts[last as usize] {
+            Inst::Branch { condition, .. } => Some(condition),
+            _ => None,
+        };
+        let holds = self.flag(look);
+        let site = self.site(index);
+        let shown = self.get(shown);
+        let shown = self.word(shown);
+        let cold = self.cold_block();
+        if self.meeting.is_none() {
+            let block = self.b.create_block();
+            if branch.is_some() {
+                self.b.append_block_param(block, I32);
+            }
+            self.meeting = Some(Meeting { block, last, condition: branch, dirty: 0, memory: self.known_memory(), taken: self.taken });
+        }
+        let held: Vec<(Variable, Value)> = self.held().into_iter().map(|variable| (variable, self.b.use_var(variable))).collect();
+        let [inside, outside] = [self.b.create_block(), self.b.create_block()];
+        self.b.set_cold_block(outside);
+        self.b.ins().brif(holds, inside, &[], cold, &[]);
+        let (temporaries, dirty, memory) = (self.temporaries.clone(), self.dirty, self.known_memory());
+        self.cold_path(cold, Question::Unmet, &[self.link, site, shown], After::At(outside));
+        self.b.switch_to_block(outside);
+        self.b.seal_block(outside);
+        self.cold = Some(outside);
+        // Who is told of a fault that is noted changes nothing: what registers of the machine stand for is what it was.
+        for (variable, value) in held {
+            self.b.def_var(variable, value);
+        }
+        self.set(condition, Val::Const(0));
+        let rest = if branch.is_some() { index + 1..last } else { index + 1..end };
+        for index in rest {
+            self.inst(index, &code.insts[index as usize]);
+        }
+        self.go_to_meeting();
+        self.cold = None;
+        (self.temporaries, self.dirty) = (temporaries, dirty);
+        self.know_memory(memory);
+        self.b.switch_to_block(inside);
+        self.b.seal_block(inside);
+        self.set(condition, Val::Const(1));
+        true
+    }
+
+    /// Whether the rest of a statement changes nothing but memory, with its last instruction.
+    fn can_part(&self, index: u32, condition: Var) -> bool {
+        let code = &self.native().code;
+        let first = code.statements[self.statement as usize];
+        let rest = &code.statement(self.statement as usize)[(index + 1 - first) as usize..];
+        let is_own = |dst: Var| dst.register().is_none();
+        let Some((last, between)) = rest.split_last() else { return false };
+        let ends = match *last {
+            Inst::Store { width, .. } => width != Width::QuadWord,
+            Inst::Branch { .. } => true,
+            _ => false,
+        };
+        ends && is_own(condition)
+            && self.choice.is_none()
+            && between.iter().all(|inst| match *inst {
+                Inst::Constant { dst, .. } | Inst::Compute { dst, .. } | Inst::Load { dst, .. } => is_own(dst),
+                Inst::Require { code, .. } => code & NOTED != 0,
+                _ => false,
+            })
+    }
+
+    /// Ends a way of the running statement.
+    fn go_to_meeting(&mut self) {
+        let Some(Meeting { block, condition, taken, .. }) = self.meeting else { return };
+        let value = condition.map(|condition| {
+            let value = self.get(condition);
+            self.flag(value)
+        });
+        self.store_waiting();
+        self.take_from_budget(self.taken - taken);
+        let arguments: Vec<BlockArg> = value.into_iter().map(BlockArg::Value).collect();
+        self.b.ins().jump(block, &arguments);
+        let dirty = self.dirty;
+        if let Some(meeting) = &mut self.meeting {
+            meeting.dirty |= dirty;
+        }
+    }
+
+    /// Lets the ways of the statement meet, in front of its branch.
+    pub(super) fn meet_in_front(&mut self, index: u32) {
+        if self.cold.is_none() && self.meeting.as_ref().is_some_and(|it| it.last == index && it.condition.is_some()) {
+            self.meet();
+        }
+    }
+
+    /// Lets the ways of the statement meet, behind what it writes.
+    pub(super) fn meet_behind(&mut self, index: u32) {
+        if self.cold.is_none() && self.meeting.as_ref().is_some_and(|it| it.last == index && it.condition.is_none()) {
+            self.meet();
+        }
+    }
+
+    fn meet(&mut self) {
+        self.go_to_meeting();
+        let Some(Meeting { block, condition, dirty, mut memory, .. }) = self.meeting.take() else { return };
+        memory.keep_common(&self.known_memory());
+        self.know_memory(memory);
+        self.b.switch_to_block(block);
+        self.b.seal_block(block);
+        self.dirty = dirty;
+        if let Some(condition) = condition {
+            let value: Value = self.b.block_params(block)[0];
+            self.set(condition, Val::Bit { value, clean: true });
+        }
+    }
+
+    /// Whether nobody needs what a load reads, because a choice behind a look at an index has been made.
+    pub(super) fn is_needless(&mut self, index: u32, dst: Var) -> bool {
+        if self.meeting.is_none() || dst.register().is_some() {
+            return false;
+        }
+        let code = &self.native().code;
+        let end = code.statements.get(self.statement as usize + 1).copied().unwrap_or(code.insts.len() as u32);
+        for inst in &code.insts[index as usize + 1..end as usize] {
+            let needed = match *inst {
+                Inst::Compute { op: Op::Select, args: [condition, a, b, _], .. } => {
+                    let known = match condition.register() {
+                        None => self.get(condition).constant(),
+                        Some(_) => None,
+                    };
+                    match known {
+                        Some(condition) => dst == if condition & 1 != 0 { a } else { b },
+                        None => [condition, a, b].contains(&dst),
+                    }
+                }
+                _ => sieben_engine::ir::verify::reads(inst).into_iter().any(|var| var == dst),
+            };
+            if needed {
+                return false;
+            }
+            if sieben_engine::ir::verify::writes(inst) == Some(dst) {
+                return true;
+            }
+        }
+        true
+    }
+
+    /// Whether an access is known to stay inside its area.
+    pub(super) fn is_there(&self, index: u32, place: Place, width: Width) -> bool {
+        self.ranges.inside(index).is_some() || self.constant_address(place, width).is_some()
+    }
+}
