@@ -3,20 +3,27 @@
 //! Prints the best of several repetitions, because other work on the machine only ever adds time.
 #![allow(clippy::print_stdout)] // A measurement prints its figures.
 
+#[path = "speed/plant.rs"]
+mod plant;
+
 use std::fmt::Write as _;
 use std::sync::Arc;
 use std::time::Instant;
 
 use sieben_cpu::{Cpu, Rack, Restart, Settings};
-use sieben_engine::{Interpreter, Machine, StatementEvent, Tracer};
+use sieben_engine::{Interpreter, Layout, Machine, StatementEvent, Tracer};
+use sieben_jit::{StatusBits, Tier, Tiers};
+use sieben_lang::st::{self, Dialect};
 use sieben_lang::{Options, compile};
 use sieben_model::cpu_type::CpuType;
-use sieben_model::source::Sources;
+use sieben_model::diagnostic::Severity;
+use sieben_model::source::{FileId, Sources};
 use sieben_model::symbols::SymbolTable;
 
 const REPETITIONS: usize = 15;
 const SCANS: u64 = 300;
 const CYCLE_US: u64 = 10_000;
+const READY_REPETITIONS: usize = 5;
 
 /// Bit logic over random addresses, the same on every run.
 fn bit_logic(statements: usize) -> String {
@@ -99,6 +106,62 @@ fn compile_speed(statements: usize) {
     );
 }
 
+/// From the text of a plant in Structured Text to its first scan, in parts: what somebody waits for who changed a line.
+fn ready(lines: usize) {
+    let text = plant::source(lines);
+    let bytes = text.as_bytes();
+    let cpu_type = &CpuType::ALL[0];
+    let options = Options { system_blocks: sieben_cpu::system::interfaces(), dialect: Some(Dialect::Iec), ..Options::default() };
+    let mut best = [f64::INFINITY; 6];
+    for _ in 0..READY_REPETITIONS {
+        let begin = Instant::now();
+        let read = sieben_lang::encoding::read_source(bytes).expect("the plant is a text");
+        let mut sources = Sources::default();
+        sources.add("plant.st", read.text);
+        let after_reading = Instant::now();
+        let compiled = compile(&sources, &SymbolTable::default(), &options);
+        let after_compiling = Instant::now();
+        let errors = compiled.diagnostics.iter().filter(|diagnostic| diagnostic.severity() == Severity::Error);
+        let errors: Vec<&String> = errors.map(|diagnostic| &diagnostic.message).collect();
+        assert!(errors.is_empty(), "{errors:?}");
+        let before_loading = Instant::now();
+        let program = Arc::new(compiled.program);
+        let mut cpu = Cpu::load(cpu_type, Arc::clone(&program), Interpreter::load, Rack::simulated(cpu_type), Settings::default());
+        cpu.restart(Restart::Warm);
+        let after_loading = Instant::now();
+        cpu.scan(0);
+        let end = Instant::now();
+        assert!(cpu.stop_cause().is_none(), "the plant keeps running: {:?}", cpu.stop_cause());
+        // Parsing is part of compiling; machine code is made beside the first scans.
+        let parsing = Instant::now();
+        let parsed = st::parse(FileId::default(), &text, Dialect::Iec);
+        let parsing = parsing.elapsed();
+        assert!(parsed.diagnostics.is_empty());
+        let layout = Layout::new(cpu_type, &program);
+        let tiers = Tiers::load(&program, &layout, StatusBits::All);
+        let code = Instant::now();
+        tiers.compile(Tier::Quick).expect("the plant becomes machine code");
+        let parts = [
+            after_reading - begin,
+            parsing,
+            (after_compiling - after_reading).saturating_sub(parsing),
+            after_loading - before_loading,
+            end - after_loading,
+            code.elapsed(),
+        ];
+        for (best, part) in best.iter_mut().zip(parts) {
+            *best = best.min(part.as_secs_f64() * 1e3);
+        }
+    }
+    let [reading, parsing, checking, loading, scan, code] = best;
+    println!(
+        "{} lines of ST: ready and through the first scan in {:.1} ms (read {reading:.1}, parse {parsing:.1}, check and lower {checking:.1}, \
+         load {loading:.1}, first scan {scan:.1}); first machine code {code:.0} ms more, beside the scans",
+        text.lines().count(),
+        reading + parsing + checking + loading + scan
+    );
+}
+
 /// What it costs to hand out the retentive data of a program with `blocks` data blocks of 8 KB, when nothing, one double word or all of it changes.
 fn retentive(blocks: usize) {
     let changes: [(&str, &dyn Fn(usize) -> String); 3] = [
@@ -142,6 +205,10 @@ fn main() {
     if std::env::args().any(|argument| argument == "retain") {
         return [1, 8, 32].into_iter().for_each(retentive);
     }
+    if std::env::args().any(|argument| argument == "ready") {
+        return ready(4_700);
+    }
+    ready(4_700);
     compile_speed(1_000);
     compile_speed(100_000);
     run("bit logic, 1,000 statements", &bit_logic(1_000));

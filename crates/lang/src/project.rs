@@ -1,6 +1,7 @@
 //! Compiles the sources of a project into a program.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::sync::Arc;
 
 use sieben_engine::Program;
 use sieben_model::block::{BlockId, BlockKind};
@@ -168,12 +169,31 @@ pub fn compile(sources: &Sources, symbols: &SymbolTable, options: &Options) -> C
                 };
                 let mut parsed = st::parser::parse(id, &source.text, dialect);
                 diagnostics.append(&mut parsed.diagnostics);
-                st.push(StFile { id, dialect, file: expand(parsed.file), library: None });
+                st.push(StFile { id, dialect, file: Arc::new(expand(parsed.file)), library: None });
             }
         }
     }
-    compile_languages(sources, &files, st, &diagnostics, symbols, options)
+    let of_st: HashSet<FileId> = st.iter().map(|file| file.id).collect();
+    let lost = diagnostics.iter().any(|diagnostic| of_st.contains(&diagnostic.span.file) && LOSES_BLOCKS.contains(&diagnostic.problem));
+    let mut compiled = compile_languages(sources, &files, st, &diagnostics, symbols, options);
+    if lost {
+        compiled.diagnostics.retain(|diagnostic| !of_st.contains(&diagnostic.span.file) || !OF_LOST_BLOCKS.contains(&diagnostic.problem));
+    }
+    compiled
 }
+
+/// Mistakes that leave it open where a block of ST begins and ends: what is declared in it is not known.
+#[rustfmt::skip] // A table.
+const LOSES_BLOCKS: &[Problem] = &[
+    Problem::P2010, Problem::P2011, Problem::P2012, Problem::P2013, Problem::P2019, Problem::P2023,
+];
+
+/// What is said of names that may well be declared there: nothing, until the block can be read (decision 229).
+#[rustfmt::skip] // A table.
+const OF_LOST_BLOCKS: &[Problem] = &[
+    Problem::P3001, Problem::P3007, Problem::P3008, Problem::P3009, Problem::P3010, Problem::P3015, Problem::P6217, Problem::P6218, Problem::P6219,
+    Problem::P6280, Problem::P6281, Problem::P6282, Problem::P6283, Problem::P6286, Problem::P6310, Problem::P6311, Problem::P6312,
+];
 
 /// A source that is parsed already.
 #[derive(Clone, Debug)]

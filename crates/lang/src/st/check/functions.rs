@@ -44,7 +44,6 @@ impl Checker<'_> {
                 None => Typed::Poison,
             };
         }
-        let before = self.diagnostics.len();
         let arguments: Vec<(Typed, Span)> = call
             .arguments
             .iter()
@@ -74,7 +73,15 @@ impl Checker<'_> {
                 Typed::Poison
             }
             // What is wrong with an argument was said; that the function does not take it says nothing new.
-            Some(_) if self.diagnostics.len() > before && arguments.iter().any(|(typed, _)| *typed == Typed::Poison) => Typed::Poison,
+            Some(_)
+                if call
+                    .arguments
+                    .iter()
+                    .zip(&arguments)
+                    .any(|(argument, (typed, _))| argument.value.is_some() && *typed == Typed::Poison) =>
+            {
+                Typed::Poison
+            }
             Some(Err(refusal)) => self.refused(refusal, &arguments, span),
             Some(Ok(resolved)) => self.composed(&name.text, resolved, call, arguments, span),
         }

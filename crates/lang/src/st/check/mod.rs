@@ -23,7 +23,7 @@ mod types;
 mod usage;
 pub(crate) mod walk;
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use sieben_model::block::BlockId;
 use sieben_model::diagnostic::Diagnostic;
@@ -43,6 +43,10 @@ use typed::Typed;
 
 /// Problems of one block that are reported; what comes behind was likely caused by the first ones.
 const DIAGNOSTICS_MAX: usize = 200;
+
+/// Problems of a name that means nothing or something else, where a block uses it as often as it likes.
+const NAMELESS: [Problem; 7] =
+    [Problem::P3001, Problem::P3007, Problem::P3008, Problem::P3009, Problem::P6217, Problem::P6218, Problem::P6219];
 
 /// What the checker has to know about a block besides its names.
 #[derive(Clone, Debug, PartialEq)]
@@ -125,6 +129,7 @@ impl<'a> Checker<'a> {
             lists: Vec::new(),
             next_list: 0,
             noted: BTreeSet::new(),
+            told: HashSet::new(),
             inside_actions: Vec::new(),
             words: BTreeMap::new(),
             writes: BTreeMap::new(),
@@ -173,6 +178,8 @@ struct Checker<'a> {
     next_list: u32,
     /// The constructs that were noted: once for a block is enough.
     noted: BTreeSet<u32>,
+    /// What was said of names that mean nothing: once for a block is enough.
+    told: HashSet<(Problem, String)>,
     /// The actions whose statements stand here.
     inside_actions: Vec<usize>,
     /// The words of tests, by the first byte of their place.
@@ -185,8 +192,10 @@ impl Checker<'_> {
     /// Reports a problem.
     fn report(&mut self, problem: Problem, span: Span, message: impl Into<String>) -> &mut Diagnostic {
         let diagnostic = Diagnostic::new(problem, span, message);
+        // A name that is unknown is unknown everywhere in the block.
+        let told = !self.quiet && NAMELESS.contains(&problem) && !self.told.insert((problem, diagnostic.message.clone()));
         self.failed |= !self.quiet && diagnostic.severity() == sieben_model::diagnostic::Severity::Error;
-        if self.quiet || self.diagnostics.len() > DIAGNOSTICS_MAX {
+        if told || self.quiet || self.diagnostics.len() > DIAGNOSTICS_MAX {
             return self.held.insert(diagnostic);
         }
         if self.diagnostics.len() == DIAGNOSTICS_MAX {

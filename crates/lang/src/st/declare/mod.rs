@@ -55,8 +55,8 @@ pub struct StFile {
     pub id: FileId,
     /// Its dialect.
     pub dialect: Dialect,
-    /// Its syntax.
-    pub file: ast::File,
+    /// Its syntax, which every attempt to compile reads and none changes.
+    pub file: Arc<ast::File>,
     /// Which source of the library it is; `None` = the user's.
     pub library: Option<&'static Source>,
 }

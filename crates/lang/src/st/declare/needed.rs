@@ -1,5 +1,7 @@
 //! What a program of ST needs of the library: known while its declarations and statements are looked at.
 
+use std::sync::Arc;
+
 use sieben_model::source::FileId;
 
 use super::StFile;
@@ -43,7 +45,12 @@ impl Needed {
     pub(crate) fn with_library(&self, files: &[StFile], user: usize) -> Vec<StFile> {
         let library = self.sources.iter().enumerate().map(|(index, source)| {
             let id = file(user, index);
-            StFile { id, dialect: source.dialect, file: super::expand(parse(id, source.text, source.dialect).file), library: Some(source) }
+            StFile {
+                id,
+                dialect: source.dialect,
+                file: Arc::new(super::expand(parse(id, source.text, source.dialect).file)),
+                library: Some(source),
+            }
         });
         files.iter().cloned().chain(library).collect()
     }

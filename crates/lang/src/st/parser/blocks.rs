@@ -273,11 +273,15 @@ impl Parser<'_> {
                     // The end of another kind of block; END_VAR and the like belong to nobody.
                     let section =
                         matches!(keyword, Keyword::EndVar | Keyword::EndStruct | Keyword::EndConst | Keyword::EndLabel | Keyword::EndUnion);
-                    if !section {
+                    // The end of a method whose beginning is lost, with that of the block behind it.
+                    let member = end.is_some_and(|end| end != keyword && is_end_of_member(keyword) && self.ends_with(end));
+                    if !section && !member {
                         return;
                     }
                     let shown = self.shown();
-                    self.unexpected(Problem::P6059, format!("{shown} ends declarations that did not begin"));
+                    let what = if section { "declarations" } else { "a part of the block" };
+                    let problem = if section { Problem::P6059 } else { Problem::P2013 };
+                    self.unexpected(problem, format!("{shown} ends {what} that did not begin"));
                     self.bump_unexpected();
                     self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
                 }
@@ -293,6 +297,12 @@ impl Parser<'_> {
                 _ => self.statement_into(&mut block.body),
             }
         }
+    }
+
+    /// Whether the end of this block is the next end of a block, before another one begins.
+    fn ends_with(&self, end: Keyword) -> bool {
+        let mut keywords = self.tokens[self.at + 1..].iter().filter_map(|token| token.keyword);
+        keywords.find(|&keyword| keyword == end || keyword.begins_block() || is_end_of_block(keyword)) == Some(end)
     }
 
     /// `name : INT` with END_VAR behind it, where no statement was yet.
@@ -550,4 +560,15 @@ impl Parser<'_> {
         self.finish();
         path
     }
+}
+
+/// The words behind the methods, properties and actions of a block.
+fn is_end_of_member(keyword: Keyword) -> bool {
+    matches!(keyword, Keyword::EndMethod | Keyword::EndProperty | Keyword::EndGet | Keyword::EndSet | Keyword::EndAction)
+}
+
+/// The words behind blocks with statements.
+fn is_end_of_block(keyword: Keyword) -> bool {
+    use Keyword::{EndClass, EndFunction, EndFunctionBlock, EndInterface, EndOrganizationBlock, EndProgram};
+    matches!(keyword, EndClass | EndFunction | EndFunctionBlock | EndInterface | EndOrganizationBlock | EndProgram)
 }

@@ -222,10 +222,22 @@ impl Parser<'_> {
         let constant = matches!(place, Place::Section(SectionKind::Const));
         let mut names = Vec::new();
         loop {
-            names.push(self.declared(place)?);
-            if !self.eat(Raw::Comma, SyntaxKind::Punctuation) {
+            // `a, , b : INT`: the others are declared all the same.
+            let lost = self.raw() == Raw::Comma || self.raw() == Raw::Colon && !names.is_empty();
+            if lost {
+                let shown = self.shown();
+                self.unexpected(Problem::P2020, format!("the name of a variable is wanted here, not {shown}"));
+            } else {
+                names.push(self.declared(place)?);
+            }
+            if self.eat(Raw::Comma, SyntaxKind::Punctuation) {
+                continue;
+            }
+            let another = !lost && self.at_name() && !self.on_new_line() && matches!(self.next_raw(), Raw::Comma | Raw::Colon);
+            if !another {
                 break;
             }
+            self.missing(Problem::P2020, ",", format!("`,` is missing between {} and {}", self.previous_text(), self.shown()));
         }
         let location = self.location();
         let mut declaration = Declaration {

@@ -482,6 +482,16 @@ impl<'t> Parser<'t> {
         let (mut arguments, mut highest) = (Vec::new(), 0);
         while !matches!(self.raw(), Raw::ParenClose | Raw::End | Raw::Semicolon) {
             let before = self.at;
+            if matches!(self.raw(), Raw::Becomes | Raw::Delivers) {
+                let shown = self.shown();
+                self.unexpected(Problem::P6055, format!("the name of a parameter is wanted in front of {shown}"));
+                self.bump_unexpected();
+                self.binary(1);
+                if self.eat(Raw::Comma, SyntaxKind::Punctuation) {
+                    continue;
+                }
+                break;
+            }
             let (argument, height) = self.argument();
             arguments.push(argument);
             highest = highest.max(height);
@@ -514,7 +524,12 @@ impl<'t> Parser<'t> {
         // `=:` is a slip for `:=`.
         let exchanged = behind.raw == Raw::Equal && self.tokens.get(next + 1).is_some_and(|token| token.raw == Raw::Colon);
         let word = matches!(self.raw(), Raw::Word | Raw::Local | Raw::Quoted | Raw::Backquoted);
-        let named = word && (matches!(behind.raw, Raw::Becomes | Raw::Delivers) || exchanged);
+        // `PT T#5s`: a sign between two values can only be missing.
+        let begins_value =
+            matches!(behind.raw, Raw::Word | Raw::Number | Raw::Literal | Raw::Characters | Raw::Quoted | Raw::Local | Raw::Backquoted);
+        let is_value = matches!(behind.keyword, None | Some(Keyword::True | Keyword::False | Keyword::Not));
+        let absent = self.at_name() && begins_value && is_value;
+        let named = word && (matches!(behind.raw, Raw::Becomes | Raw::Delivers) || exchanged || absent);
         if !named {
             let (value, height) = self.binary(1);
             return (Argument { name: None, direction: Direction::Assigned, value: Some(value), span: self.since(start) }, height);
@@ -525,6 +540,11 @@ impl<'t> Parser<'t> {
             Raw::Delivers => Direction::Delivered,
             _ => Direction::Assigned,
         };
+        if absent {
+            self.missing(Problem::P2030, " :=", format!("`:=` is missing between {} and {}", self.previous_text(), self.shown()));
+            let (value, height) = self.binary(1);
+            return (Argument { name: Some(name), direction, value: Some(value), span: self.since(start) }, height);
+        }
         if exchanged {
             let span = self.span(sign.start, sign.end + 1);
             self.slip(Problem::P2007, span, ":=", "`=:` is no assignment sign; a parameter is given with `:=`");

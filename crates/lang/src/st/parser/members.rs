@@ -106,6 +106,10 @@ impl Parser<'_> {
         let name = self.block_name("METHOD");
         let result = match self.eat(Raw::Colon, SyntaxKind::Punctuation) {
             true => self.result_type(),
+            false if self.at_name() && !self.on_new_line() => {
+                self.missing(Problem::P2020, " :", format!("`:` is missing between {} and {}", self.previous_text(), self.shown()));
+                self.result_type()
+            }
             false => None,
         };
         self.eat(Raw::Semicolon, SyntaxKind::Semicolon);

@@ -1,0 +1,90 @@
+//! A token that is missing in a program of Structured Text has few messages, and a program that is cut off has no panic: over all
+//! programs of the pages, with all that the compiler says.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use sieben_lang::st::syntax::SyntaxKind;
+use sieben_lang::st::{self, Dialect};
+use sieben_lang::{Options, compile};
+use sieben_model::diagnostic::Severity;
+use sieben_model::source::{FileId, Sources};
+use sieben_model::symbols::SymbolTable;
+
+/// Most messages that a lost token may have, but in one of a hundred cases.
+const MESSAGES_MAX: usize = 3;
+
+/// Of so many tokens one is left out: all of them would take minutes.
+const STEP: usize = 5;
+
+struct Program {
+    page: String,
+    dialect: Dialect,
+    text: String,
+}
+
+/// The programs of the pages, each in the first of its dialects.
+fn programs() -> Vec<Program> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec");
+    let mut pages: Vec<PathBuf> = ["st", "functions", "course"]
+        .iter()
+        .flat_map(|folder| fs::read_dir(root.join(folder)).expect("the folder is there"))
+        .filter_map(|entry| Some(entry.ok()?.path()))
+        .filter(|path| path.extension().is_some_and(|ending| ending == "md"))
+        .collect();
+    pages.sort();
+    let mut programs = Vec::new();
+    for path in pages {
+        let text = fs::read_to_string(&path).expect("a page is a text");
+        for (at, _) in text.match_indices("\n```st ") {
+            let (info, body) = text[at + 1..].split_once('\n').expect("a fence has lines");
+            let dialect = info.split(' ').nth(1).and_then(Dialect::from_name).expect("a fence names its dialects");
+            let text = body.split("\n```").next().unwrap_or_default().to_owned() + "\n";
+            let page = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+            programs.push(Program { page, dialect, text });
+        }
+    }
+    programs
+}
+
+/// The codes of all errors.
+fn errors(text: &str, dialect: Dialect, options: &Options) -> Vec<&'static str> {
+    let mut sources = Sources::default();
+    sources.add("program.st", text);
+    let compiled = compile(&sources, &SymbolTable::default(), &Options { dialect: Some(dialect), ..options.clone() });
+    let errors = compiled.diagnostics.iter().filter(|diagnostic| diagnostic.severity() == Severity::Error);
+    errors.map(|diagnostic| diagnostic.problem.code()).collect()
+}
+
+#[test]
+fn a_lost_token_of_a_program_has_few_messages() {
+    let options = Options { system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
+    let mut counts: Vec<(usize, String)> = Vec::new();
+    let mut seen = 0;
+    for Program { page, dialect, text } in programs() {
+        // Pages about mistakes, and programs with parts in STL.
+        if !errors(&text, dialect, &options).is_empty() {
+            continue;
+        }
+        let tree = st::parse(FileId::default(), &text, dialect).syntax(&text);
+        let tokens = tree.descendants_with_tokens().filter_map(|element| element.into_token());
+        for token in tokens.filter(|token| token.kind() > SyntaxKind::Inactive) {
+            seen += 1;
+            if seen % STEP != 0 {
+                continue;
+            }
+            let range = token.text_range();
+            let (start, end) = (usize::from(range.start()), usize::from(range.end()));
+            let found = errors(&format!("{} {}", &text[..start], &text[end..]), dialect, &options);
+            let line = text[..start].lines().last().unwrap_or_default();
+            counts.push((found.len(), format!("{page} {}: `{line}` without `{}`: {}", dialect.name(), token.text(), found.join(" "))));
+            errors(&text[..start], dialect, &options);
+        }
+    }
+    counts.sort();
+    let share = |part: usize| &counts[counts.len() * part / 100];
+    let worst: Vec<&str> = counts.iter().rev().take(150).map(|(_, which)| which.as_str()).collect();
+    assert!(counts.len() > 2_500, "{} tokens", counts.len());
+    assert!(share(50).0 <= 1, "the median is {}\n{}", share(50).0, worst.join("\n"));
+    assert!(share(99).0 <= MESSAGES_MAX, "of {} tokens one of a hundred has {} messages\n{}", counts.len(), share(99).0, worst.join("\n"));
+}
