@@ -174,11 +174,16 @@ pub fn compile(sources: &Sources, symbols: &SymbolTable, options: &Options) -> C
         }
     }
     let of_st: HashSet<FileId> = st.iter().map(|file| file.id).collect();
-    let lost = diagnostics.iter().any(|diagnostic| of_st.contains(&diagnostic.span.file) && LOSES_BLOCKS.contains(&diagnostic.problem));
+    let has = |problems: &[Problem]| {
+        diagnostics.iter().any(|diagnostic| of_st.contains(&diagnostic.span.file) && problems.contains(&diagnostic.problem))
+    };
+    let untold: &[Problem] = match () {
+        () if has(LOSES_BLOCKS) => OF_LOST_BLOCKS,
+        () if has(&[Problem::P2020]) => OF_LOST_DECLARATIONS,
+        () => &[],
+    };
     let mut compiled = compile_languages(sources, &files, st, &diagnostics, symbols, options);
-    if lost {
-        compiled.diagnostics.retain(|diagnostic| !of_st.contains(&diagnostic.span.file) || !OF_LOST_BLOCKS.contains(&diagnostic.problem));
-    }
+    compiled.diagnostics.retain(|diagnostic| !untold.contains(&diagnostic.problem) || !of_st.contains(&diagnostic.span.file));
     compiled
 }
 
@@ -194,6 +199,9 @@ const OF_LOST_BLOCKS: &[Problem] = &[
     Problem::P3001, Problem::P3007, Problem::P3008, Problem::P3009, Problem::P3010, Problem::P3015, Problem::P6217, Problem::P6218, Problem::P6219,
     Problem::P6280, Problem::P6281, Problem::P6282, Problem::P6283, Problem::P6286, Problem::P6310, Problem::P6311, Problem::P6312,
 ];
+
+/// What is said of parameters and paths that a declaration declares which is not understood: nothing, until it can be read.
+const OF_LOST_DECLARATIONS: &[Problem] = &[Problem::P3009, Problem::P6219, Problem::P6310, Problem::P6311];
 
 /// A source that is parsed already.
 #[derive(Clone, Debug)]
