@@ -96,39 +96,60 @@ fn statement(b: &mut Builder, dice: &mut Dice) {
 fn block(b: &mut Builder, dice: &mut Dice, first: u16, length: u64) {
     let mut statements = 0;
     for _ in 0..1 + dice.roll(length) {
-        if dice.roll(4) == 0 {
+        match dice.roll(8) {
             // A jump over one to three of those that follow.
-            b.begin_statement();
-            let condition = read(b, dice, Width::Bit);
-            let over = 1 + dice.roll(3) as u32;
-            b.push(Inst::Branch { condition, to: Target(statements + 1 + over) });
-            statements += 1;
-            for _ in 0..over {
-                inner(b, dice, first);
+            0 | 1 => {
+                b.begin_statement();
+                let condition = read(b, dice, Width::Bit);
+                let over = 1 + dice.roll(3) as u32;
+                b.push(Inst::Branch { condition, to: Target(statements + 1 + over) });
+                statements += 1;
+                for _ in 0..over {
+                    inner(b, dice, first);
+                }
+                statements += over;
             }
-            statements += over;
-        } else {
-            inner(b, dice, first);
-            statements += 1;
+            // A jump by a table in front of a loop, into it, or over it.
+            2 => {
+                b.begin_statement();
+                let index = read(b, dice, Width::Byte);
+                let three = b.constant(3);
+                let index = b.compute(Op::AndU32, &[index, three]);
+                let mut target = || Target(statements + 1 + dice.roll(5) as u32);
+                let (targets, otherwise) = ([target(), target(), target()], target());
+                let table = b.table(&targets);
+                b.push(Inst::JumpTable { index, first: table, count: targets.len() as u32, otherwise });
+                statements += 1;
+                statements += repeat(b, dice, first, statements);
+            }
+            _ => {
+                inner(b, dice, first);
+                statements += 1;
+            }
         }
     }
     if dice.roll(4) == 0 {
-        // A loop of a few turns around a call.
-        let counter = Place::Fixed { area: Area::Local, position: 8 * 20 };
-        b.begin_statement();
-        let turns = b.constant(1 + dice.roll(4));
-        b.store(counter, Width::Byte, turns);
-        inner(b, dice, first);
-        b.begin_statement();
-        let (left, one) = (b.load(counter, Width::Byte, OnFault::SkipStatement), b.constant(1));
-        let left = b.compute(Op::SubU32, &[left, one]);
-        b.store(counter, Width::Byte, left);
-        let goes_on = b.compute(Op::IsNonzero, &[left]);
-        b.push(Inst::Branch { condition: goes_on, to: Target(statements + 1) });
-        inner(b, dice, first);
+        repeat(b, dice, first, statements);
     }
     b.begin_statement();
     b.push(Inst::Return);
+}
+
+/// A loop of a few turns around a call, which begins at a statement; how many statements it has.
+fn repeat(b: &mut Builder, dice: &mut Dice, first: u16, statement: u32) -> u32 {
+    let counter = Place::Fixed { area: Area::Local, position: 8 * 20 };
+    b.begin_statement();
+    let turns = b.constant(1 + dice.roll(4));
+    b.store(counter, Width::Byte, turns);
+    inner(b, dice, first);
+    b.begin_statement();
+    let (left, one) = (b.load(counter, Width::Byte, OnFault::SkipStatement), b.constant(1));
+    let left = b.compute(Op::SubU32, &[left, one]);
+    b.store(counter, Width::Byte, left);
+    let goes_on = b.compute(Op::IsNonzero, &[left]);
+    b.push(Inst::Branch { condition: goes_on, to: Target(statement + 1) });
+    inner(b, dice, first);
+    4
 }
 
 fn inner(b: &mut Builder, dice: &mut Dice, first: u16) {

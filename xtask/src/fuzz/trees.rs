@@ -422,7 +422,10 @@ pub fn fuzz(data: &[u8]) {
     };
     let (interpreted, machine) = run(Interpreter::load(&program, &layout).as_ref());
     match Jit::compiled(&program, &layout, StatusBits::All) {
-        Ok(native) => assert_eq!(run(native.as_ref()).0, interpreted, "machine code does what the interpreter does"),
+        Ok(native) => {
+            let blocks = || program.code.iter().map(|(id, block)| format!("{id}\n{}\n", block.code)).collect::<String>();
+            assert_eq!(run(native.as_ref()).0, interpreted, "machine code does what the interpreter does\n{}", blocks());
+        }
         // A program may be too large; but what is translated is right.
         Err(reason) => assert!(!reason.contains("Compilation"), "the program becomes machine code: {reason}"),
     }

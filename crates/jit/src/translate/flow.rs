@@ -264,11 +264,22 @@ impl Translator<'_> {
         let index = self.word(index);
         let targets = &self.native().code.tables[first as usize..(first + count) as usize];
         let mut blocks: HashMap<u32, clif::Block> = HashMap::new();
+        // Ways lead to places where the budget's variable lacks different weights.
+        self.take_from_budget(self.taken);
+        let mut lacking = Vec::new();
         let mut block_of = |this: &mut Self, target: Target| {
             if let Some(&block) = blocks.get(&target.0) {
                 return block;
             }
-            let block = this.way_to(target);
+            let lacks = this.arrivals.get(&target.0).and_then(|arrival| arrival.taken).unwrap_or(0);
+            this.taken = lacks;
+            let mut block = this.way_to(target);
+            this.taken = 0;
+            if lacks != 0 {
+                let way = this.b.create_block();
+                lacking.push((way, lacks, block));
+                block = way;
+            }
             blocks.insert(target.0, block);
             block
         };
@@ -282,6 +293,13 @@ impl Translator<'_> {
         let entries: Vec<_> = entries.into_iter().map(|block| self.b.func.dfg.block_call(block, &[])).collect();
         let table = self.b.create_jump_table(clif::JumpTableData::new(default, &entries));
         self.b.ins().br_table(index, table);
+        for (way, lacks, block) in lacking {
+            self.b.switch_to_block(way);
+            self.b.seal_block(way);
+            self.take_from_budget(-lacks);
+            self.taken = 0;
+            self.b.ins().jump(block, &[]);
+        }
         self.fill_ways();
         self.ended = true;
     }
