@@ -356,6 +356,11 @@ impl Translator<'_> {
         }
         let condition = self.flag(condition);
         let (a, b) = (self.force(a), self.force(b));
+        if let (Val::Const(a), Val::Const(0)) = (a, b)
+            && u32::try_from(a).is_ok_and(u32::is_power_of_two)
+        {
+            return Val::Int(self.b.ins().ishl_imm_u(condition, i64::from(a.trailing_zeros())));
+        }
         if self.is_32_bits(a) && self.is_32_bits(b) {
             let (a, b) = (self.int(a), self.int(b));
             return Val::Int(self.b.ins().select(condition, a, b));

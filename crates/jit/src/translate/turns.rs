@@ -15,6 +15,7 @@ mod bits;
 mod count;
 mod held;
 mod kernel;
+mod left;
 mod line;
 mod reader;
 mod vector;

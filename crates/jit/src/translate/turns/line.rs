@@ -252,7 +252,7 @@ impl Kernel {
     }
 
     /// Whether a value rests on what a cell holds when a turn begins.
-    fn rests_on(&self, node: Node, level: Level, cell: Cell) -> bool {
+    pub(super) fn rests_on(&self, node: Node, level: Level, cell: Cell) -> bool {
         let mut seen = BTreeSet::new();
         let mut waiting = vec![node];
         while let Some(node) = waiting.pop() {

@@ -15,8 +15,12 @@ use super::super::value::Val;
 use super::super::{Translator, is_bit};
 use super::Plan;
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Part, Step, What};
+use super::left::Waiting;
 use super::line::{Carried, Line, Shape, Sum};
 use super::vector::Lanes;
+
+/// How many values on lines more than cells are counted on.
+const COUNTED_MORE: usize = 2;
 
 /// What one of the loops has while its turns are written.
 #[derive(Default)]
@@ -31,6 +35,8 @@ struct Scope {
 /// What a loop hands from turn to turn, and how.
 enum Handed {
     Line(Cell, Line),
+    /// A value on a line that is no cell.
+    Counted(Node, Line),
     /// A sum: its vectors.
     Sum(Cell, Node, Shape),
     Chain(Cell, Node, Form),
@@ -60,6 +66,10 @@ pub(super) struct Writing<'t, 'a, 'k> {
     sums: HashMap<Cell, Vec<Value>>,
     /// What blocks have taken from the budget that not all turns enter.
     taken: Option<Val>,
+    /// Values that wait on the stack for what the last turn that wrote them leaves.
+    waiting: Vec<Waiting>,
+    /// How many turns are made, and how many are left with the running one, of the outer loop.
+    left: Option<(Value, Value)>,
 }
 
 impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
@@ -77,6 +87,8 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             before: HashMap::new(),
             sums: HashMap::new(),
             taken: None,
+            waiting: Vec::new(),
+            left: None,
         };
         this.version(it);
     }
@@ -279,6 +291,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     /// Writes turns of a loop; the vectors of its sums behind it.
     fn turns(&mut self, level: Level, turns: Value) -> Vec<Value> {
         let step = if level == Level::Outer { self.lanes } else { 1 };
+        if level == Level::Outer && self.lanes == 1 {
+            self.waiting = self.kernel.left().into_iter().map(|left| self.t.begin_left(left)).collect();
+        }
         let handed = self.handed(level);
         let mut first = vec![turns];
         for one in &handed {
@@ -295,6 +310,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 self.t.b.append_block_param(head, ty)
             })
             .collect();
+        if level == Level::Outer {
+            self.left = Some((turns, parameters[0]));
+        }
         self.begin(level, &handed, &parameters[1..]);
         for step in &self.kernel.turn(level).steps {
             match step {
@@ -305,7 +323,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     self.turns(Level::Inner, turns);
                 }
             }
+            self.leave(level, parameters[0], false);
         }
+        self.leave(level, parameters[0], true);
         let left = self.t.b.ins().iadd_imm_s(parameters[0], -i64::from(step));
         let mut next = vec![left];
         for (one, own) in handed.iter().zip(self.owned(&handed, &parameters[1..])) {
@@ -330,6 +350,38 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         all
     }
 
+    /// Puts down what the turn leaves, as soon as its values are known.
+    fn leave(&mut self, level: Level, turns: Value, at_end: bool) {
+        if level == Level::Inner {
+            return;
+        }
+        let mut waiting = std::mem::take(&mut self.waiting);
+        for one in waiting.iter_mut().filter(|one| !one.written) {
+            let conditions = one.left.conditions.iter().map(|&(condition, _)| condition);
+            let known = |node: Node| self.kernel.constant(node).is_some() || self.outer.values.contains_key(&node);
+            if !at_end && !conditions.clone().chain(one.left.waiting.iter().copied()).all(known) {
+                continue;
+            }
+            let conditions: Vec<Val> = conditions.map(|condition| self.first(condition, level)).collect();
+            let values: Vec<Val> = one.left.waiting.iter().map(|&value| self.first(value, level)).collect();
+            self.t.put_left(one, &conditions, &values, turns);
+            one.written = true;
+        }
+        self.waiting = waiting;
+    }
+
+    /// What a cell holds behind the turns, if what the last turn left that wrote it was put down.
+    fn was_left(&mut self, cell: Cell, turns: Value) -> Option<Val> {
+        let value_of = |one: &Waiting| one.left.cells.iter().find(|(left, _)| *left == cell).map(|&(_, value)| value);
+        let (at, value) = self.waiting.iter().enumerate().find_map(|(at, one)| Some((at, value_of(one)?)))?;
+        let line = self.kernel.line(value, Level::Outer).map(|line| (self.value_before(value), line));
+        Some(self.t.take_left(&self.waiting[at], value, line, turns, self.before[&cell]))
+    }
+
+    fn is_left(&self, cell: Cell) -> bool {
+        self.waiting.iter().any(|one| one.left.cells.iter().any(|&(left, _)| left == cell))
+    }
+
     /// What a loop hands from turn to turn.
     fn handed(&mut self, level: Level) -> Vec<Handed> {
         let kernel = self.kernel;
@@ -350,12 +402,15 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             }
         }
         needed.extend(ends);
-        let mut handed = Vec::new();
+        let counted = self.counted(level, &carried);
+        let mut handed: Vec<Handed> =
+            counted.iter().flatten().map(|&node| Handed::Counted(node, kernel.line(node, level).unwrap_or(Line::SAME))).collect();
         for (cell, end, carried) in carried {
             let looked_at = needed.iter().any(|&node| kernel.is_start(node, level, cell));
             match carried {
-                Carried::Line(line) if looked_at && !line.is_same() => handed.push(Handed::Line(cell, line)),
+                Carried::Line(line) if looked_at && !line.is_same() && counted.is_none() => handed.push(Handed::Line(cell, line)),
                 Carried::Line(_) | Carried::Nothing => {}
+                Carried::Chain if level == Level::Outer && self.is_left(cell) => {}
                 Carried::Sum { added, bits } if self.lanes > 1 && level == Level::Outer => {
                     let shape = if bits == 16 { Shape::Halves } else { Shape::Words };
                     handed.push(Handed::Sum(cell, added, shape));
@@ -383,6 +438,56 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         handed
     }
 
+    /// The values on lines with which the others of a turn are computed, if turns are made one by one: each is counted on, so that a turn
+    /// does not compute it anew.
+    fn counted(&self, level: Level, carried: &[(Cell, Node, Carried)]) -> Option<BTreeSet<Node>> {
+        let kernel = self.kernel;
+        if self.lanes > 1 || level == Level::Inner || kernel.inner.is_some() {
+            return None;
+        }
+        let mut waiting: Vec<Node> = Vec::new();
+        for access in &kernel.accesses {
+            waiting.extend(access.value);
+            if self.plan.counted_on(access, level).is_none() {
+                waiting.push(access.pointer);
+            }
+        }
+        for &(cell, end, carried) in carried {
+            match carried {
+                Carried::Line(_) => {}
+                Carried::Sum { added, .. } => waiting.push(added),
+                _ if self.is_left(cell) => {}
+                // It is computed behind the loop.
+                Carried::Nothing if kernel.line(end, level).is_some() => {}
+                _ => waiting.push(end),
+            }
+        }
+        for one in &self.waiting {
+            waiting.extend(one.left.conditions.iter().map(|&(condition, _)| condition).chain(one.left.waiting.iter().copied()));
+        }
+        let grows = |node: Node| kernel.line(node, level).is_some_and(|line| !line.is_same());
+        let mut seen = BTreeSet::new();
+        while let Some(node) = waiting.pop() {
+            if seen.insert(node)
+                && !grows(node)
+                && let What::Compute(op, args) = kernel.what(node)
+            {
+                waiting.extend(&args[..op.arity()]);
+            }
+        }
+        let mut counted: BTreeSet<Node> = seen.into_iter().filter(|&node| grows(node)).collect();
+        // What one operation makes of another one of them costs as little.
+        for node in counted.clone() {
+            if let What::Compute(op, args) = kernel.what(node)
+                && args[..op.arity()].iter().all(|arg| counted.contains(arg) || !grows(*arg))
+            {
+                counted.remove(&node);
+            }
+        }
+        let cells = carried.iter().filter(|(.., carried)| matches!(carried, Carried::Line(line) if !line.is_same())).count();
+        (counted.len() <= cells + COUNTED_MORE).then_some(counted)
+    }
+
     fn form(&self, level: Level, cell: Cell, end: Node, needed: &BTreeSet<Node>) -> Form {
         if self.lanes > 1 {
             return self.kernel.shape(self.kernel.turn(level).ends[&cell]).map_or(Form::Int, Form::Lanes);
@@ -408,7 +513,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
 
     fn count_of(&self, one: &Handed) -> usize {
         match one {
-            Handed::Line(..) | Handed::Address(..) => 1,
+            Handed::Line(..) | Handed::Counted(..) | Handed::Address(..) => 1,
             Handed::Sum(.., shape) | Handed::Chain(.., Form::Lanes(shape)) => shape.vectors(self.lanes).1 as usize,
             Handed::Chain(..) => 1,
         }
@@ -444,6 +549,10 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     Lanes::One(value) | Lanes::Line(value, _) => value,
                     _ => unreachable!("what begins a line is on one"),
                 };
+                all.push(self.t.int(value));
+            }
+            Handed::Counted(node, _) => {
+                let value = self.value_before(node);
                 all.push(self.t.int(value));
             }
             Handed::Sum(_, _, shape) => {
@@ -512,6 +621,12 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     let value = if self.lanes > 1 && !across.is_same() { Lanes::Line(value, across) } else { Lanes::One(value) };
                     self.scope(level).starts.insert(cell, value);
                 }
+                Handed::Counted(node, line) => {
+                    if line.bits == 16 {
+                        self.t.narrow.insert(own[0], 16);
+                    }
+                    self.scope(level).values.insert(node, Lanes::One(Val::Int(own[0])));
+                }
                 Handed::Sum(..) => {}
                 Handed::Chain(cell, _, form) => {
                     let value = match form {
@@ -536,7 +651,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     /// What is handed on to the next turn.
     fn next_of(&mut self, level: Level, one: &Handed, own: &[Value], all: &mut Vec<Value>) {
         match *one {
-            Handed::Line(_, line) => {
+            Handed::Line(_, line) | Handed::Counted(_, line) => {
                 let turns = if level == Level::Outer { self.lanes } else { 1 };
                 let next = self.t.further(Val::Int(own[0]), line, turns);
                 all.push(self.t.int(next));
@@ -573,6 +688,14 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 let known = self.scope(of).starts.get(&cell).cloned();
                 match known {
                     Some(value) => value,
+                    None if of == Level::Outer
+                        && self.lanes == 1
+                        && let (Some(line), Some((turns, left))) = (self.kernel.cell_line(of, cell), self.left)
+                        && !line.is_same() =>
+                    {
+                        let made = self.t.b.ins().isub(turns, left);
+                        Lanes::One(self.t.behind(self.before[&cell], line, made))
+                    }
                     None => {
                         let same = self.kernel.cell_line(of, cell).is_some_and(Line::is_same);
                         assert!(same, "what a turn begins with is handed on where turns change it");
@@ -677,6 +800,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     before_last.push((cell, sum));
                     continue;
                 }
+                Carried::Chain if let Some(value) = self.was_left(cell, turns) => value,
                 _ => {
                     let value = self.value(end, Level::Outer);
                     self.t.last_lane(&value, self.lanes)
