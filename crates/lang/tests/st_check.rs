@@ -141,6 +141,13 @@ const ROWS: &[Row] = &[
     // One mistake, one message.
     ("iec codesys scl tia", "x : INT;", "x := ABS(nowhere);", "error P3001"),
     ("iec codesys scl tia", "x : INT;", "IF nowhere THEN x := 1; END_IF;", "error P3001"),
+    // Standard functions take all their inputs, those that are blocks of the library too.
+    ("iec codesys", "s : STRING;", "s := LEFT(s);", "error P3010"),
+    ("iec codesys scl tia", "s : STRING;", "s := CONCAT(s);", "error P3010"),
+    ("iec", "d : DATE;", "d := CONCAT_DATE(2024, 2);", "error P3010"),
+    ("iec", "d : DATE;", "d := CONCAT_DATE(YEAR := 2024, DAY := 1);", "error P3010"),
+    ("iec", "d : DATE;", "d := CONCAT_DATE(YEAR := 2024, YEAR := 2025, MONTH := 1, DAY := 1);", "error P3011"),
+    ("iec", "d : DATE;", "SPLIT_DATE();", "error P3010"),
 ];
 
 fn program(dialect: Dialect, declarations: &str, code: &str) -> String {
@@ -202,4 +209,22 @@ fn functions_that_call_themselves_are_told_once_for_each_circle() {
     }
     let straight = [declare("A", "B"), declare("B", "ABS"), main.replace("S(2)", "B(2)")].concat();
     assert!(said(Dialect::Iec, &straight).is_empty());
+}
+
+#[test]
+fn what_a_block_would_inherit_from_a_base_that_is_lacking_is_not_missed() {
+    let timer = |base: &str| {
+        format!(
+            "FUNCTION_BLOCK Timer EXTENDS {base}\nVAR_OUTPUT n : INT; END_VAR\n  SUPER^(IN := IN, PT := PT);\n  Look();\n  IF Q THEN n := 1; END_IF;\nEND_FUNCTION_BLOCK\n\
+             FUNCTION_BLOCK Second EXTENDS Timer\n  SUPER^();\n  n := n + more;\nEND_FUNCTION_BLOCK\n\
+             PROGRAM Main\nVAR t : Timer; s : Second; x : BOOL; END_VAR\n  t(IN := x, PT := T#1s);\n  x := s.Q;\n  s.Look();\nEND_PROGRAM\n"
+        )
+    };
+    for (dialect, base, code) in
+        [("iec", "TONN", "P6280"), ("codesys", "Main", "P6280"), ("iec", "Second", "P6280"), ("tia", "TON", "P6050")]
+    {
+        let said = said(Dialect::from_name(dialect).expect("a dialect"), &timer(base));
+        let wrong: Vec<_> = said.iter().filter(|(severity, ..)| *severity == Severity::Error).collect();
+        assert!(!wrong.is_empty() && wrong.iter().all(|(_, problem, _)| *problem == code), "{dialect}, {base}: {said:?}");
+    }
 }

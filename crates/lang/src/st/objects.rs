@@ -57,6 +57,8 @@ pub struct Object {
     pub base: Option<BlockId>,
     /// What it implements, or what an interface extends.
     pub interfaces: Vec<BlockId>,
+    /// It extends what could not be found or extended, and what it inherits from there is not known.
+    pub lacks_base: bool,
     /// It has no instances of its own.
     pub is_abstract: bool,
     /// Nothing may extend it.
@@ -127,6 +129,10 @@ impl Objects {
     /// Whether the first block is the second one, extends it or implements it.
     pub fn is_a(&self, block: BlockId, of: BlockId) -> bool {
         block == of || self.below.get(&of).is_some_and(|below| below.contains(&block))
+    }
+    /// Whether the block or one above it lacks its base, so that it may have more than is known.
+    pub fn lacks_base(&self, block: BlockId) -> bool {
+        std::iter::once(block).chain(self.above(block)).any(|one| self.get(one).is_some_and(|object| object.lacks_base))
     }
     /// Whether anything extends or implements the block.
     pub fn is_extended(&self, block: BlockId) -> bool {

@@ -216,7 +216,7 @@ impl Checker<'_> {
                         false => Called::Nothing,
                     };
                 }
-                if self.has_members(block) {
+                if self.has_members(block) || self.names.objects().lacks_base(block) {
                     self.no_member(block, name);
                     return Called::Nothing;
                 }
@@ -533,7 +533,7 @@ impl Checker<'_> {
             let Some(value) = &argument.value else { continue };
             sound &= self.argument(formal, argument, value, &mut all);
         }
-        sound &= self.omitted(&callee, &mut all, span);
+        sound &= self.omitted(&callee, call, &mut all, span);
         let result = interface
             .variables
             .iter()
@@ -557,7 +557,19 @@ impl Checker<'_> {
         format!("`{}`", self.names.block_name(callee.block()))
     }
 
+    /// The name that a call of a function gives it: `LEFT` and not `FC 20`.
+    pub(super) fn name_in(&self, call: &ast::Call, callee: &Callee) -> String {
+        match &call.callee.kind {
+            ast::ExpressionKind::Name(name) if callee.is_function() => format!("`{}`", name.text),
+            _ => self.callee_name(callee),
+        }
+    }
+
     fn unknown_parameter(&mut self, name: &Name, formals: &[&Variable], callee: &Callee) {
+        if self.names.objects().lacks_base(callee.block()) {
+            self.failed = true;
+            return;
+        }
         let block = self.callee_name(callee);
         let nearest = nearest(&name.text, formals.iter().map(|formal| formal.name.as_str()));
         let known: Vec<String> = formals.iter().take(12).map(|formal| format!("`{}`", formal.name)).collect();
@@ -802,8 +814,11 @@ impl Checker<'_> {
     }
 
     /// What a call leaves out: an initial value, nothing, or an error.
-    fn omitted(&mut self, callee: &Callee, all: &mut Arguments<'_>, span: Span) -> bool {
+    fn omitted(&mut self, callee: &Callee, call: &ast::Call, all: &mut Arguments<'_>, span: Span) -> bool {
         let function = callee.is_function();
+        let needs_all = self.dialect.judge(Construct::OmittedInput) != crate::st::dialect::Judgement::Accept;
+        // A standard function has no input that could be left out, however it is built.
+        let needs_inputs = needs_all || matches!(callee, Callee::Function(block) if self.names.is_of_library(*block));
         let mut missing = Vec::new();
         let mut inputs = true;
         for formal in &all.formals {
@@ -823,11 +838,11 @@ impl Checker<'_> {
                         let value = Value { kind: ValueKind::Constant(bits), scalar: kind.scalar(self.dialect), span };
                         all.arguments.push(Argument::Value { parameter: formal.offset, value });
                     }
-                    if self.dialect.judge(Construct::OmittedInput) != crate::st::dialect::Judgement::Accept {
+                    if needs_inputs {
                         missing.push(format!("`{}`", formal.name));
                     }
                 }
-                Section::Output if function && self.dialect.judge(Construct::OmittedInput) != crate::st::dialect::Judgement::Accept => {
+                Section::Output if function && needs_all => {
                     missing.push(format!("`{}`", formal.name));
                 }
                 _ => {}
@@ -836,7 +851,7 @@ impl Checker<'_> {
         if missing.is_empty() {
             return true;
         }
-        let block = self.callee_name(callee);
+        let block = self.name_in(call, callee);
         let message = format!("the call of {block} leaves out {}", missing.join(", "));
         let diagnostic = self.report(Problem::P3010, span, message);
         if !inputs {

@@ -64,9 +64,21 @@ impl Checker<'_> {
         match standard::resolve(&name.text, self.dialect, &given) {
             None if self.misplaced_word(name) => Typed::Poison,
             None => {
-                let nearest = self.nearest_function(&name.text);
                 let message = format!("there is no function `{}`", name.text);
+                if standard::catalogue::page(&name.text).is_some() {
+                    let title = self.dialect.title();
+                    self.report(Problem::P3008, name.span, message).help = Some(format!(
+                        "{title} does not have it; `sieben explain {}` says which dialects have it and what the others take.",
+                        name.text.to_ascii_uppercase()
+                    ));
+                    return Typed::Poison;
+                }
+                let nearest = self.nearest_function(&name.text);
                 let diagnostic = self.report(Problem::P3008, name.span, message);
+                diagnostic.help = Some(
+                    "Correct the name, or add the source of the function; `sieben explain functions` lists those that need none."
+                        .to_owned(),
+                );
                 if let Some(nearest) = nearest {
                     *diagnostic = diagnostic.clone().guess(name.span, nearest.clone(), format!("write `{nearest}`"));
                 }
@@ -196,6 +208,12 @@ impl Checker<'_> {
                 let mut texts = order.into_iter().filter_map(|index| arguments.get_mut(index).and_then(Option::take));
                 let Some((mut folded, mut place)) = texts.next() else { return Typed::Poison };
                 let inputs: Vec<&Variable> = interface.parameters().filter(|formal| formal.section == Section::Input).collect();
+                if call.arguments.len() < inputs.len() {
+                    let takes = super::calls::counted(inputs.len(), "text");
+                    let message = format!("`{name}` takes at least {takes}, and this is one");
+                    self.report(Problem::P3010, span, message).help = Some("Give every input a value.".to_owned());
+                    return Typed::Poison;
+                }
                 for (next, next_place) in texts {
                     let (mut passed, mut before) = (Vec::new(), Vec::new());
                     for (formal, (typed, place)) in inputs.iter().zip([(folded, place), (next, next_place)]) {
@@ -270,6 +288,7 @@ impl Checker<'_> {
     ) -> Typed {
         let formals: Vec<&Variable> = interface.parameters().filter(|formal| formal.section == Section::Input).collect();
         let (mut passed, mut before) = (Vec::new(), Vec::new());
+        let mut given: Vec<(&str, Span)> = Vec::new();
         for (index, (argument, (typed, place))) in call.arguments.iter().zip(arguments).enumerate() {
             let formal = match &argument.name {
                 // The one input of a conversion is IN, whatever the block of the library calls it.
@@ -283,9 +302,22 @@ impl Checker<'_> {
                 self.report(Problem::P6219, argument.span, format!("this function takes {takes}: {inputs}"));
                 return Typed::Poison;
             };
+            if let Some(&(_, first)) = given.iter().find(|(name, _)| *name == formal.name) {
+                let message = format!("the parameter `{}` is given twice", formal.name);
+                self.report(Problem::P3011, argument.span, message).related.push((first, "first given here".to_owned()));
+                return Typed::Poison;
+            }
+            given.push((&formal.name, argument.span));
             if !self.input(formal, typed, place, &mut passed, &mut before) {
                 return Typed::Poison;
             }
+        }
+        let missing = formals.iter().filter(|formal| !given.iter().any(|(name, _)| *name == formal.name));
+        let missing: Vec<String> = missing.map(|formal| format!("`{}`", formal.name)).collect();
+        if !missing.is_empty() {
+            let message = format!("the call of {} leaves out {}", self.name_in(call, &Callee::Function(block)), missing.join(", "));
+            self.report(Problem::P3010, span, message).help = Some("Give every input a value.".to_owned());
+            return Typed::Poison;
         }
         self.result_of_function((block, written_out), interface, passed, before, span)
     }

@@ -228,6 +228,10 @@ impl Checker<'_> {
     /// Says that an instance has no such member.
     pub(super) fn no_member(&mut self, block: BlockId, name: &Name) {
         let objects = self.names.objects();
+        if objects.lacks_base(block) {
+            self.failed = true;
+            return;
+        }
         let blocks = std::iter::once(block).chain(objects.above(block));
         let members = blocks.filter_map(|block| objects.get(block)).flat_map(|object| object.members.values());
         let near = nearest(&name.text, members.map(|member| member.name.as_str()));

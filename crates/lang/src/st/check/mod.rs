@@ -48,6 +48,9 @@ const DIAGNOSTICS_MAX: usize = 200;
 const NAMELESS: [Problem; 7] =
     [Problem::P3001, Problem::P3007, Problem::P3008, Problem::P3009, Problem::P6217, Problem::P6218, Problem::P6219];
 
+/// Problems of a name that the block may inherit: where its base is lacking, that was told already.
+const INHERITED: [Problem; 3] = [Problem::P3001, Problem::P3008, Problem::P6286];
+
 /// What the checker has to know about a block besides its names.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block<'a> {
@@ -194,6 +197,7 @@ impl Checker<'_> {
         let diagnostic = Diagnostic::new(problem, span, message);
         // A name that is unknown is unknown everywhere in the block.
         let told = !self.quiet && NAMELESS.contains(&problem) && !self.told.insert((problem, diagnostic.message.clone()));
+        let told = told || INHERITED.contains(&problem) && self.names.this().is_some_and(|this| self.names.objects().lacks_base(this));
         self.failed |= !self.quiet && diagnostic.severity() == sieben_model::diagnostic::Severity::Error;
         if told || self.quiet || self.diagnostics.len() > DIAGNOSTICS_MAX {
             return self.held.insert(diagnostic);

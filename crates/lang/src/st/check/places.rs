@@ -341,6 +341,12 @@ impl Checker<'_> {
             _ => return self.no_field(target, name, span),
         };
         let Some(field) = structure.field(&name.text) else {
+            if let DataType::Instance { block, .. } = target.data_type
+                && self.names.objects().lacks_base(block)
+            {
+                self.failed = true;
+                return POISON;
+            }
             let nearest = nearest(&name.text, structure.fields.iter().map(|field| field.name.as_str()));
             let message = format!("{} has no field `{}`", words(&target.data_type), name.text);
             let diagnostic = self.report(Problem::P3007, name.span, message);

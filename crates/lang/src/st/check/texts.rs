@@ -53,7 +53,8 @@ impl Checker<'_> {
             Typed::Scalar { value, data_type: DataType::Char | DataType::WideChar } => Some(Text::Character(Box::new(value))),
             other => {
                 let what = self.what(&other);
-                self.report(Problem::P6200, span, format!("a text is wanted here, not {what}"));
+                self.report(Problem::P6200, span, format!("a text is wanted here, not {what}")).help =
+                    Some("Write characters in quotes, or convert the value with a function such as `INT_TO_STRING`.".to_owned());
                 None
             }
         }

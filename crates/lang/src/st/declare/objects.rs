@@ -11,6 +11,7 @@ use super::ast;
 use super::items::{Code, Items, joined};
 use super::needed::Demand;
 use crate::scope::{Scope, did_you_mean, key};
+use crate::st::dialect::{Construct, Judgement};
 use crate::st::objects::{Member, Object, Objects};
 use crate::st::standard::Provided;
 use crate::st::standard::library::block_type;
@@ -67,6 +68,8 @@ fn object(
         kind: block.kind,
         base: None,
         interfaces: Vec::new(),
+        // What the dialect does not have is told at EXTENDS.
+        lacks_base: !block.extends.is_empty() && code.dialect.judge(Construct::ObjectOrientation) == Judgement::Reject,
         is_abstract: block.modifiers.is_abstract,
         is_final: block.modifiers.is_final,
         namespace: items.spaces.get(code.space).map(|space| space.prefix.clone()).unwrap_or_default(),
@@ -84,7 +87,11 @@ fn object(
             }
             None => upper(items, scope, code, path, &mut report),
         };
-        let Some(found) = found else { continue };
+        let Some(found) = found else {
+            object.lacks_base = true;
+            continue;
+        };
+        let known = (object.base, object.interfaces.len());
         let of = items.code.get(&found).map(|code| code.block);
         let name = joined(path);
         match of.map(|of| of.kind) {
@@ -110,6 +117,7 @@ fn object(
             }
             Some(_) => object.base = Some(found),
         }
+        object.lacks_base |= known == (object.base, object.interfaces.len());
     }
     for path in &block.implements {
         let Some(found) = upper(items, scope, code, path, &mut report) else { continue };
@@ -211,6 +219,7 @@ impl Circles<'_> {
                 false => format!("`{}` extends more than {DEPTH_MAX} blocks in a row", object.name),
             };
             self.diagnostics.push(Diagnostic::new(Problem::P6280, object.span, message).help("Remove one of the EXTENDS.".to_owned()));
+            object.lacks_base = true;
             object.base = object.base.filter(|&base| base != upper);
             object.interfaces.retain(|&interface| interface != upper);
         }
