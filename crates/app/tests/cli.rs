@@ -29,6 +29,21 @@ const VERBS: [&str; 15] = [
 ];
 const LAMP: &str = "A I 0.0\nL S5T#50MS\nSD T 1\nA T 1\n= Q 0.0\nA I 0.0\nCU C 1\n";
 
+/// A choice behind an index that is looked at takes a value that is read between both: optimized code once left that out.
+#[test]
+fn optimized_code_chooses_what_the_interpreter_chooses() {
+    let program = "PROGRAM Main\nVAR k, n : INT; c : ARRAY[0..99] OF BOOL; v : ARRAY[0..9] OF INT; s, r, x : REAL; done : BOOL; END_VAR\n\
+         c[80] := TRUE; v[1] := 2; x := 1.0;\n\
+         s := (-2.0 / INT_TO_REAL(MAX(n, v[k + 1]))) / SEL(c[80], 100.0, x);\n\
+         IF NOT done THEN done := TRUE; r := s; END_IF;\nEND_PROGRAM\n";
+    let folder = Folder::with(&[("choice.st", program)]);
+    for engine in ["interpreter", "quick", "jit"] {
+        let few = ["--show", "r", "--warmup-scans", "2", "--reps", "1", "--min-ms", "1", "--dialect", "iec"];
+        let arguments: Vec<&str> = ["bench", "choice.st", "--engine", engine].into_iter().chain(few).collect();
+        folder.run(&arguments).code(0).stdout("r = -1.0e+000");
+    }
+}
+
 #[test]
 fn help_names_every_verb_with_an_example() {
     let folder = Folder::new();

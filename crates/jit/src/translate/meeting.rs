@@ -14,6 +14,10 @@ use super::value::Val;
 use super::{After, Translator};
 use crate::ask::Question;
 
+/// Instructions behind a look at an index that are written twice at most: each look of a long statement would write all that follows
+/// again.
+const REST_MAX: usize = 64;
+
 /// Where the ways of a statement meet.
 pub(super) struct Meeting {
     block: clif::Block,
@@ -95,7 +99,8 @@ impl Translator<'_> {
             Inst::Branch { .. } => true,
             _ => false,
         };
-        ends && is_own(condition)
+        ends && rest.len() <= REST_MAX
+            && is_own(condition)
             && self.choice.is_none()
             && between.iter().all(|inst| match *inst {
                 Inst::Constant { dst, .. } | Inst::Compute { dst, .. } | Inst::Load { dst, .. } => is_own(dst),
@@ -156,13 +161,13 @@ impl Translator<'_> {
         }
         let code = &self.native().code;
         let end = code.statements.get(self.statement as usize + 1).copied().unwrap_or(code.insts.len() as u32);
+        // What a temporary holds here is not what it holds there, if it is written in between.
+        let mut written = vec![dst];
         for inst in &code.insts[index as usize + 1..end as usize] {
             let needed = match *inst {
                 Inst::Compute { op: Op::Select, args: [condition, a, b, _], .. } => {
-                    let known = match condition.register() {
-                        None => self.get(condition).constant(),
-                        Some(_) => None,
-                    };
+                    let stays = condition.register().is_none() && !written.contains(&condition);
+                    let known = if stays { self.get(condition).constant() } else { None };
                     match known {
                         Some(condition) => dst == if condition & 1 != 0 { a } else { b },
                         None => [condition, a, b].contains(&dst),
@@ -173,8 +178,10 @@ impl Translator<'_> {
             if needed {
                 return false;
             }
-            if sieben_engine::ir::verify::writes(inst) == Some(dst) {
-                return true;
+            match sieben_engine::ir::verify::writes(inst) {
+                Some(var) if var == dst => return true,
+                Some(var) => written.push(var),
+                None => {}
             }
         }
         true

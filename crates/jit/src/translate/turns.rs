@@ -61,7 +61,7 @@ impl Translator<'_> {
         if self.at_once.iter().any(around) {
             return;
         }
-        let Some(kernel) = reader::read(self, it) else { return };
+        let Some(kernel) = reader::read(self, it).filter(|kernel| !kernel.repeats_itself()) else { return };
         if let Some(bits) = bits::read(&kernel) {
             self.at_once.push((self.index, it.first, it.last));
             self.bits_at_once(&kernel, &bits, it);

@@ -45,6 +45,10 @@ pub(super) fn read(kernel: &Kernel) -> Option<Bits> {
     let (Some((&counter, &end)), None, None) = (ends.next(), ends.next(), &kernel.inner) else { return None };
     let mut stores = kernel.accesses.iter().filter_map(|access| Some((access, access.value?)));
     let (Some((store, value)), None) = (stores.next(), stores.next()) else { return None };
+    // A read that nobody needs may be an error.
+    if kernel.accesses.iter().any(|access| access.value.is_none() && !(access.sure && access.inside.is_some())) {
+        return None;
+    }
     let value = kernel.constant(value)? & 1 != 0;
     if store.width != Width::Bit || kernel.outer.blocks_most != 0 || !kernel.required.is_empty() {
         return None;

@@ -152,6 +152,9 @@ pub(super) struct Kernel {
     pub(super) shapes: RefCell<HashMap<Node, Option<Shape>>>,
 }
 
+/// The size that a number in front of a loop may have when it is written down, in operations and values.
+const SIZE_MAX: u64 = 1_000;
+
 impl Kernel {
     pub(super) fn empty() -> Self {
         let outer =
@@ -229,6 +232,32 @@ impl Kernel {
         if let Some(turn) = &mut self.inner {
             turn.steps = inner;
         }
+    }
+
+    /// Whether a number that rests on no memory is made of the same parts so often that writing it down would take long: in front of
+    /// a loop such numbers are written as often as they occur.
+    pub(super) fn repeats_itself(&self) -> bool {
+        let mut sizes: Vec<Option<u64>> = Vec::with_capacity(self.nodes.len());
+        let size_of = |sizes: &[Option<u64>], Node(node): Node| sizes.get(node as usize).copied().flatten();
+        for what in &self.nodes {
+            let size = match *what {
+                What::Constant(_) | What::Start(Level::Outer, _) => Some(1),
+                What::Start(Level::Inner, cell) => {
+                    let entry = self.inner.as_ref().and_then(|inner| inner.entry.get(&cell));
+                    Some(1 + entry.and_then(|&entry| size_of(&sizes, entry)).unwrap_or(0))
+                }
+                What::Compute(op, args) => {
+                    let parts = args[..op.arity()].iter().map(|&arg| size_of(&sizes, arg));
+                    parts.sum::<Option<u64>>().map(|parts| parts + 1)
+                }
+                What::After(_) | What::Read(_) => None,
+            };
+            if size.is_some_and(|size| size > SIZE_MAX) {
+                return true;
+            }
+            sizes.push(size);
+        }
+        false
     }
 
     pub(super) fn what(&self, Node(node): Node) -> What {

@@ -66,7 +66,7 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
     let outer = reader.turn((it.first, it.last));
     reader.leave_frames(0);
     reader.kernel.outer = outer?;
-    reader.choose_pointers();
+    reader.choose_pointers()?;
     let mut kernel = reader.kernel;
     kernel.forget_unread();
     kernel.live = !(translator.dead_at(it.first) & translator.dead_at(it.last + 1));
@@ -692,12 +692,22 @@ impl Reader<'_, '_> {
     }
 
     /// What a statement reaches by an address whose range is known only there stays inside on all other ways, too.
-    fn choose_pointers(&mut self) {
+    fn choose_pointers(&mut self) -> Option<()> {
+        let before: Vec<Node> = self.kernel.accesses.iter().map(|access| access.pointer).collect();
         for (number, reached) in std::mem::take(&mut self.unsure) {
             let access = &self.kernel.accesses[number];
             let Some(inside) = &access.inside else { continue };
             if access.level == Level::Outer && self.kernel.counted_on(access, Level::Outer).is_some() {
                 continue;
+            }
+            // What lies beside it, behind the same pointer, was taken to be apart from it.
+            let is_beside = |(other, beside): (usize, &Access)| {
+                (before[other], beside.area) == (before[number], access.area)
+                    && (beside.offset, beside.width) != (access.offset, access.width)
+                    && (beside.value.is_some() || access.value.is_some())
+            };
+            if self.kernel.accesses.iter().enumerate().any(is_beside) {
+                return None;
             }
             let (_, start, _) = access.area;
             let (pointer, first) = (access.pointer, (inside.start - i64::from(start)) as u32);
@@ -707,6 +717,7 @@ impl Reader<'_, '_> {
             let access = &mut self.kernel.accesses[number];
             (access.pointer, access.sure) = (pointer, true);
         }
+        Some(())
     }
 
     /// Adds an access to the turn; `reached` tells whether its address is inside its area, if that is not sure.
