@@ -86,17 +86,7 @@ impl Translator<'_> {
         let [counter, limit] =
             [Some(plan.count.counter), plan.count.limit].map(|node| node.map_or(Val::Const(0), |node| self.value_in_front(kernel, node)));
         let (all, inside) = self.turns(plan.count, counter, limit);
-        let variable = self.budget();
-        let budget = self.b.use_var(variable);
-        let possible = match weight {
-            1 => budget,
-            weight => {
-                let none = self.b.ins().iconst(I64, 0);
-                let budget = self.b.ins().smax(budget, none);
-                self.b.ins().udiv_imm_u(budget, weight)
-            }
-        };
-        let turns = self.b.ins().smin(all, possible);
+        let turns = self.within_budget(all, weight);
         let mut guard = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, turns, TURNS_MIN);
         if let Some(inside) = inside {
             guard = self.b.ins().band(guard, inside);
@@ -127,6 +117,8 @@ impl Translator<'_> {
         }
         self.settle_bytes();
         let taken = self.b.ins().imul_imm_s(made, weight);
+        let variable = self.budget();
+        let budget = self.b.use_var(variable);
         let left = self.b.ins().isub(budget, taken);
         self.b.def_var(variable, left);
         let ended = self.b.ins().icmp(IntCC::Equal, made, all);

@@ -133,17 +133,7 @@ impl Translator<'_> {
         let steps = self.b.ins().iadd_imm_s(steps, 1);
         let none = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, way, 0);
         let all = self.b.ins().select(none, one, steps);
-        let variable = self.budget();
-        let budget = self.b.use_var(variable);
-        let possible = match weight {
-            1 => budget,
-            weight => {
-                let zero = self.b.ins().iconst(I64, 0);
-                let budget = self.b.ins().smax(budget, zero);
-                self.b.ins().udiv_imm_u(budget, weight)
-            }
-        };
-        let turns = self.b.ins().smin(all, possible);
+        let turns = self.within_budget(all, weight);
         let (turns, least) = match bits.stride {
             Stride::One => (self.b.ins().band_imm_s(turns, -BITS_OF_A_VECTOR), BITS_OF_A_VECTOR),
             Stride::Computed(_) => (turns, TURNS_MIN),
@@ -177,6 +167,8 @@ impl Translator<'_> {
         self.write_cell(kernel, bits.counter, Val::Int(counted));
         self.settle_bytes();
         let taken = self.b.ins().imul_imm_s(turns, weight);
+        let variable = self.budget();
+        let budget = self.b.use_var(variable);
         let left = self.b.ins().isub(budget, taken);
         self.b.def_var(variable, left);
         let ended = self.b.ins().icmp(IntCC::Equal, turns, all);

@@ -80,6 +80,21 @@ impl Count {
 }
 
 impl Translator<'_> {
+    /// Of so many turns, which take this weight each, those for which the budget lasts.
+    pub(super) fn within_budget(&mut self, turns: Value, weight: i64) -> Value {
+        let variable = self.budget();
+        let budget = self.b.use_var(variable);
+        let possible = match weight {
+            1 => budget,
+            weight => {
+                let none = self.b.ins().iconst(I64, 0);
+                let budget = self.b.ins().smax(budget, none);
+                self.b.ins().udiv_imm_u(budget, weight)
+            }
+        };
+        self.b.ins().smin(turns, possible)
+    }
+
     /// How many turns a loop makes, and whether the counter stays inside its type as long.
     pub(super) fn turns(&mut self, count: Count, counter: Val, limit: Val) -> (Value, Option<Value>) {
         let counter = self.counted(count, counter);

@@ -145,17 +145,8 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         let counter = self.value_before(count.counter);
         let limit = count.limit.map_or(Val::Const(0), |limit| self.value_before(limit));
         let (all, inside) = self.t.turns(count, counter, limit);
-        let budget = self.t.budget();
-        let budget = self.t.b.use_var(budget);
-        let possible = match self.weights() {
-            [_, 1] => budget,
-            [_, weight] => {
-                let none = self.t.b.ins().iconst(I64, 0);
-                let budget = self.t.b.ins().smax(budget, none);
-                self.t.b.ins().udiv_imm_u(budget, weight)
-            }
-        };
-        let turns = self.t.b.ins().smin(all, possible);
+        let [_, most] = self.weights();
+        let turns = self.t.within_budget(all, most);
         let turns = match self.lanes {
             1 => turns,
             lanes => self.t.b.ins().band_imm_s(turns, -i64::from(lanes)),
