@@ -3,7 +3,7 @@
 //! Registers of the CPU are variables while the block runs; they are stored where somebody else reads them: at calls, at the end
 //! and where the Host is asked. A path on which something failed is cold code behind the function.
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 use std::mem::offset_of;
 
 use cranelift_codegen::ir::types::{I32, I64};
@@ -11,6 +11,7 @@ use cranelift_codegen::ir::{self as clif, BlockArg, FuncRef, InstBuilder, Instru
 use cranelift_frontend::{FunctionBuilder, Variable};
 use cranelift_jit::JITModule;
 use cranelift_module::{FuncId, Module};
+use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::Layout;
 use sieben_engine::access::data_registers;
 use sieben_engine::fault::NOTED;
@@ -160,7 +161,7 @@ struct Translator<'a> {
     constants: Constants,
     /// The cold block that is being written, if it is one.
     cold: Option<clif::Block>,
-    references: HashMap<FuncId, FuncRef>,
+    references: FxHashMap<FuncId, FuncRef>,
     variables: Vec<Variable>,
     /// Values of registers in the running piece of code; `None` = in the variable.
     current: [Option<Val>; Register::COUNT],
@@ -187,26 +188,26 @@ struct Translator<'a> {
     /// What is known of the values of the present block.
     ranges: Ranges,
     /// Ranges of values in the running statement.
-    bounds: HashMap<Value, (u32, u32)>,
+    bounds: FxHashMap<Value, (u32, u32)>,
     /// Values in the running statement that the smallest loop around it does not change.
-    fixed: HashSet<Value>,
+    fixed: FxHashSet<Value>,
     /// What loops write, by their block and first statement.
-    writes: HashMap<(usize, u32), BTreeSet<(Base, i32)>>,
+    writes: FxHashMap<(usize, u32), BTreeSet<(Base, i32)>>,
     /// Blocks in which memory is compared with what the code relies on, by the block in front of which they stand.
-    verifying: HashMap<clif::Block, clif::Block>,
+    verifying: FxHashMap<clif::Block, clif::Block>,
     /// Those that are still to be written, and for which statement.
     verify_later: Vec<(clif::Block, u32, clif::Block, Option<usize>)>,
     /// Loops in front of which turns are written that nobody looks at: the block, first and last statement.
     at_once: Vec<(usize, u32, u32)>,
     /// Values whose bits above so many are 0.
-    narrow: HashMap<Value, u32>,
+    narrow: FxHashMap<Value, u32>,
     /// All registers that the block may change.
     written: u32,
     /// What AR2 held when the present block was entered.
     instance: Val,
     /// Where the instance of the present block lies, if it is inside its data block whatever AR2 holds.
     in_range: Option<Instance>,
-    arrivals: HashMap<u32, Arrival>,
+    arrivals: FxHashMap<u32, Arrival>,
     statement: u32,
     /// Parameters passed and not yet taken.
     passed: Vec<Val>,
@@ -275,7 +276,7 @@ impl<'a> Translator<'a> {
             lazies: Vec::new(),
             constants: Constants::default(),
             cold: None,
-            references: HashMap::new(),
+            references: FxHashMap::default(),
             variables,
             current: [None; Register::COUNT],
             changed: 0,
@@ -291,17 +292,17 @@ impl<'a> Translator<'a> {
             loops: loops::find(&blocks[index].code),
             promoted: Vec::new(),
             ranges: Ranges::default(),
-            bounds: HashMap::new(),
-            fixed: HashSet::new(),
-            writes: HashMap::new(),
-            verifying: HashMap::new(),
+            bounds: FxHashMap::default(),
+            fixed: FxHashSet::default(),
+            writes: FxHashMap::default(),
+            verifying: FxHashMap::default(),
             verify_later: Vec::new(),
             at_once: Vec::new(),
-            narrow: HashMap::new(),
+            narrow: FxHashMap::default(),
             written: 0,
             instance: Val::Const(0),
             in_range: None,
-            arrivals: HashMap::new(),
+            arrivals: FxHashMap::default(),
             statement: 0,
             passed: Vec::new(),
             given: Vec::new(),
@@ -398,7 +399,7 @@ impl<'a> Translator<'a> {
                 let written = loops::written(inst);
                 let written = if matches!(inst, Inst::Call { .. }) { analysis::ALL } else { written };
                 self.written |= written;
-                mentioned |= written | sieben_engine::ir::verify::reads(inst).into_iter().map(register).fold(0, |all, bit| all | bit);
+                mentioned |= written | sieben_engine::ir::verify::reads(inst).map(register).fold(0, |all, bit| all | bit);
             }
         }
         for to in back {

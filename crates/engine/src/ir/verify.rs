@@ -42,7 +42,7 @@ pub fn verify(code: &Code) -> Result<(), Violation> {
             if targets(inst, code).is_none_or(|targets| targets.iter().any(|target| target.0 as usize >= count)) {
                 return broken("a target is a statement of the block");
             }
-            if reads(inst).into_iter().any(|var| var.register().is_none() && !written.contains(&var)) {
+            if reads(inst).any(|var| var.register().is_none() && !written.contains(&var)) {
                 return broken("a temporary is written before it is read");
             }
             // The parameter code of a CALL changes registers between its parts, as on the real CPU.
@@ -86,30 +86,33 @@ fn targets(inst: &Inst, code: &Code) -> Option<Vec<Target>> {
     })
 }
 
-/// The variables that an instruction reads.
-pub fn reads(inst: &Inst) -> Vec<Var> {
-    let place = |place: Place| match place {
+/// The variables that an instruction reads, each as often as it does.
+pub fn reads(inst: &Inst) -> impl Iterator<Item = Var> + use<> {
+    let pointer = |place: Place| match place {
         Place::Fixed { .. } => None,
         Place::Indirect { pointer, .. } | Place::Crossing { pointer, .. } => Some(pointer),
     };
-    match *inst {
-        Inst::Compute { op, args, .. } => args[..op.arity()].to_vec(),
-        Inst::Intrinsic { intrinsic, args, .. } => args[..intrinsic.arity()].to_vec(),
-        Inst::Load { place: from, .. } => place(from).into_iter().collect(),
-        Inst::Store { place: to, src, .. } => place(to).into_iter().chain([src]).collect(),
-        Inst::Move { from, to, .. } => place(from).into_iter().chain(place(to)).collect(),
-        Inst::Text { action, from, to, piece, .. } => {
-            let piece = if action.takes_piece() { &piece[..] } else { &[] };
-            place(from).into_iter().chain(place(to)).chain(piece.iter().copied()).collect()
+    let first = |args: [Var; 4], count: usize| std::array::from_fn(|index| (index < count).then_some(args[index]));
+    let found: [Option<Var>; 4] = match *inst {
+        Inst::Compute { op, args, .. } => first(args, op.arity()),
+        Inst::Intrinsic { intrinsic, args, .. } => first(args, intrinsic.arity()),
+        Inst::Load { place, .. } => [pointer(place), None, None, None],
+        Inst::Store { place, src, .. } => [pointer(place), Some(src), None, None],
+        Inst::Move { from, to, .. } => [pointer(from), pointer(to), None, None],
+        Inst::Text { action, from, to, piece: [at, length], .. } => {
+            let piece = |var: Var| action.takes_piece().then_some(var);
+            [pointer(from), pointer(to), piece(at), piece(length)]
         }
-        Inst::PassParameter { src } => vec![src],
-        Inst::Require { condition, register, .. } => vec![condition, register],
-        Inst::RequireStack { condition, .. } | Inst::Branch { condition, .. } => vec![condition],
-        Inst::Open { number, .. } => vec![number],
-        Inst::JumpTable { index, .. } => vec![index],
-        Inst::Call { callee: super::Callee::Number(_, number), .. } => vec![number],
-        Inst::Constant { .. } | Inst::Parameter { .. } | Inst::Jump { .. } | Inst::Call { .. } | Inst::Return => Vec::new(),
-    }
+        Inst::Require { condition, register, .. } => [Some(condition), Some(register), None, None],
+        Inst::PassParameter { src: var }
+        | Inst::RequireStack { condition: var, .. }
+        | Inst::Branch { condition: var, .. }
+        | Inst::Open { number: var, .. }
+        | Inst::JumpTable { index: var, .. }
+        | Inst::Call { callee: super::Callee::Number(_, var), .. } => [Some(var), None, None, None],
+        Inst::Constant { .. } | Inst::Parameter { .. } | Inst::Jump { .. } | Inst::Call { .. } | Inst::Return => [None; 4],
+    };
+    found.into_iter().flatten()
 }
 
 /// The variable that an instruction writes.

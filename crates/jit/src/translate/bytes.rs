@@ -5,11 +5,11 @@
 //! A piece is four bytes if the code looks at bits of more than one of them and at nothing else in them, else it is one byte: a load of
 //! four bytes behind a store of two of them would have to wait for it.
 
-use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use cranelift_codegen::ir::types::I32;
 use cranelift_codegen::ir::{Endianness, InstBuilder, MemFlagsData, Value};
+use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::ir::Inst;
 use sieben_model::address::Width;
 
@@ -33,10 +33,10 @@ pub(super) struct Bytes {
     /// Values of pieces in memory, the oldest first. Bits that wait for their store are old here.
     known: Vec<(Piece, Value)>,
     /// Bytes that code looks at bit by bit, and those that it looks at otherwise.
-    of_bits: HashSet<(Base, i32)>,
-    of_others: HashSet<(Base, i32)>,
+    of_bits: FxHashSet<(Base, i32)>,
+    of_others: FxHashSet<(Base, i32)>,
     /// Whether the piece that begins at a multiple of four is a long one, as far as that was asked.
-    long: HashMap<(Base, i32), bool>,
+    long: FxHashMap<(Base, i32), bool>,
 }
 
 /// Bytes that are read and written together.

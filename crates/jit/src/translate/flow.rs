@@ -1,10 +1,9 @@
 //! Where control flow arrives at a statement, what is known there, and the safe points on the ways to it.
 
-use std::collections::HashMap;
-
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{self as clif, InstBuilder, Value};
+use rustc_hash::FxHashMap;
 use sieben_engine::interpreter::weight;
 use sieben_engine::ir::{Target, Var};
 use sieben_engine::machine::Register;
@@ -263,7 +262,7 @@ impl Translator<'_> {
         let index = self.get(index);
         let index = self.word(index);
         let targets = &self.native().code.tables[first as usize..(first + count) as usize];
-        let mut blocks: HashMap<u32, clif::Block> = HashMap::new();
+        let mut blocks: FxHashMap<u32, clif::Block> = FxHashMap::default();
         // Ways lead to places where the budget's variable lacks different weights.
         self.take_from_budget(self.taken);
         let mut lacking = Vec::new();

@@ -4,12 +4,12 @@
 //! function block with its instance: access through them is access to a constant address. Whoever is asked sees the same activations
 //! as ever: their links are written where they are shown.
 
-use std::collections::HashMap;
 use std::mem::offset_of;
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, Value};
+use rustc_hash::FxHashMap;
 use sieben_engine::ir::Inst;
 use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
 use sieben_model::address::Width;
@@ -127,7 +127,7 @@ pub(super) struct Outer {
     statement: u32,
     /// The call.
     inst: u32,
-    arrivals: HashMap<u32, Arrival>,
+    arrivals: FxHashMap<u32, Arrival>,
     /// A loop that calls a block keeps nothing in registers for it but the budget.
     loops: Vec<Loop>,
     promoted: Vec<Promoted>,

@@ -173,7 +173,7 @@ impl Translator<'_> {
                         None => [condition, a, b].contains(&dst),
                     }
                 }
-                _ => sieben_engine::ir::verify::reads(inst).into_iter().any(|var| var == dst),
+                _ => sieben_engine::ir::verify::reads(inst).any(|var| var == dst),
             };
             if needed {
                 return false;

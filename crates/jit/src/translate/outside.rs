@@ -2,10 +2,11 @@
 //! because a small program would wait longer for all their names than for its own code.
 
 use std::cell::RefCell;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 use cranelift_jit::JITModule;
 use cranelift_module::{FuncId, Linkage, Module};
+use rustc_hash::FxHashMap;
 use sieben_engine::ir::Op;
 
 use super::gates;
@@ -26,7 +27,7 @@ pub(super) enum Outside {
 /// Those of one program.
 #[derive(Debug, Default)]
 pub(super) struct Functions {
-    declared: RefCell<HashMap<Outside, FuncId>>,
+    declared: RefCell<FxHashMap<Outside, FuncId>>,
 }
 
 impl Functions {

@@ -5,9 +5,10 @@
 //! machine code. Who is asked on a cold path may change memory: behind it the facts of the statement where the program goes on are
 //! looked at, and the interpreter takes over if one does not hold any more.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::Layout;
 use sieben_engine::ir::{Code, Inst, Place};
 use sieben_engine::machine::Register;
@@ -52,13 +53,13 @@ pub(super) struct Fact {
 #[derive(Debug, Default)]
 pub(super) struct Ranges {
     /// Accesses by computed addresses that stay inside their areas, by their instructions: the bytes that they may touch.
-    inside: HashMap<u32, (Base, Range<i64>)>,
+    inside: FxHashMap<u32, (Base, Range<i64>)>,
     /// Moves of bytes that stay inside their areas: what they may read and what they may write.
-    moves: HashMap<u32, [(Base, Range<i64>); 2]>,
+    moves: FxHashMap<u32, [(Base, Range<i64>); 2]>,
     /// Conditions that always hold.
-    met: HashSet<u32>,
+    met: FxHashSet<u32>,
     /// Ranges of results, of numbers without sign.
-    results: HashMap<u32, (u32, u32)>,
+    results: FxHashMap<u32, (u32, u32)>,
     /// For each statement what its code relies on.
     facts: Vec<Vec<Fact>>,
 }
@@ -178,7 +179,7 @@ struct Analysis<'a> {
     code: &'a Code,
     around: &'a Surroundings<'a>,
     /// Places whose ranges matter.
-    relevant: HashSet<Place>,
+    relevant: FxHashSet<Place>,
     /// Statements to which a later one jumps back.
     heads: BTreeSet<u32>,
     /// Where ranges that grow stop.

@@ -4,10 +4,11 @@
 //! What a version knows is proven by the calls that enter it; nothing is looked at when it runs. Whoever knows less calls the general
 //! version, which is compiled only if somebody does.
 
-use std::collections::{HashMap, VecDeque};
+use std::collections::VecDeque;
 
 use cranelift_jit::JITModule;
 use cranelift_module::{FuncId, Linkage, Module, ModuleError};
+use rustc_hash::FxHashMap;
 use sieben_engine::ir::{Callee, Inst, Place, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::Area;
@@ -49,7 +50,7 @@ impl Known {
 pub(super) struct Versions {
     /// What each block and those that it calls read of [`KNOWABLE`].
     reads: Vec<u32>,
-    functions: HashMap<(usize, Known), FuncId>,
+    functions: FxHashMap<(usize, Known), FuncId>,
     /// For each block, how many versions it has.
     counts: Vec<usize>,
     /// For each block, how many calls name it.
@@ -69,7 +70,7 @@ impl Versions {
         let instructions: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
         let mut versions = Self {
             reads: reads(blocks, find),
-            functions: HashMap::new(),
+            functions: FxHashMap::default(),
             counts: vec![0; blocks.len()],
             calls,
             // Code that has to be there at once is compiled once.
@@ -198,5 +199,5 @@ fn reads_of(inst: &Inst) -> u32 {
         Inst::Move { from, to, .. } | Inst::Text { from, to, .. } => place(from) | place(to),
         _ => 0,
     };
-    sieben_engine::ir::verify::reads(inst).into_iter().fold(places, |all, var| all | register(var))
+    sieben_engine::ir::verify::reads(inst).fold(places, |all, var| all | register(var))
 }

@@ -1,20 +1,21 @@
 //! What of a block matters for its addresses: variables that they are computed from, constants that these are compared with.
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 
+use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::ir::{Code, Inst, Place, Var};
 
 use super::interval::comparison;
 use super::{CONSTANTS_MAX, PLACES_MAX, STOPS};
 
 /// Places that addresses, checked conditions and what these are compared with are computed from.
-pub(super) fn relevant(code: &Code) -> HashSet<Place> {
+pub(super) fn relevant(code: &Code) -> FxHashSet<Place> {
     let is_plain = |place: Place| match place {
         Place::Fixed { .. } => true,
         Place::Indirect { pointer, .. } => pointer.register().is_some(),
         Place::Crossing { .. } => false,
     };
-    let mut relevant = HashSet::new();
+    let mut relevant = FxHashSet::default();
     let mut statements = Vec::new();
     for index in 0..code.statement_count() {
         let (mut loads, mut stores, mut begins, mut branches) = (Vec::new(), Vec::new(), false, false);
@@ -54,7 +55,7 @@ pub(super) fn relevant(code: &Code) -> HashSet<Place> {
 pub(super) fn stops(code: &Code) -> BTreeSet<i64> {
     let mut compared = BTreeSet::new();
     for statement in 0..code.statement_count() {
-        let mut constants: HashMap<Var, u64> = HashMap::new();
+        let mut constants: FxHashMap<Var, u64> = FxHashMap::default();
         for inst in code.statement(statement) {
             match *inst {
                 Inst::Constant { dst, value } => {

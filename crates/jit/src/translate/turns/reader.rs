@@ -284,7 +284,7 @@ impl Reader<'_, '_> {
         let block = &t.blocks[code].code;
         let others = bit_of(Register::Ma) | bit_of(Register::Nesting) | OPEN_BLOCKS.iter().fold(0, |all, &register| all | bit_of(register));
         let touches = |inst: &Inst| {
-            let touched = sieben_engine::ir::verify::reads(inst).into_iter().chain(sieben_engine::ir::verify::writes(inst));
+            let touched = sieben_engine::ir::verify::reads(inst).chain(sieben_engine::ir::verify::writes(inst));
             touched.filter_map(Var::register).any(|register| others & bit_of(register) != 0) || matches!(inst, Inst::Open { .. })
         };
         // What a call restores stays as it is.
