@@ -144,6 +144,7 @@ const ROWS: &[Row] = &[
     // Standard functions take all their inputs, those that are blocks of the library too.
     ("iec codesys", "s : STRING;", "s := LEFT(s);", "error P3010"),
     ("iec codesys scl tia", "s : STRING;", "s := CONCAT(s);", "error P3010"),
+    ("iec codesys", "i : INT;", "i := CODE_IN_TEXT('a');", "error P3008"),
     ("iec", "d : DATE;", "d := CONCAT_DATE(2024, 2);", "error P3010"),
     ("iec", "d : DATE;", "d := CONCAT_DATE(YEAR := 2024, DAY := 1);", "error P3010"),
     ("iec", "d : DATE;", "d := CONCAT_DATE(YEAR := 2024, YEAR := 2025, MONTH := 1, DAY := 1);", "error P3011"),
@@ -226,5 +227,68 @@ fn what_a_block_would_inherit_from_a_base_that_is_lacking_is_not_missed() {
         let said = said(Dialect::from_name(dialect).expect("a dialect"), &timer(base));
         let wrong: Vec<_> = said.iter().filter(|(severity, ..)| *severity == Severity::Error).collect();
         assert!(!wrong.is_empty() && wrong.iter().all(|(_, problem, _)| *problem == code), "{dialect}, {base}: {said:?}");
+    }
+}
+
+#[test]
+fn messages_name_what_was_meant() {
+    // Dialect, the statements behind the variables, what the whole diagnostic says.
+    let rows: &[(&str, &str, &[&str])] = &[
+        ("iec", "i := LIMT(1, 2, 3);", &["P3008", "write `LIMIT`"]),
+        ("codesys", "i := LIMT(1, 2, 3);", &["P3008", "write `LIMIT`"]),
+        ("tia", "i := LIMT(1, 2, 3);", &["P3008", "write `LIMIT`"]),
+        // A function that only another dialect has is not what was meant.
+        ("scl", "r := NROM_X(1.0);", &["P3008", "Correct the name"]),
+        ("tia", "r := NROM_X(1.0);", &["P3008", "write `NORM_X`"]),
+        ("iec", "TON();", &["P6217", "`TON` is a function block", "VAR inst : TON;", "inst(IN := …, PT := …)"]),
+        ("iec", "i := CTU(CU := TRUE);", &["P6217", "VAR inst : CTU;"]),
+        ("scl", "TON(IN := TRUE);", &["P6217", "VAR inst : TON;", "TON.DB20("]),
+        ("codesys", "R_TRIG(CLK := TRUE);", &["P6217", "inst(CLK := …)"]),
+        ("iec", "d := T#3s;", &["P6200", "DATE is wanted here, and this is TIME"]),
+        ("iec", "i := d;", &["P6200", "INT is wanted here, and this is DATE", "`DATE_TO_INT`"]),
+        ("codesys", "m := i;", &["P6200", "DATE_AND_TIME is wanted here, and this is INT", "`INT_TO_DT`"]),
+        ("iec", "i := CODE_IN_TEXT('a');", &["P3008", "there is no function `CODE_IN_TEXT`"]),
+        ("iec", "i := DAYS_OF_DATE(2024, 1, 1);", &["P3008", "there is no function"]),
+    ];
+    for (dialect, code, wanted) in rows {
+        let dialect = Dialect::from_name(dialect).expect("a dialect");
+        let types = if matches!(dialect, Dialect::Scl | Dialect::Tia) { "d : DATE;" } else { "d : DATE; m : DT;" };
+        let text = program(dialect, &format!("i : INT; r : REAL; {types}"), code);
+        let mut sources = Sources::default();
+        sources.add("test.st", text);
+        let options = Options { dialect: Some(dialect), ..Options::default() };
+        let mut found = compile(&sources, &SymbolTable::default(), &options).diagnostics;
+        found.retain(|one| one.problem.code() != "P3013");
+        let [found] = found.as_slice() else { panic!("{code}: {found:?}") };
+        let whole = format!("{} {} {found:?}", found.problem.code(), found.message);
+        assert!(wanted.iter().all(|part| whole.contains(part)), "{code}: {whole}");
+    }
+}
+
+#[test]
+fn a_call_by_position_gives_every_input() {
+    let function = "FUNCTION Add3 : INT\nVAR_INPUT a, b, c : INT; END_VAR\nVAR_OUTPUT more : INT; END_VAR\nAdd3 := a + b + c; more := 1;\nEND_FUNCTION\n";
+    let with_default = "FUNCTION Scaled : INT\nVAR_INPUT a : INT; factor : INT := 5; END_VAR\nScaled := a * factor;\nEND_FUNCTION\n";
+    let method = "FUNCTION_BLOCK Adder\nMETHOD Add : INT\nVAR_INPUT a, b : INT; END_VAR\nAdd := a + b;\nEND_METHOD\nEND_FUNCTION_BLOCK\n";
+    for (call, missing) in [
+        ("Add3(1, 2, 3)", None),
+        ("Add3(a := 1, c := 2)", None),
+        ("Add3()", None),
+        ("Add3(1)", Some("the call of `Add3` leaves out `b`, `c`")),
+        ("Add3(1, 2)", Some("the call of `Add3` leaves out `c`")),
+        ("Scaled(1)", None),
+        ("Scaled()", None),
+        ("adder.Add(1, 2)", None),
+        ("adder.Add(1)", Some("leaves out `b`")),
+    ] {
+        for dialect in [Dialect::Iec, Dialect::Codesys] {
+            let main = format!("PROGRAM Main\nVAR adder : Adder; x : INT; END_VAR\nx := {call};\nEND_PROGRAM\n");
+            let said = said(dialect, &[function, with_default, method, &main].concat());
+            match (missing, said.as_slice()) {
+                (None, []) => {}
+                (Some(missing), [(Severity::Error, "P3010", message)]) if message.contains(missing) => {}
+                _ => panic!("{call}: {said:?}"),
+            }
+        }
     }
 }

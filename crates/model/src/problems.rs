@@ -291,7 +291,7 @@ problems! {
     P7003 Error "a name that cannot be set or shown" "Use an address (`I 0.0`, `MW10`, `DB1.DBD4`), `T 1`, `C 1`, `DB1.name`, a symbol, or a register (`ACCU1`, `AR1`, `STW`).";
     P7004 Error "a value that does not fit its target" "Use a constant of STL, such as 5, W#16#00FF, 1.5 or S5T#2S; 0 or 1 for a bit.";
     P7005 Error "a duration that is not understood" "Write a number with its unit: `10ms`, `1.5s`, `2m` or `1h`.";
-    P7007 Error "a word that is not in the tables" "Give an instruction (`A`, `SPB`), a problem code (`P2001`), a status bit (`RLO`), an organization block (`OB 121`), a system function (`SFC 46`), an event (`16#4562`) or a CPU type (`416-3`). `sieben explain --help` names the lists.";
+    P7007 Error "a word that is not in the tables" "Give an instruction (`A`, `SPB`), a function of Structured Text (`TON`; `sieben explain functions` lists them), a problem code (`P2001`), a status bit (`RLO`), an organization block (`OB 121`), a system function (`SFC 46`), an event (`16#4562`) or a CPU type (`416-3`). `sieben explain --help` names the lists.";
     P7008 Error "a name that cannot be the name of a project" "Use letters, digits, `-` and `_`.";
     P7009 Error "times that make no sense together" "Give a cycle longer than 0, and times in rising order.";
     P7020 Error "no test to run" "Name a file `*.test.st`, a program that checks itself, or a folder with such files.";

@@ -330,7 +330,7 @@ fn unknown(word: &str) -> Failure {
         .chain(CpuType::ALL.iter().map(|cpu| cpu.name))
         .chain(Instruction::ALL.iter().flat_map(|row| [row.english(), row.german()]))
         .chain(library::ALL.iter().map(|block| block.name))
-        .chain(functions::names())
+        .chain(sieben_lang::st::standard::catalogue::names())
         .chain(["cpu", "problems", "instructions", "functions", "library", "system"]);
     let failure = Failure::usage(Problem::P7007, format!("nothing is known about `{word}`"));
     // `315` is how everybody calls the 315-2PN/DP; as letters it is too far away to look alike.

@@ -2,6 +2,10 @@
 //!
 //! No other file asks which dialect it is: it asks for a row. A table that needs its own four columns uses [`Dialect::column`].
 
+use sieben_model::types::DataType;
+
+use crate::declarations::types::describe;
+
 /// A dialect of ST.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Dialect {
@@ -27,6 +31,26 @@ pub enum Dialect {
 impl Dialect {
     /// All dialects, in the order of the columns.
     pub const ALL: [Self; 4] = [Self::Iec, Self::Codesys, Self::Scl, Self::Tia];
+
+    /// A type in a message. Where dates have 64 bits, DATE and LDATE are one type, and so are DT and LDT: the shorter word is the usual one.
+    pub(crate) fn type_words(self, data_type: &DataType) -> String {
+        let text = describe(data_type);
+        if self.switches().calendar != Calendar::Long {
+            return text;
+        }
+        let short = |word: &str| match word {
+            "LDATE" => "DATE".to_owned(),
+            "LDT" => "DATE_AND_TIME".to_owned(),
+            other => other.to_owned(),
+        };
+        let is_word = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
+        text.split_inclusive(|letter| !is_word(letter))
+            .map(|part| {
+                let word = part.trim_end_matches(|letter| !is_word(letter));
+                short(word) + &part[word.len()..]
+            })
+            .collect()
+    }
 
     /// The name on the command line and in project files.
     pub fn name(self) -> &'static str {

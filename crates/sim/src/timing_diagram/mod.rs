@@ -13,7 +13,10 @@ use std::ops::RangeInclusive;
 pub use svg::svg;
 pub use text::text;
 
-use crate::trace::Moment;
+use sieben_model::types::DataType;
+
+use crate::names::{Kind, Sample};
+use crate::trace::{Channel, Moment};
 
 /// A moment that is pointed at.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,5 +63,40 @@ impl Options {
 
     fn width(&self) -> usize {
         self.width.clamp(*WIDTHS.start(), *WIDTHS.end())
+    }
+}
+
+/// Sizes of a REAL that is drawn with all its digits before the point; others have an exponent.
+const PLAIN: std::ops::Range<f64> = 0.001..1_000_000.0;
+
+/// A value as a diagram labels it: a REAL as people write it, `1.5`, everything else as everywhere.
+fn shown(channel: &Channel, value: &Sample) -> String {
+    let plain = |size: f64| size == 0.0 || PLAIN.contains(&size);
+    match (&channel.kind, value) {
+        (Kind::Typed(DataType::Real), Sample::Bits(bits)) if plain(f64::from(f32::from_bits(*bits as u32)).abs()) => {
+            format!("{:?}", f32::from_bits(*bits as u32))
+        }
+        (Kind::Typed(DataType::LongReal), Sample::Bits(bits)) if plain(f64::from_bits(*bits).abs()) => {
+            format!("{:?}", f64::from_bits(*bits))
+        }
+        (kind, value) => kind.display(value).to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_real_is_labelled_as_people_write_it() {
+        let channel = |data_type| Channel { name: "x".to_owned(), kind: Kind::Typed(data_type) };
+        for (value, label) in
+            [(0.0_f64, "0.0"), (1.0, "1.0"), (-12.5, "-12.5"), (999_999.5, "999999.5"), (1e6, "1.0e+006"), (1e-4, "1.0e-004")]
+        {
+            assert_eq!(shown(&channel(DataType::Real), &Sample::Bits(u64::from((value as f32).to_bits()))), label);
+            assert_eq!(shown(&channel(DataType::LongReal), &Sample::Bits(value.to_bits())), label);
+        }
+        assert_eq!(shown(&channel(DataType::Int), &Sample::Bits(5)), "5");
+        assert_eq!(shown(&channel(DataType::Real), &Sample::Bits(u64::from(f32::NAN.to_bits()))), "NaN");
     }
 }

@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::Options;
 use super::axis::{self, Axis};
 use super::lanes::{self, Columns, Lane, Lanes, Scale};
+use super::{Options, shown};
 use crate::names::{Kind, Sample};
 use crate::trace::{Channel, Trace, TraceError};
 
@@ -159,7 +159,7 @@ impl Page<'_> {
         if let Some(scale) = scale {
             for (value, y) in [(scale.high_value, y + MARGIN + 4.0), (scale.low_value, y + height - MARGIN + 4.0)] {
                 let (x, y) = (number(self.left - 8.0), number(y));
-                let label = escape(&clip(&channel.kind.display(value).to_string(), 11));
+                let label = escape(&clip(&shown(channel, value), 11));
                 let _ = writeln!(self.out, "<text class=\"soft\" x=\"{x}\" y=\"{y}\" text-anchor=\"end\">{label}</text>");
             }
         }
@@ -180,7 +180,7 @@ impl Page<'_> {
             let end = lane.steps.get(index + 1).map_or(self.axis.end, |next| next.position);
             let (from, to) = (self.x(step.position), self.x(end));
             let (x, next) = (number(from), number(to));
-            let shown = level.channel.kind.display(&step.value).to_string();
+            let shown = shown(level.channel, &step.value);
             match level.of(&step.value) {
                 None => {
                     let _ = write!(gone, "M{x} {}H{next}", number(level.low));
@@ -294,7 +294,7 @@ impl Page<'_> {
             self.pointer("cursor", x, MARGIN + 12.0, &axis::time(*time_us));
             let mut y = self.top;
             for ((channel, value), height) in trace.channels().iter().zip(values).zip(heights) {
-                let shown = clip(&channel.kind.display(value).to_string(), CHARACTERS_MAX);
+                let shown = clip(&shown(channel, value), CHARACTERS_MAX);
                 let length = shown.chars().count() as f64 * CHARACTER + 4.0;
                 let at = if x + length + 4.0 > self.left + self.plot { x - length - 3.0 } else { x + 3.0 };
                 let line = y + height / 2.0;

@@ -1,8 +1,8 @@
 //! Timing diagrams as text: bits as two lines, numbers as stairs, all else as a band with its values.
 
-use super::Options;
 use super::axis::{self, Axis};
 use super::lanes::{self, Columns, Lane, Lanes, Scale};
+use super::{Options, shown};
 use crate::names::{Kind, Sample};
 use crate::trace::{Channel, Trace, TraceError};
 
@@ -41,7 +41,7 @@ pub fn text(trace: &Trace, options: &Options) -> Result<String, TraceError> {
     // Now the labels are known: what they do not need is left free.
     let widest = |channel: &Channel, lane: &Lane| {
         let scale = lane.scale(channel)?;
-        let width = |value: &Sample| channel.kind.display(value).to_string().chars().count();
+        let width = |value: &Sample| shown(channel, value).chars().count();
         Some(width(scale.low_value).max(width(scale.high_value)))
     };
     let labels =
@@ -157,7 +157,7 @@ fn stairs(channel: &Channel, lane: &Lane, scale: Scale<'_>, page: &mut Page) {
         }
         before = Some(now);
     }
-    let label = |value: &Sample| channel.kind.display(value).to_string();
+    let label = |value: &Sample| shown(channel, value);
     for (index, row) in rows.iter().enumerate() {
         let (name, label) = match index {
             0 => ("", label(scale.high_value)),
@@ -188,7 +188,7 @@ fn values(channel: &Channel, lane: &Lane, fill: char, cut: bool) -> String {
             continue;
         }
         let width = 1 + lane.cells[column + 1..].iter().take_while(|next| next.changes == 0).count();
-        let shown = channel.kind.display(&cell.last).to_string();
+        let shown = shown(channel, &cell.last);
         let mut part = String::new();
         if cut {
             part.push(if cell.changes > 0 { '│' } else { '─' });
@@ -286,7 +286,7 @@ fn cursors(trace: &Trace, options: &Options, drawn: &Lanes, page: &mut Page) {
         page.lines.push(format!("at {}:", axis::time(*time_us)));
         for (channel, value) in trace.channels().iter().zip(values) {
             let names = page.names;
-            page.lines.push(format!("  {:<names$} = {}", channel.name, channel.kind.display(value)));
+            page.lines.push(format!("  {:<names$} = {}", channel.name, shown(channel, value)));
         }
     }
 }

@@ -2,6 +2,8 @@
 
 use sieben_lang::Options;
 use sieben_lang::st::Dialect;
+#[cfg(test)]
+use sieben_lang::st::standard::catalogue::names;
 use sieben_lang::st::standard::catalogue::{CHAPTERS, known, page};
 
 /// The pages of all functions by file.
@@ -41,13 +43,44 @@ pub(super) fn functions() -> String {
     for chapter in CHAPTERS {
         text.push_str(&format!("{}\n", chapter.title));
         for page in chapter.pages {
-            text.push_str(&format!("  {:<40} {}\n", page.names.join(" "), page.purpose));
+            let mut purpose = page.purpose;
+            for names in lines(page.names) {
+                text.push_str(format!("  {names:<NAMES$} {purpose}").trim_end());
+                text.push('\n');
+                purpose = "";
+            }
         }
     }
     text
 }
 
-/// The names that a misspelled word is compared with.
-pub(super) fn names() -> impl Iterator<Item = &'static str> {
-    CHAPTERS.iter().flat_map(|chapter| chapter.pages).flat_map(|page| page.names).copied()
+/// Columns that the names of a page have: with what they are for behind them a line has less than 80.
+const NAMES: usize = 42;
+
+/// Names with blanks between them, as many as a line has room for.
+fn lines(names: &[&str]) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for name in names {
+        match lines.last_mut() {
+            Some(line) if line.len() + 1 + name.len() <= NAMES => {
+                line.push(' ');
+                line.push_str(name);
+            }
+            _ => lines.push((*name).to_owned()),
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_line_of_the_list_is_longer_than_a_terminal() {
+        let text = functions();
+        assert!(text.lines().all(|line| line.chars().count() < 80), "{text}");
+        let words: Vec<&str> = text.split_whitespace().collect();
+        assert!(names().all(|name| words.contains(&name)), "{text}");
+    }
 }

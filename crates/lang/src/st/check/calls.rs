@@ -13,7 +13,7 @@ use super::names::{self, Entity, Role};
 use super::places::Reached;
 use super::typed::{Target, Through, Typed};
 use super::types::{Class, Implicit, Kind, implicit};
-use super::{Checker, literals, words};
+use super::{Checker, literals};
 use crate::library;
 use crate::scope::nearest;
 use crate::st::ast::{self, Direction, Expression, ExpressionKind, MemberKind, Name, Quoting};
@@ -94,6 +94,10 @@ impl Checker<'_> {
             Quoting::Local => local,
             _ => local.or_else(|| self.names.global(&name.text)),
         };
+        if let Some(block) = self.bare_block_type(name, found.as_ref()) {
+            self.needs_instance(&name.text, block, name.span);
+            return Called::Nothing;
+        }
         match found {
             // That a block of the S7 library is linked changes nothing for a dialect whose function of that name is another one.
             Some(Entity::Block(block))
@@ -135,10 +139,7 @@ impl Checker<'_> {
                 None => Called::Nothing,
             },
             BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock => {
-                let name = self.names.block_name(block);
-                let message = format!("`{name}` is a function block and needs an instance");
-                let help = format!("Declare `inst : {name};` and call `inst(…)`, or call it with its data block, `FB10.DB20(…)`.");
-                self.report(Problem::P6217, span, message).help = Some(help);
+                self.needs_instance(&self.names.block_name(block), block, span);
                 Called::Nothing
             }
             BlockKind::OrganizationBlock | BlockKind::UserDefinedType => {
@@ -146,6 +147,36 @@ impl Checker<'_> {
                 Called::Nothing
             }
         }
+    }
+
+    /// The function block that the dialect brings along under this name, where the project has nothing else of that name.
+    fn bare_block_type(&mut self, name: &Name, found: Option<&Entity>) -> Option<BlockId> {
+        let of_system = |block: &BlockId| matches!(block.kind, BlockKind::SystemFunctionBlock | BlockKind::SystemFunction);
+        let free = match found {
+            None | Some(Entity::Type(DataType::Instance { .. })) => true,
+            Some(Entity::Block(block)) => of_system(block),
+            Some(_) => false,
+        };
+        if !free || name.quoting == Quoting::Global || self.is_inner(&name.text) {
+            return None;
+        }
+        let block = self.names.provided(&standard::library::block_type(&name.text, self.dialect)?)?;
+        matches!(block.kind, BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock).then_some(block)
+    }
+
+    /// Says that a function block is not called by its own name.
+    fn needs_instance(&mut self, name: &str, block: BlockId, span: Span) {
+        let interface = self.names.interface(block);
+        let inputs = interface.iter().flat_map(|interface| interface.parameters());
+        let inputs = inputs.filter(|formal| formal.section == Section::Input).take(2).map(|formal| format!("{} := …", formal.name));
+        let inputs = inputs.collect::<Vec<_>>().join(", ");
+        let with_data_block = match self.dialect.judge(Construct::InstanceOfBlock) {
+            crate::st::dialect::Judgement::Accept => format!(" Or call it with an instance data block, `{name}.DB20({inputs})`."),
+            _ => String::new(),
+        };
+        let message = format!("`{name}` is a function block: what is called is an instance of it");
+        let help = format!("Declare an instance, `VAR inst : {name}; END_VAR`, and call that: `inst({inputs})`.{with_data_block}");
+        self.report(Problem::P6217, span, message).help = Some(help);
     }
 
     fn called_target(&mut self, target: Target, span: Span) -> Called {
@@ -159,7 +190,7 @@ impl Checker<'_> {
             },
             DataType::Void => Called::Nothing,
             _ => {
-                let message = format!("`{}` is {} and cannot be called", target.name, words(&target.data_type));
+                let message = format!("`{}` is {} and cannot be called", target.name, self.words(&target.data_type));
                 let diagnostic = self.report(Problem::P6217, span, message);
                 if matches!(target.data_type, DataType::Array { .. } | DataType::String(_) | DataType::WideString(_)) {
                     diagnostic.help = Some("An element is written with square brackets, `a[1]`.".to_owned());
@@ -379,7 +410,7 @@ impl Checker<'_> {
                 Some(room) => Typed::Text(Text::Call { call: Box::new(call), room }),
                 None => Typed::Poison,
             },
-            _ => self.not_built(span, &format!("a result of type {} inside an expression", words(&data_type))),
+            _ => self.not_built(span, &format!("a result of type {} inside an expression", self.words(&data_type))),
         }
     }
 
@@ -599,7 +630,7 @@ impl Checker<'_> {
         }
         let Some(target) = self.target(value) else { return false };
         if target.data_type != DataType::Bool {
-            self.report(Problem::P4011, value.span, format!("ENO is BOOL, and `{}` is {}", target.name, words(&target.data_type)));
+            self.report(Problem::P4011, value.span, format!("ENO is BOOL, and `{}` is {}", target.name, self.words(&target.data_type)));
             return false;
         }
         all.arguments.push(Argument::Eno { target: target.place });
@@ -700,7 +731,7 @@ impl Checker<'_> {
     fn wrong_argument(&mut self, formal: &Variable, typed: &Typed, span: Span) {
         if *typed != Typed::Poison {
             let what = self.what(typed);
-            let message = format!("the parameter `{}` is {}, and this is {what}", formal.name, words(&formal.data_type));
+            let message = format!("the parameter `{}` is {}, and this is {what}", formal.name, self.words(&formal.data_type));
             self.report(Problem::P4011, span, message);
         }
     }
@@ -752,12 +783,17 @@ impl Checker<'_> {
                     } {
                         Implicit::Yes => {}
                         Implicit::Warned(loss) => {
-                            let message = format!("{} becomes {} here: {}", words(from), words(to), loss.words());
+                            let message = format!("{} becomes {} here: {}", self.words(from), self.words(to), loss.words());
                             self.report(Problem::P6201, value.span, message);
                         }
                         Implicit::No => {
-                            let message =
-                                format!("the output `{}` is {}, and `{}` is {}", formal.name, words(from), target.name, words(to));
+                            let message = format!(
+                                "the output `{}` is {}, and `{}` is {}",
+                                formal.name,
+                                self.words(from),
+                                target.name,
+                                self.words(to)
+                            );
                             self.report(Problem::P4011, value.span, message);
                             return false;
                         }
@@ -768,7 +804,8 @@ impl Checker<'_> {
                 }
                 _ if same_type(from, to) => Argument::OutputAggregate { parameter, target: target.place, data_type: to.clone() },
                 _ => {
-                    let message = format!("the output `{}` is {}, and `{}` is {}", formal.name, words(from), target.name, words(to));
+                    let message =
+                        format!("the output `{}` is {}, and `{}` is {}", formal.name, self.words(from), target.name, self.words(to));
                     self.report(Problem::P4011, value.span, message);
                     return false;
                 }
@@ -801,9 +838,9 @@ impl Checker<'_> {
             let message = format!(
                 "`{}` is an in-out parameter of type {} and takes a variable of that type, and `{}` is {}",
                 formal.name,
-                words(&formal.data_type),
+                self.words(&formal.data_type),
                 target.name,
-                words(&target.data_type)
+                self.words(&target.data_type)
             );
             self.report(Problem::P4011, value.span, message).help =
                 Some("Copy it to a variable of the right type, and back after the call.".into());
@@ -819,6 +856,9 @@ impl Checker<'_> {
         let needs_all = self.dialect.judge(Construct::OmittedInput) != crate::st::dialect::Judgement::Accept;
         // A standard function has no input that could be left out, however it is built.
         let needs_inputs = needs_all || matches!(callee, Callee::Function(block) if self.names.is_of_library(*block));
+        // A call by position gives every input, as the standard has it: who leaves one out counts wrong. What is declared with a value of
+        // its own is made to be left out.
+        let by_position = function && call.arguments.iter().any(|argument| argument.name.is_none() && !is_flow(argument));
         let mut missing = Vec::new();
         let mut inputs = true;
         for formal in &all.formals {
@@ -838,7 +878,7 @@ impl Checker<'_> {
                         let value = Value { kind: ValueKind::Constant(bits), scalar: kind.scalar(self.dialect), span };
                         all.arguments.push(Argument::Value { parameter: formal.offset, value });
                     }
-                    if needs_inputs {
+                    if needs_inputs || by_position && !self.names.has_initial(callee.block(), &formal.name) {
                         missing.push(format!("`{}`", formal.name));
                     }
                 }
@@ -856,6 +896,8 @@ impl Checker<'_> {
         let diagnostic = self.report(Problem::P3010, span, message);
         if !inputs {
             diagnostic.help = Some("An in-out parameter needs a variable in every call.".to_owned());
+        } else if by_position && !needs_all {
+            diagnostic.help = Some("Give every input a value, or name those that are given, `name := value`.".to_owned());
         }
         false
     }

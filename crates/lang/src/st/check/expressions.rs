@@ -9,9 +9,10 @@ use super::literals::{self, Misfit};
 use super::places::Reached;
 use super::typed::Typed;
 use super::types::{Class, Implicit, Kind, common, implicit};
-use super::{Checker, operators, words};
+use super::{Checker, operators};
 use crate::st::ast::{BinaryOperator, Expression, ExpressionKind, Literal, LiteralKind, UnaryOperator};
 use crate::st::dialect::{Calendar, Construct, Dialect, Judgement};
+use crate::st::standard::{self, Given, GivenKind};
 use crate::st::tree::{Scalar, Text, Value, ValueKind};
 
 /// Characters of the longest WSTRING.
@@ -158,11 +159,11 @@ impl Checker<'_> {
     fn misfit(&mut self, misfit: &Misfit, data_type: &DataType, span: Span) {
         match misfit {
             Misfit::Range(range) => {
-                let message = format!("this constant is outside the range of {}, {range}", words(data_type));
+                let message = format!("this constant is outside the range of {}, {range}", self.words(data_type));
                 self.report(Problem::P4001, span, message);
             }
             Misfit::Type => {
-                self.report(Problem::P4006, span, format!("this constant is no value of type {}", words(data_type)));
+                self.report(Problem::P4006, span, format!("this constant is no value of type {}", self.words(data_type)));
             }
         }
     }
@@ -209,7 +210,7 @@ impl Checker<'_> {
         let Some(kind) = Kind::of(wanted) else {
             if typed != Typed::Poison && *wanted != DataType::Void {
                 let what = self.what(&typed);
-                self.report(Problem::P6200, span, format!("{} is wanted here, not {what}", words(wanted)));
+                self.report(Problem::P6200, span, format!("{} is wanted here, not {what}", self.words(wanted)));
             }
             return None;
         };
@@ -228,12 +229,12 @@ impl Checker<'_> {
             Typed::Scalar { value, data_type } => return self.convert(value, &data_type, wanted, span),
             other => {
                 let what = self.what(&other);
-                self.report(Problem::P6200, span, format!("{} is wanted here, not {what}", words(wanted)));
+                self.report(Problem::P6200, span, format!("{} is wanted here, not {what}", self.words(wanted)));
                 return None;
             }
         };
         if let DataType::Enumeration(_) = wanted {
-            let message = format!("a value of {} is wanted here, and a number is none", words(wanted));
+            let message = format!("a value of {} is wanted here, and a number is none", self.words(wanted));
             self.report(Problem::P6200, span, message);
             return None;
         }
@@ -246,7 +247,7 @@ impl Checker<'_> {
                 self.within_subrange(&value, wanted, span).then_some(value)
             }
             Err(Misfit::Type) if matches!(literal, LiteralKind::Real { .. }) => {
-                let message = format!("{} is wanted here, and a number with a point is REAL", words(wanted));
+                let message = format!("{} is wanted here, and a number with a point is REAL", self.words(wanted));
                 self.report(Problem::P6200, span, message).help =
                     Some("Write it without a point, or convert it, for example with ROUND.".into());
                 None
@@ -257,7 +258,7 @@ impl Checker<'_> {
                     LiteralKind::WideCharacters(_) => "a text between `\"`, which is a WSTRING",
                     _ => "a number",
                 };
-                self.report(Problem::P6200, span, format!("{} is wanted here, not {shown}", words(wanted)));
+                self.report(Problem::P6200, span, format!("{} is wanted here, not {shown}", self.words(wanted)));
                 None
             }
             Err(misfit) => {
@@ -273,7 +274,7 @@ impl Checker<'_> {
         let (least, most) = self.range_of(value);
         if most < subrange.low || least > subrange.high {
             let shown = if least == most { least.to_string() } else { format!("{least}..{most}") };
-            let message = format!("{shown} is outside {}({}..{})", words(subrange.base.base()), subrange.low, subrange.high);
+            let message = format!("{shown} is outside {}({}..{})", self.words(subrange.base.base()), subrange.low, subrange.high);
             self.report(Problem::P4001, span, message);
             return false;
         }
@@ -300,7 +301,7 @@ impl Checker<'_> {
             Implicit::Yes => {}
             Implicit::Warned(loss) => {
                 if !matches!(value.kind, ValueKind::Constant(_)) {
-                    let message = format!("{} becomes {} here: {}", words(from), words(wanted), loss.words());
+                    let message = format!("{} becomes {} here: {}", self.words(from), self.words(wanted), loss.words());
                     self.report(Problem::P6201, span, message);
                 }
             }
@@ -313,13 +314,24 @@ impl Checker<'_> {
         self.within_subrange(&value, wanted, span).then_some(value)
     }
 
+    /// The word of a type in the names of conversions.
+    fn word_in_names(&self, data_type: &DataType) -> Option<&'static str> {
+        match (data_type, self.dialect.switches().calendar) {
+            (DataType::LongDate, Calendar::Long) => Some("DATE"),
+            (DataType::LongDateAndTime, Calendar::Long) => Some("DT"),
+            _ => data_type.word(),
+        }
+    }
+
     /// Says that a type does not become another one, and what does it.
     pub(super) fn no_conversion(&mut self, from: &DataType, wanted: &DataType, span: Span) {
-        let message = format!("{} is wanted here, and this is {}", words(wanted), words(from));
-        let help = match (from.base().word(), wanted.base().word()) {
-            (Some(source), Some(target)) if source != target => Some(format!("Convert it with `{source}_TO_{target}`.")),
-            _ => None,
-        };
+        let message = format!("{} is wanted here, and this is {}", self.words(wanted), self.words(from));
+        let (source, target) = (self.word_in_names(from.base()), self.word_in_names(wanted.base()));
+        let function =
+            source.zip(target).filter(|(source, target)| source != target).map(|(source, target)| format!("{source}_TO_{target}"));
+        let given = [Given { name: None, kind: GivenKind::Typed(from.base().clone()) }];
+        let exists = |function: &String| matches!(standard::resolve(function, self.dialect, &given), Some(Ok(_)));
+        let help = function.filter(exists).map(|function| format!("Convert it with `{function}`."));
         let diagnostic = self.report(Problem::P6200, span, message);
         if help.is_some() {
             diagnostic.help = help;
@@ -354,11 +366,11 @@ impl Checker<'_> {
                 if kind.class == Class::Unsigned {
                     let widened = self.dialect.switches().integer_bits_min > 8;
                     if !widened {
-                        let message = format!("{} has no negative values", words(&data_type));
+                        let message = format!("{} has no negative values", self.words(&data_type));
                         self.report(Problem::P6202, span, message).help = Some("Convert it to a signed type first.".to_owned());
                         return Typed::Poison;
                     }
-                    self.report(Problem::P6201, span, format!("{} has no negative values: the result wraps", words(&data_type)));
+                    self.report(Problem::P6201, span, format!("{} has no negative values: the result wraps", self.words(&data_type)));
                 }
                 let value = operators::convert(value, self.working(kind));
                 let Some(operation) = operators::negation(value.scalar) else { return Typed::Poison };
@@ -377,7 +389,7 @@ impl Checker<'_> {
     }
 
     fn no_operand(&mut self, sign: &str, data_type: &DataType, span: Span) -> Typed {
-        self.report(Problem::P6202, span, format!("`{sign}` does not take {}", words(data_type)));
+        self.report(Problem::P6202, span, format!("`{sign}` does not take {}", self.words(data_type)));
         Typed::Poison
     }
 
@@ -483,11 +495,11 @@ impl Checker<'_> {
         }
         let Some((kind, a, b)) = self.meet(operator, sign, (a, left), (b, right)) else { return Typed::Poison };
         if kind.class != Class::Bits && !self.bits_of_integers(kind) {
-            let message = format!("`{}` works on BOOL and bit strings, not on {}", operator.sign(), words(&kind.data_type()));
+            let message = format!("`{}` works on BOOL and bit strings, not on {}", operator.sign(), self.words(&kind.data_type()));
             let help = match kind.is_integer() {
                 true => {
                     let bits = Kind { class: Class::Bits, bits: kind.bits }.data_type();
-                    format!("Convert it first, for example with `{}_TO_{}`.", words(&kind.data_type()), words(&bits))
+                    format!("Convert it first, for example with `{}_TO_{}`.", self.words(&kind.data_type()), self.words(&bits))
                 }
                 false => "Compare the value first.".to_owned(),
             };
@@ -527,7 +539,7 @@ impl Checker<'_> {
             _ => None,
         };
         let Some(kind) = met else {
-            let message = format!("`{}` does not take {} and {}", operator.sign(), words(&a.1), words(&b.1));
+            let message = format!("`{}` does not take {} and {}", operator.sign(), self.words(&a.1), self.words(&b.1));
             self.report(Problem::P6202, sign, message).help = Some("Convert one of the two to the type of the other.".to_owned());
             return None;
         };
@@ -601,7 +613,7 @@ impl Checker<'_> {
             return of_bool(operators::compute(op, vec![value, null], Scalar::Bool));
         }
         if let (Typed::Aggregate(target), _) | (_, Typed::Aggregate(target)) = (&a, &b) {
-            let message = format!("`{}` compares elementary values and texts, not {}", operator.sign(), words(&target.data_type));
+            let message = format!("`{}` compares elementary values and texts, not {}", operator.sign(), self.words(&target.data_type));
             let help = (target.data_type == DataType::DateAndTime).then(|| "Call EQ_DT, LT_DT and their like of the library.".to_owned());
             let diagnostic = self.report(Problem::P6202, sign, message);
             if help.is_some() {
@@ -613,7 +625,7 @@ impl Checker<'_> {
         let Some((kind, a, b)) = self.meet(operator, sign, (a, left), (b, right)) else { return Typed::Poison };
         let unordered = kind == Kind::BOOL && !self.dialect.switches().bool_ordered || kind.class == Class::S5Time;
         if orders(operator) && unordered {
-            let message = format!("{} has no order: `{}` does not take it", words(&kind.data_type()), operator.sign());
+            let message = format!("{} has no order: `{}` does not take it", self.words(&kind.data_type()), operator.sign());
             self.report(Problem::P6202, sign, message).help = Some("Compare with `=` or `<>`.".to_owned());
             return Typed::Poison;
         }
@@ -688,11 +700,12 @@ impl Checker<'_> {
             && kind.bits > 1
             && implicit(Kind { class: Class::Bits, bits: 16 }, Kind { class: Class::Unsigned, bits: 16 }, self.dialect) == Implicit::Yes;
         if !kind.is_number() && !bits {
-            let message = format!("`{}` computes with numbers, not with {}", operator.sign(), words(&kind.data_type()));
+            let message = format!("`{}` computes with numbers, not with {}", operator.sign(), self.words(&kind.data_type()));
+            let integer = Kind { class: Class::Signed, bits: kind.bits.max(16) }.data_type();
+            let help = format!("Convert it first with `{}_TO_{}`.", self.words(&kind.data_type()), self.words(&integer));
             let diagnostic = self.report(Problem::P6202, sign, message);
             if kind.class == Class::Bits && kind.bits > 1 {
-                let integer = Kind { class: Class::Signed, bits: kind.bits.max(16) }.data_type();
-                diagnostic.help = Some(format!("Convert it first with `{}_TO_{}`.", words(&kind.data_type()), words(&integer)));
+                diagnostic.help = Some(help);
             }
             return Typed::Poison;
         }
@@ -828,7 +841,7 @@ impl Checker<'_> {
                 }
             }
             _ => {
-                let message = format!("`{}` does not take {} and {}", operator.sign(), words(&first), words(&second));
+                let message = format!("`{}` does not take {} and {}", operator.sign(), self.words(&first), self.words(&second));
                 let help = match (x.class, y.class) {
                     (Duration, Class::Signed | Class::Unsigned) | (Class::Signed | Class::Unsigned, Duration) => {
                         "Convert the number with `DINT_TO_TIME` first, or write it as a duration, such as `T#5s`."

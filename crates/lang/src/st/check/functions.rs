@@ -13,12 +13,15 @@ use super::places::Reached;
 use super::typed::{Target, Typed};
 use super::{Checker, literals, operators};
 use crate::scope::nearest;
-use crate::st::ast::{self, Direction, Name};
+use crate::st::ast::{self, Direction, Expression, ExpressionKind, Name};
 use crate::st::dialect::{Construct, Judgement};
 use crate::st::open_arrays::End;
 use crate::st::standard::s5::S5Function;
 use crate::st::standard::{self, Building, Given, GivenKind, Meaning, Refusal, Resolved};
 use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, Statement, StatementKind, Text, TextFunction, Value, ValueKind};
+
+/// Names that look alike and are asked for one after the other.
+const CANDIDATES_MAX: usize = 8;
 
 impl Checker<'_> {
     /// A call of a standard function.
@@ -61,7 +64,11 @@ impl Checker<'_> {
         if let Some(typed) = self.wide_function(name, call, &arguments, span) {
             return typed;
         }
-        match standard::resolve(&name.text, self.dialect, &given) {
+        let resolved = match self.is_inner(&name.text) {
+            true => None,
+            false => standard::resolve(&name.text, self.dialect, &given),
+        };
+        match resolved {
             None if self.misplaced_word(name) => Typed::Poison,
             None => {
                 let message = format!("there is no function `{}`", name.text);
@@ -127,7 +134,7 @@ impl Checker<'_> {
 
     /// A call of a block of the library that has outputs; `None` if it has none, or is no block.
     fn library_statement(&mut self, name: &Name, call: &ast::Call, span: Span) -> Option<Option<StatementKind>> {
-        let provided = standard::library::function(&name.text, self.dialect)?;
+        let provided = standard::library::function(&name.text, self.dialect).filter(|_| !self.is_inner(&name.text))?;
         let standard::Provided::Source { .. } = provided else { return None };
         let Some(block) = self.names.provided(&provided) else {
             self.not_built(span, "this function");
@@ -141,10 +148,45 @@ impl Checker<'_> {
     }
 
     /// The name in sight that looks most like this one; in a test file its words are in sight.
-    fn nearest_function(&self, name: &str) -> Option<String> {
+    fn nearest_function(&mut self, name: &str) -> Option<String> {
         let words = Word::ALL.iter().map(|word| word.text()).filter(|_| self.dialect.is_test());
         let word = nearest(&name.to_uppercase(), words);
-        word.or_else(|| self.names.nearest(name))
+        word.or_else(|| {
+            let (own, standard) = (self.names.nearest(name), self.nearest_standard(name));
+            nearest(name, own.iter().chain(&standard).map(String::as_str))
+        })
+    }
+
+    /// The standard function of the dialect whose name looks most like this one.
+    fn nearest_standard(&mut self, name: &str) -> Option<String> {
+        if self.quiet {
+            return None;
+        }
+        let mut names: Vec<&'static str> = standard::catalogue::names().collect();
+        for _ in 0..CANDIDATES_MAX {
+            let near = nearest(name, names.iter().copied())?;
+            if self.has_function(&near) {
+                return Some(near);
+            }
+            names.retain(|one| *one != near);
+        }
+        None
+    }
+
+    /// Whether the dialect has a standard function with this name: the checker is asked.
+    fn has_function(&mut self, name: &str) -> bool {
+        let span = self.block.end;
+        let call = ast::Call { callee: Expression { kind: ExpressionKind::Missing, span }, arguments: Vec::new() };
+        let name = Name { text: name.to_owned(), span, quoting: ast::Quoting::Bare };
+        let held = self.held.take();
+        self.quietly(|checker| checker.standard(&name, &call, span));
+        let unknown = std::mem::replace(&mut self.held, held).is_some_and(|held| held.problem == Problem::P3008);
+        !unknown
+    }
+
+    /// Whether a name is that of a block that only other blocks of the library call.
+    pub(super) fn is_inner(&self, name: &str) -> bool {
+        standard::library::is_inner(name, self.dialect) && !self.names.is_of_library(self.block.id)
     }
 
     pub(super) fn refused(&mut self, refusal: Refusal, arguments: &[(Typed, Span)], span: Span) -> Typed {

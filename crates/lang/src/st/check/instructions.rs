@@ -6,6 +6,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
+use super::Checker;
 use super::calls::after;
 use super::memory::{Part, number, two};
 use super::operators::convert;
@@ -13,7 +14,6 @@ use super::places::{Reached, element_step};
 use super::texts::text_room;
 use super::typed::{Target, Typed};
 use super::types::{Class, Kind};
-use super::{Checker, words};
 use crate::st::ast::{self, BinaryOperator, Expression, Name};
 use crate::st::open_arrays::End;
 use crate::st::standard::build::compute;
@@ -134,7 +134,7 @@ impl Checker<'_> {
         match self.reach(expression) {
             Reached::Target(target) if matches!(target.data_type, DataType::Array { .. }) => Some(target),
             Reached::Target(target) => {
-                let message = format!("`{function}` takes an array here, and `{}` is {}", target.name, words(&target.data_type));
+                let message = format!("`{function}` takes an array here, and `{}` is {}", target.name, self.words(&target.data_type));
                 self.report(Problem::P4011, expression.span, message);
                 None
             }
@@ -160,7 +160,7 @@ impl Checker<'_> {
             }
         };
         let Some(room) = text_room(&target) else {
-            let message = format!("`MAX_LEN` takes a text, and `{}` is {}", target.name, words(&target.data_type));
+            let message = format!("`MAX_LEN` takes a text, and `{}` is {}", target.name, self.words(&target.data_type));
             self.report(Problem::P4011, given[0].span, message);
             return None;
         };
@@ -179,7 +179,7 @@ impl Checker<'_> {
         let typed = self.expression(given[0]);
         let target = self.target(given[1])?;
         if room_of(&target.data_type).is_none() {
-            let message = format!("`S_MOVE` writes a text, and `{}` is {}", target.name, words(&target.data_type));
+            let message = format!("`S_MOVE` writes a text, and `{}` is {}", target.name, self.words(&target.data_type));
             self.report(Problem::P4011, given[1].span, message);
             return None;
         }
@@ -320,7 +320,7 @@ impl Checker<'_> {
             return None;
         }
         if target.data_type == DataType::Bool || matches!(target.data_type, DataType::Instance { .. } | DataType::Reference(_)) {
-            let message = format!("`{function}` copies bytes, and `{}` is {}", target.name, words(&target.data_type));
+            let message = format!("`{function}` copies bytes, and `{}` is {}", target.name, self.words(&target.data_type));
             self.report(Problem::P4011, span, message).help = Some("Put it into a structure.".to_owned());
             return None;
         }
@@ -341,14 +341,15 @@ impl Checker<'_> {
         match &array.data_type {
             DataType::Array { bounds, element } if bounds.len() == 1 && byte(element) => {}
             wrong => {
-                let message = format!("`{function}` takes an array of bytes with one dimension, and `{}` is {}", array.name, words(wrong));
+                let message =
+                    format!("`{function}` takes an array of bytes with one dimension, and `{}` is {}", array.name, self.words(wrong));
                 self.report(Problem::P4011, array_span, message);
                 return None;
             }
         }
         let position_target = self.target(position)?;
         let Some(kind) = Kind::of(&position_target.data_type).filter(|kind| kind.is_integer()) else {
-            let message = format!("`POS` is a whole number, and `{}` is {}", position_target.name, words(&position_target.data_type));
+            let message = format!("`POS` is a whole number, and `{}` is {}", position_target.name, self.words(&position_target.data_type));
             self.report(Problem::P4011, position.span, message);
             return None;
         };
@@ -422,7 +423,8 @@ impl Checker<'_> {
         {
             return Some((bits, target.place));
         }
-        let message = format!("`{function}` takes an array of 8, 16, 32 or 64 BOOL, and `{}` is {}", target.name, words(&target.data_type));
+        let message =
+            format!("`{function}` takes an array of 8, 16, 32 or 64 BOOL, and `{}` is {}", target.name, self.words(&target.data_type));
         self.report(Problem::P4011, expression.span, message);
         None
     }

@@ -8,7 +8,7 @@ use super::names::Entity;
 use super::ranges::{Known, signed};
 use super::typed::Typed;
 use super::types::{Class, Kind, bounds};
-use super::{Checker, Loop, walk, words};
+use super::{Checker, Loop, walk};
 use crate::st::ast::{self, AssignOperator, CaseArm, CaseLabel, Direction, Expression, ExpressionKind};
 use crate::st::dialect::{Construct, ForBounds, Judgement};
 use crate::st::tree::{Branch, For, Place, Statement, StatementKind, Value, ValueKind};
@@ -41,7 +41,7 @@ impl Checker<'_> {
             kind.is_integer() || kind.class == Class::Bits && *kind != Kind::BOOL && self.dialect.switches().integer_bits_min > 8
         });
         let Some(kind) = kind.filter(|_| !matches!(target.data_type, DataType::Enumeration(_))) else {
-            let message = format!("FOR counts with an integer, and `{}` is {}", target.name, words(&target.data_type));
+            let message = format!("FOR counts with an integer, and `{}` is {}", target.name, self.words(&target.data_type));
             self.report(Problem::P6210, variable.span, message);
             self.body_of_loop(None, body);
             return None;
@@ -69,7 +69,7 @@ impl Checker<'_> {
         };
         if reaches_end && self.dialect.switches().integer_bits_min > 8 {
             let message =
-                format!("the last value is the end of {}: on other controllers this loop may never end", words(&target.data_type));
+                format!("the last value is the end of {}: on other controllers this loop may never end", self.words(&target.data_type));
             self.report(Problem::P6212, to.span, message);
         }
         if let (Some(first), Some(last), Some(up)) = (constant(&first), constant(&last), up)
@@ -164,7 +164,7 @@ impl Checker<'_> {
             if kind.is_integer() || kind.class == Class::Bits && kind != Kind::BOOL || kind.class == Class::Character {
                 return Some((value, data_type));
             }
-            self.report(Problem::P6233, selector.span, format!("CASE takes an integer or an enumeration, not {}", words(&data_type)));
+            self.report(Problem::P6233, selector.span, format!("CASE takes an integer or an enumeration, not {}", self.words(&data_type)));
             None
         });
         let mut taken: Vec<((i128, i128), Span)> = Vec::new();

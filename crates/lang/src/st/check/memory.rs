@@ -6,13 +6,13 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
+use super::Checker;
 use super::calls::after;
 use super::expressions::same_type;
 use super::operators::convert;
 use super::places::{Reached, element_step};
 use super::typed::{Target, Typed};
 use super::types::{Class, Kind};
-use super::{Checker, words};
 use crate::scope::nearest;
 use crate::st::ast::{self, Expression, ExpressionKind, Name};
 use crate::st::dialect::{Construct, Judgement};
@@ -334,7 +334,7 @@ impl Checker<'_> {
             DataType::Array { bounds, element } if bounds.len() == 1 => (**element).clone(),
             other => {
                 let message =
-                    format!("`{}` is {}, and `{function}` takes elements of an array with one dimension", array.name, words(other));
+                    format!("`{}` is {}, and `{function}` takes elements of an array with one dimension", array.name, self.words(other));
                 self.report(Problem::P4011, span, message);
                 return None;
             }
@@ -390,7 +390,8 @@ impl Checker<'_> {
         span: Span,
     ) -> Option<Moved> {
         if !same_type(&source.element, &target.element) {
-            let message = format!("`{function}` copies elements of one type, not {} to {}", words(&source.element), words(&target.element));
+            let message =
+                format!("`{function}` copies elements of one type, not {} to {}", self.words(&source.element), self.words(&target.element));
             self.report(Problem::P4011, at, message);
             return None;
         }
@@ -437,7 +438,7 @@ impl Checker<'_> {
             }
             (_, Typed::Aggregate(source)) if same_type(&source.data_type, &element) => What::Whole(source.place),
             (_, other) => {
-                let message = format!("the elements are {}, and this is {}", words(&element), self.what(&other));
+                let message = format!("the elements are {}, and this is {}", self.words(&element), self.what(&other));
                 self.report(Problem::P4011, given[0].span, message);
                 return None;
             }

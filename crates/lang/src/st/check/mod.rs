@@ -35,7 +35,6 @@ use sieben_model::types::DataType;
 use super::ast;
 use super::dialect::{Construct, Dialect, Judgement};
 use super::tree;
-use crate::declarations::types::describe;
 use locals::Locals;
 use names::{Names, Variable};
 use ranges::Known;
@@ -233,6 +232,11 @@ impl Checker<'_> {
         }
     }
 
+    /// A type in a message, in the words of the dialect.
+    fn words(&self, data_type: &DataType) -> String {
+        self.dialect.type_words(data_type)
+    }
+
     /// Says that something valid is not built yet.
     fn not_built(&mut self, span: Span, what: &str) -> Typed {
         self.report(Problem::P6226, span, format!("{what} cannot be compiled yet"));
@@ -244,9 +248,4 @@ impl Checker<'_> {
 fn sentence(advice: &str) -> String {
     let mut characters = advice.chars();
     characters.next().map(|first| first.to_uppercase().collect::<String>() + characters.as_str()).unwrap_or_default()
-}
-
-/// A type in a message.
-fn words(data_type: &DataType) -> String {
-    describe(data_type)
 }

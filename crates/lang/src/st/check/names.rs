@@ -158,6 +158,8 @@ pub trait Names {
     fn of_instance(&self, name: &str) -> Option<Entity>;
     /// Whether a variable of a block is declared PUBLIC.
     fn is_public(&self, block: BlockId, variable: &str) -> bool;
+    /// Whether the declaration of a variable of a block gives it an initial value.
+    fn has_initial(&self, block: BlockId, variable: &str) -> bool;
     /// Whether the names are those of a CONFIGURATION, which knows the inside of every instance.
     fn knows_instances(&self) -> bool;
     /// The fields of the instances of a function block.

@@ -6,12 +6,12 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
+use super::Checker;
 use super::memory::two;
 use super::names::Entity;
 use super::operators::convert;
 use super::places::{Reached, element_step};
 use super::typed::{Target, Through, Typed};
-use super::{Checker, words};
 use crate::st::ast::{self, Expression};
 use crate::st::open_arrays::{End, bound_name, is_open};
 use crate::st::standard::build::compute;
@@ -126,7 +126,7 @@ impl Checker<'_> {
                 self.report(
                     Problem::P4011,
                     array.span,
-                    format!("`{name}` takes an array, and `{}` is {}", target.name, words(&target.data_type)),
+                    format!("`{name}` takes an array, and `{}` is {}", target.name, self.words(&target.data_type)),
                 );
                 return Typed::Poison;
             }
@@ -187,7 +187,7 @@ impl Checker<'_> {
         if !is_open(&target.data_type) {
             return true;
         }
-        let message = format!("`{}` is {}: how long it is, only its caller knows", target.name, words(&target.data_type));
+        let message = format!("`{}` is {}: how long it is, only its caller knows", target.name, self.words(&target.data_type));
         let help = "Use its elements, from LOWER_BOUND to UPPER_BOUND, or give it to another ARRAY[*].";
         self.report(Problem::P6312, target.place.span, message).help = Some(help.to_owned());
         false

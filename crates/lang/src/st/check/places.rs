@@ -12,7 +12,7 @@ use super::names::{Constant, Entity, Role};
 use super::texts::text_room;
 use super::typed::{Target, Through, Typed};
 use super::types::{Class, Kind};
-use super::{Checker, literals, operators, words};
+use super::{Checker, literals, operators};
 use crate::scope::nearest;
 use crate::st::ast::{self, Expression, ExpressionKind, LiteralKind, Name, Position, Quoting};
 use crate::st::dialect::{AddressUnit, Construct, IndexFault};
@@ -246,11 +246,11 @@ impl Checker<'_> {
             return Reached::Other(found);
         }
         let DataType::Enumeration(enumeration) = data_type else {
-            self.report(Problem::P4010, value.span, format!("{} is not an enumeration and has no named values", words(data_type)));
+            self.report(Problem::P4010, value.span, format!("{} is not an enumeration and has no named values", self.words(data_type)));
             return POISON;
         };
         let known: Vec<String> = enumeration.values.iter().take(12).map(|(name, _)| format!("`{name}`")).collect();
-        let message = format!("{} has no value `{}`; it has {}", words(data_type), value.text, known.join(", "));
+        let message = format!("{} has no value `{}`; it has {}", self.words(data_type), value.text, known.join(", "));
         self.report(Problem::P3007, value.span, message);
         POISON
     }
@@ -348,7 +348,7 @@ impl Checker<'_> {
                 return POISON;
             }
             let nearest = nearest(&name.text, structure.fields.iter().map(|field| field.name.as_str()));
-            let message = format!("{} has no field `{}`", words(&target.data_type), name.text);
+            let message = format!("{} has no field `{}`", self.words(&target.data_type), name.text);
             let diagnostic = self.report(Problem::P3007, name.span, message);
             if let Some(nearest) = nearest {
                 *diagnostic = diagnostic.clone().guess(name.span, nearest.clone(), format!("write `{nearest}`"));
@@ -384,7 +384,7 @@ impl Checker<'_> {
             let slice = ast::Slice { bits: 1, index, percent: false, span: name.span };
             return self.slice_of(target, &slice, span);
         }
-        let message = format!("`{}` is {} and has no field `{}`", target.name, words(&target.data_type), name.text);
+        let message = format!("`{}` is {} and has no field `{}`", target.name, self.words(&target.data_type), name.text);
         self.report(Problem::P4010, name.span, message);
         POISON
     }
@@ -412,15 +412,15 @@ impl Checker<'_> {
     fn slice_of(&mut self, target: Target, slice: &ast::Slice, span: Span) -> Reached {
         let kind = Kind::of(&target.data_type).filter(|kind| matches!(kind.class, Class::Bits | Class::Signed | Class::Unsigned));
         let Some(kind) = kind.filter(|&kind| kind != Kind::BOOL) else {
-            let message = format!("`{}` is {} and has no parts", target.name, words(&target.data_type));
+            let message = format!("`{}` is {} and has no parts", target.name, self.words(&target.data_type));
             self.report(Problem::P6225, slice.span, message);
             return POISON;
         };
         let parts = u64::from(kind.bits / slice.bits.max(1));
         if slice.bits >= kind.bits || slice.index >= parts {
             let message = match parts {
-                0 | 1 => format!("`{}` is {} and has no part of {} bits", target.name, words(&target.data_type), slice.bits),
-                _ => format!("`{}` is {}: the number is 0 to {}", target.name, words(&target.data_type), parts - 1),
+                0 | 1 => format!("`{}` is {} and has no part of {} bits", target.name, self.words(&target.data_type), slice.bits),
+                _ => format!("`{}` is {}: the number is 0 to {}", target.name, self.words(&target.data_type), parts - 1),
             };
             self.report(Problem::P6225, slice.span, message);
             return POISON;
@@ -527,7 +527,7 @@ impl Checker<'_> {
                     Some(Target { place, data_type: element, through: Through::Reference, ..target })
                 }
                 other => {
-                    let message = format!("`{}` is {} and has no elements", target.name, words(other));
+                    let message = format!("`{}` is {} and has no elements", target.name, self.words(other));
                     self.report(Problem::P4010, first.span, message);
                     None
                 }
@@ -616,7 +616,7 @@ impl Checker<'_> {
         let counts = kind.is_integer() || kind.class == Class::Bits && kind != Kind::BOOL && self.dialect.switches().integer_bits_min > 8;
         let named = matches!(data_type, DataType::Enumeration(_));
         if !counts && !named {
-            let message = format!("an index is an integer, not {}", words(&data_type));
+            let message = format!("an index is an integer, not {}", self.words(&data_type));
             self.report(Problem::P6200, expression.span, message);
             return None;
         }
@@ -788,15 +788,15 @@ impl Checker<'_> {
         match typed {
             Typed::Poison => "this".to_owned(),
             Typed::Integer { .. } | Typed::Real { .. } => "a number".to_owned(),
-            Typed::Scalar { data_type, .. } | Typed::Number { data_type, .. } => format!("a value of type {}", words(data_type)),
+            Typed::Scalar { data_type, .. } | Typed::Number { data_type, .. } => format!("a value of type {}", self.words(data_type)),
             Typed::Text(text) if text.is_wide() => "a WSTRING".to_owned(),
             Typed::Text(_) => "a text".to_owned(),
-            Typed::Aggregate(target) => format!("`{}` of type {}", target.name, words(&target.data_type)),
+            Typed::Aggregate(target) => format!("`{}` of type {}", target.name, self.words(&target.data_type)),
             Typed::Moment(_) => "a DATE_AND_TIME".to_owned(),
             Typed::Pointer(_) => "a pointer".to_owned(),
             Typed::Null => "NULL".to_owned(),
             Typed::Block(block) => format!("the block `{}`", self.names.block_name(*block)),
-            Typed::Type(data_type) => format!("the type {}", words(data_type)),
+            Typed::Type(data_type) => format!("the type {}", self.words(data_type)),
             Typed::Qualifier(path) => format!("`{}`", path.join(".")),
         }
     }

@@ -166,8 +166,7 @@ impl Checker<'_> {
     fn s5_output(&mut self, expression: &Expression, data_type: &DataType, value: Value, out: &mut Vec<Statement>) -> bool {
         let Some(target) = self.target(expression) else { return false };
         if Kind::of(&target.data_type).is_none() {
-            let message =
-                format!("the output is {}, and `{}` is {}", super::words(data_type), target.name, super::words(&target.data_type));
+            let message = format!("the output is {}, and `{}` is {}", self.words(data_type), target.name, self.words(&target.data_type));
             self.report(Problem::P4011, expression.span, message);
             return false;
         }

@@ -14,7 +14,7 @@ use super::testing::and_hold;
 use super::texts::text_room;
 use super::typed::{Target, Through, Typed};
 use super::types::Kind;
-use super::{Block, Checker, Label, operators, walk, words};
+use super::{Block, Checker, Label, operators, walk};
 use crate::st::ast::{self, AssignOperator, BinaryOperator, Expression, ExpressionKind, Name, StatementKind as Kinds};
 use crate::st::dialect::{Construct, IndexFault, Judgement};
 use crate::st::tree::{Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind, room_of};
@@ -176,7 +176,7 @@ impl Checker<'_> {
         let condition = self.condition(value);
         let target = self.target(target)?;
         if target.data_type != DataType::Bool {
-            let message = format!("`{}` is {}, and only a BOOL is set and reset", target.name, words(&target.data_type));
+            let message = format!("`{}` is {}, and only a BOOL is set and reset", target.name, self.words(&target.data_type));
             self.report(Problem::P6200, target.place.span, message);
             return None;
         }
@@ -387,7 +387,7 @@ impl Checker<'_> {
                     Typed::Aggregate(source) => self.no_conversion(&source.data_type, &wanted, from),
                     other => {
                         let what = self.what(&other);
-                        self.report(Problem::P6200, from, format!("`{}` is {}, and this is {what}", target.name, words(&wanted)));
+                        self.report(Problem::P6200, from, format!("`{}` is {}, and this is {what}", target.name, self.words(&wanted)));
                     }
                 }
                 None

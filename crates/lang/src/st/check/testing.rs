@@ -12,7 +12,7 @@ use super::calls::Called;
 use super::places::Reached;
 use super::typed::{Target, Typed};
 use super::types::{Class, Kind};
-use super::{Checker, operators, words};
+use super::{Checker, operators};
 use crate::st::ast::{self, BinaryOperator, Expression, ExpressionKind, LiteralKind, Name, Quoting};
 use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, Statement, StatementKind, Text, TextRoom, Value, ValueKind};
 
@@ -358,7 +358,7 @@ impl Checker<'_> {
             let (value, data_type) = self.scalar(kept, expression.span)?;
             let kind = Kind::of(&data_type).filter(|kind| kind.is_number() || kind.class == Class::Duration);
             let Some(kind) = kind else {
-                let message = format!("`ASSERT_NEAR` compares numbers and durations, not {}", words(&data_type));
+                let message = format!("`ASSERT_NEAR` compares numbers and durations, not {}", self.words(&data_type));
                 self.report(Problem::P2305, expression.span, message).help = Some("Write `ASSERT_EQ(a, b)`.".to_owned());
                 return None;
             };
@@ -366,8 +366,11 @@ impl Checker<'_> {
                 && (first.class == Class::Duration || kind.class == Class::Duration)
                 && (first.class, first.bits) != (kind.class, kind.bits)
             {
-                let message =
-                    format!("`ASSERT_NEAR` compares values of one kind, not {} with {}", words(&first.data_type()), words(&data_type));
+                let message = format!(
+                    "`ASSERT_NEAR` compares values of one kind, not {} with {}",
+                    self.words(&first.data_type()),
+                    self.words(&data_type)
+                );
                 self.report(Problem::P2305, expression.span, message);
                 return None;
             }
@@ -428,7 +431,7 @@ impl Checker<'_> {
             }
             Some(kind) if kind.is_integer() => wide,
             _ => {
-                let message = format!("`ADVANCE_TIME` takes a duration, or a whole number of nanoseconds, not {}", words(&data_type));
+                let message = format!("`ADVANCE_TIME` takes a duration, or a whole number of nanoseconds, not {}", self.words(&data_type));
                 self.report(Problem::P2305, expression.span, message).help = Some("Write `ADVANCE_TIME(T#5s)`.".to_owned());
                 return None;
             }
@@ -450,7 +453,7 @@ impl Checker<'_> {
         let typed = self.expression(expression);
         let (value, data_type) = self.scalar(typed, expression.span)?;
         if !Kind::of(&data_type).is_some_and(|kind| kind.is_integer() || kind.class == Class::Bits && kind.bits > 1) {
-            let message = format!("the event of a STOP is a number such as 16#4562, not {}", words(&data_type));
+            let message = format!("the event of a STOP is a number such as 16#4562, not {}", self.words(&data_type));
             self.report(Problem::P2305, expression.span, message);
             return None;
         }
@@ -523,7 +526,7 @@ impl Checker<'_> {
             return None;
         };
         if Kind::of(&result.data_type).is_none() {
-            let message = format!("`{text}` returns {}; only elementary results can be mocked", words(&result.data_type));
+            let message = format!("`{text}` returns {}; only elementary results can be mocked", self.words(&result.data_type));
             self.report(Problem::P2306, returns.span, message);
             return None;
         }

@@ -344,6 +344,12 @@ impl Names for BlockNames<'_, '_> {
         false
     }
 
+    fn has_initial(&self, block: BlockId, variable: &str) -> bool {
+        let Some(code) = self.environment.items.code.get(&block) else { return false };
+        let mut declarations = code.block.sections.iter().flat_map(|section| &section.declarations);
+        declarations.any(|one| one.initial.is_some() && one.names.iter().any(|declared| declared.name.is(variable)))
+    }
+
     fn knows_instances(&self) -> bool {
         self.space == OUTSIDE
     }

@@ -293,6 +293,8 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 // A type that only other dialects have is not what was meant.
                 let words = DataType::all_words().chain(["ARRAY", "STRUCT"]);
                 let nearest = nearest.or_else(|| scope.nearest(last, words.filter(|word| !word.eq_ignore_ascii_case(last))));
+                let library = crate::st::standard::library::block_types(self.dialect);
+                let nearest = nearest.or_else(|| scope.nearest(last, library));
                 let nearest = nearest.or_else(|| scope.nearest_symbol(last));
                 let message = format!("there is no type `{full_name}`{}", did_you_mean(nearest));
                 self.report(Problem::P3015, span, message);

@@ -134,7 +134,7 @@ impl<'a> Call<'a> {
     pub(crate) fn wrong(&self, given: &Given<'_>, takes: &str) -> Refusal {
         let index = self.arguments.iter().position(|one| std::ptr::eq(one, given));
         let what = match &given.kind {
-            GivenKind::Typed(data_type) => crate::declarations::types::describe(data_type),
+            GivenKind::Typed(data_type) => self.dialect.type_words(data_type),
             GivenKind::Integer { .. } => "a whole number".to_owned(),
             GivenKind::Real => "a number with a point".to_owned(),
             GivenKind::Unknown => "something without a type".to_owned(),

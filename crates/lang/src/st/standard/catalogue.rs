@@ -224,6 +224,11 @@ const TIMES: &[&str] = &["TIME", "LTIME", "DATE", "LDATE", "TOD", "TIME_OF_DAY",
 const BITS: &[&str] = &["BYTE", "WORD", "DWORD", "LWORD"];
 const REALS: &[&str] = &["REAL", "LREAL"];
 
+/// All names that have a page, but those conversions that others stand for.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    CHAPTERS.iter().flat_map(|chapter| chapter.pages).flat_map(|page| page.names).copied()
+}
+
 /// The page of a name, without regard to case: of any conversion too.
 pub fn page(name: &str) -> Option<&'static Page> {
     let name = name.to_ascii_uppercase();

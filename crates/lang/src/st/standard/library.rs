@@ -114,6 +114,22 @@ pub fn is_own(name: &str, dialect: Dialect) -> bool {
         || ["MAX", "MIN", "SEL", "LIMIT", "LEN", "CONCAT"].iter().any(|function| function.eq_ignore_ascii_case(name))
 }
 
+/// The names of the function blocks that a dialect brings along.
+pub fn block_types(dialect: Dialect) -> impl Iterator<Item = &'static str> {
+    let system = SYSTEM.iter().map(|&(name, _)| name).filter(move |_| dialect.base() == Dialect::Scl);
+    let of_sources =
+        CONTENTS.iter().filter(move |(columns, _)| columns[dialect.column()] != 0).flat_map(|(_, blocks)| blocks.iter().copied());
+    // A call with a result is that of a function: its page says so.
+    let is_block = |name: &&str| super::catalogue::page(name).is_some_and(|page| page.calls.iter().any(|call| call.contains('→')));
+    system.chain(of_sources.filter(is_block))
+}
+
+/// Whether a name is that of a block of ST that is no function of the dialect: only other blocks of the library call it.
+pub fn is_inner(name: &str, dialect: Dialect) -> bool {
+    let is_function = RENAMED.iter().any(|(_, of, block)| *of == dialect.base() && block.eq_ignore_ascii_case(name));
+    !is_function && source(name, dialect).is_some() && super::catalogue::page(name).is_none()
+}
+
 /// The function with this name, without regard to case.
 pub fn function(name: &str, dialect: Dialect) -> Option<Provided> {
     source(name, dialect).or_else(|| library::by_name(name).filter(|block| block.block.kind == BlockKind::Function).map(Provided::Library))
