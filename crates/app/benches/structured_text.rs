@@ -1,17 +1,18 @@
-//! Structured Text beside C: `cargo bench -p sieben-app --bench structured_text [NAME [listing]]`; with `listing` the machine code
-//! of these programs is printed instead.
+//! Structured Text beside C: `cargo bench -p sieben-app --bench structured_text -- [NAME [listing]]`; with `listing` the machine code
+//! of these programs is printed instead. A path of a file `.st`, or of a folder, instead of the name takes other programs than ours,
+//! each with a file `.c` beside it.
 //!
 //! The same programs in Structured Text and, by hand, in C, compiled by the system's `cc -O3`, take turns in one run. Both run the same
 //! number of scans, 10 ms of their clock apart, and have to end with the same value of `check`. A figure is the best of all turns, as CPU
 //! time of the thread, because other work on the machine only ever adds time.
 #![allow(clippy::print_stdout)] // A measurement prints its figures.
 
-use std::env;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
+use std::{env, fs};
 
-use programs::{CHECKED_SCANS, check};
+use programs::{CHECKED_SCANS, Case, check};
 use side_by_side::{TURNS, c_program, compiled, load, now_ns};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
 use sieben_jit::{Jit, StatusBits};
@@ -43,18 +44,40 @@ fn turn(program: &Program, engine: impl FnOnce(&Program, &Layout) -> Arc<dyn Eng
     ((now_ns() - start) / scans as f64, check(program, &loaded))
 }
 
+/// Programs in Structured Text that somebody wrote, each with a file in C beside it.
+fn programs_at(path: &Path) -> Vec<Case> {
+    let mut files: Vec<PathBuf> = match fs::read_dir(path) {
+        Ok(entries) => entries.map(|entry| entry.expect("an entry of the folder").path()).collect(),
+        Err(_) => vec![path.to_owned()],
+    };
+    files.retain(|file| file.extension().is_some_and(|extension| extension == "st"));
+    files.sort();
+    let text = |file: &Path| fs::read_to_string(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    let case = |file: PathBuf| {
+        let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        Case { name: name.leak(), st: text(&file), c: text(&file.with_extension("c")), check: None }
+    };
+    files.into_iter().map(case).collect()
+}
+
 fn main() {
     println!("{:<12} {:>11} {:>11} {:>11} {:>7} {:>11} {:>9}", "ns a scan", "interp.", "machine", "cc -O3", "ratio", "compile ms", "bytes");
     let wanted = env::args().nth(1).filter(|word| !word.starts_with('-')).unwrap_or_default();
     let mut ratios = Vec::new();
-    for (index, case) in programs::all().iter().enumerate().filter(|(_, case)| case.name.contains(&wanted)) {
+    let cases = match wanted.contains('/') {
+        true => programs_at(&side_by_side::root().join(&wanted)),
+        false => programs::all().into_iter().filter(|case| case.name.contains(&wanted)).collect(),
+    };
+    for (index, case) in cases.iter().enumerate() {
         let program = compiled("bench.st", &case.st);
         if env::args().nth(2).is_some_and(|word| word == "listing") {
             println!("{}", Jit::listing(&program, &load(&program, Interpreter::load).machine.memory.layout).expect("machine code"));
             continue;
         }
         let c = c_program(case.name, &case.c, "st/main.c", C_FLAGS, index);
-        assert_eq!(c_turn(&c, CHECKED_SCANS).1, case.check, "{}: what the test of the programs compares with", case.name);
+        if let Some(check) = case.check {
+            assert_eq!(c_turn(&c, CHECKED_SCANS).1, check, "{}: what the test of the programs compares with", case.name);
+        }
         let mut engine = None;
         let start = now_ns();
         let first = turn(

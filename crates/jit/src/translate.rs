@@ -5,6 +5,7 @@
 
 use std::collections::BTreeSet;
 use std::mem::offset_of;
+use std::ops::Range;
 
 use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{self as clif, BlockArg, FuncRef, InstBuilder, InstructionData, MemFlagsData, Opcode, Value, ValueDef};
@@ -824,19 +825,21 @@ impl<'a> Translator<'a> {
 
     /// Opens a data block that the program has; whether that is known beforehand. The run makes sure that it is there.
     fn open_known(&mut self, register: DataRegister, number: u64) -> bool {
-        let range = match number {
-            0 => 0..0,
-            _ => match u16::try_from(number).ok().and_then(|number| self.layout.data_blocks.get(&number)) {
-                Some(range) => range.clone(),
-                None => return false,
-            },
-        };
+        let Some(range) = self.data_block(number) else { return false };
         let values = [number, range.start as u64, range.len() as u64];
         for (register, value) in data_registers(register).into_iter().zip(values) {
             self.set_register(register, Val::Const(value));
         }
         self.pinned.insert(number as u16);
         true
+    }
+
+    /// The bytes of a data block that the program has, by its number; 0 is none and has none.
+    fn data_block(&self, number: u64) -> Option<Range<usize>> {
+        match number {
+            0 => Some(0..0),
+            _ => self.layout.data_blocks.get(&u16::try_from(number).ok()?).cloned(),
+        }
     }
 
     fn require(&mut self, index: u32, condition: Var, register: Option<Var>, after: After) {

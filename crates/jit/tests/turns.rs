@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use dice::Dice;
 use noting::{program, run};
+use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
 use sieben_engine::{Entry, Exit, FaultPlace, Interpreter, Layout, Machine, Reaction, StopReason};
@@ -597,16 +598,29 @@ impl Maker<'_> {
         if index.width == Width::Word {
             number = self.b.compute(Op::Extend16, &[number]);
         }
-        let limit = self.b.constant(50);
+        let limit = self.b.constant(36);
         let below = self.b.compute(Op::Below, &[number, limit]);
         self.b.push(Inst::Require { condition: below, code: 162, register: number });
         let number = self.b.compute(Op::Gate, &[number, below]);
-        let size = self.b.constant(96);
+        let size = self.b.constant(128);
         let way = self.b.compute(Op::MulU32, &[number, size]);
         let first = self.b.constant(0x8500_0000);
         let pointer = self.b.compute(Op::AddU32, &[first, way]);
         let value = self.b.load(given, Width::DoubleWord, OnFault::SkipStatement);
         self.b.store(Place::Indirect { area: Area::InstanceData, pointer, offset: 0 }, Width::DoubleWord, value);
+        // Where the variable lies that the block gets as a whole: in the open data block of instances, or in another one.
+        let block = match self.dice.roll(4) {
+            0 => self.b.compute(Op::Copy, &[Register::DiNumber.into()]),
+            1 => self.get(index),
+            _ => self.b.constant(1),
+        };
+        self.b.store(Place::Indirect { area: Area::InstanceData, pointer, offset: 80 }, Width::Word, block);
+        let positions = self.b.constant(0x7FFFF);
+        let position = self.b.compute(Op::AndU32, &[pointer, positions]);
+        let first = self.dice.of(&[0x8400_0000, 0x8400_0020, 0x8500_0010, 0x8300_0000]);
+        let first = self.b.constant(first);
+        let element = self.b.compute(Op::AddU32, &[position, first]);
+        self.b.store(Place::Indirect { area: Area::InstanceData, pointer, offset: 96 }, Width::DoubleWord, element);
         self.b.compute_into(Register::Ar2, Op::Copy, &[pointer]);
         self.b.push(Inst::Call { callee: Callee::Block(FUNCTION_BLOCK), parameters: 0 });
         let result = Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 32 };
@@ -772,7 +786,24 @@ fn called(b: &mut Builder, seed: u64, is_function: bool) {
         let first = Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 0 };
         [first, sum].map(|place| get(b, place))
     };
-    let value = b.compute(dice.of(&[Op::AddU32, Op::SubU32, Op::MulU32, Op::AddF32, Op::XorU32]), &args);
+    let mut value = b.compute(dice.of(&[Op::AddU32, Op::SubU32, Op::MulU32, Op::AddF32, Op::XorU32, Op::XorU64]), &args);
+    if dice.roll(6) == 0 {
+        let now = b.temporary();
+        b.push(Inst::Intrinsic { dst: now, intrinsic: Intrinsic::Clock, args: [now; 4] });
+        value = b.compute(Op::AddU32, &[value, now]);
+    }
+    if !is_function && dice.roll(2) == 0 {
+        let of_instance = |offset| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset };
+        let number = b.load(of_instance(80), Width::Word, OnFault::SkipStatement);
+        let pointer = b.load(of_instance(96), Width::DoubleWord, OnFault::SkipStatement);
+        b.push(Inst::Open { register: DataRegister::Shared, number });
+        let whole = Place::Crossing { pointer, offset: 32 * dice.roll(3) as u32 };
+        let other = get(b, whole);
+        value = b.compute(Op::XorU32, &[value, other]);
+        if dice.roll(2) == 0 {
+            b.store(whole, Width::DoubleWord, value);
+        }
+    }
     b.store(sum, Width::DoubleWord, value);
     b.begin_statement();
     let value = get(b, sum);
@@ -784,6 +815,16 @@ fn called(b: &mut Builder, seed: u64, is_function: bool) {
         b.store(bit, Width::Bit, condition);
     }
     b.push(Inst::Branch { condition, to: Target(3) });
+    match dice.roll(3) {
+        0 => b.push(Inst::Jump { to: Target(2) }),
+        // What is not jumped over in the same statement.
+        1 => {
+            let value = get(b, sum);
+            let value = b.compute(Op::Shl16, &[value, limit]);
+            b.store(sum, Width::DoubleWord, value);
+        }
+        _ => {}
+    }
     b.begin_statement();
     let value = get(b, sum);
     let by = b.constant(dice.of(&[4, 16, 3]));
@@ -836,6 +877,7 @@ fn turns_that_nobody_looks_at_do_what_the_interpreter_does() {
         let prepare = |machine: &mut Machine| {
             let mut dice = Dice(seed + 1_000_000);
             machine.budget = dice.of(&[1, 5, 50, 1000, 1000, 100_000]);
+            machine.clock_us = 1_234_567_890;
             machine.memory.area_mut(Area::BitMemory)[..256].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
             let range = machine.memory.layout.data_blocks[&1].clone();
             machine.memory.arena[range].iter_mut().for_each(|byte| *byte = dice.of(&[0, 0x3F, 0x40, 0x7F, 0x80, 0xFF, 1, 0xC0]));

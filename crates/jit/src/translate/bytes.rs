@@ -14,6 +14,7 @@ use sieben_engine::ir::Inst;
 use sieben_model::address::Width;
 
 use super::Translator;
+use super::loops::Loop;
 use super::memory::{Address, Bit, data};
 use super::promote::Base;
 use super::value::Val;
@@ -318,6 +319,11 @@ impl Translator<'_> {
             // Somebody was asked.
             Some(_) => KnownMemory::default(),
         }
+    }
+
+    /// Knows of memory what was known in front of a loop and holds in all of its turns.
+    pub(super) fn know_in_loop(&mut self, it: &Loop, known: KnownMemory) {
+        self.words = self.words_in_loop(it, known.words);
     }
 
     /// Knows of memory what is known on all ways to a place.

@@ -26,7 +26,10 @@ pub(super) fn is_cheap(op: Op) -> bool {
             | O::SubU16
             | O::SubU32
             | O::SubU64
+            | O::MulU16
             | O::MulU32
+            | O::Shl16
+            | O::Shr16
             | O::Shl32
             | O::Shr32
             | O::Low8

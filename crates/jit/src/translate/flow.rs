@@ -143,11 +143,15 @@ impl Translator<'_> {
         self.b.switch_to_block(block);
         self.take_arena();
         let arrival = self.arrival(statement);
-        let (memory, taken, look) = (arrival.memory.take().filter(|_| !arrival.backward), arrival.taken, arrival.look);
+        let (memory, backward, taken, look) = (arrival.memory.take(), arrival.backward, arrival.taken, arrival.look);
         (self.taken, self.look) = (taken.unwrap_or(0), look.flatten());
+        let mut known_in_front = None;
         match memory {
-            Some(memory) => self.know_memory(memory),
-            None => self.forget_memory(),
+            Some(memory) if !backward => self.know_memory(memory),
+            memory => {
+                known_in_front = memory;
+                self.forget_memory();
+            }
         }
         self.changed = 0;
         self.current = known.map(|value| value.map(Val::Const));
@@ -181,7 +185,12 @@ impl Translator<'_> {
             // Behind a safe point the loop may begin anew: see `behind_question`.
             if let Some(it) = smallest {
                 self.promote(&it);
+                if let Some(known) = known_in_front {
+                    self.know_in_loop(&it, known);
+                }
+                let words = self.words.clone();
                 self.turns_at_once(&it);
+                self.words = words;
             }
             self.b.ins().jump(head, &[]);
             self.b.switch_to_block(head);

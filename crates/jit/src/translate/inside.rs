@@ -34,7 +34,21 @@ struct Sum {
 
 impl Translator<'_> {
     /// Looks at the ranges of the values of the present block, whose known registers and parameters are current.
-    pub(super) fn find_ranges(&self) -> Ranges {
+    pub(super) fn find_ranges(&mut self) -> Ranges {
+        let caller = |position: u32, width: Width| self.way_to_caller(position, width);
+        let ranges = self.ranges_of(self.words.constants(), &caller);
+        self.pinned.extend(ranges.opened());
+        ranges
+    }
+
+    /// The same for a block whose callers are not those of the running code.
+    pub(super) fn find_ranges_alone(&mut self) -> Ranges {
+        let ranges = self.ranges_of(Vec::new(), &|_, _| None);
+        self.pinned.extend(ranges.opened());
+        ranges
+    }
+
+    fn ranges_of(&self, words: Vec<(i32, Width, u64)>, caller: &dyn Fn(u32, Width) -> Option<(i32, u8)>) -> Ranges {
         // Code that has to be there at once is for the time until better code is there.
         if !self.options.optimize && !self.options.exact {
             return Ranges::default();
@@ -52,6 +66,8 @@ impl Translator<'_> {
             registers,
             parameters: self.given.iter().map(|given| given.constant()).collect(),
             local: (self.local_offset, self.native().local_size),
+            words,
+            caller,
             asks_before_writing: self.options.asks_before_writing,
             written: &written,
             instance: [&|statement| added(pointers.at(statement)), &|inst| added(pointers.after(inst))],

@@ -127,8 +127,19 @@ impl Translator<'_> {
         true
     }
 
-    /// What is known of a value from how it is computed.
+    /// The upper byte of a pointer, which names its area, if it is the same for all that the pointer may be.
+    pub(super) fn area_code(&self, pointer: Value) -> Option<u64> {
+        let Bounds { least, most, .. } = self.bounds(pointer, DEPTH_MAX)?;
+        (least >> 24 == most >> 24).then_some(least & 0xFF00_0000)
+    }
+
+    /// What is known of a value from how it is computed, or from the statement.
     fn bounds(&self, value: Value, depth: usize) -> Option<Bounds> {
+        let noted = || self.bounds.get(&value).map(|&(least, most)| Bounds { least: u64::from(least), most: u64::from(most), zeros: 0 });
+        self.computed_bounds(value, depth).or_else(noted)
+    }
+
+    fn computed_bounds(&self, value: Value, depth: usize) -> Option<Bounds> {
         let dfg = &self.b.func.dfg;
         let depth = depth.checked_sub(1)?;
         let bits = dfg.value_type(value).bits();

@@ -73,7 +73,7 @@ impl Translator<'_> {
     }
 
     /// The clock in milliseconds, 32 bits.
-    fn clock_ms(&mut self) -> Val {
+    pub(super) fn clock_ms(&mut self) -> Val {
         let ms = self.load_run(offset_of!(Run<'_, '_>, clock_ms));
         Val::Int(self.b.ins().ireduce(I32, ms))
     }

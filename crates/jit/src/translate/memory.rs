@@ -185,7 +185,16 @@ impl Translator<'_> {
             Place::Crossing { pointer, offset } => {
                 let pointer = self.get(pointer);
                 let pointer = self.force(pointer);
-                let Some(constant) = pointer.constant() else { return self.way_to_any_area(pointer, offset, width, write) };
+                let Some(constant) = pointer.constant() else {
+                    let bits = self.int(pointer);
+                    let area = self.area_code(bits).and_then(|code| access::pointed_area(code, write).ok());
+                    return match area {
+                        Some(area @ (Area::SharedData | Area::InstanceData)) => {
+                            self.way_to_pointer(index, area, (pointer, offset), width, write)
+                        }
+                        _ => self.way_to_any_area(pointer, offset, width, write),
+                    };
+                };
                 let pointer = constant;
                 match access::pointed_area(pointer, write) {
                     Ok(Area::CallerLocal) => match self.way_to_caller(moved(pointer, offset), width) {

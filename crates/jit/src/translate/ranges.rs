@@ -62,9 +62,16 @@ pub(super) struct Ranges {
     results: FxHashMap<u32, (u32, u32)>,
     /// For each statement what its code relies on.
     facts: Vec<Vec<Fact>>,
+    /// Data blocks that are opened by a number in a variable, which are taken to be as they were loaded.
+    opened: BTreeSet<u16>,
 }
 
 impl Ranges {
+    /// Data blocks that are taken to be as they were loaded.
+    pub(super) fn opened(&self) -> impl Iterator<Item = u16> {
+        self.opened.iter().copied()
+    }
+
     /// The bytes that an access by a computed address may touch, if they are known to lie inside its area.
     pub(super) fn inside(&self, inst: u32) -> Option<(Base, Range<i64>)> {
         self.inside.get(&inst).cloned()
@@ -100,6 +107,11 @@ pub(super) struct Surroundings<'a> {
     pub(super) parameters: Vec<Option<u64>>,
     /// Where the local data begin behind those of the function's outermost block, and how many bytes they are.
     pub(super) local: (i32, u32),
+    /// Constants in the local data of the block and of those that called it: offset behind the local data of the function's outermost
+    /// block, and width.
+    pub(super) words: Vec<(i32, Width, u64)>,
+    /// Where a pointer to the local data of a caller goes, if that caller is in the same function and the access does not fail.
+    pub(super) caller: &'a dyn Fn(u32, Width) -> Option<(i32, u8)>,
     /// Whether a data block that is not known beforehand may be protected.
     pub(super) asks_before_writing: bool,
     /// Registers that an instruction may change, over calls.
@@ -342,6 +354,9 @@ impl<'a> Analysis<'a> {
             if let Some(value) = value {
                 state.registers.insert(register, self.value(Interval::constant(value)));
             }
+        }
+        for &(offset, width, value) in &self.around.words {
+            state.cells.insert((Base::Local, offset, width), self.value(Interval::constant(value)));
         }
         state
     }

@@ -62,6 +62,7 @@ impl Translator<'_> {
             return;
         }
         let Some(kernel) = reader::read(self, it).filter(|kernel| !kernel.repeats_itself()) else { return };
+        self.pinned.extend(&kernel.opened);
         if let Some(bits) = bits::read(&kernel) {
             self.at_once.push((self.index, it.first, it.last));
             self.bits_at_once(&kernel, &bits, it);

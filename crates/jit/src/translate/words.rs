@@ -3,11 +3,12 @@
 //! Nothing of it is lost where somebody is asked, nor over calls: nobody but the block, and blocks that get a pointer from it, reaches
 //! its local data. Other memory may be changed then, and remembering it until then costs more registers than it spares loads.
 
-use sieben_engine::ir::{Inst, Place};
+use sieben_engine::ir::{Callee, Inst, Place};
 use sieben_model::address::{Area, Width};
 
 use super::Translator;
-use super::memory::Address;
+use super::loops::Loop;
+use super::memory::{Address, Bit};
 use super::value::Val;
 
 /// Numbers that are remembered, the newest ones: more would keep registers that the code needs.
@@ -21,6 +22,12 @@ pub(super) struct Words {
 }
 
 impl Words {
+    /// What is known to be a constant.
+    pub(super) fn constants(&self) -> Vec<(i32, Width, u64)> {
+        let constants = self.known.iter().filter_map(|&(offset, width, value)| Some((offset, width, value.constant()?)));
+        constants.filter(|&(_, width, _)| width != Width::QuadWord).collect()
+    }
+
     /// Keeps what others know, too.
     pub(super) fn keep_common(&mut self, other: &Self) {
         self.known.retain(|known| other.known.contains(known));
@@ -37,6 +44,38 @@ impl Translator<'_> {
     pub(super) fn known_word(&self, address: Address, width: Width) -> Option<Val> {
         let is_it = |&&(offset, other, _): &&(i32, Width, Val)| (offset, other) == (address.offset, width);
         self.words.known.iter().find(is_it).filter(|_| address.base == self.local).map(|&(.., value)| value)
+    }
+
+    /// The constant at an offset behind the local data of the function's outermost block, if one is known to be there.
+    pub(super) fn constant_word(&self, offset: i32, width: Width) -> Option<u64> {
+        let address = Address { base: self.local, offset, bit: Bit::Number(0) };
+        self.known_word(address, width)?.constant()
+    }
+
+    /// What is still known where a loop begins: constants that none of its turns writes.
+    pub(super) fn words_in_loop(&self, it: &Loop, mut words: Words) -> Words {
+        let end = self.local_behind() as i32;
+        words.known.retain(|&(at, width, value)| value.constant().is_some() && at + width.bytes() as i32 <= end);
+        let code = &self.native().code;
+        for inst in (it.first..=it.last).flat_map(|statement| code.statement(statement as usize)) {
+            match *inst {
+                Inst::Store { place: Place::Fixed { area: Area::Local, position }, width, .. } => {
+                    let first = self.local_offset + (position / 8) as i32;
+                    words.known.retain(|&(at, known, _)| at >= first + width.bytes() as i32 || at + known.bytes() as i32 <= first);
+                }
+                Inst::Store { place: Place::Fixed { .. }, .. } => {}
+                Inst::Store { place: Place::Indirect { area, .. }, .. } if area != Area::Local => {}
+                Inst::Call { callee: Callee::Block(id), .. } => {
+                    let outwards = (self.find)(id).is_none_or(|code| self.pointers[code as usize].writes_outwards);
+                    if outwards {
+                        return Words::default();
+                    }
+                }
+                Inst::Store { .. } | Inst::Move { .. } | Inst::Text { .. } | Inst::Call { .. } => return Words::default(),
+                _ => {}
+            }
+        }
+        words
     }
 
     /// Remembers what was read or written at an address.

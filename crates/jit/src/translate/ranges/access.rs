@@ -8,6 +8,7 @@ use sieben_model::address::{Area, Width};
 
 use super::interval::{self, Interval};
 use super::{Analysis, Known, Reach, Span, State};
+use crate::translate::memory::moved;
 use crate::translate::promote::Base;
 
 impl Analysis<'_> {
@@ -19,6 +20,12 @@ impl Analysis<'_> {
             Place::Crossing { pointer, offset } => {
                 // The area is known if all that the pointer may be is in one.
                 let (least, most) = self.get(state, temporaries, pointer).range.unsigned(64);
+                if least == most
+                    && let (Ok(Area::CallerLocal), Span::Width(width)) = (pointed_area(least as u64, write), span)
+                    && let Some((byte, _)) = (self.around.caller)(moved(least as u64, offset), width)
+                {
+                    return Reach::Cell(Base::Local, byte);
+                }
                 let far = least >> 32 != 0 && matches!(span, Span::Bytes(_));
                 match pointed_area(least as u64, write) {
                     Ok(area) if least >> 24 == most >> 24 && !far && area != Area::CallerLocal => {
@@ -158,7 +165,8 @@ impl Analysis<'_> {
         }
     }
 
-    pub(super) fn open(&mut self, state: &mut State, register: DataRegister, number: Option<u64>) {
+    /// Opens a data block; whether that is one which the program has: machine code takes it to be there.
+    pub(super) fn open(&mut self, state: &mut State, register: DataRegister, number: Option<u64>) -> bool {
         let range = match number.map(|number| number & 0xFFFF) {
             Some(0) => Some((0, 0..0)),
             Some(number) => {
@@ -167,6 +175,7 @@ impl Analysis<'_> {
             }
             None => None,
         };
+        self.found.opened.extend(range.iter().map(|&(number, _)| number as u16));
         let registers = data_registers(register).map(|register| register as u8);
         for (at, register) in registers.into_iter().enumerate() {
             state.registers.remove(&register);
@@ -176,5 +185,6 @@ impl Analysis<'_> {
                 state.registers.insert(register, known);
             }
         }
+        range.is_some()
     }
 }

@@ -70,7 +70,7 @@ impl Interval {
     }
 
     /// The lowest bits as a number with sign.
-    pub(super) fn signed(&self, bits: u32) -> (i128, i128) {
+    pub(in crate::translate) fn signed(&self, bits: u32) -> (i128, i128) {
         let (least, most) = self.modulo(bits);
         let (size, half) = (1_i128 << bits, 1_i128 << (bits - 1));
         let turn = (least + half).div_euclid(size);

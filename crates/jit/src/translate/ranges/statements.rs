@@ -10,15 +10,6 @@ use super::interval::{self, Interval, Number, comparison};
 use super::{Analysis, Known, Origin, Reach, Span, State};
 
 impl Analysis<'_> {
-    /// Whether a statement opens a data block that the program has, by a constant: machine code takes it to be there.
-    fn is_there(&self, statement: u32, number: Var) -> bool {
-        let before = self.code.statement(statement as usize).iter().take_while(|inst| !matches!(inst, Inst::Open { .. }));
-        let written = before.filter(|inst| sieben_engine::ir::verify::writes(inst) == Some(number)).last();
-        let Some(&Inst::Constant { value, .. }) = written else { return false };
-        let number = (value & 0xFFFF) as u16;
-        number == 0 || self.around.layout.data_blocks.contains_key(&number)
-    }
-
     /// Follows the instructions of a statement.
     pub(super) fn statement(&mut self, statement: u32, mut state: State, notes: bool) {
         let code = self.code;
@@ -101,9 +92,8 @@ impl Analysis<'_> {
                 }
                 Inst::RequireStack { .. } => {}
                 Inst::Open { register, number } => {
-                    fails |= !self.is_there(statement, number);
                     let number = self.get(&state, &temporaries, number);
-                    self.open(&mut state, register, number.range.exact());
+                    fails |= !self.open(&mut state, register, number.range.exact());
                 }
                 Inst::Jump { to: Target(to) } => {
                     self.arrive(to, &state, Some(statement));

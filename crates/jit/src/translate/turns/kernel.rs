@@ -72,6 +72,8 @@ pub(super) enum Kept {
     },
     /// What turns have taken from the budget for blocks that not all of them enter.
     Budget,
+    /// The clock in milliseconds, which stands still while nobody is asked.
+    Clock,
 }
 
 /// An access by an address that a turn computes.
@@ -145,6 +147,8 @@ pub(super) struct Kernel {
     pub(super) inner: Option<Turn>,
     /// Numbers on lines that have to be below limits in all turns.
     pub(super) required: Vec<(Node, u32)>,
+    /// Data blocks that turns open, which are taken to be as they were loaded.
+    pub(super) opened: BTreeSet<u16>,
     /// Registers that somebody needs behind the loop.
     pub(super) live: u32,
     /// Lines and forms that were looked for.
@@ -167,6 +171,7 @@ impl Kernel {
             outer,
             inner: None,
             required: Vec::new(),
+            opened: BTreeSet::new(),
             live: !0,
             lines: RefCell::default(),
             shapes: RefCell::default(),
@@ -178,7 +183,7 @@ impl Kernel {
         let cells = &self.cells;
         let is_live = |&Cell(cell): &Cell, live: u32| match cells[usize::from(cell)] {
             Kept::Register(register) => live & bit_of(register) != 0,
-            Kept::Memory { .. } | Kept::Budget => true,
+            Kept::Memory { .. } | Kept::Budget | Kept::Clock => true,
         };
         self.lines.borrow_mut().clear();
         self.outer.ends.retain(|cell, _| is_live(cell, self.live));
@@ -435,7 +440,7 @@ impl Kept {
     /// The bytes that a cell stands for, and which bit of them.
     fn bytes(self) -> Option<(Base, Range<i64>, Option<u8>)> {
         match self {
-            Self::Register(_) | Self::Budget => None,
+            Self::Register(_) | Self::Budget | Self::Clock => None,
             Self::Memory { base, offset, width, bit } => {
                 let bit = (width == Width::Bit).then_some(bit);
                 Some((base, i64::from(offset)..i64::from(offset) + i64::from(width.bytes()), bit))

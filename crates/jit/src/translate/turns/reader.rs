@@ -3,12 +3,14 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use sieben_engine::access::pointed_area;
+use sieben_engine::access::{data_registers, pointed_area};
 use sieben_engine::interpreter::weight;
-use sieben_engine::ir::{Callee, Inst, Op, Place, Target, Var};
+use sieben_engine::intrinsics::Intrinsic;
+use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, Target, Var};
 use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 
+use super::super::analysis::open_blocks;
 use super::super::inlining::RESTORED;
 use super::super::loops::Loop;
 use super::super::memory::moved;
@@ -21,9 +23,9 @@ use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Part, Step, Turn, W
 use super::ways::{Way, Ways};
 
 /// Instructions of a turn that is looked at, with those of the blocks that are part of it.
-const INSTRUCTIONS_MAX: usize = 320;
+const INSTRUCTIONS_MAX: usize = 640;
 /// Instructions that a turn computes though it may jump over them.
-const CHOSEN_MAX: usize = 96;
+const CHOSEN_MAX: usize = 160;
 /// How far the range of a value is followed back.
 const DEPTH_MAX: usize = 8;
 
@@ -202,7 +204,7 @@ impl Reader<'_, '_> {
                         }
                         again = Some(self.get(condition)?);
                     }
-                    Inst::Branch { condition, to: Target(to) } if is_last && is_ahead(to) => {
+                    Inst::Branch { condition, to: Target(to) } if is_ahead(to) => {
                         let condition = self.get(condition)?;
                         let (taken, other) = self.ways_behind(condition);
                         arriving.entry(to).or_default().join(taken)?;
@@ -282,10 +284,12 @@ impl Reader<'_, '_> {
     fn call(&mut self, code: usize, parameters: usize, steps: &mut Vec<Step>) -> Option<()> {
         let t = &mut *self.translator;
         let block = &t.blocks[code].code;
-        let others = bit_of(Register::Ma) | bit_of(Register::Nesting) | OPEN_BLOCKS.iter().fold(0, |all, &register| all | bit_of(register));
+        let others = bit_of(Register::Ma) | bit_of(Register::Nesting);
         let touches = |inst: &Inst| {
-            let touched = sieben_engine::ir::verify::reads(inst).chain(sieben_engine::ir::verify::writes(inst));
-            touched.filter_map(Var::register).any(|register| others & bit_of(register) != 0) || matches!(inst, Inst::Open { .. })
+            let register = |var: Var| var.register().map_or(0, bit_of);
+            let read = sieben_engine::ir::verify::reads(inst).map(register).fold(0, |all, bit| all | bit);
+            let written = sieben_engine::ir::verify::writes(inst).map_or(0, register);
+            read & others != 0 || written & (others | open_blocks()) != 0
         };
         // What a call restores stays as it is.
         if !t.inlines(code) || block.insts.iter().any(touches) {
@@ -321,11 +325,21 @@ impl Reader<'_, '_> {
             given: std::mem::replace(&mut self.given, given),
             passed: std::mem::take(&mut self.passed),
         });
-        t.ranges = t.find_ranges();
+        t.ranges = t.find_ranges_alone();
         let ways = self.ways.clone();
+        let open = OPEN_BLOCKS.map(|register| {
+            let cell = self.cell(Kept::Register(register));
+            (cell, self.now.get(&cell).copied())
+        });
         self.statements((0, last), steps)?;
         self.leave_frames(self.frames.len() - 1);
         self.ways = ways;
+        for (cell, before) in open {
+            match before {
+                Some(before) => self.now.insert(cell, before),
+                None => self.now.remove(&cell),
+            };
+        }
         self.temporaries.clear();
         for (register, value) in AFTER_CALL {
             let value = self.constant(value);
@@ -386,6 +400,13 @@ impl Reader<'_, '_> {
     fn read_cell(&mut self, cell: Cell) -> Node {
         if let Some(&node) = self.now.get(&cell) {
             return node;
+        }
+        if let Kept::Memory { base: Base::Local, offset, width, .. } = self.kernel.kept(cell)
+            && let Some(value) = self.translator.constant_word(offset, width)
+            && !self.outer.contains_key(&cell)
+        {
+            // No turn writes what is known in front of the loop.
+            return self.constant(value);
         }
         let mut level = self.level;
         if level == Level::Inner && self.written_inside.as_ref().is_some_and(|written| !written.contains(&cell)) {
@@ -452,9 +473,9 @@ impl Reader<'_, '_> {
             return None;
         }
         let cell = self.cell(Kept::Register(register));
+        let is_written = [&self.now, &self.outer].iter().any(|written| written.contains_key(&cell));
         // AR2 may be known when a turn begins though turns change it.
-        let as_it_began = self.written & bit_of(register) == 0
-            || register == Register::Ar2 && self.level == Level::Outer && !self.now.contains_key(&cell);
+        let as_it_began = !is_written && (self.written & bit_of(register) == 0 || register == Register::Ar2 && self.level == Level::Outer);
         if as_it_began && let Some(Val::Const(value)) = self.translator.current[register as usize] {
             return Some(self.constant(value));
         }
@@ -526,10 +547,32 @@ impl Reader<'_, '_> {
                 };
                 self.set(dst, pointer)
             }
+            // The loop is in a block that became part of another one.
+            Inst::Parameter { dst, index } if !self.translator.outer.is_empty() => {
+                let given = self.translator.given.get(usize::from(index)).map_or(Some(0), |given| given.constant())?;
+                let pointer = self.constant(given);
+                self.set(dst, pointer)
+            }
+            Inst::Intrinsic { dst, intrinsic: Intrinsic::Clock, .. } => {
+                let cell = self.cell(Kept::Clock);
+                let now = self.read_cell(cell);
+                self.set(dst, now)
+            }
             Inst::PassParameter { src } => {
                 let pointer = self.get(src)?;
                 let pointer = self.cut(Width::DoubleWord, pointer);
                 self.passed.push(pointer);
+                Some(())
+            }
+            Inst::Open { register, number } => {
+                let number = self.get(number)?;
+                let number = self.kernel.constant(number)? & 0xFFFF;
+                let range = self.translator.data_block(number)?;
+                self.kernel.opened.insert(number as u16);
+                for (register, value) in data_registers(register).into_iter().zip([number, range.start as u64, range.len() as u64]) {
+                    let value = self.constant(value);
+                    self.set(register.into(), value)?;
+                }
                 Some(())
             }
             Inst::Require { .. } if self.translator.ranges.is_met(index) => Some(()),
@@ -583,9 +626,15 @@ impl Reader<'_, '_> {
             Place::Indirect { area, pointer, offset } => (area, self.get(pointer)?, offset),
             Place::Crossing { pointer, offset } => {
                 let pointer = self.get(pointer)?;
-                let constant = self.kernel.constant(pointer)?;
-                match pointed_area(constant, write).ok()? {
-                    Area::CallerLocal => return self.in_caller(moved(constant, offset), width),
+                let (least, most) = self.range(pointer, DEPTH_MAX).unsigned(32);
+                if least >> 24 != most >> 24 {
+                    return None;
+                }
+                match pointed_area(least as u64, write).ok()? {
+                    Area::CallerLocal => {
+                        let constant = self.kernel.constant(pointer)?;
+                        return self.in_caller(moved(constant, offset), width);
+                    }
                     Area::PeripheralInput | Area::PeripheralOutput => return None,
                     area => (area, pointer, offset),
                 }
@@ -594,9 +643,8 @@ impl Reader<'_, '_> {
         if width == Width::QuadWord {
             return None;
         }
-        let (value_of_base, start, length) = self.translator.known_area(area, write)?;
+        let (start, length) = self.area(area, write)?;
         let base = if area == Area::Local { Base::Local } else { Base::Arena };
-        debug_assert!(base == Base::Local || value_of_base == self.translator.arena);
         if let Some(pointer) = self.kernel.constant(pointer) {
             let position = moved(pointer, offset);
             let (byte, bit) = (u64::from(position / 8), (position % 8) as u8);
@@ -606,6 +654,7 @@ impl Reader<'_, '_> {
             let offset = i32::try_from(i64::from(start) + byte as i64).ok()?;
             return Some(Reached::Cell(self.cell(Kept::Memory { base, offset, width, bit })));
         }
+        let (pointer, offset) = self.without_constants(pointer, offset);
         let area = (base, start, length);
         let always = self.always_inside(area, pointer, offset, width);
         let inside = match self.translator.ranges.inside(index) {
@@ -618,6 +667,38 @@ impl Reader<'_, '_> {
         let is_part = always.is_some() && whole.zeros >= 3 && whole.unsigned(24).1 + i128::from(offset) < 1 << 24;
         let part = is_part.then_some(Part { bytes: (offset / 8) as i32, bit: (offset % 8) as u8 });
         Some(Reached::Access(Access { level: self.level, area, pointer, offset, width, value: None, inside, sure, part }))
+    }
+
+    /// A pointer and an offset of 24 bits that lead to the same place as others: accesses at the same distance from each other in each turn
+    /// have the same pointer.
+    fn without_constants(&self, mut pointer: Node, mut offset: u32) -> (Node, u32) {
+        while let What::Compute(op @ (Op::AddU32 | Op::SubU32), [a, b, ..]) = self.kernel.what(pointer) {
+            let [x, y] = [a, b].map(|node| self.kernel.constant(node).map(|constant| constant as u32));
+            (pointer, offset) = match (op, x, y) {
+                (Op::AddU32, Some(constant), _) => (b, offset.wrapping_add(constant)),
+                (Op::AddU32, None, Some(constant)) => (a, offset.wrapping_add(constant)),
+                (Op::SubU32, _, Some(constant)) => (a, offset.wrapping_sub(constant)),
+                _ => break,
+            };
+        }
+        (pointer, offset & 0x00FF_FFFF)
+    }
+
+    /// First byte and number of bytes of an area; those of a data block as it is open in the turn.
+    fn area(&mut self, area: Area, write: bool) -> Option<(i32, u64)> {
+        let register = match area {
+            Area::SharedData => DataRegister::Shared,
+            Area::InstanceData => DataRegister::Instance,
+            _ => return self.translator.known_area(area, write).map(|(_, start, length)| (start, length)),
+        };
+        let mut open = [0; 3];
+        for (value, register) in open.iter_mut().zip(data_registers(register)) {
+            let node = self.get(register.into())?;
+            *value = self.kernel.constant(node)?;
+        }
+        let [number, start, length] = open;
+        let is_protected = self.translator.layout.read_only.iter().any(|&protected| u64::from(protected) == number);
+        (!(write && is_protected)).then_some((i32::try_from(start).ok()?, length))
     }
 
     /// A variable in the local data of a caller.
@@ -751,6 +832,9 @@ impl Reader<'_, '_> {
         if let Some(node) = self.is_one_of_its_arguments(op, args) {
             return node;
         }
+        if let Some(node) = self.simpler(op, args) {
+            return node;
+        }
         let op = match (op, self.kernel.what(args[0])) {
             // The low half of a sum rests on the low halves of its terms.
             (Op::Low16, What::Compute(wide, of)) if narrow(wide).is_some() => {
@@ -765,6 +849,11 @@ impl Reader<'_, '_> {
                     _ => Op::MulU32,
                 }
             }
+            (Op::AndU64 | Op::OrU64 | Op::XorU64, _) if args[..2].iter().all(|&arg| self.kernel.is_32_bits(arg)) => match op {
+                Op::AndU64 => Op::AndU32,
+                Op::OrU64 => Op::OrU32,
+                _ => Op::XorU32,
+            },
             // A DINT on its way to a REAL.
             (Op::I64ToF32, What::Compute(Op::ExtendI32I64, of)) => {
                 args = of;
@@ -809,6 +898,60 @@ impl Reader<'_, '_> {
         };
         let by = self.compute(Op::Gate, [by, condition, by, by]);
         Some(self.compute(op, [value, by, value, value]))
+    }
+
+    /// What stays on a line, where the operation itself would hide it.
+    fn simpler(&mut self, op: Op, [a, b, ..]: [Node; 4]) -> Option<Node> {
+        match op {
+            // Of a pointer to an instance the area is replaced: its other bits are the same for all that the pointer may be.
+            Op::AndU32 => {
+                let mask = u32::try_from(self.kernel.constant(b)?).ok()?;
+                let (least, most) = self.range(a, DEPTH_MAX).unsigned(32);
+                let above = i128::from(!mask);
+                if !mask.wrapping_add(1).is_power_of_two() || least & above != most & above || !self.kernel.is_32_bits(a) {
+                    return None;
+                }
+                let above = self.constant((least & above) as u64);
+                Some(self.compute(Op::SubU32, [a, above, a, a]))
+            }
+            Op::AddU32 => {
+                let added = self.kernel.constant(b)? as u32;
+                let What::Compute(Op::SubU32, [of, taken, ..]) = self.kernel.what(a) else { return None };
+                let taken = self.kernel.constant(taken)? as u32;
+                let added = self.constant(u64::from(added.wrapping_sub(taken)));
+                self.kernel.is_32_bits(of).then(|| self.compute(Op::AddU32, [of, added, of, of]))
+            }
+            // A number that stays inside its type is the same in the wider one.
+            Op::Extend16 => {
+                let What::Compute(op @ (Op::AddU16 | Op::SubU16 | Op::MulU16), [a, b, ..]) = self.kernel.what(a) else { return None };
+                let (exact, wide): (fn(i128, i128) -> i128, Op) = match op {
+                    Op::AddU16 => (|a, b| a + b, Op::AddU32),
+                    Op::SubU16 => (|a, b| a - b, Op::SubU32),
+                    _ => (|a, b| a * b, Op::MulU32),
+                };
+                let [x, y] = [a, b].map(|node| self.range(node, DEPTH_MAX).signed(16));
+                let stays = [(x.0, y.0), (x.0, y.1), (x.1, y.0), (x.1, y.1)].iter().all(|&(x, y)| i16::try_from(exact(x, y)).is_ok());
+                if !stays || ![a, b].iter().all(|&node| self.rests_on_counters(node, DEPTH_MAX)) {
+                    return None;
+                }
+                let [a, b] = [a, b].map(|node| self.compute(Op::Extend16, [node; 4]));
+                Some(self.compute(wide, [a, b, a, a]))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether a number is made of constants and of what cells held when a turn began, by operations that keep it on a line.
+    fn rests_on_counters(&self, node: Node, depth: usize) -> bool {
+        match self.kernel.what(node) {
+            What::Constant(_) | What::Start(..) => true,
+            What::Compute(op, args) => {
+                let keeps =
+                    matches!(op, Op::AddU16 | Op::SubU16 | Op::MulU16 | Op::AddU32 | Op::SubU32 | Op::MulU32 | Op::Low16 | Op::Extend16);
+                keeps && depth > 0 && args[..op.arity()].iter().all(|&arg| self.rests_on_counters(arg, depth - 1))
+            }
+            What::Read(_) | What::After(_) => false,
+        }
     }
 
     fn is_one_of_its_arguments(&self, op: Op, args: [Node; 4]) -> Option<Node> {
@@ -856,7 +999,19 @@ fn is_cheap(op: Op, divisor: Option<u64>) -> bool {
     let divides = matches!(op, O::DivI16 | O::DivI32 | O::RemI16 | O::RemI32) && divisor.is_some_and(|divisor| divisor as i32 > 0);
     let others = matches!(
         op,
-        O::Below | O::IsNonzero | O::Differ | O::Equal | O::DivF32 | O::I32ToF32 | O::I64ToF32 | O::ExtendI32I64 | O::NotU32 | O::NotU16
+        O::AndU64
+            | O::OrU64
+            | O::XorU64
+            | O::Below
+            | O::IsNonzero
+            | O::Differ
+            | O::Equal
+            | O::DivF32
+            | O::I32ToF32
+            | O::I64ToF32
+            | O::ExtendI32I64
+            | O::NotU32
+            | O::NotU16
     );
     divides || others || Kernel::compares(op) || super::super::choices::is_cheap(op)
 }

@@ -830,6 +830,10 @@ impl Translator<'_> {
         match kernel.kept(cell) {
             Kept::Register(register) => self.register(register),
             Kept::Budget => Val::Const(0),
+            Kept::Clock => {
+                let now = self.clock_ms();
+                Val::Int(self.int(now))
+            }
             Kept::Memory { base, offset, width, bit } => {
                 let base = if base == Base::Local { self.local } else { self.arena };
                 self.read_known(Address { base, offset, bit: Bit::Number(bit) }, width)
@@ -844,8 +848,8 @@ impl Translator<'_> {
                 let value = if is_bit(register) { self.flag(value) } else { self.word(value) };
                 self.b.def_var(self.variables[register as usize], value);
             }
-            // It goes into the budget behind the turns.
-            Kept::Budget => {}
+            // It goes into the budget behind the turns; nothing writes the clock.
+            Kept::Budget | Kept::Clock => {}
             Kept::Memory { base, offset, width, bit } => {
                 let base = if base == Base::Local { self.local } else { self.arena };
                 self.write_known(Address { base, offset, bit: Bit::Number(bit) }, width, value);
