@@ -1,5 +1,5 @@
 //! Machine code beside C: `cargo bench -p sieben-app --bench native [NAME [listing]]`; with `listing` the machine code of these programs is
-//! printed instead.
+//! printed instead. A name that is an absolute path stands for two files of one's own, `PATH.awl` and `PATH.c`.
 //!
 //! The same programs in STL and, by hand, in C (`benches/*.c`), compiled by the system's `cc -O3`, take turns in one run. A figure is the
 //! best of all turns, as CPU time of the thread, because other work on the machine only ever adds time.
@@ -93,19 +93,22 @@ fn best_ns(loaded: &mut Loaded, scans: u64) -> f64 {
 }
 
 fn main() {
-    let cases = [
+    let wanted = env::args().nth(1).filter(|word| !word.starts_with('-')).unwrap_or_default();
+    let mut cases = vec![
         bit_logic(4),
         bit_logic(1_000),
         bit_logic(10_000),
         from_files("arithmetic loop", "arithmetic_loop", 20_000),
         from_files("calls mix", "calls_mix", 200_000),
     ];
+    if wanted.starts_with('/') {
+        cases = vec![from_files(&wanted, &wanted, 1_000_000)];
+    }
     println!(
         "{:<28} {:>6} {:>9} {:>9} {:>9} {:>7} {:>9} {:>10} {:>8}",
         "ns a statement", "count", "interp.", "machine", "cc -O3", "ratio", "native cc", "compile ms", "bytes"
     );
     let mut ratios = Vec::new();
-    let wanted = env::args().nth(1).filter(|word| !word.starts_with('-')).unwrap_or_default();
     for (index, case) in cases.iter().enumerate() {
         if !case.name.contains(&wanted) {
             continue;

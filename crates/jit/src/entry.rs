@@ -10,7 +10,7 @@ use crate::run::Run;
 
 /// The function of a block: run, first byte of the arena, first byte of the block's local data, link of this activation; whether
 /// the run is left.
-type Function = extern "C" fn(&mut Run<'_, '_>, *mut u8, usize, usize) -> u64;
+pub(crate) type Function = extern "C" fn(&mut Run<'_, '_>, *mut u8, usize, usize) -> u64;
 
 /// The machine code of one program. It never changes, and any number of threads may run it at once.
 pub(crate) struct Generation {
@@ -35,7 +35,7 @@ impl Generation {
             .map(|&block| {
                 let address = module.get_finalized_function(block?);
                 // SAFETY: the address is that of a finished function which `translate` declared with exactly this signature, and the
-                // module that owns it lives as long as `self`, who alone hands it out.
+                // module that owns it lives as long as `self`, beside which `Compiled` keeps what it hands out.
                 Some(unsafe { std::mem::transmute::<*const u8, Function>(address) })
             })
             .collect();
@@ -52,6 +52,11 @@ impl Generation {
         self.levels
     }
 
+    /// The function of a block, if somebody may enter it. Who keeps it keeps the generation, too.
+    pub(crate) fn function(&self, code: usize) -> Option<Function> {
+        self.functions[code]
+    }
+
     /// Runs a block; whether the run is left.
     ///
     /// `local` is the address of its local data, which lie inside the arena, and `link` that of its entry in the list of links: the
@@ -61,8 +66,13 @@ impl Generation {
     /// If nobody but other machine code was to enter the block: organization blocks, and those that are called by a computed number, are
     /// always there.
     pub(crate) fn call(&self, code: usize, run: &mut Run<'_, '_>, local: usize, link: usize) -> bool {
-        let arena = run.arena();
         let function = self.functions[code].expect("a block that is entered from outside has a general version");
+        Self::enter(function, run, local, link)
+    }
+
+    /// The same with the function of the block.
+    pub(crate) fn enter(function: Function, run: &mut Run<'_, '_>, local: usize, link: usize) -> bool {
+        let arena = run.arena();
         function(run, arena, local, link) != 0
     }
 }
@@ -70,8 +80,8 @@ impl Generation {
 impl Drop for Generation {
     fn drop(&mut self) {
         if let Some(module) = self.module.take() {
-            // SAFETY: every run borrows the engine that owns this generation, so that none of its functions is running, and the only
-            // copies of their addresses are dropped with it.
+            // SAFETY: every run borrows the engine that owns this generation, so that none of its functions is running, and the copies
+            // of their addresses are in the same engine.
             unsafe { module.free_memory() };
         }
     }

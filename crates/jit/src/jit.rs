@@ -10,7 +10,7 @@ use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Interpreter, Layout
 use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
 
-use crate::entry::Generation;
+use crate::entry::{Function, Generation};
 use crate::run::{Areas, Limits, Room, Run, Scratch, areas};
 use crate::translate::{self, Options};
 
@@ -103,16 +103,21 @@ impl Source {
     }
 
     /// Organization blocks that may begin as machine code, by number. In others the interpreter looks at each call whether it has room.
-    fn outermost(&self, rooms: &[Room]) -> Box<[u32]> {
+    fn outermost(&self, rooms: &[Room], generation: &Generation) -> Box<[Option<Outermost>]> {
         let limits = Limits::new(&self.layout);
-        let begins =
-            |block: &Native, room: Room| block.id.kind == BlockKind::OrganizationBlock && limits.have(block.local_size as usize, room);
-        let found = || {
-            let blocks = self.blocks.iter().zip(rooms).zip(0..);
-            blocks.filter(|&((block, &room), _)| begins(block, room)).map(|((block, _), code)| (usize::from(block.id.number), code))
-        };
-        let mut outermost = vec![NONE; found().map(|(number, _)| number + 1).max().unwrap_or(0)];
-        found().for_each(|(number, code)| outermost[number] = code);
+        let mut outermost = Vec::new();
+        for (code, (block, &room)) in self.blocks.iter().zip(rooms).enumerate() {
+            let local_size = block.local_size as usize;
+            if block.id.kind == BlockKind::OrganizationBlock
+                && limits.have(local_size, room)
+                && let Some(function) = generation.function(code)
+            {
+                let number = usize::from(block.id.number);
+                outermost.resize(outermost.len().max(number + 1), None);
+                let information = local_size.min(START_INFORMATION_BYTES);
+                outermost[number] = Some(Outermost { code: code as u64, information, function });
+            }
+        }
         outermost.into_boxed_slice()
     }
 
@@ -126,7 +131,7 @@ impl Source {
             (number, DataBlockEntry { base: range.start as u32, length: range.len() as u32, read_only })
         };
         let compiled = Compiled {
-            outermost: self.outermost(&rooms),
+            outermost: self.outermost(&rooms, &generation),
             rooms,
             scratch_parameters: Scratch::parameters(self.parameters_max),
             limits: Limits::new(&self.layout),
@@ -143,14 +148,24 @@ impl Source {
     }
 }
 
-/// No block.
-const NONE: u32 = u32::MAX;
+/// Bytes of the start information of an organization block.
+const START_INFORMATION_BYTES: usize = 20;
+
+/// An organization block that may begin as machine code.
+#[derive(Clone, Copy, Debug)]
+struct Outermost {
+    /// Its place in the list.
+    code: u64,
+    /// Bytes of the start information for which its local data have room.
+    information: usize,
+    function: Function,
+}
 
 /// A program in both forms.
 #[derive(Debug)]
 pub(crate) struct Compiled {
-    /// Organization blocks that may begin as machine code, by number: their places in the list, or [`NONE`].
-    outermost: Box<[u32]>,
+    /// Organization blocks that may begin as machine code, by number.
+    outermost: Box<[Option<Outermost>]>,
     /// By block, what a function needs where it begins.
     pub(crate) rooms: Vec<Room>,
     /// Parameters for which a run needs room.
@@ -293,50 +308,44 @@ impl Jit {
             && inside(registers.di_base, registers.di_length)
     }
 
-    /// The organization block in the list, if it may begin as machine code on this machine.
-    fn begins(&self, context: &Context<'_>, entry: &Entry) -> Option<u32> {
+    /// The organization block, if it may begin as machine code on this machine.
+    fn begins(&self, context: &Context<'_>, entry: &Entry) -> Option<&Outermost> {
         let machine = &*context.machine;
-        let code = *self.compiled.outermost.get(usize::from(entry.block.number))?;
+        let block = self.compiled.outermost.get(usize::from(entry.block.number))?.as_ref()?;
         // The code of other blocks relies on a caller.
-        let begins = code != NONE
-            && entry.block.kind == BlockKind::OrganizationBlock
+        let begins = entry.block.kind == BlockKind::OrganizationBlock
             && entry.registers.as_ref().is_none_or(|registers| self.begins_with(registers, machine.memory.arena.len()))
             && context.tracer.is_none()
             && self.fits(machine);
-        begins.then_some(code)
+        begins.then_some(block)
     }
 
     #[inline]
-    fn run_native(&self, context: &mut Context<'_>, code: u32, entry: &Entry) -> Exit {
+    fn run_native(&self, context: &mut Context<'_>, block: &Outermost, entry: &Entry) -> Exit {
         let mut scratch = Scratch::take(self.compiled.scratch_parameters);
-        context.machine.registers = match &entry.registers {
-            Some(registers) => registers.clone(),
-            None => Registers::fresh(),
-        };
-        let local_size = self.compiled.blocks[code as usize].local_size as usize;
+        context.machine.registers = Registers::fresh();
+        if let Some(registers) = &entry.registers {
+            begin_with(&mut context.machine.registers, registers);
+        }
         let information = &mut context.machine.memory.arena[self.layout.local.start..];
         match information.first_chunk_mut() {
             // Of a length that is known it is two instructions.
-            Some(whole) if local_size >= entry.start_information.len() => *whole = entry.start_information,
-            _ => {
-                let length = entry.start_information.len().min(local_size);
-                information[..length].copy_from_slice(&entry.start_information[..length]);
-            }
+            Some(whole) if block.information == START_INFORMATION_BYTES => *whole = entry.start_information,
+            _ => write_first(information, &entry.start_information[..block.information]),
         }
         let mut run = Run::new(context, &self.compiled, &mut scratch);
         let (local, link, parameters) = (run.local_start(), run.link_address(0), run.parameters_start());
         let first = &mut run.scratch.links[0];
-        (first.code, first.site, first.local) = (u64::from(code), 0, local as u64);
+        (first.code, first.site, first.local) = (block.code, 0, local as u64);
         (first.parameters, first.parameters_end) = (parameters, parameters);
-        let left = self.compiled.generation.call(code as usize, &mut run, local, link);
+        let left = Generation::enter(block.function, &mut run, local, link);
         if left {
             return self.leave(run.exit.take(), run.budget, scratch, context);
         }
         let machine = &mut *run.context.machine;
         machine.budget = run.budget;
         // Whoever was asked was shown frames.
-        machine.frames.clear();
-        machine.parameters.clear();
+        clear_frames(machine);
         scratch.keep();
         Exit::Finished
     }
@@ -354,12 +363,39 @@ impl Jit {
     }
 }
 
+/// Takes away frames and parameters of a run that has ended; mostly there are none.
+#[inline]
+fn clear_frames(machine: &mut Machine) {
+    #[cold]
+    #[inline(never)]
+    fn clear(machine: &mut Machine) {
+        machine.frames.clear();
+        machine.parameters.clear();
+    }
+    if !(machine.frames.is_empty() && machine.parameters.is_empty()) {
+        clear(machine);
+    }
+}
+
+/// Begins with other registers than fresh ones: an organization block that goes on.
+#[cold]
+#[inline(never)]
+fn begin_with(registers: &mut Registers, with: &Registers) {
+    registers.clone_from(with);
+}
+
+/// Writes the first bytes of memory. Apart from the code that knows how many they are, which would not be two instructions otherwise.
+#[cold]
+#[inline(never)]
+fn write_first(memory: &mut [u8], bytes: &[u8]) {
+    memory[..bytes.len()].copy_from_slice(bytes);
+}
+
 impl Engine for Jit {
     fn run(&self, context: &mut Context<'_>, entry: &Entry) -> Exit {
-        context.machine.frames.clear();
-        context.machine.parameters.clear();
+        clear_frames(context.machine);
         match self.begins(context, entry) {
-            Some(code) => self.run_native(context, code, entry),
+            Some(block) => self.run_native(context, block, entry),
             None if self.compiled.interpreter.has_block(entry.block) => self.compiled.interpreter.run(context, entry),
             None => Exit::Finished,
         }
@@ -388,6 +424,12 @@ fn makes_protected_blocks(blocks: &[Native]) -> bool {
     let crea_db = BlockId::new(BlockKind::SystemFunction, 85);
     let is_it = |inst: &Inst| matches!(inst, Inst::Call { callee: Callee::Block(id), .. } if *id == crea_db);
     blocks.iter().any(|block| block.code.insts.iter().any(is_it))
+}
+
+/// The last statement of a block, if it is nothing but its end: who ends the block in the middle may as well go there.
+pub(crate) fn end(code: &Code) -> Option<u32> {
+    let last = code.statement_count().checked_sub(1)?;
+    (code.statement(last) == [Inst::Return]).then_some(last as u32)
 }
 
 /// Statements to which a later one jumps.

@@ -16,13 +16,13 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::Layout;
 use sieben_engine::access::data_registers;
 use sieben_engine::fault::NOTED;
-use sieben_engine::ir::{DataRegister, Inst, Op, Place, Var};
+use sieben_engine::ir::{DataRegister, Inst, Op, Place, Target, Var};
 use sieben_engine::machine::{Register, Registers};
 use sieben_model::address::Area;
 use sieben_model::block::BlockKind;
 
 use crate::ask::{GO_ON, LEAVE, Question};
-use crate::jit::Native;
+use crate::jit::{Native, end};
 use crate::run::Run;
 
 mod analysis;
@@ -176,8 +176,12 @@ struct Translator<'a> {
     words: Words,
     /// Timers that are up to date in the running piece of code.
     fresh_timers: Vec<u64>,
+    /// Counts of counters that are known in the running piece of code.
+    counts: Vec<(u64, Value)>,
     /// Where timers and counters begin, if the running piece of code knows it.
     items: [Option<Value>; 2],
+    /// Registers in whose memory something else than what they begin with may have been stored.
+    stored: u32,
     /// What has been taken from the budget and not from its variable.
     taken: i64,
     /// The look at the budget on which blocks that are entered now rely.
@@ -286,7 +290,9 @@ impl<'a> Translator<'a> {
             bytes: Bytes::default(),
             words: Words::default(),
             fresh_timers: Vec::new(),
+            counts: Vec::new(),
             items: [None; 2],
+            stored: 0,
             taken: 0,
             look: None,
             looks: Vec::new(),
@@ -412,8 +418,7 @@ impl<'a> Translator<'a> {
         }
         let at_call = if self.called_only() { AT_CALL } else { &[] };
         let mut known: Vec<(Register, u64)> = at_call.iter().copied().chain(known.iter()).collect();
-        // An organization block begins with fresh registers, which are in memory.
-        let begins = !self.called_only() && !self.options.exact;
+        let begins = self.begins_fresh();
         if begins {
             known = Register::ALL.iter().copied().zip(Registers::fresh().to_words()).collect();
         }
@@ -434,6 +439,23 @@ impl<'a> Translator<'a> {
             }
         }
         self.instance = self.register(Register::Ar2);
+    }
+
+    /// Whether the function begins with fresh registers, which are in memory: that of an organization block.
+    fn begins_fresh(&self) -> bool {
+        !self.called_only() && !self.options.exact
+    }
+
+    /// Registers that hold what they began with, and so does their memory on all ways to here.
+    fn still_fresh(&self) -> u32 {
+        // A way back brings along what is stored in code that is not written yet.
+        if !self.begins_fresh() || self.plans[self.index].loops {
+            return 0;
+        }
+        let fresh = Registers::fresh().to_words();
+        let is_fresh = |register: Register| self.current[register as usize] == Some(Val::Const(fresh[register as usize]));
+        let registers = Register::ALL.iter().filter(|&&register| is_fresh(register));
+        registers.fold(0, |all, &register| all | bit_of(register)) & !self.stored
     }
 
     /// Status bits that nobody needs from a statement on.
@@ -460,9 +482,13 @@ impl<'a> Translator<'a> {
             return;
         }
         let memory = self.registers_in_memory();
+        let fresh = Registers::fresh().to_words();
         for &register in Register::ALL {
             if registers & bit_of(register) != 0 {
                 let value = self.register(register);
+                if value != Val::Const(fresh[register as usize]) {
+                    self.stored |= bit_of(register);
+                }
                 let value = self.word(value);
                 self.b.ins().store(TRUSTED, value, memory, register_offset(register));
             }
@@ -550,7 +576,7 @@ impl<'a> Translator<'a> {
 
     fn ask(&mut self, question: Question, arguments: &[Value]) -> Value {
         match self.cold {
-            Some(_) => debug_assert!(!self.bits_wait(), "nothing waits in cold code"),
+            Some(_) => debug_assert!(!self.anything_waits(), "nothing waits in cold code"),
             None => self.forget_what_was_asked(),
         }
         if matches!(question, Question::TryLoad | Question::TryStore | Question::CallOther) {
@@ -751,14 +777,18 @@ impl<'a> Translator<'a> {
             }
             Inst::JumpTable { index, first, count, otherwise } => self.jump_table(index, first, count, otherwise),
             Inst::Call { callee, parameters } => self.call_block(index, callee, parameters),
-            // Goes on in the caller.
-            Inst::Return if !self.outer.is_empty() => {}
+            Inst::Return if !self.outer.is_empty() => {
+                if let Some(end) = end(&self.native().code).filter(|&end| end != self.statement) {
+                    self.inst(index, &Inst::Jump { to: Target(end) });
+                }
+                // Goes on in the caller.
+            }
             Inst::Return => {
                 self.settle_bytes();
                 self.store_promoted();
                 let set_by_calls = if self.called_only() { set_by_calls() } else { 0 };
                 let nobody_needs = SPARED & !self.summaries[self.index].live_out;
-                self.spill(self.dirty & !set_by_calls & !nobody_needs);
+                self.spill(self.dirty & !set_by_calls & !nobody_needs & !self.still_fresh());
                 let go_on = self.b.ins().iconst(I64, GO_ON as i64);
                 self.b.ins().return_(&[go_on]);
                 self.ended = true;
@@ -811,6 +841,7 @@ impl<'a> Translator<'a> {
         if registers == 0 {
             return;
         }
+        self.stored |= registers;
         let memory = self.registers_in_memory();
         for &register in Register::ALL.iter().filter(|&&register| registers & bit_of(register) != 0) {
             let value = if is_bit(register) {

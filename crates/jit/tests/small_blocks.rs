@@ -8,7 +8,7 @@ use dice::Dice;
 use noting::{layout, program, run};
 use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
-use sieben_engine::machine::TimerKind;
+use sieben_engine::machine::{Register, Registers, TimerKind};
 use sieben_engine::{Engine, Entry, Exit, FaultPlace, Interpreter, Machine, Reaction, StopReason};
 use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::{Area, Width};
@@ -51,7 +51,16 @@ fn read(b: &mut Builder, dice: &mut Dice, width: Width) -> Var {
 /// A statement that computes something, starts a timer, or opens a data block that may not be there.
 fn statement(b: &mut Builder, dice: &mut Dice) {
     b.begin_statement();
-    match dice.roll(12) {
+    match dice.roll(14) {
+        12 => {
+            // Often what a register begins with.
+            let value = dice.of(&[0, 0, 1, 0x1234]);
+            b.set(dice.of(&[Register::Accu1, Register::Accu2, Register::Ar1]), value);
+        }
+        13 => {
+            let value = read(b, dice, Width::Word);
+            b.copy(dice.of(&[Register::Accu1, Register::Accu2, Register::Ar1]), value);
+        }
         0..=6 => {
             let width = width(dice);
             let mut value = read(b, dice, width);
@@ -78,6 +87,25 @@ fn statement(b: &mut Builder, dice: &mut Dice) {
             // Mostly a time that is over soon, sometimes none that a timer could have.
             let preset = b.constant(dice.of(&[0x0002, 0x0003, 0x1001, 0x000A, 0]));
             b.intrinsic(Intrinsic::TimerStart(kind), &[number, rlo, preset]);
+        }
+        10 if dice.roll(2) == 0 => {
+            let (number, rlo) = (b.constant(dice.of(&[1, 1, 2])), read(b, dice, Width::Bit));
+            // Sometimes a counter that is computed, and a count that no counter could have.
+            let byte = Place::Fixed { area: Area::BitMemory, position: 0 };
+            let computed = b.load(byte, Width::Byte, OnFault::SkipStatement);
+            let number = if dice.roll(6) == 0 { computed } else { number };
+            let count = b.constant(dice.of(&[3, 3, 0x999, 0xA]));
+            let to = place(dice, Width::Word);
+            match dice.roll(6) {
+                0 => drop(b.intrinsic(Intrinsic::CounterUp, &[number, rlo])),
+                1 => drop(b.intrinsic(Intrinsic::CounterDown, &[number, rlo])),
+                2 => drop(b.intrinsic(Intrinsic::CounterSet, &[number, rlo, count])),
+                3 => drop(b.intrinsic(Intrinsic::CounterReset, &[number, rlo])),
+                _ => {
+                    let value = b.intrinsic(dice.of(&[Intrinsic::CounterValue, Intrinsic::CounterStatus]), &[number]);
+                    b.store(to, Width::Word, value);
+                }
+            }
         }
         10 => {
             let number = b.constant(dice.of(&[1, 2]));
@@ -108,6 +136,15 @@ fn block(b: &mut Builder, dice: &mut Dice, first: u16, length: u64) {
                     inner(b, dice, first);
                 }
                 statements += over;
+            }
+            // A jump over the end of the block.
+            3 => {
+                b.begin_statement();
+                let condition = read(b, dice, Width::Bit);
+                b.push(Inst::Branch { condition, to: Target(statements + 2) });
+                b.begin_statement();
+                b.push(Inst::Return);
+                statements += 2;
             }
             // A jump by a table in front of a loop, into it, or over it.
             2 => {
@@ -166,6 +203,15 @@ fn inner(b: &mut Builder, dice: &mut Dice, first: u16) {
     }
 }
 
+/// Registers that everybody sees as they are.
+fn exact(registers: &Registers) -> [u64; 12] {
+    use Register as R;
+    let data_blocks = [R::DbNumber, R::DbBase, R::DbLength, R::DiNumber, R::DiBase, R::DiLength];
+    let others = [R::Accu1, R::Accu2, R::Ar1, R::Ar2, R::Rlo, R::Br];
+    let all: Vec<u64> = others.into_iter().chain(data_blocks).map(|register| registers.get(register)).collect();
+    all.try_into().expect("twelve registers")
+}
+
 /// Changes a few bytes, the time and the budget, sometimes, and goes on.
 fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
     if asked >= QUESTIONS_MAX {
@@ -214,10 +260,11 @@ fn small_blocks_do_the_same_on_all_engines() {
             let (dice, seen) = (RefCell::new(Dice(seed + 2_000_000)), RefCell::new(Vec::new()));
             let answer = |machine: &mut Machine, _: &str, asked: usize| {
                 let timers: Vec<_> = machine.timers.iter().take(3).cloned().collect();
+                let counters: Vec<_> = machine.counters.iter().take(3).cloned().collect();
                 let local = machine.memory.layout.local.clone();
                 let bytes = machine.memory.arena[local.start..local.start + 6 * LOCAL_BYTES as usize].to_vec();
                 let shown = (machine.memory.area(Area::BitMemory)[..8].to_vec(), machine.memory.area(Area::Output)[..8].to_vec());
-                seen.borrow_mut().push((machine.budget, timers, bytes, shown));
+                seen.borrow_mut().push((machine.budget, exact(&machine.registers), timers, counters, bytes, shown));
                 meddle(machine, &mut dice.borrow_mut(), asked)
             };
             let outcome = run(engine.as_ref(), &layout, &entry, &prepare, &answer);
@@ -228,6 +275,7 @@ fn small_blocks_do_the_same_on_all_engines() {
             let (got, got_seen) = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
             let listing = || program.code.iter().map(|(id, block)| format!("{id}\n{}", block.code)).collect::<String>();
             assert_eq!(got.asked, expected.asked, "{seed} {status:?}\n{}", listing());
+            assert_eq!(exact(&got.registers), exact(&expected.registers), "{seed} {status:?}\n{}", listing());
             assert!(got.arena == expected.arena, "{seed} {status:?}: memory differs\n{}", listing());
             assert_eq!((got.exit, got.budget), (expected.exit.clone(), expected.budget), "{seed} {status:?}\n{}", listing());
             if let Some(at) = (0..expected_seen.len()).find(|&at| got_seen[at] != expected_seen[at]) {

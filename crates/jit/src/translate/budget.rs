@@ -87,9 +87,46 @@ impl Translator<'_> {
         self.look = Some(index);
     }
 
+    /// Whether the function begins with a look at the budget: if its first statement enters blocks.
+    pub(super) fn looks_at_the_beginning(&self) -> bool {
+        self.options.optimize && !self.called_only() && self.outer.is_empty() && self.statement == 0 && self.enters_blocks_once()
+    }
+
+    /// The safe point at the beginning of a function of this weight and the look in front of its first statement, as one comparison.
+    pub(super) fn enter_and_look(&mut self, weight: i64) {
+        let index = self.looks.len();
+        self.looks.push(Look::default());
+        self.taken += weight;
+        let limit = self.weight_of_look(index, self.taken);
+        let variable = self.budget();
+        let budget = self.b.use_var(variable);
+        let too_low = self.b.ins().icmp(IntCC::SignedLessThan, budget, limit);
+        let (cold, ask, go_on) = (self.cold_block(), self.cold_block(), self.b.create_block());
+        self.b.ins().brif(too_low, cold, &[], go_on, &[]);
+        self.b.switch_to_block(cold);
+        self.b.seal_block(cold);
+        let before = self.cold.replace(cold);
+        let used_up = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, budget, self.taken);
+        let code = self.b.ins().iconst(I64, self.index as i64);
+        let statement = self.b.ins().iconst(I64, 0);
+        let interpret = self.b.create_block();
+        self.b.set_cold_block(interpret);
+        self.b.ins().brif(used_up, ask, &[], interpret, &[]);
+        self.cold = before;
+        self.cold_path(interpret, Question::Interpret, &[self.link, code, statement], After::Never);
+        self.look = Some(index);
+        self.ask_at_safe_point(ask, 0, go_on);
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+        self.forget_what_was_asked();
+    }
+
     /// Whether the running statement is in no loop and calls blocks that become part of it.
     fn enters_blocks_once(&self) -> bool {
         let code = &self.native().code;
+        if self.statement as usize >= code.statement_count() {
+            return false;
+        }
         let becomes_part = |inst: &Inst| match inst {
             Inst::Call { callee: Callee::Block(id), .. } => (self.find)(*id).is_some_and(|code| self.inlines(code as usize)),
             _ => false,

@@ -18,7 +18,7 @@ use super::loops::Loop;
 use super::memory::{Address, Bit, data};
 use super::promote::Base;
 use super::value::Val;
-use super::words::Words;
+use super::words::{WaitingWords, Words};
 
 /// Pieces whose new bits wait for their store. More would keep registers that the logic needs.
 const WAITING_MAX: usize = 4;
@@ -31,6 +31,7 @@ const LONG: i32 = 4;
 #[derive(Debug, Default)]
 pub(super) struct Bytes {
     waiting: Vec<Waiting>,
+    pub(super) words: WaitingWords,
     /// Values of pieces in memory, the oldest first. Bits that wait for their store are old here.
     known: Vec<(Piece, Value)>,
     /// Bytes that code looks at bit by bit, and those that it looks at otherwise.
@@ -69,6 +70,18 @@ struct Waiting {
     ones: u32,
     /// Of them the others, in 32 bits; bits that were not written are 0. `None` = all 0.
     bits: Option<Value>,
+    /// The bit that was written last.
+    newest: Option<Newest>,
+}
+
+/// A bit that was written last to its piece: if it is read or written again before another one, what put it among the others is not needed.
+#[derive(Clone, Copy, Debug)]
+struct Newest {
+    at: u8,
+    value: Val,
+    /// The other bits of the piece.
+    ones: u32,
+    bits: Option<Value>,
 }
 
 /// What is known of memory where code meets.
@@ -78,6 +91,7 @@ pub(super) struct KnownMemory {
     words: Words,
     /// Timers that were brought up to date.
     timers: Vec<u64>,
+    counts: Vec<(u64, Value)>,
     items: [Option<Value>; 2],
 }
 
@@ -87,6 +101,7 @@ impl KnownMemory {
         self.bits.retain(|known| other.bits.contains(known));
         self.words.keep_common(&other.words);
         self.timers.retain(|timer| other.timers.contains(timer));
+        self.counts.retain(|count| other.counts.contains(count));
         for (item, other) in self.items.iter_mut().zip(other.items) {
             *item = item.filter(|&item| Some(item) == other);
         }
@@ -119,13 +134,15 @@ impl Translator<'_> {
             return value;
         };
         let (piece, at) = self.piece_of(base, offset, number);
+        self.store_waiting_words_in(piece.base, &(piece.start..piece.start + piece.bytes));
         if let Some(waiting) = self.bytes.waiting.iter().find(|waiting| waiting.piece == piece)
             && waiting.mask & 1 << at != 0
         {
             return match waiting.bits {
-                _ if waiting.ones & 1 << at != 0 => Val::Const(1),
                 // The only bit that was written.
                 Some(value) if waiting.mask == 1 => Val::Bit { value, clean: true },
+                _ if let Some(newest) = waiting.newest.filter(|newest| newest.at == at) => newest.value,
+                _ if waiting.ones & 1 << at != 0 => Val::Const(1),
                 Some(bits) => Self::bit_value(bits, at, false),
                 None => Val::Const(0),
             };
@@ -139,8 +156,8 @@ impl Translator<'_> {
         if self.write_promoted(address, width, value) {
             return;
         }
-        self.forget_word(address, width);
         if self.store_touched_at(address, width) {
+            self.forget_word(address, width);
             self.settle_bytes();
             self.write(address, width, value);
             self.take_touched_at(address, width);
@@ -148,26 +165,33 @@ impl Translator<'_> {
         }
         let Address { base, offset, bit } = address;
         let (Width::Bit, Bit::Number(number)) = (width, bit) else {
-            self.forget_bits_in(address, width);
-            self.write(address, width, value);
-            self.remember_word(address, width, value);
+            self.write_number(address, width, value);
             return;
         };
-        let value = self.force(value);
+        self.forget_word(address, width);
+        let value = match self.force(value) {
+            Val::Const(value) => Val::Const(value & 1),
+            value @ (Val::Int(_) | Val::Word(_) | Val::Real { .. }) => Val::Bit { value: self.bit(value), clean: false },
+            value => value,
+        };
         let (piece, at) = self.piece_of(base, offset, number);
+        self.store_waiting_words_in(piece.base, &(piece.start..piece.start + piece.bytes));
         let mut waiting = match self.bytes.waiting.iter().position(|waiting| waiting.piece == piece) {
             Some(index) => self.bytes.waiting.remove(index),
-            None => Waiting { piece, mask: 0, ones: 0, bits: None },
+            None => Waiting { piece, mask: 0, ones: 0, bits: None, newest: None },
         };
         let bit = 1u32 << at;
-        if waiting.mask & bit != 0 {
+        if let Some(newest) = waiting.newest.filter(|newest| newest.at == at) {
+            (waiting.ones, waiting.bits) = (newest.ones, newest.bits);
+        } else if waiting.mask & bit != 0 {
             waiting.ones &= !bit;
             waiting.bits = waiting.bits.map(|bits| self.masked(bits, !bit & piece.mask()));
         }
         waiting.mask |= bit;
+        waiting.newest = Some(Newest { at, value, ones: waiting.ones, bits: waiting.bits });
         match value {
-            Val::Const(value) if value & 1 != 0 => waiting.ones |= bit,
-            Val::Const(_) => {}
+            Val::Const(0) => {}
+            Val::Const(_) => waiting.ones |= bit,
             value => {
                 let new = self.bit_at(value, at);
                 waiting.bits = Some(match waiting.bits {
@@ -243,7 +267,8 @@ impl Translator<'_> {
         self.bytes.known.push((piece, bits));
     }
 
-    fn store_bits(&mut self, Waiting { piece, mask, ones, bits }: Waiting) {
+    fn store_bits(&mut self, waiting: Waiting) {
+        let Waiting { piece, mask, ones, bits, .. } = waiting;
         let others = piece.mask() & !mask;
         let kept = match others {
             0 => None,
@@ -272,6 +297,7 @@ impl Translator<'_> {
             let waiting = self.bytes.waiting.remove(index);
             self.store_bits(waiting);
         }
+        self.store_waiting_words_in(base, &bytes);
     }
 
     /// Stores bits that wait and forgets what is known in bytes that are written otherwise.
@@ -282,8 +308,8 @@ impl Translator<'_> {
     }
 
     /// Whether anything waits.
-    pub(super) fn bits_wait(&self) -> bool {
-        !self.bytes.waiting.is_empty()
+    pub(super) fn anything_waits(&self) -> bool {
+        !self.bytes.waiting.is_empty() || self.words_wait()
     }
 
     /// Stores what waits: somebody may look at memory from here on, or other code goes on.
@@ -291,6 +317,7 @@ impl Translator<'_> {
         for waiting in std::mem::take(&mut self.bytes.waiting) {
             self.store_bits(waiting);
         }
+        self.store_waiting_words();
     }
 
     /// Stores what waits and forgets what is known: somebody may look at memory or change it.
@@ -304,6 +331,7 @@ impl Translator<'_> {
     pub(super) fn forget_what_was_asked(&mut self) {
         self.settle_bytes();
         self.fresh_timers.clear();
+        self.counts.clear();
         self.items = [None; 2];
     }
 
@@ -314,6 +342,7 @@ impl Translator<'_> {
                 bits: self.bytes.known.clone(),
                 words: self.words.clone(),
                 timers: self.fresh_timers.clone(),
+                counts: self.counts.clone(),
                 items: self.items,
             },
             // Somebody was asked.
@@ -329,6 +358,6 @@ impl Translator<'_> {
     /// Knows of memory what is known on all ways to a place.
     pub(super) fn know_memory(&mut self, known: KnownMemory) {
         (self.bytes.known, self.words) = (known.bits, known.words);
-        (self.fresh_timers, self.items) = (known.timers, known.items);
+        (self.fresh_timers, self.counts, self.items) = (known.timers, known.counts, known.items);
     }
 }

@@ -78,7 +78,7 @@ impl Translator<'_> {
         self.store_passed();
         self.words.forget_all();
         self.spill(self.dirty);
-        self.dirty = 0;
+        (self.dirty, self.stored) = (0, ALL);
         let site = self.site(index);
         let number = number.unwrap_or_else(|| self.b.ins().iconst(I64, 0));
         let passed = self.b.ins().iconst(I64, self.passed.len() as i64);
@@ -103,6 +103,7 @@ impl Translator<'_> {
     fn call_loaded(&mut self, index: u32, code: usize, parameters: u16) {
         self.forget_what_was_asked();
         self.look = None;
+        self.stored = ALL;
         if self.pointers[code].writes_outwards {
             self.words.forget_all();
         }

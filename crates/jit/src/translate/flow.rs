@@ -65,6 +65,9 @@ impl Translator<'_> {
             self.taken += weight;
             return;
         }
+        if self.looks_at_the_beginning() {
+            return self.enter_and_look(weight);
+        }
         let go_on = self.b.create_block();
         let variable = self.budget();
         let budget = self.b.use_var(variable);
@@ -91,6 +94,11 @@ impl Translator<'_> {
     fn ask_if_used_up(&mut self, used_up: Value, statement: u32, go_on: clif::Block, asked: clif::Block) {
         let ask = self.cold_block();
         self.b.ins().brif(used_up, ask, &[], go_on, &[]);
+        self.ask_at_safe_point(ask, statement, asked);
+    }
+
+    /// Fills a cold block that asks the Host at a safe point before a statement, and goes on at `asked`.
+    pub(super) fn ask_at_safe_point(&mut self, ask: clif::Block, statement: u32, asked: clif::Block) {
         self.b.switch_to_block(ask);
         self.b.seal_block(ask);
         let before = self.cold.replace(ask);

@@ -23,7 +23,7 @@ use super::value::Val;
 use super::versions::callees;
 use super::{AFTER_CALL, AT_CALL, After, Arrival, Find, OPEN_BLOCKS, TRUSTED, Translator, bit_of};
 use crate::ask::Question;
-use crate::jit::{Native, loop_heads};
+use crate::jit::{Native, end, loop_heads};
 use crate::run::{Link, Room, Run};
 
 /// Rounds in which blocks are chosen: an inlined block has others inlined in it, and so on, as deep as this.
@@ -96,7 +96,8 @@ pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
             let size = inner.fold(block.code.insts.len(), usize::saturating_add);
             let returns = block.code.insts.iter().filter(|inst| matches!(inst, Inst::Return)).count();
             let ends_once = returns == 1 && block.code.insts.last() == Some(&Inst::Return);
-            if size <= INSTRUCTIONS_MAX && ends_once && loop_heads(&block.code).len() <= LOOPS_MAX {
+            let has_an_end = ends_once || end(&block.code).is_some();
+            if size <= INSTRUCTIONS_MAX && has_an_end && loop_heads(&block.code).len() <= LOOPS_MAX {
                 plans[index].inlined = Some(size);
             }
         }

@@ -10,7 +10,7 @@ use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
 use super::{Find, loops};
-use crate::jit::Native;
+use crate::jit::{Native, end};
 
 /// Rounds over a program or a block after which nothing counts as known.
 const ROUNDS_MAX: usize = 24;
@@ -223,6 +223,10 @@ impl<'a> Walk<'a> {
                     Inst::Jump { .. } | Inst::JumpTable { .. } => state = None,
                     Inst::Return => {
                         self.found.kept &= now.ar2 == Some(0);
+                        if let Some(end) = end(code).filter(|&end| end as usize != statement) {
+                            let arriving = now.clone();
+                            self.arrive(end, arriving);
+                        }
                         state = None;
                     }
                     _ => self.inst(index, inst, now),

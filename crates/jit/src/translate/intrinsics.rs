@@ -35,7 +35,7 @@ struct Item {
     offset: i32,
 }
 
-/// Timers that are known to be up to date, the newest ones.
+/// Timers that are known to be up to date, and counters whose count is known, the newest ones.
 const FRESH_MAX: usize = 8;
 
 /// The block in which Rust code is asked, once something goes there.
@@ -65,6 +65,7 @@ impl Translator<'_> {
                 self.cold = before;
                 self.b.switch_to_block(done);
                 self.b.seal_block(done);
+                self.counts.clear();
                 Val::Word(result)
             }
             (None, _) => Val::Word(self.ask_intrinsic(index, args)),
@@ -134,17 +135,17 @@ impl Translator<'_> {
                 self.know_as_fresh(number);
                 Val::Int(value)
             }
-            I::CounterUp => self.count(item, rlo, offset_of!(Counter, up_edge), 1),
-            I::CounterDown => self.count(item, rlo, offset_of!(Counter, down_edge), -1),
+            I::CounterUp => self.count((item, number), rlo, offset_of!(Counter, up_edge), 1),
+            I::CounterDown => self.count((item, number), rlo, offset_of!(Counter, down_edge), -1),
             I::CounterSet => {
                 let rlo = self.flag(rlo);
                 let starts = self.rises(item, rlo, offset_of!(Counter, set_edge));
                 match preset {
                     Some(preset) => {
-                        let count = self.word_field(item, offset_of!(Counter, count));
+                        let count = self.count_of(item, number);
                         let value = self.b.ins().iconst(I32, i64::from(bcd::decode(u32::from(preset), 3)));
                         let count = self.b.ins().select(starts, value, count);
-                        self.store_word(item, offset_of!(Counter, count), count);
+                        self.store_count(item, number, count);
                     }
                     None => self.leave_fast(starts, slow),
                 }
@@ -153,10 +154,10 @@ impl Translator<'_> {
             }
             I::CounterReset => {
                 let rlo = self.flag(rlo);
-                let count = self.word_field(item, offset_of!(Counter, count));
+                let count = self.count_of(item, number);
                 let zero = self.b.ins().iconst(I32, 0);
                 let count = self.b.ins().select(rlo, zero, count);
-                self.store_word(item, offset_of!(Counter, count), count);
+                self.store_count(item, number, count);
                 Val::Const(0)
             }
             I::CounterEnable => {
@@ -165,11 +166,11 @@ impl Translator<'_> {
                 Val::Const(0)
             }
             I::CounterStatus => {
-                let count = self.word_field(item, offset_of!(Counter, count));
+                let count = self.count_of(item, number);
                 let is_not_zero = self.b.ins().icmp_imm_u(IntCC::NotEqual, count, 0);
                 Val::Bit { value: self.b.ins().uextend(I32, is_not_zero), clean: true }
             }
-            I::CounterValue => Val::Int(self.word_field(item, offset_of!(Counter, count))),
+            I::CounterValue => Val::Int(self.count_of(item, number)),
             I::TimerBcd | I::CounterBcd | I::Clock => return None,
         })
     }
@@ -187,6 +188,35 @@ impl Translator<'_> {
                 self.fresh_timers.remove(0);
             }
             self.fresh_timers.push(number);
+        }
+    }
+
+    /// The count of a counter.
+    fn count_of(&mut self, item: Item, number: Val) -> Value {
+        if let Some(&(_, count)) = self.counts.iter().find(|(known, _)| number == Val::Const(*known)) {
+            return count;
+        }
+        let count = self.word_field(item, offset_of!(Counter, count));
+        self.know_count(number, count);
+        count
+    }
+
+    fn store_count(&mut self, item: Item, number: Val, count: Value) {
+        self.store_word(item, offset_of!(Counter, count), count);
+        if number.constant().is_none() {
+            // It may be any of them.
+            self.counts.clear();
+        }
+        self.know_count(number, count);
+    }
+
+    fn know_count(&mut self, number: Val, count: Value) {
+        if let Val::Const(number) = number {
+            self.counts.retain(|&(known, _)| known != number);
+            if self.counts.len() == FRESH_MAX {
+                self.counts.remove(0);
+            }
+            self.counts.push((number, count));
         }
     }
 
@@ -304,10 +334,10 @@ impl Translator<'_> {
     }
 
     /// CU and CD.
-    fn count(&mut self, item: Item, rlo: Val, edge: usize, step: i64) -> Val {
+    fn count(&mut self, (item, number): (Item, Val), rlo: Val, edge: usize, step: i64) -> Val {
         let rlo = self.flag(rlo);
         let rises = self.rises(item, rlo, edge);
-        let count = self.word_field(item, offset_of!(Counter, count));
+        let count = self.count_of(item, number);
         let room = match step {
             1 => self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, count, i64::from(COUNT_MAX)),
             _ => self.b.ins().icmp_imm_u(IntCC::NotEqual, count, 0),
@@ -315,7 +345,7 @@ impl Translator<'_> {
         let room = self.b.ins().uextend(I32, room);
         let counts = self.b.ins().band(rises, room);
         let count = if step == 1 { self.b.ins().iadd(count, counts) } else { self.b.ins().isub(count, counts) };
-        self.store_word(item, offset_of!(Counter, count), count);
+        self.store_count(item, number, count);
         self.store_byte(item, edge, rlo);
         Val::Const(0)
     }

@@ -1,7 +1,10 @@
-//! Numbers in local data: what was written there or read is not read again.
+//! Numbers in local data: what was written there or read is not read again, and what is written again before anybody can look is not
+//! written before.
 //!
 //! Nothing of it is lost where somebody is asked, nor over calls: nobody but the block, and blocks that get a pointer from it, reaches
 //! its local data. Other memory may be changed then, and remembering it until then costs more registers than it spares loads.
+
+use std::ops::Range;
 
 use sieben_engine::ir::{Callee, Inst, Place};
 use sieben_model::address::{Area, Width};
@@ -9,10 +12,13 @@ use sieben_model::address::{Area, Width};
 use super::Translator;
 use super::loops::Loop;
 use super::memory::{Address, Bit};
+use super::promote::Base;
 use super::value::Val;
 
 /// Numbers that are remembered, the newest ones: more would keep registers that the code needs.
 const KNOWN_MAX: usize = 12;
+/// Numbers that wait for their store.
+const WAITING_MAX: usize = 4;
 
 /// What is known of numbers in local data.
 #[derive(Clone, Debug, Default)]
@@ -20,6 +26,10 @@ pub(super) struct Words {
     /// Offset behind the local data of the function's outermost block, width, and the value as a load would have it. No two overlap.
     known: Vec<(i32, Width, Val)>,
 }
+
+/// Numbers that wait for their store, the oldest first: offset, width and value. No two overlap, nor does one overlap a bit that waits.
+#[derive(Debug, Default)]
+pub(super) struct WaitingWords(Vec<(i32, Width, Val)>);
 
 impl Words {
     /// What is known to be a constant.
@@ -84,19 +94,80 @@ impl Translator<'_> {
         if width == Width::Bit || !self.options.optimize || address.base != self.local {
             return;
         }
+        let value = self.as_read_there(width, value);
+        self.know_word(address, width, value);
+    }
+
+    /// A number as a load of this width would have it.
+    fn as_read_there(&mut self, width: Width, value: Val) -> Val {
         let bits = width.bytes() * 8;
-        let value = match (self.force(value), width) {
+        match (self.force(value), width) {
             (Val::Const(value), _) if bits < 64 => Val::Const(value & ((1 << bits) - 1)),
             (Val::Const(value), _) => Val::Const(value),
             (value, Width::QuadWord) => Val::Word(self.word(value)),
             (value @ (Val::Word(_) | Val::Bit { .. } | Val::At { .. }), Width::DoubleWord) => Val::Int(self.int(value)),
             (value, Width::DoubleWord) => value,
             (value, _) => Val::Int(self.low_bits(value, width)),
-        };
+        }
+    }
+
+    fn know_word(&mut self, address: Address, width: Width, value: Val) {
         if self.words.known.len() == KNOWN_MAX {
             self.words.known.remove(0);
         }
         self.words.known.push((address.offset, width, value));
+    }
+
+    /// Writes a number to an address that is known to be there. In local data it waits for its store.
+    pub(super) fn write_number(&mut self, address: Address, width: Width, value: Val) {
+        if !self.options.optimize || address.base != self.local {
+            self.forget_bits_in(address, width);
+            return self.write(address, width, value);
+        }
+        let value = self.force(value);
+        let known = self.as_read_there(width, value);
+        if self.known_word(address, width) == Some(known) {
+            // It is there already, or waits.
+            return;
+        }
+        self.forget_word(address, width);
+        let (start, end) = (address.offset, address.offset + width.bytes() as i32);
+        self.bytes.words.0.retain(|&(at, width, _)| at < start || at + width.bytes() as i32 > end);
+        self.forget_bits_in(address, width);
+        self.know_word(address, width, known);
+        self.bytes.words.0.push((address.offset, width, value));
+        if self.bytes.words.0.len() > WAITING_MAX {
+            let oldest = self.bytes.words.0.remove(0);
+            self.store_word_that_waited(oldest);
+        }
+    }
+
+    fn store_word_that_waited(&mut self, (offset, width, value): (i32, Width, Val)) {
+        self.write(Address { base: self.local, offset, bit: Bit::Number(0) }, width, value);
+    }
+
+    /// Whether a number waits for its store.
+    pub(super) fn words_wait(&self) -> bool {
+        !self.bytes.words.0.is_empty()
+    }
+
+    /// Stores numbers that wait.
+    pub(super) fn store_waiting_words(&mut self) {
+        for waiting in std::mem::take(&mut self.bytes.words.0) {
+            self.store_word_that_waited(waiting);
+        }
+    }
+
+    /// Stores numbers that wait and share bytes with these.
+    pub(super) fn store_waiting_words_in(&mut self, base: Base, bytes: &Range<i32>) {
+        if base != Base::Local {
+            return;
+        }
+        let meets = |&(at, width, _): &(i32, Width, Val)| at < bytes.end && bytes.start < at + width.bytes() as i32;
+        while let Some(index) = self.bytes.words.0.iter().position(meets) {
+            let waiting = self.bytes.words.0.remove(index);
+            self.store_word_that_waited(waiting);
+        }
     }
 
     /// Forgets what overlaps an address that is written.

@@ -8,6 +8,7 @@ use sieben_engine::machine::Register;
 
 use super::interval::{self, Interval, Number, comparison};
 use super::{Analysis, Known, Origin, Reach, Span, State};
+use crate::jit::end;
 
 impl Analysis<'_> {
     /// Follows the instructions of a statement.
@@ -127,7 +128,12 @@ impl Analysis<'_> {
                     state.cells.clear();
                     temporaries.clear();
                 }
-                Inst::Return => ended = true,
+                Inst::Return => {
+                    if let Some(end) = end(code).filter(|&end| end != statement) {
+                        self.arrive(end, &state, Some(statement));
+                    }
+                    ended = true;
+                }
             }
             if fails {
                 self.arrive_failed(statement, &registers, &state);
