@@ -139,7 +139,7 @@ fn quoted_words() -> Vec<String> {
     let mut words: Vec<String> = texts.flat_map(|text| text.split('"').filter(is_name).map(str::to_owned).collect::<Vec<_>>()).collect();
     for source in SOURCES {
         let heads = source.text.lines().filter_map(|line| line.strip_prefix("FUNCTION_BLOCK ").or_else(|| line.strip_prefix("FUNCTION ")));
-        words.extend(heads.filter_map(|rest| rest.split([' ', ':']).next()).map(str::to_owned));
+        words.extend(heads.filter_map(|rest| rest.split([' ', ':']).next()).map(|name| name.trim_matches('"').to_owned()));
     }
     words.sort();
     words.dedup();

@@ -4,6 +4,7 @@ pub mod ast;
 pub mod check;
 pub mod declare;
 pub mod dialect;
+mod dtl;
 pub mod format;
 mod keywords;
 mod lexer;

@@ -403,6 +403,14 @@ pub enum Argument {
 }
 
 impl Argument {
+    /// The variable that goes in as a whole, if one does.
+    pub fn place(&self) -> Option<&Place> {
+        match self {
+            Self::Aggregate { source: place, .. } | Self::InOut { place, .. } | Self::Pointer { place, .. } => Some(place),
+            _ => None,
+        }
+    }
+
     /// The parameter that it is for; `None` for ENO.
     pub fn parameter(&self) -> Option<u32> {
         match self {

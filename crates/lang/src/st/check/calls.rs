@@ -18,6 +18,7 @@ use crate::library;
 use crate::scope::nearest;
 use crate::st::ast::{self, Direction, Expression, ExpressionKind, MemberKind, Name, Quoting};
 use crate::st::dialect::Construct;
+use crate::st::dtl;
 use crate::st::open_arrays::{is_bound, is_open};
 use crate::st::standard;
 use crate::st::standard::operators::{Beyond, Rounding, convert as steps};
@@ -712,6 +713,11 @@ impl Checker<'_> {
             wanted => match typed {
                 Typed::Aggregate(target) if same_type(&target.data_type, wanted) => {
                     Argument::Aggregate { parameter, source: target.place, data_type: target.data_type }
+                }
+                Typed::Structured(_, bytes) if dtl::is_dtl(wanted) => {
+                    let source = self.temporary_place(dtl::BYTES as u32, span);
+                    before.extend(Self::write_dtl(&source, bytes, span));
+                    Argument::Aggregate { parameter, source, data_type: wanted.clone() }
                 }
                 Typed::Moment(bytes) if *wanted == DataType::DateAndTime => {
                     let source = self.temporary_place(8, span);

@@ -10,8 +10,9 @@ use super::places::Reached;
 use super::typed::Typed;
 use super::types::{Class, Implicit, Kind, common, implicit};
 use super::{Checker, operators};
-use crate::st::ast::{BinaryOperator, Expression, ExpressionKind, Literal, LiteralKind, UnaryOperator};
+use crate::st::ast::{BinaryOperator, DateAndTimeForm, Expression, ExpressionKind, Literal, LiteralKind, UnaryOperator};
 use crate::st::dialect::{Calendar, Construct, Dialect, Judgement};
+use crate::st::dtl;
 use crate::st::standard::{self, Given, GivenKind};
 use crate::st::tree::{Scalar, Text, Value, ValueKind};
 
@@ -70,7 +71,10 @@ impl Checker<'_> {
         {
             return value;
         }
-        self.expression(expression)
+        match self.by_target(expression, wanted) {
+            Some(conversion) => self.expression(&conversion),
+            None => self.expression(expression),
+        }
     }
 
     /// An expression as a value of a type.
@@ -100,6 +104,10 @@ impl Checker<'_> {
 
     /// A constant as written.
     pub(super) fn literal(&mut self, literal: &LiteralKind, prefix: Option<&'static str>, span: Span) -> Typed {
+        if let LiteralKind::DateAndTime { nanoseconds, form: DateAndTimeForm::Structured } = literal {
+            let nanoseconds = *nanoseconds as u64;
+            return Typed::Structured(nanoseconds, dtl::bytes(nanoseconds));
+        }
         let natural = prefix.and_then(DataType::from_any_word).or_else(|| literals::natural(literal, self.dialect));
         let natural = natural.map(|data_type| self.native(data_type));
         match (literal, natural) {
@@ -611,6 +619,13 @@ impl Checker<'_> {
             let null = Value { kind: ValueKind::Constant(0), scalar: Scalar::U64, span: sign };
             let op = if operator == BinaryOperator::Equal { Op::Equal } else { Op::Differ };
             return of_bool(operators::compute(op, vec![value, null], Scalar::Bool));
+        }
+        let (a, b) = match Self::is_dtl(&a) && Self::is_dtl(&b) {
+            true => (self.dtl_as_number(a, left), self.dtl_as_number(b, right)),
+            false => (a, b),
+        };
+        if a == Typed::Poison || b == Typed::Poison {
+            return Typed::Poison;
         }
         if let (Typed::Aggregate(target), _) | (_, Typed::Aggregate(target)) = (&a, &b) {
             let message = format!("`{}` compares elementary values and texts, not {}", operator.sign(), self.words(&target.data_type));

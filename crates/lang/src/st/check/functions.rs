@@ -320,7 +320,7 @@ impl Checker<'_> {
     }
 
     /// A standard function that is a block: all its parameters but the result are inputs.
-    fn block_function(
+    pub(super) fn block_function(
         &mut self,
         (block, written_out): (BlockId, Option<TextFunction>),
         interface: &Arc<Interface>,
@@ -491,6 +491,7 @@ pub(super) fn kind_of(typed: &Typed) -> GivenKind {
         Typed::Text(text) => GivenKind::Typed(super::texts::type_of_room(text.room())),
         Typed::Aggregate(target) => GivenKind::Typed(target.data_type.clone()),
         Typed::Moment(_) => GivenKind::Typed(DataType::DateAndTime),
+        Typed::Structured(..) => GivenKind::Typed(crate::st::dtl::data_type()),
         Typed::Pointer(pointer) => {
             let literal = ast::LiteralKind::Pointer(pointer.clone());
             literals::natural(&literal, crate::st::dialect::Dialect::Scl).map_or(GivenKind::Unknown, GivenKind::Typed)

@@ -16,8 +16,8 @@ use super::typed::{Target, Typed};
 use super::types::{Class, Kind};
 use crate::st::ast::{self, BinaryOperator, Expression, Name};
 use crate::st::open_arrays::End;
-use crate::st::standard::build::compute;
 use crate::st::standard::operators::Operation;
+use crate::st::standard::{self, build::compute};
 use crate::st::tree::{Bounds, Branch, Callee, Index, Place, Scalar, Statement, StatementKind, Value, ValueKind, room_of};
 
 /// Elements from the first one on that are not all in the source, in the target.
@@ -52,7 +52,7 @@ impl Checker<'_> {
                     Some("Call it in a statement of its own.".to_owned());
                 None
             }
-            _ => return self.clock(&upper, call, span),
+            _ => return self.without_target(&upper, call, span).or_else(|| self.clock(&upper, call, span)),
         };
         Some(found.unwrap_or(Typed::Poison))
     }
@@ -75,6 +75,9 @@ impl Checker<'_> {
     fn sum(&mut self, name: &str, operator: BinaryOperator, call: &ast::Call, span: Span) -> Option<Typed> {
         let given = self.named(name, call, &["IN1", "IN2"], span)?;
         let (a, b) = (self.expression(given[0]), self.expression(given[1]));
+        if Self::is_dtl(&a) {
+            return Some(self.sum_of_dtl(name, (a, given[0].span), (b, given[1].span), span));
+        }
         let timed = |typed: &Typed| {
             let Typed::Scalar { data_type, .. } = typed else { return false };
             Kind::of(data_type)
@@ -93,9 +96,31 @@ impl Checker<'_> {
         Some(self.arithmetic(operator, span, (a, given[0].span), (b, given[1].span)))
     }
 
+    /// T_DIFF of two DTL; the sums are a DTL, which is only assigned.
+    fn sum_of_dtl(&mut self, name: &str, a: (Typed, Span), b: (Typed, Span), span: Span) -> Typed {
+        if b.0 == Typed::Poison {
+            return Typed::Poison;
+        }
+        if Self::is_dtl(&b.0) {
+            let long = self.by_block("TIA_DIFF_DTL", vec![a, b], span);
+            let call = standard::Given { name: None, kind: super::functions::kind_of(&long) };
+            let given = [call];
+            let Some(Ok(resolved)) = standard::resolve("LTIME_TO_TIME", self.dialect, &given) else { return long };
+            let argument = ast::Argument { name: None, direction: ast::Direction::Assigned, value: None, span };
+            let call = ast::Call { callee: Expression { kind: ast::ExpressionKind::Missing, span }, arguments: vec![argument] };
+            return self.composed("LTIME_TO_TIME", resolved, &call, vec![(long, span)], span);
+        }
+        let message = format!("`{name}` of a DTL is a DTL, which stands only in an assignment of its own");
+        self.report(Problem::P6320, span, message).help = Some(format!("Write `x := {name}(…);` with a DTL `x`."));
+        Typed::Poison
+    }
+
     /// RD_SYS_T and its like: a system function whose result says whether it went well.
     fn clock(&mut self, name: &str, call: &ast::Call, span: Span) -> Option<Typed> {
         let &(_, number, own, given) = CLOCKS.iter().find(|(one, ..)| *one == name)?;
+        if let Some(typed) = self.clock_of_type(given, call, span) {
+            return Some(typed);
+        }
         let block = BlockId::new(BlockKind::SystemFunction, number);
         let mut renamed = call.clone();
         for argument in &mut renamed.arguments {
@@ -108,6 +133,28 @@ impl Checker<'_> {
         let Some((done, before)) = self.arguments(Callee::Function(block), &interface, &renamed, span) else { return Some(Typed::Poison) };
         let result = interface.variable("RET_VAL")?;
         Some(self.delivered_result(result, done, before, span))
+    }
+
+    /// The clock as a DTL or an LDT, which a block of the library makes of the DATE_AND_TIME that the CPU has.
+    fn clock_of_type(&mut self, parameter: &str, call: &ast::Call, span: Span) -> Option<Typed> {
+        let [ast::Argument { value: Some(value), .. }] = call.arguments.as_slice() else { return None };
+        let data_type = match self.quietly(|checker| checker.reach(value)) {
+            Reached::Target(target) => target.data_type,
+            Reached::Other(Typed::Structured(..)) => crate::st::dtl::data_type(),
+            Reached::Other(Typed::Scalar { data_type, .. }) => data_type,
+            Reached::Other(_) => return None,
+        };
+        let function = match (&data_type, parameter) {
+            (DataType::LongDateAndTime, "OUT") => "TIA_READ_LDT",
+            (DataType::LongDateAndTime, _) => "TIA_WRITE_LDT",
+            (other, "OUT") if crate::st::dtl::is_dtl(other) => "TIA_READ_DTL",
+            (other, _) if crate::st::dtl::is_dtl(other) => "TIA_WRITE_DTL",
+            _ => return None,
+        };
+        let Some(block) = self.of_library(function) else { return Some(self.not_built(span, "this instruction")) };
+        let Some(interface) = self.interface(block, span) else { return Some(Typed::Poison) };
+        let Some((done, before)) = self.arguments(Callee::Function(block), &interface, call, span) else { return Some(Typed::Poison) };
+        Some(self.result_of(done, before, span))
     }
 
     fn count_of_elements(&mut self, call: &ast::Call, span: Span) -> Option<Typed> {

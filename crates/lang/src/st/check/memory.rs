@@ -90,6 +90,9 @@ impl Checker<'_> {
         if !self.has_memory_functions() {
             return None;
         }
+        if let Some(done) = self.by_output(name, call, span) {
+            return Some(done);
+        }
         let upper = name.text.to_ascii_uppercase();
         Some(match upper.as_str() {
             "POKE" => self.poke(call, span),

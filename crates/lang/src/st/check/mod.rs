@@ -9,6 +9,7 @@ mod locals;
 mod loops;
 pub(crate) mod members;
 mod memory;
+mod moments;
 pub mod names;
 mod open_arrays;
 mod operators;

@@ -793,6 +793,7 @@ impl Checker<'_> {
             Typed::Text(_) => "a text".to_owned(),
             Typed::Aggregate(target) => format!("`{}` of type {}", target.name, self.words(&target.data_type)),
             Typed::Moment(_) => "a DATE_AND_TIME".to_owned(),
+            Typed::Structured(..) => "a DTL".to_owned(),
             Typed::Pointer(_) => "a pointer".to_owned(),
             Typed::Null => "NULL".to_owned(),
             Typed::Block(block) => format!("the block `{}`", self.names.block_name(*block)),

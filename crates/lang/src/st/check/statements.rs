@@ -17,7 +17,8 @@ use super::types::Kind;
 use super::{Block, Checker, Label, operators, walk};
 use crate::st::ast::{self, AssignOperator, BinaryOperator, Expression, ExpressionKind, Name, StatementKind as Kinds};
 use crate::st::dialect::{Construct, IndexFault, Judgement};
-use crate::st::tree::{Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind, room_of};
+use crate::st::dtl;
+use crate::st::tree::{Argument, Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind, room_of};
 
 impl Checker<'_> {
     /// A list of statements.
@@ -235,9 +236,12 @@ impl Checker<'_> {
 
     fn constant_words(&self, typed: &Typed) -> String {
         match typed {
-            Typed::Integer { .. } | Typed::Real { .. } | Typed::Scalar { .. } | Typed::Text(_) | Typed::Moment(_) => {
-                "a constant".to_owned()
-            }
+            Typed::Integer { .. }
+            | Typed::Real { .. }
+            | Typed::Scalar { .. }
+            | Typed::Text(_)
+            | Typed::Moment(_)
+            | Typed::Structured(..) => "a constant".to_owned(),
             other => self.what(other),
         }
     }
@@ -277,7 +281,7 @@ impl Checker<'_> {
     }
 
     /// `target := value`.
-    fn assign(&mut self, target: &Expression, value: &Expression, span: Span) -> Option<StatementKind> {
+    pub(super) fn assign(&mut self, target: &Expression, value: &Expression, span: Span) -> Option<StatementKind> {
         // OK and ENO.
         if let ExpressionKind::Name(name) = &target.kind
             && (name.is("OK") || name.is("ENO"))
@@ -316,6 +320,8 @@ impl Checker<'_> {
 
     /// A function whose result is an array or a structure writes it to the target itself.
     fn result_into(&mut self, target: &Target, value: &Expression, span: Span) -> Option<Option<StatementKind>> {
+        let conversion = self.by_target(value, &target.data_type);
+        let value = conversion.as_ref().unwrap_or(value);
         let ExpressionKind::Call(call) = &value.kind else { return None };
         if Kind::of(&target.data_type).is_some() || room_of(&target.data_type).is_some() {
             return None;
@@ -323,6 +329,10 @@ impl Checker<'_> {
         let (block, callee) = match self.quietly(|checker| checker.called(&call.callee)) {
             Called::Function(block) => (block, Callee::Function(block)),
             Called::Method(block, callee) => (block, callee),
+            Called::Standard(name) => {
+                let block = self.structured_function(&name, &target.data_type)?;
+                (block, Callee::Function(block))
+            }
             _ => return None,
         };
         let interface = self.names.interface(block)?;
@@ -339,15 +349,19 @@ impl Checker<'_> {
             Some(found) => found,
             None => return Some(None),
         };
-        let output = crate::st::tree::Argument::OutputAggregate {
-            parameter: result.offset,
-            target: target.place.clone(),
-            data_type: target.data_type.clone(),
-        };
+        let bytes = u32::try_from(target.data_type.bits().div_ceil(8)).unwrap_or(u32::MAX);
+        // The function begins with an empty result: what it reads of the target must still be there.
+        let read = call.arguments.iter().filter_map(Argument::place).any(|place| may_overlap(place, &target.place, bytes));
+        let into = if read { self.temporary_place(bytes, span) } else { target.place.clone() };
+        let output = Argument::OutputAggregate { parameter: result.offset, target: into.clone(), data_type: target.data_type.clone() };
         let mut arguments = call.arguments;
         arguments.push(output);
         let call = Call { arguments, result: DataType::Void, ..call };
         before.push(Statement { kind: StatementKind::Call(call), span });
+        if read {
+            let kind = StatementKind::Copy { target: target.place.clone(), source: into, bytes };
+            before.push(Statement { kind, span });
+        }
         Some(Some(StatementKind::Block(before)))
     }
 
@@ -372,6 +386,9 @@ impl Checker<'_> {
                 Some(StatementKind::AssignString { target: target.place, room, source })
             }
             (DataType::DateAndTime, Typed::Moment(bytes)) => Some(StatementKind::Block(moment(&target.place, bytes, span))),
+            (wanted, Typed::Structured(_, bytes)) if dtl::is_dtl(wanted) => {
+                Some(StatementKind::Block(Self::write_dtl(&target.place, bytes, span)))
+            }
             (wanted, Typed::Aggregate(source)) if same_type(wanted, &source.data_type) => {
                 if matches!(wanted, DataType::Instance { .. }) && !self.dialect.switches().temporaries_initialised {
                     let message = format!("`{}` is an instance, and instances are not copied", target.name);
@@ -498,6 +515,21 @@ impl Checker<'_> {
         self.quiet = before;
         result
     }
+}
+
+/// Whether what a call is given may have bytes in common with the variable that it writes.
+fn may_overlap(given: &Place, written: &Place, bytes: u32) -> bool {
+    use crate::st::tree::Base as B;
+    let known = |base: &B| matches!(base, B::Area(_) | B::DataBlock(_));
+    if given.base != written.base {
+        // Two areas, or two data blocks, have nothing in common; the instance is a part of some data block.
+        let refers = |base: &B| matches!(base, B::Reference(_));
+        let local = [given, written].iter().any(|place| place.base == B::Area(Area::Local));
+        return refers(&given.base) || refers(&written.base) || !(local || known(&given.base) && known(&written.base));
+    }
+    // What lies behind the variable is something else; how long what lies before it is, is not asked.
+    let behind = written.indexes.is_empty() && given.offset >= written.offset.saturating_add(bytes.saturating_mul(8));
+    !behind
 }
 
 /// The statements that write the eight bytes of a DATE_AND_TIME.

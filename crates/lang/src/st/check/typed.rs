@@ -5,6 +5,7 @@ use sieben_model::literal::Value as Pointer;
 use sieben_model::types::DataType;
 
 use super::names::Role;
+use crate::st::dtl::BYTES;
 use crate::st::tree::{Place, Text, Value};
 
 /// An expression that has been looked at.
@@ -24,6 +25,8 @@ pub(super) enum Typed {
     Aggregate(Target),
     /// A constant of the DATE_AND_TIME of the S7.
     Moment([u8; 8]),
+    /// A constant of the type DTL: its nanoseconds since 1970, and its bytes.
+    Structured(u64, [u8; BYTES]),
     /// A constant pointer.
     Pointer(Pointer),
     /// NULL.

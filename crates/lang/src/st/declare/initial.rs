@@ -9,9 +9,11 @@ use super::types::Resolver;
 use crate::declarations::types::describe;
 use crate::declarations::values::{Misfit, write, write_initial};
 use crate::scope::did_you_mean;
+use crate::st::ast::DateAndTimeForm;
 use crate::st::ast::{Expression, ExpressionKind, Initializer, InitializerKind, LiteralKind};
 use crate::st::check::names::Constant;
 use crate::st::dialect::{Construct, Dialect};
+use crate::st::dtl;
 
 /// Days from 1970-01-01 to 1990-01-01, where the calendar of the S7 begins.
 const DAYS_TO_1990: u32 = 7305;
@@ -137,6 +139,9 @@ pub(crate) fn value_of(constant: &LiteralKind, data_type: &DataType, dialect: Di
             }
         }
         (T::LongDateAndTime, L::DateAndTime { nanoseconds, .. }) => long(*nanoseconds as u64),
+        (dtl, L::DateAndTime { nanoseconds, form: DateAndTimeForm::Structured }) if dtl::is_dtl(dtl) => {
+            Ok(Value::Image(dtl::bytes(*nanoseconds as u64).to_vec()))
+        }
         (T::String(length), L::Characters(text)) => {
             if text.len() <= usize::from(*length) {
                 Ok(Value::Characters(text.clone()))
@@ -237,7 +242,8 @@ impl Resolver<'_, '_> {
 
     /// The initial values of a variable; empty if there are none, or if something was wrong with them, which is reported.
     pub(super) fn initial(&mut self, initializer: &Initializer, data_type: &DataType) -> Vec<Value> {
-        let aggregate = matches!(data_type, DataType::Array { .. } | DataType::Struct(_) | DataType::Instance { .. });
+        let aggregate =
+            matches!(data_type, DataType::Array { .. } | DataType::Struct(_) | DataType::Instance { .. }) && !dtl::is_dtl(data_type);
         if let (false, InitializerKind::Expression(expression)) = (aggregate, &initializer.kind) {
             let Some(constant) = self.constant_for(expression, data_type) else { return Vec::new() };
             return self.fitting(&constant, data_type, expression.span).into_iter().collect();
@@ -288,6 +294,14 @@ impl Resolver<'_, '_> {
                             self.report(Problem::P3007, name.span, message);
                         }
                     }
+                }
+            }
+            (dtl, InitializerKind::Expression(expression)) if dtl::is_dtl(dtl) => {
+                if let Some(constant) = self.constant(expression)
+                    && let Some(Value::Image(bytes)) = self.fitting(&constant, data_type, expression.span)
+                {
+                    let first = (position / 8) as usize;
+                    image[first..first + bytes.len()].copy_from_slice(&bytes);
                 }
             }
             (DataType::Struct(_) | DataType::Instance { .. } | DataType::Array { .. }, _) => {

@@ -19,6 +19,7 @@ use crate::scope::{did_you_mean, key};
 use crate::st::ast::{Dimension, TypeKind, TypeSpec};
 use crate::st::check::names::Entity;
 use crate::st::dialect::{Calendar, Construct, Dialect, Judgement};
+use crate::st::dtl;
 use crate::st::open_arrays::OPEN;
 use crate::st::standard::Provided;
 use crate::st::standard::library::block_type;
@@ -114,6 +115,9 @@ impl<'t, 'a> Resolver<'t, 'a> {
             Some(data_type) => data_type,
             None if word.eq_ignore_ascii_case("BIT") => DataType::Bool,
             None if word.eq_ignore_ascii_case("VARIANT") => DataType::Any,
+            None if word.eq_ignore_ascii_case(dtl::WORD) && self.dialect.judge(Construct::PeekPoke) == Judgement::Accept => {
+                dtl::data_type()
+            }
             None if word.eq_ignore_ascii_case("DB_ANY") && self.dialect.switches().numbered_blocks => DataType::BlockData,
             None => return None,
         };

@@ -157,6 +157,9 @@ chapters! {
             "CONCAT_DATE(YEAR: INT; MONTH: INT; DAY: INT): DATE" "CONCAT_TOD(HOUR: INT; MINUTE: INT; SECOND: INT; MILLISECOND: INT): TOD"
             "SPLIT_DATE(IN: DATE; YEAR => INT; MONTH => INT; DAY => INT)" "SPLIT_TOD(IN: TOD; HOUR => INT; MINUTE => INT; SECOND => INT; MILLISECOND => INT)";
         "t_add" "sums and differences of tia" ["T_ADD" "T_SUB" "T_DIFF"] "T_ADD(IN1: TIME; IN2: TIME): TIME" "T_SUB(IN1: TIME; IN2: TIME): TIME" "T_DIFF(IN1: TOD; IN2: TOD): TIME";
+        "dtl" "a point in time as a structure" ["DTL_TO_LDT" "LDT_TO_DTL" "DTL_TO_DT" "DT_TO_DTL" "DTL_TO_DATE" "DTL_TO_TOD" "DTL_TO_LTOD" "DATE_TO_DTL"]
+            "DTL_TO_LDT(IN: DTL): LDT" "DTL_TO_DATE(IN: DTL): DATE" "DTL_TO_TOD(IN: DTL): TOD" "DTL_TO_LTOD(IN: DTL): LTOD";
+        "t_conv" "as what is wanted" ["T_CONV" "T_COMBINE" "S_CONV"] "T_CONV(value): type of the target" "T_COMBINE(date; time of day): type of the target" "S_CONV(value): type of the target";
         "rd_sys_t" "the clock of the CPU" ["RD_SYS_T" "RD_LOC_T" "WR_SYS_T" "WR_LOC_T"] "RD_SYS_T(variable): INT" "WR_SYS_T(variable): INT";
         "day_of_week" "Sunday to Saturday" ["DAY_OF_WEEK"] "DAY_OF_WEEK(IN: DATE): INT";
     }

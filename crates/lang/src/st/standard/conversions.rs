@@ -8,7 +8,7 @@ use super::call::{Answer, Call, built};
 use super::generic::{is_integer, named, scalar_of, type_of};
 use super::operators::{Beyond, Rounding, is_real, is_signed};
 use super::{Building, Meaning, Refusal, Resolved, library};
-use crate::st::dialect::{Construct, Dialect, Judgement};
+use crate::st::dialect::{Calendar, Construct, Dialect, Judgement};
 use crate::st::tree::{Scalar, Value};
 
 /// Nanoseconds of a day, of a second and of a millisecond.
@@ -210,6 +210,15 @@ fn by_name(call: &Call<'_>) -> Answer {
         let source_word = from.map_or_else(|| source.base().word().unwrap_or("INT").to_owned(), str::to_owned);
         if text(to) || matches!(source, DataType::String(_)) {
             return of_text(call, &source, &target, source_word.starts_with('L'));
+        }
+        // Dates of the S7 and LDT count from other days: blocks of the library.
+        let by_library = dialect.switches().calendar == Calendar::S7
+            && matches!(
+                (&source, &target),
+                (DataType::LongDateAndTime, DataType::Date | DataType::DateAndTime) | (DataType::DateAndTime, DataType::LongDateAndTime)
+            );
+        if let Some(block) = library::function(call.name, dialect).filter(|_| by_library) {
+            return Ok(Resolved { parameters: Vec::new(), result: target, meaning: Meaning::Block(block) });
         }
         let none = || call.wrong(given[0], "a type that can be converted");
         let (Some(a), Some(b)) = (scalar_of(&source, dialect), scalar_of(&target, dialect)) else {

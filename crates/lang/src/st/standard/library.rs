@@ -67,9 +67,12 @@ sources! {
     "duration_to_string_codesys.st" Codesys [0 1 0 0]: TIME_TO_STRING;
     "date_to_string.st" Iec             [1 1 0 0]: DIGITS_OF_TWO CLOCK_IN_TEXT DAY_IN_TEXT TOD_TO_STRING DATE_TO_STRING DT_TO_STRING;
     "long_to_string.st" Iec             [1 1 0 0]: FRACTION_IN_TEXT PART_IN_TEXT LTIME_TO_STRING LTOD_TO_STRING LDATE_TO_STRING LDT_TO_STRING;
-    "days.st" Iec                       [1 1 0 0]: DAYS_OF_DATE;
+    "days.st" Iec                       [1 1 0 1]: DAYS_OF_DATE;
     "parts_of_dates.st" Iec             [1 0 0 0]: CONCAT_DATE CONCAT_LDATE CONCAT_LTOD CONCAT_TOD CONCAT_LDT CONCAT_DT SPLIT_LDATE SPLIT_DATE
                                                    SPLIT_LTOD SPLIT_TOD SPLIT_LDT SPLIT_DT;
+    "dtl.st" Tia                        [0 0 0 1]: LDT_TO_DTL DTL_TO_LDT DT_TO_LDT LDT_TO_DATE LDT_TO_DT DTL_TO_DT DT_TO_DTL DTL_TO_DATE DTL_TO_TOD DTL_TO_LTOD
+                                                   DATE_TO_DTL CONCAT_DATE_TOD CONCAT_DATE_LTOD TIA_COMBINE_DTL TIA_ADD_DTL TIA_SUB_DTL TIA_DIFF_DTL
+                                                   TIA_READ_DTL TIA_READ_LDT TIA_WRITE_DTL TIA_WRITE_LDT;
     "characters.st" Iec                 [0 0 0 1]: Strg_TO_Chars Chars_TO_Strg;
     "counters_codesys_long.st" Codesys  [0 1 0 0]: LCTU LCTD LCTUD;
     "util_codes.st" Codesys             [0 1 0 0]: BYTE_TO_GRAY WORD_TO_GRAY DWORD_TO_GRAY GRAY_TO_BYTE GRAY_TO_WORD GRAY_TO_DWORD;
