@@ -281,10 +281,10 @@ problems! {
     P6300 Error "a folder that pages of coverage cannot be written into" "Name a folder that does not exist yet, or one that holds such pages: other files are not overwritten.";
 
     // 631x configurations
-    P6320 Error "a conversion without a type to convert to" "Assign the result to a variable in a statement of its own.";
     P6310 Error "a variable that waits for its address" "Give it one in VAR_CONFIG of a CONFIGURATION, or write the address where it is declared.";
     P6311 Error "a path of VAR_CONFIG or VAR_ACCESS that leads nowhere" "Write the instance of the PROGRAM, the instances inside it and the variable, with points between them.";
     P6312 Error "an array of unknown length as a whole" "Use its elements from LOWER_BOUND to UPPER_BOUND, or give it to another ARRAY[*].";
+    P6320 Error "a conversion without a type to convert to" "Assign the result to a variable in a statement of its own.";
 
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";
