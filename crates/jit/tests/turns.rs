@@ -102,6 +102,19 @@ impl Maker<'_> {
         self.b.store(it.place, it.width, value);
     }
 
+    /// A number that is calculated from an INT as an INT: mostly one that does not leave its type.
+    fn calculated(&mut self, number: Var) -> Var {
+        let mut number = number;
+        for _ in 0..=self.dice.roll(2) {
+            let op = self.dice.of(&[Op::AddU16, Op::SubU16, Op::MulU16]);
+            let other = self.dice.of(&[0, 1, 1, 2, 3, 3, 16, 32, 1_000, 0x2001, 0x4000, 0x7FF0, 0x8000, 0xFFFE, 0xFFFF]);
+            let other = self.b.constant(other);
+            let args = if op == Op::SubU16 && self.dice.roll(2) == 0 { [other, number] } else { [number, other] };
+            number = self.b.compute(op, &args);
+        }
+        number
+    }
+
     /// An element of an array, by some of the indexes.
     fn element(&mut self, indexes: &[(Variable, Counter)], width: Width, write: bool) -> Place {
         let area = if self.dice.roll(16) == 0 { Area::BitMemory } else { Area::SharedData };
@@ -120,7 +133,13 @@ impl Maker<'_> {
             }
             let mut number = self.get(index);
             if counter == Counter::Word {
-                number = self.b.compute(Op::Extend16, &[number]);
+                if self.dice.roll(3) == 0 {
+                    number = self.calculated(number);
+                }
+                // A UINT is what it is.
+                if self.dice.roll(6) != 0 {
+                    number = self.b.compute(Op::Extend16, &[number]);
+                }
             }
             let elements = if at == 0 { self.dice.of(&[1, 1, 1, 1, 1, 2, 8]) } else { self.dice.of(&[1, 1, 8]) };
             let step = self.b.constant(u64::from(width.bits()) * elements);

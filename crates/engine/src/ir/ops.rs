@@ -368,13 +368,13 @@ ops! {
     /// Integer to REAL, nearest even.
     i32_to_f32 = I32ToF32(a: i32) -> f32 = a as f32;
     /// REAL rounded to the nearest even integer.
-    round_f32 = RoundF32(a: f32) -> f32 = a.round_ties_even();
+    round_f32 = RoundF32(a: f32) -> f32 = quiet(a.round_ties_even());
     /// REAL rounded up.
-    ceil_f32 = CeilF32(a: f32) -> f32 = a.ceil();
+    ceil_f32 = CeilF32(a: f32) -> f32 = quiet(a.ceil());
     /// REAL rounded down.
-    floor_f32 = FloorF32(a: f32) -> f32 = a.floor();
+    floor_f32 = FloorF32(a: f32) -> f32 = quiet(a.floor());
     /// REAL rounded towards 0.
-    trunc_f32 = TruncF32(a: f32) -> f32 = a.trunc();
+    trunc_f32 = TruncF32(a: f32) -> f32 = quiet(a.trunc());
     /// Whether an integral REAL does not fit a 32-bit integer.
     overflows_f32_i32 = OverflowsF32I32(a: f32) -> bool = !(-2_147_483_648.0..2_147_483_648.0).contains(&a);
     /// An integral REAL as integer; `old` if it does not fit.

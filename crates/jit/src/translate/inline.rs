@@ -63,6 +63,13 @@ impl Translator<'_> {
             Op::NestingBr => { let stack = self.int(a); Val::Bit { value: self.b.ins().ushr_imm_u(stack, 3), clean: false } }
             Op::NestingOr => { let stack = self.int(a); let bits = self.b.ins().band_imm_u(stack, 0x66); self.compare(IntCC::Equal, Val::Int(bits), Val::Const(6)) }
             Op::NestingRlo => self.nesting_rlo(a, b),
+            Op::McrHasRoom => { let stack = self.word(a); self.compare(IntCC::UnsignedLessThan, Val::Word(stack), Val::Const(0x100)) }
+            Op::McrIsOpen => { let stack = self.word(a); self.compare(IntCC::UnsignedGreaterThan, Val::Word(stack), Val::Const(1)) }
+            Op::McrPop => {
+                let (stack, one) = (self.word(a), self.b.ins().iconst(I64, 1));
+                let stack = self.b.ins().ushr_imm_u(stack, 1);
+                Val::Word(self.b.ins().umax(stack, one))
+            }
             Op::McrPush => {
                 let stack = self.word(a);
                 let stack = self.b.ins().ishl_imm_u(stack, 1);
@@ -183,21 +190,21 @@ impl Translator<'_> {
             }
             Op::Swap32 => { let a = self.int(a); Val::Int(self.b.ins().bswap(a)) }
 
-            // Word logic and shifts by a constant.
+            // Word logic, and shifts by a constant that move something.
             Op::AndU32 => { let (a, b) = (self.int(a), self.int(b)); Val::Int(self.b.ins().band(a, b)) }
             Op::OrU32 => { let (a, b) = (self.int(a), self.int(b)); Val::Int(self.b.ins().bor(a, b)) }
             Op::XorU32 => { let (a, b) = (self.int(a), self.int(b)); Val::Int(self.b.ins().bxor(a, b)) }
-            Op::Shl16 => { let n = count(b, 15)?; let a = self.int(a); let moved = self.b.ins().ishl_imm_u(a, n); Val::Int(self.b.ins().band_imm_u(moved, 0xFFFF)) }
-            Op::Shr16 => { let n = count(b, 15)?; let a = self.int(a); let low = self.b.ins().band_imm_u(a, 0xFFFF); Val::Int(self.b.ins().ushr_imm_u(low, n)) }
-            Op::Sar16 => { let n = count(b, 15)?; let a = self.i16(a); let moved = self.b.ins().sshr_imm_u(a, n); Val::Int(self.b.ins().band_imm_u(moved, 0xFFFF)) }
-            Op::Shl32 => { let n = count(b, 31)?; let a = self.int(a); Val::Int(self.b.ins().ishl_imm_u(a, n)) }
-            Op::Shr32 => { let n = count(b, 31)?; let a = self.int(a); Val::Int(self.b.ins().ushr_imm_u(a, n)) }
-            Op::Sar32 => { let n = count(b, 31)?; let a = self.int(a); Val::Int(self.b.ins().sshr_imm_u(a, n)) }
-            Op::Rol32 => { let n = count(b, 255)?; let a = self.int(a); Val::Int(self.b.ins().rotl_imm_u(a, n % 32)) }
-            Op::Ror32 => { let n = count(b, 255)?; let a = self.int(a); Val::Int(self.b.ins().rotr_imm_u(a, n % 32)) }
+            Op::Shl16 if let Some(n) = count(b, 15) => { let a = self.int(a); let moved = self.b.ins().ishl_imm_u(a, n); Val::Int(self.b.ins().band_imm_u(moved, 0xFFFF)) }
+            Op::Shr16 if let Some(n) = count(b, 15) => { let a = self.int(a); let low = self.b.ins().band_imm_u(a, 0xFFFF); Val::Int(self.b.ins().ushr_imm_u(low, n)) }
+            Op::Sar16 if let Some(n) = count(b, 15) => { let a = self.i16(a); let moved = self.b.ins().sshr_imm_u(a, n); Val::Int(self.b.ins().band_imm_u(moved, 0xFFFF)) }
+            Op::Shl32 if let Some(n) = count(b, 31) => { let a = self.int(a); Val::Int(self.b.ins().ishl_imm_u(a, n)) }
+            Op::Shr32 if let Some(n) = count(b, 31) => { let a = self.int(a); Val::Int(self.b.ins().ushr_imm_u(a, n)) }
+            Op::Sar32 if let Some(n) = count(b, 31) => { let a = self.int(a); Val::Int(self.b.ins().sshr_imm_u(a, n)) }
+            Op::Rol32 if let Some(n) = count(b, 255) => { let a = self.int(a); Val::Int(self.b.ins().rotl_imm_u(a, n % 32)) }
+            Op::Ror32 if let Some(n) = count(b, 255) => { let a = self.int(a); Val::Int(self.b.ins().rotr_imm_u(a, n % 32)) }
             Op::LowestBit => { let value = self.int(a); Val::Bit { value, clean: false } }
             Op::HighestBit => { let a = self.int(a); Val::Bit { value: self.b.ins().ushr_imm_u(a, 31), clean: true } }
-            Op::BitOf => { let bit = b.constant()? & 63; let a = self.word(a); let moved = self.b.ins().ushr_imm_u(a, bit as i64); Val::Bit { value: self.b.ins().ireduce(I32, moved), clean: false } }
+            Op::BitOf if let Some(bit) = b.constant() => { let bit = bit & 63; let a = self.word(a); let moved = self.b.ins().ushr_imm_u(a, bit as i64); Val::Bit { value: self.b.ins().ireduce(I32, moved), clean: false } }
 
             // Pointers and status.
             Op::AddPointer => {
@@ -329,7 +336,7 @@ impl Translator<'_> {
         }
     }
 
-    fn word_of_bit(&mut self, value: Val) -> Value {
+    pub(super) fn word_of_bit(&mut self, value: Val) -> Value {
         let flag = self.flag(value);
         self.b.ins().uextend(I64, flag)
     }

@@ -101,6 +101,17 @@ impl Translator<'_> {
             Op::MulOverflowsU8 => self.lost(Two::Multiply, Unsigned(8), a, b),
             Op::MulOverflowsU16 => self.lost(Two::Multiply, Unsigned(16), a, b),
             Op::MulOverflowsU32 => self.lost(Two::Multiply, Unsigned(32), a, b),
+            Op::AddOverflowsI64 => { let (a, b) = (self.word(a), self.word(b)); let sum = self.b.ins().iadd(a, b); self.both_differ([a, sum], [b, sum]) }
+            Op::SubOverflowsI64 => { let (a, b) = (self.word(a), self.word(b)); let rest = self.b.ins().isub(a, b); self.both_differ([a, b], [a, rest]) }
+            Op::AddOverflowsU64 => { let (a, b) = (self.word(a), self.word(b)); let sum = self.b.ins().iadd(a, b); self.compare(IntCC::UnsignedLessThan, Val::Word(sum), Val::Word(a)) }
+            Op::SubOverflowsU64 => { let (a, b) = (self.word(a), self.word(b)); self.compare(IntCC::UnsignedLessThan, Val::Word(a), Val::Word(b)) }
+            Op::MulOverflowsU64 => { let (a, b) = (self.word(a), self.word(b)); let high = self.b.ins().umulhi(a, b); self.compare(IntCC::NotEqual, Val::Word(high), Val::Const(0)) }
+            Op::MulOverflowsI64 => {
+                let (a, b) = (self.word(a), self.word(b));
+                let (high, low) = (self.b.ins().smulhi(a, b), self.b.ins().imul(a, b));
+                let sign = self.b.ins().sshr_imm_u(low, 63);
+                self.compare(IntCC::NotEqual, Val::Word(high), Val::Word(sign))
+            }
             Op::DivFailsI8 => self.no_quotient(8, a, b),
             Op::DivFailsI16 => self.no_quotient(16, a, b),
             Op::DivFailsI32 => self.no_quotient(32, a, b),
@@ -130,14 +141,14 @@ impl Translator<'_> {
             Op::NotU16 => self.inverted(a, 0xFFFF),
             Op::NotU32 => self.inverted(a, 0xFFFF_FFFF),
             Op::NotU64 => { let a = self.word(a); Val::Word(self.b.ins().bnot(a)) }
-            Op::Shl8 => { let n = count(b, 7)?; let a = self.int(a); let moved = self.b.ins().ishl_imm_u(a, n); self.cut(8, moved) }
-            Op::Shr8 => { let n = count(b, 7)?; let a = self.int(a); let low = self.b.ins().band_imm_u(a, 0xFF); Val::Int(self.b.ins().ushr_imm_u(low, n)) }
-            Op::Sar8 => { let n = count(b, 7)?; let a = self.signed(8, a); let moved = self.b.ins().sshr_imm_u(a, n); self.cut(8, moved) }
-            Op::Shl64 => { let n = count(b, 63)?; let a = self.word(a); Val::Word(self.b.ins().ishl_imm_u(a, n)) }
-            Op::Shr64 => { let n = count(b, 63)?; let a = self.word(a); Val::Word(self.b.ins().ushr_imm_u(a, n)) }
-            Op::Sar64 => { let n = count(b, 63)?; let a = self.word(a); Val::Word(self.b.ins().sshr_imm_u(a, n)) }
-            Op::Rol64 => { let n = count(b, 255)?; let a = self.word(a); Val::Word(self.b.ins().rotl_imm_u(a, n % 64)) }
-            Op::Ror64 => { let n = count(b, 255)?; let a = self.word(a); Val::Word(self.b.ins().rotr_imm_u(a, n % 64)) }
+            Op::Shl8 if let Some(n) = count(b, 7) => { let a = self.int(a); let moved = self.b.ins().ishl_imm_u(a, n); self.cut(8, moved) }
+            Op::Shr8 if let Some(n) = count(b, 7) => { let a = self.int(a); let low = self.b.ins().band_imm_u(a, 0xFF); Val::Int(self.b.ins().ushr_imm_u(low, n)) }
+            Op::Sar8 if let Some(n) = count(b, 7) => { let a = self.signed(8, a); let moved = self.b.ins().sshr_imm_u(a, n); self.cut(8, moved) }
+            Op::Shl64 if let Some(n) = count(b, 63) => { let a = self.word(a); Val::Word(self.b.ins().ishl_imm_u(a, n)) }
+            Op::Shr64 if let Some(n) = count(b, 63) => { let a = self.word(a); Val::Word(self.b.ins().ushr_imm_u(a, n)) }
+            Op::Sar64 if let Some(n) = count(b, 63) => { let a = self.word(a); Val::Word(self.b.ins().sshr_imm_u(a, n)) }
+            Op::Rol64 if let Some(n) = count(b, 255) => { let a = self.word(a); Val::Word(self.b.ins().rotl_imm_u(a, n % 64)) }
+            Op::Ror64 if let Some(n) = count(b, 255) => { let a = self.word(a); Val::Word(self.b.ins().rotr_imm_u(a, n % 64)) }
             Op::Swap64 => { let a = self.word(a); Val::Word(self.b.ins().bswap(a)) }
 
             // REAL and LREAL.
@@ -156,7 +167,32 @@ impl Translator<'_> {
             Op::GtF64 => self.compare_f64(FloatCC::GreaterThan, a, b),
             Op::GeF64 => self.compare_f64(FloatCC::GreaterThanOrEqual, a, b),
 
+            Op::MinF64 => { let first = self.is_first_f64(a, b, b); self.lreal_of_both(first, a, b) }
+            Op::MaxF64 => { let second = self.is_first_f64(a, b, a); self.lreal_of_both(second, b, a) }
+            Op::RoundF32 => { let a = self.f32(a); let real = self.b.ins().nearest(a); self.quiet(real) }
+            Op::CeilF32 => { let a = self.f32(a); let real = self.b.ins().ceil(a); self.quiet(real) }
+            Op::FloorF32 => { let a = self.f32(a); let real = self.b.ins().floor(a); self.quiet(real) }
+            Op::TruncF32 => { let a = self.f32(a); let real = self.b.ins().trunc(a); self.quiet(real) }
+            Op::RoundF64 => { let a = self.f64(a); let real = self.b.ins().nearest(a); self.quiet_f64(real) }
+            Op::CeilF64 => { let a = self.f64(a); let real = self.b.ins().ceil(a); self.quiet_f64(real) }
+            Op::FloorF64 => { let a = self.f64(a); let real = self.b.ins().floor(a); self.quiet_f64(real) }
+            Op::TruncF64 => { let a = self.f64(a); let real = self.b.ins().trunc(a); self.quiet_f64(real) }
+            Op::OverflowsF32 => { let a = self.int(a); let magnitude = self.b.ins().band_imm_u(a, 0x7FFF_FFFF); self.compare(IntCC::UnsignedGreaterThanOrEqual, Val::Int(magnitude), Val::Const(0x7F80_0000)) }
+            Op::OverflowsF64 => {
+                let (a, rest) = (self.word(a), self.b.ins().iconst(I64, i64::MAX));
+                let magnitude = self.b.ins().band(a, rest);
+                self.compare(IntCC::UnsignedGreaterThanOrEqual, Val::Word(magnitude), Val::Const(f64::INFINITY.to_bits()))
+            }
+            Op::OverflowsF32I32 => {
+                let (a, least, most) = (self.f32(a), self.b.ins().f32const(-2_147_483_648.0), self.b.ins().f32const(2_147_483_648.0));
+                let below = self.float_flag(FloatCC::UnorderedOrLessThan, a, least);
+                let above = self.float_flag(FloatCC::UnorderedOrGreaterThanOrEqual, a, most);
+                self.or(below, above)
+            }
+
             // Conversion.
+            Op::U64ToF32 => { let a = self.word(a); let real = self.b.ins().fcvt_from_uint(F32, a); self.bits_f32(real) }
+            Op::U64ToF64 => { let a = self.word(a); let real = self.b.ins().fcvt_from_uint(F64, a); self.bits_f64(real) }
             Op::ExtendI8I16 => { let a = self.signed(8, a); self.cut(16, a) }
             Op::ExtendI8I32 => Val::Int(self.signed(8, a)),
             Op::ExtendI8I64 => { let a = self.signed(8, a); Val::Word(self.b.ins().sextend(I64, a)) }
@@ -175,12 +211,12 @@ impl Translator<'_> {
             Op::F64ToI8 => { let a = self.f64(a); self.limited(a, -0x80, 0x7F) }
             Op::F64ToU16 => { let a = self.f64(a); self.limited(a, 0, 0xFFFF) }
             Op::F64ToU8 => { let a = self.f64(a); self.limited(a, 0, 0xFF) }
-            _ => return None,
+            _ => return self.inline_shift(op, a, b, c),
         })
     }
 
     /// A number with its sign: in 32 bits, those of 64 in 64.
-    fn signed(&mut self, bits: u32, value: Val) -> Value {
+    pub(super) fn signed(&mut self, bits: u32, value: Val) -> Value {
         match bits {
             8 => {
                 let value = self.int(value);
@@ -194,7 +230,7 @@ impl Translator<'_> {
     }
 
     /// A number without sign: in 32 bits, those of 64 in 64.
-    fn unsigned(&mut self, bits: u32, value: Val) -> Value {
+    pub(super) fn unsigned(&mut self, bits: u32, value: Val) -> Value {
         let value = if bits == 64 { return self.word(value) } else { self.int(value) };
         match bits {
             8 => self.b.ins().band_imm_u(value, 0xFF),
@@ -204,7 +240,7 @@ impl Translator<'_> {
     }
 
     /// The lowest bits of a result.
-    fn cut(&mut self, bits: u32, value: Value) -> Val {
+    pub(super) fn cut(&mut self, bits: u32, value: Value) -> Val {
         match bits {
             8 => Val::Int(self.b.ins().band_imm_u(value, 0xFF)),
             16 => Val::Int(self.b.ins().band_imm_u(value, 0xFFFF)),
@@ -393,6 +429,32 @@ impl Translator<'_> {
 
     fn bits_f64(&mut self, real: Value) -> Val {
         Val::Word(self.b.ins().bitcast(I64, MemFlagsData::new(), real))
+    }
+
+    fn bits_f32(&mut self, real: Value) -> Val {
+        Val::Real { real, bits: self.b.ins().bitcast(I32, MemFlagsData::new(), real) }
+    }
+
+    /// Whether the numbers of both pairs have different signs.
+    fn both_differ(&mut self, one: [Value; 2], other: [Value; 2]) -> Val {
+        let [one, other] = [one, other].map(|[a, b]| self.b.ins().bxor(a, b));
+        let both = self.b.ins().band(one, other);
+        let both = self.b.ins().ushr_imm_u(both, 63);
+        Val::Bit { value: self.b.ins().ireduce(I32, both), clean: true }
+    }
+
+    /// Whether the first of two LREALs is less, or a third one is no number.
+    fn is_first_f64(&mut self, a: Val, b: Val, number: Val) -> Value {
+        let [a, b, number] = [a, b, number].map(|real| self.f64(real));
+        let less = self.b.ins().fcmp(FloatCC::LessThan, a, b);
+        let none = self.b.ins().fcmp(FloatCC::Unordered, number, number);
+        self.b.ins().bor(less, none)
+    }
+
+    fn lreal_of_both(&mut self, condition: Value, a: Val, b: Val) -> Val {
+        let [a, b] = [a, b].map(|real| self.f64(real));
+        let real = self.b.ins().select(condition, a, b);
+        self.quiet_f64(real)
     }
 
     /// The one NaN that the project shows.
