@@ -160,6 +160,53 @@ pub fn locate_far(
     locate(machine, file, local, place, width, write)
 }
 
+/// The arena byte at which so many bytes begin, if all of them are known to be there without asking about each, and may be written.
+#[inline(always)]
+pub fn bytes_far(
+    machine: &Machine,
+    file: &File,
+    local: &dyn Fn(usize) -> Range<usize>,
+    place: Place,
+    bytes: u32,
+    write: bool,
+) -> Option<usize> {
+    let entry = |number: u64| machine.memory.data_block(number).filter(|entry| !(write && entry.read_only));
+    let open = |register: DataRegister| {
+        let [number, base, length] = data_registers(register).map(|register| file[register as usize]);
+        (!write || number == 0 || entry(number).is_some()).then_some((base as usize, length as usize))
+    };
+    let in_area = |area: Area, position: u32| match area {
+        Area::SharedData => open(DataRegister::Shared).map(|range| (range, position)),
+        Area::InstanceData => open(DataRegister::Instance).map(|range| (range, position)),
+        Area::CallerLocal => {
+            let range = local(1 + (position >> CALLS_SHIFT) as usize);
+            Some(((range.start, range.len()), position & CALLS_MASK))
+        }
+        Area::PeripheralInput | Area::PeripheralOutput => None,
+        _ => {
+            let range = if area == Area::Local { local(0) } else { machine.memory.layout.area(area)? };
+            Some(((range.start, range.len()), position))
+        }
+    };
+    let ((start, length), position) = match place {
+        Place::Fixed { area, position } => in_area(area, position)?,
+        Place::Indirect { area, pointer, offset } => in_area(area, moved(file[usize::from(pointer.0)], offset))?,
+        Place::Crossing { pointer, offset } => {
+            let pointer = file[usize::from(pointer.0)];
+            let position = moved(pointer, offset);
+            match pointed_area(pointer, write).ok()? {
+                Area::SharedData if pointer >> 32 & 0xFFFF != 0 => {
+                    let entry = entry(pointer >> 32 & 0xFFFF)?;
+                    ((entry.base as usize, entry.length as usize), position)
+                }
+                area => in_area(area, position)?,
+            }
+        }
+    };
+    let byte = (position >> 3) as usize;
+    (position & 7 == 0 && byte + bytes as usize <= length).then_some(start + byte)
+}
+
 /// A pointer moved by an offset, with carry from the bit into the byte address; 24 bits.
 fn moved(pointer: u64, offset: u32) -> u32 {
     ((pointer & 0x00FF_FFFF) + u64::from(offset)) as u32 & 0x00FF_FFFF

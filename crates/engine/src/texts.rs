@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use sieben_model::address::Width;
 
-use crate::access::{File, Target, locate_far};
+use crate::access::{File, Target, bytes_far, locate_far};
 use crate::fault::Fault;
 use crate::ir::{Place, TextAction, TextRoom};
 use crate::machine::Machine;
@@ -39,11 +39,11 @@ pub struct Both {
 
 /// Which characters of a text: what is not there does not count, and a negative number is 0.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Piece {
+struct Piece {
     /// The first one, counted from 0.
-    pub first: i32,
+    first: i32,
     /// How many.
-    pub count: i32,
+    count: i32,
 }
 
 /// Finds the texts of an instruction. `local` is that of [`locate_far`].
@@ -56,8 +56,12 @@ pub fn find(
     local: &dyn Fn(usize) -> Range<usize>,
     action: TextAction,
     [to, from]: [Text; 2],
-    piece: Piece,
+    word: u64,
 ) -> Result<Both, Fault> {
+    if let Some(both) = find_whole(machine, file, local, action, [to, from]) {
+        return Ok(both);
+    }
+    let from = if action.takes_number() { to } else { from };
     let text = |text: Text, write: bool| {
         let start = start(machine, file, local, text.place, text.room.head(), write)?;
         Ok(Found { start, room: text.room })
@@ -80,29 +84,56 @@ pub fn find(
         TextAction::Assign | TextAction::Piece | TextAction::Append => {
             let target = text(to, true)?;
             let there = if action == TextAction::Append { target.length(arena) } else { 0 };
-            let piece = if action == TextAction::Assign { Piece::ALL } else { piece };
+            let piece = if action == TextAction::Assign { Piece::ALL } else { Piece::of(word) };
             let count = piece.within(length).len().min(target.most(arena) - there);
             inside(to, there + count, true)?;
+            target
+        }
+        TextAction::Unsigned | TextAction::Signed | TextAction::SignedAlways => {
+            let target = text(to, true)?;
+            let count = Decimal::of(action, word).characters().len().min(target.most(arena));
+            inside(to, count, true)?;
             target
         }
     };
     Ok(Both { to: target, from: source })
 }
 
+/// The texts of an instruction whose declared length says how many bytes they take, if all of those are there.
+fn find_whole(
+    machine: &Machine,
+    file: &File,
+    local: &dyn Fn(usize) -> Range<usize>,
+    action: TextAction,
+    [to, from]: [Text; 2],
+) -> Option<Both> {
+    let text = |Text { place, room }: Text, write: bool| {
+        let whole = !room.is_unknown();
+        whole.then(|| bytes_far(machine, file, local, place, room.bytes(), write)).flatten().map(|start| Found { start, room })
+    };
+    let target = |write: bool| text(to, write);
+    let both = |to: Found, from: Found| Some(Both { to, from });
+    match action {
+        TextAction::Length => text(from, false).and_then(|from| both(from, from)),
+        TextAction::Unsigned | TextAction::Signed | TextAction::SignedAlways => target(true).and_then(|to| both(to, to)),
+        _ => both(target(action.writes())?, text(from, false)?),
+    }
+}
+
 impl Both {
     /// Does what a text instruction says; its result.
-    pub fn run(self, arena: &mut [u8], action: TextAction, piece: Piece) -> u64 {
+    pub fn run(self, arena: &mut [u8], action: TextAction, word: u64) -> u64 {
         if self.to.room.wide || self.from.room.wide {
-            return self.run_as_they_are(arena, action, piece);
+            return self.run_as_they_are(arena, action, word);
         }
         // Nearly all texts are STRINGs: for them the compiler leaves out what others need.
         let narrow = |found: Found| Found { room: TextRoom { wide: false, ..found.room }, ..found };
         let Self { to, from } = self;
-        Self { to: narrow(to), from: narrow(from) }.run_as_they_are(arena, action, piece)
+        Self { to: narrow(to), from: narrow(from) }.run_as_they_are(arena, action, word)
     }
 
     #[inline(always)]
-    fn run_as_they_are(self, arena: &mut [u8], action: TextAction, piece: Piece) -> u64 {
+    fn run_as_they_are(self, arena: &mut [u8], action: TextAction, word: u64) -> u64 {
         let Self { to, from } = self;
         match action {
             TextAction::Length => from.length(arena) as u64,
@@ -118,10 +149,15 @@ impl Both {
             }
             TextAction::Piece | TextAction::Append => {
                 let behind = if action == TextAction::Append { to.length(arena) } else { 0 };
-                let piece = piece.within(from.length(arena));
+                let piece = Piece::of(word).within(from.length(arena));
                 let count = piece.len();
                 to.put(arena, behind, from, piece);
                 count as u64
+            }
+            TextAction::Unsigned | TextAction::Signed | TextAction::SignedAlways => {
+                let digits = Decimal::of(action, word);
+                to.write(arena, digits.characters());
+                digits.characters().len() as u64
             }
         }
     }
@@ -192,26 +228,90 @@ impl Found {
                 }
             }
         }
-        let lengths = [most, behind + count];
+        self.put_lengths(arena, [most, behind + count]);
+        count
+    }
+
+    /// Writes characters that no text has, and both lengths.
+    fn write(self, arena: &mut [u8], characters: &[u8]) {
+        let most = self.most(arena);
+        let count = characters.len().min(most);
+        for (index, &character) in characters[..count].iter().enumerate() {
+            let target = self.byte_of(index);
+            match self.room.wide {
+                false => arena[target] = character,
+                true => [arena[target], arena[target + 1]] = [0, character],
+            }
+        }
+        self.put_lengths(arena, [most, count]);
+    }
+
+    /// Writes both lengths.
+    #[inline(always)]
+    fn put_lengths(self, arena: &mut [u8], lengths: [usize; 2]) {
         for (which, length) in lengths.into_iter().enumerate() {
             match self.room.wide {
                 false => arena[self.start + which] = length as u8,
                 true => arena[self.start + 2 * which..][..2].copy_from_slice(&(length as u16).to_be_bytes()),
             }
         }
-        count
     }
 }
 
 impl Piece {
     /// All characters.
-    pub const ALL: Self = Self { first: 0, count: i32::MAX };
+    const ALL: Self = Self { first: 0, count: i32::MAX };
+
+    /// That of an instruction: the first character in the low half, how many in the high half.
+    fn of(word: u64) -> Self {
+        Self { first: word as u32 as i32, count: (word >> 32) as u32 as i32 }
+    }
 
     /// Those of so many characters.
     fn within(self, length: usize) -> Range<usize> {
         let first = usize::try_from(self.first).unwrap_or(0).min(length);
         let count = usize::try_from(self.count).unwrap_or(0).min(length - first);
         first..first + count
+    }
+}
+
+/// A number as text: at most a sign and 20 digits, at the end of its bytes.
+struct Decimal {
+    bytes: [u8; Self::BYTES],
+    first: usize,
+}
+
+impl Decimal {
+    /// A sign and the digits of 2^64 - 1.
+    const BYTES: usize = 21;
+
+    /// As an instruction writes it.
+    fn of(action: TextAction, number: u64) -> Self {
+        let negative = action != TextAction::Unsigned && (number as i64) < 0;
+        let mut rest = if negative { (number as i64).unsigned_abs() } else { number };
+        let mut it = Self { bytes: [0; Self::BYTES], first: Self::BYTES };
+        loop {
+            it.push(b'0' + (rest % 10) as u8);
+            rest /= 10;
+            if rest == 0 {
+                break;
+            }
+        }
+        match action {
+            _ if negative => it.push(b'-'),
+            TextAction::SignedAlways => it.push(b'+'),
+            _ => {}
+        }
+        it
+    }
+
+    fn push(&mut self, character: u8) {
+        self.first -= 1;
+        self.bytes[self.first] = character;
+    }
+
+    fn characters(&self) -> &[u8] {
+        &self.bytes[self.first..]
     }
 }
 

@@ -6,7 +6,7 @@
 use sieben_engine::access::{self, Target};
 use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Place, TextAction, TextRoom, Var};
 use sieben_engine::machine::{Origin, Register, Registers};
-use sieben_engine::texts::{self, Both, Found, Piece, Text};
+use sieben_engine::texts::{self, Both, Found, Text};
 use sieben_engine::{Abort, Exit, Fault, FaultPlace, Reaction, StopReason};
 use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
@@ -64,6 +64,10 @@ asks! {
     TryText = try_text(link, site, from, to, piece);
     /// Works on texts that are inside their areas, which begin at these bytes of the arena; its result.
     Text = text(kind, from, to, piece);
+    /// Copies bytes of the arena, as if through a temporary.
+    CopyBytes = copy_bytes(from, to, count);
+    /// Whether as many bytes of the arena differ.
+    BytesDiffer = bytes_differ(a, b, count);
     /// Runs an intrinsic; the result is in `run.value`.
     TryIntrinsic = try_intrinsic(site, a, b, c);
     /// Opens a data block; its registers are those of the machine.
@@ -171,7 +175,7 @@ impl Run<'_, '_> {
         Ok(())
     }
 
-    fn text(&mut self, link: u64, site: u64, pointers: [u64; 2], piece: Piece) -> Result<u64, Fault> {
+    fn text(&mut self, link: u64, site: u64, pointers: [u64; 2], word: u64) -> Result<u64, Fault> {
         let Inst::Text { action, to, to_room, from, from_room, .. } = self.inst(site) else {
             unreachable!("a site of `try_text` works on texts")
         };
@@ -181,8 +185,8 @@ impl Run<'_, '_> {
         let depth = self.depth(link);
         let local = |outwards: usize| self.local_data(depth, outwards);
         let texts = [(to, to_room), (from, from_room)].map(|(place, room)| Text { place, room });
-        let found = texts::find(self.context.machine, &self.scratch.file, &local, action, texts, piece)?;
-        Ok(found.run(&mut self.context.machine.memory.arena, action, piece))
+        let found = texts::find(self.context.machine, &self.scratch.file, &local, action, texts, word)?;
+        Ok(found.run(&mut self.context.machine.memory.arena, action, word))
     }
 
     /// Ends the run; `None` = the interpreter goes on with the frames as they are.
@@ -463,11 +467,6 @@ extern "C" fn try_move(run: &mut Run<'_, '_>, link: u64, site: u64, from: u64, t
     }
 }
 
-/// The piece of a text in one word: its first character in the low half, how many in the high half.
-fn piece(word: u64) -> Piece {
-    Piece { first: word as u32 as i32, count: (word >> 32) as u32 as i32 }
-}
-
 /// What is done with texts that are inside their areas, in one word: what they have room for, and the action.
 pub(crate) fn text_kind(action: TextAction, to: TextRoom, from: TextRoom) -> u64 {
     let room = |room: TextRoom| u64::from(room.characters_max) << 1 | u64::from(room.wide);
@@ -484,11 +483,22 @@ extern "C" fn text(run: &mut Run<'_, '_>, kind: u64, from: u64, to: u64, word: u
     };
     let both = Both { to: found(to, kind), from: found(from, kind >> ROOM_BITS) };
     let action = TextAction::ALL[(kind >> (2 * ROOM_BITS)) as usize];
-    both.run(&mut run.context.machine.memory.arena, action, piece(word))
+    both.run(&mut run.context.machine.memory.arena, action, word)
+}
+
+extern "C" fn copy_bytes(run: &mut Run<'_, '_>, from: u64, to: u64, count: u64) -> u64 {
+    run.context.machine.memory.arena.copy_within(from as usize..(from + count) as usize, to as usize);
+    0
+}
+
+extern "C" fn bytes_differ(run: &mut Run<'_, '_>, a: u64, b: u64, count: u64) -> u64 {
+    let arena = &run.context.machine.memory.arena;
+    let bytes = |start: u64| &arena[start as usize..(start + count) as usize];
+    u64::from(bytes(a) != bytes(b))
 }
 
 extern "C" fn try_text(run: &mut Run<'_, '_>, link: u64, site: u64, from: u64, to: u64, word: u64) -> u64 {
-    match run.text(link, site, [from, to], piece(word)) {
+    match run.text(link, site, [from, to], word) {
         Ok(value) => {
             run.value = value;
             0

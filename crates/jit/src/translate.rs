@@ -50,6 +50,7 @@ mod promote;
 mod ranges;
 mod shifts;
 mod sized;
+mod text_bytes;
 mod texts;
 mod turns;
 mod value;

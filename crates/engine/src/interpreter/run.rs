@@ -305,9 +305,9 @@ impl Interpreter {
                             stores::moved(context, &file, to.place, bytes);
                         }
                         let machine = &*context.machine;
-                        let piece = texts::Piece { first: var!(first) as u32 as i32, count: var!(count) as u32 as i32 };
-                        match texts::find(machine, &file, &|outwards| machine.local_data(outwards), action, [to, from], piece) {
-                            Ok(found) => var!(dst) = found.run(&mut context.machine.memory.arena, action, piece),
+                        let word = action.word([var!(first), var!(count)]);
+                        match texts::find(machine, &file, &|outwards| machine.local_data(outwards), action, [to, from], word) {
+                            Ok(found) => var!(dst) = found.run(&mut context.machine.memory.arena, action, word),
                             Err(fault) => go!(self.fault(context, &mut file, block, at, &fault, None)),
                         }
                     }

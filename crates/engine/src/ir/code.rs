@@ -168,19 +168,44 @@ pub enum TextAction {
     Piece,
     /// The same behind the characters that `to` has.
     Append,
+    /// Writes the decimal digits of an unsigned number to `to`, both lengths too, cut to the room there. The first of `piece` is the
+    /// number, with 64 bits; `from` does not count. The result is how many characters there are, before they are cut.
+    Unsigned,
+    /// The same for a number with a sign, which stands in front of a negative one.
+    Signed,
+    /// The same, with a sign in front of every number.
+    SignedAlways,
 }
 
 impl TextAction {
     /// All of them, in their order.
-    pub const ALL: [Self; 6] = [Self::Assign, Self::Compare, Self::Length, Self::Find, Self::Piece, Self::Append];
+    pub const ALL: [Self; 9] = [
+        Self::Assign,
+        Self::Compare,
+        Self::Length,
+        Self::Find,
+        Self::Piece,
+        Self::Append,
+        Self::Unsigned,
+        Self::Signed,
+        Self::SignedAlways,
+    ];
 
     /// Whether it writes to `to`.
     pub fn writes(self) -> bool {
-        matches!(self, Self::Assign | Self::Piece | Self::Append)
+        matches!(self, Self::Assign | Self::Piece | Self::Append) || self.takes_number()
     }
-    /// Whether it takes a piece.
+    /// Whether it takes a piece, or a number in its place.
     pub fn takes_piece(self) -> bool {
-        matches!(self, Self::Piece | Self::Append)
+        matches!(self, Self::Piece | Self::Append) || self.takes_number()
+    }
+    /// Whether it takes a number.
+    pub fn takes_number(self) -> bool {
+        matches!(self, Self::Unsigned | Self::Signed | Self::SignedAlways)
+    }
+    /// What it takes, in one word: a number, or the first character of a piece in the low half and how many in the high half.
+    pub fn word(self, piece: [u64; 2]) -> u64 {
+        if self.takes_number() { piece[0] } else { piece[0] & 0xFFFF_FFFF | piece[1] << 32 }
     }
 }
 

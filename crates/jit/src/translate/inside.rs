@@ -265,7 +265,7 @@ impl Translator<'_> {
     }
 
     /// Where bytes begin that are known to lie inside their area.
-    fn span(&mut self, place: Place, bytes: u32, write: bool) -> Option<Address> {
+    pub(super) fn span(&mut self, place: Place, bytes: u32, write: bool) -> Option<Address> {
         let (area, pointer, offset) = match place {
             Place::Fixed { area, position } => (area, Val::Const(0), position),
             Place::Indirect { area, pointer, offset } => (area, self.get(pointer), offset),

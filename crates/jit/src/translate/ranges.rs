@@ -42,6 +42,9 @@ const CONSTANTS_MAX: usize = 24;
 /// A variable in memory: where it begins and its width.
 pub(super) type Cell = (Base, i32, Width);
 
+/// Bytes behind a base.
+type Bytes = (Base, Range<i64>);
+
 /// A variable in memory and its range.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fact {
@@ -56,6 +59,8 @@ pub(super) struct Ranges {
     inside: FxHashMap<u32, (Base, Range<i64>)>,
     /// Moves of bytes that stay inside their areas: what they may read and what they may write.
     moves: FxHashMap<u32, [(Base, Range<i64>); 2]>,
+    /// Text instructions whose texts stay inside their areas: the bytes in which `from` and `to` lie.
+    texts: FxHashMap<u32, [Option<Bytes>; 2]>,
     /// Conditions that always hold.
     met: FxHashSet<u32>,
     /// Ranges of results, of numbers without sign.
@@ -80,6 +85,11 @@ impl Ranges {
     /// The bytes that a move may read and write, if they are known to lie inside their areas.
     pub(super) fn moved(&self, inst: u32) -> Option<[(Base, Range<i64>); 2]> {
         self.moves.get(&inst).cloned()
+    }
+
+    /// The bytes in which a text of an instruction lies, `from` or `to`, if they are known to be inside their area.
+    pub(super) fn text(&self, inst: u32, is_to: bool) -> Option<(Base, Range<i64>)> {
+        self.texts.get(&inst)?[usize::from(is_to)].clone()
     }
 
     /// Whether the condition of an instruction always holds.

@@ -3,12 +3,11 @@
 use std::ops::Range;
 
 use cranelift_codegen::ir::InstBuilder;
-use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::{I16, I32, I64};
+use cranelift_codegen::ir::types::{I32, I64};
 use sieben_engine::ir::{Inst, Place, TextAction, TextRoom, Var};
 use sieben_model::address::{Area, Width};
 
-use super::memory::{Address, Bit, data, moved};
+use super::memory::{Address, Bit, moved};
 use super::outside::Outside;
 use super::promote::Base;
 use super::value::Val;
@@ -18,10 +17,19 @@ use crate::ask::{Question, text_kind};
 /// Bits of a pointer in front of the number of a data block.
 const NUMBER_SHIFT: u32 = 32;
 
+/// A text that is known to lie inside its area, and to be accessible there.
+#[derive(Clone)]
+pub(super) struct Whole {
+    pub(super) address: Address,
+    /// The bytes that it may lie in.
+    touched: (Base, Range<i64>),
+    pub(super) room: TextRoom,
+}
+
 impl Translator<'_> {
     pub(super) fn text(&mut self, index: u32, inst: &Inst) {
-        let Inst::Text { action, dst, to, to_room, from, from_room, piece } = *inst else { return };
-        if let Some(result) = self.text_inside(action, (to, to_room), (from, from_room), piece) {
+        let Inst::Text { action, dst, to, from, piece, .. } = *inst else { return };
+        if let Some(result) = self.text_inside(index, inst) {
             return self.set(dst, result);
         }
         let pointers = [self.pointer(from), self.pointer(to)];
@@ -36,38 +44,47 @@ impl Translator<'_> {
     }
 
     /// The result of an instruction whose texts are known to lie inside their areas.
-    fn text_inside(&mut self, action: TextAction, to: (Place, TextRoom), from: (Place, TextRoom), piece: [Var; 2]) -> Option<Val> {
-        let source = self.known_text(from, false)?;
-        if action == TextAction::Length {
-            self.settle_bytes();
-            self.store_promoted_in(&touched(source, from.1));
-            let length = match from.1.wide {
-                false => self.b.ins().uload8(I32, data(), source.1.base, source.1.offset + 1),
-                true => {
-                    let word = self.b.ins().load(I16, data(), source.1.base, source.1.offset + 2);
-                    let word = self.b.ins().bswap(word);
-                    self.b.ins().uextend(I32, word)
-                }
-            };
-            let most = self.b.ins().iconst(I32, i64::from(from.1.characters_max));
-            let over = self.b.ins().icmp(IntCC::UnsignedGreaterThan, length, most);
-            return Some(Val::Int(self.b.ins().select(over, most, length)));
-        }
-        let target = self.known_text(to, action.writes())?;
-        let (read, written) = (touched(source, from.1), touched(target, to.1));
+    fn text_inside(&mut self, index: u32, inst: &Inst) -> Option<Val> {
+        let Inst::Text { action, dst, to, to_room, from, from_room, piece } = *inst else { return None };
+        let [to, from] = [(to, to_room), (from, from_room)];
+        let target = match action {
+            TextAction::Length => None,
+            _ => Some(self.whole_text(index, (to, true), action.writes())?),
+        };
+        let source = match &target {
+            Some(target) if action.takes_number() => target.clone(),
+            _ => self.whole_text(index, (from, false), false)?,
+        };
         self.settle_bytes();
-        self.store_promoted_in(&read);
-        self.store_promoted_in(&written);
-        let kind = self.b.ins().iconst(I64, text_kind(action, to.1, from.1) as i64);
-        let [from, to] = [source.1, target.1].map(|address| self.arena_byte(address));
-        let piece = self.piece(action, piece);
-        let function = self.functions.get(self.module, Outside::Question(Question::Text));
-        let result = self.call(function, &[self.run, kind, from, to, piece]);
+        self.store_promoted_in(&source.touched);
+        let Some(target) = target else { return Some(Val::Int(self.text_length(&source))) };
+        self.store_promoted_in(&target.touched);
+        let result = match self.text_written_out((action, &target, &source, piece), (index, dst)) {
+            Some(result) => result,
+            None => {
+                let kind = self.b.ins().iconst(I64, text_kind(action, target.room, source.room) as i64);
+                let [from, to] = [source.address, target.address].map(|address| self.arena_byte(address));
+                let piece = self.piece(action, piece);
+                let function = self.functions.get(self.module, Outside::Question(Question::Text));
+                let result = self.call(function, &[self.run, kind, from, to, piece]);
+                self.b.ins().ireduce(I32, result)
+            }
+        };
         if action.writes() {
-            self.take_promoted_in(&written);
-            self.forget_words_in(&written);
+            self.take_promoted_in(&target.touched);
+            self.forget_words_in(&target.touched);
         }
-        Some(Val::Int(self.b.ins().ireduce(I32, result)))
+        Some(Val::Int(result))
+    }
+
+    /// A text that is known to lie inside its area.
+    fn whole_text(&mut self, index: u32, ((place, room), is_to): ((Place, TextRoom), bool), write: bool) -> Option<Whole> {
+        if let Some(known) = self.known_text((place, room), write) {
+            return Some(Whole { address: known.1, touched: touched(known, room), room });
+        }
+        let touched = self.ranges.text(index, is_to)?;
+        let address = self.span(place, room.bytes(), write)?;
+        Some(Whole { address, touched, room })
     }
 
     /// The piece in one word.
@@ -76,6 +93,9 @@ impl Translator<'_> {
             return self.b.ins().iconst(I64, 0);
         }
         let [first, count] = piece.map(|var| self.get(var));
+        if action.takes_number() {
+            return self.word(first);
+        }
         let (first, count) = (self.force(first), self.force(count));
         if let (Val::Const(first), Val::Const(count)) = (first, count) {
             return self.b.ins().iconst(I64, (first & 0xFFFF_FFFF | count << 32) as i64);
@@ -89,7 +109,7 @@ impl Translator<'_> {
     }
 
     /// The arena byte of an address.
-    fn arena_byte(&mut self, Address { base, offset, .. }: Address) -> cranelift_codegen::ir::Value {
+    pub(super) fn arena_byte(&mut self, Address { base, offset, .. }: Address) -> cranelift_codegen::ir::Value {
         if base == self.arena {
             return self.b.ins().iconst(I64, i64::from(offset));
         }

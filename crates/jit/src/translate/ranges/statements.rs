@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use sieben_engine::fault::NOTED;
-use sieben_engine::ir::{Inst, Op, Target, Var};
+use sieben_engine::ir::{Inst, Op, Place, Target, TextAction, TextRoom, Var};
 use sieben_engine::machine::Register;
 
 use super::interval::{self, Interval, Number, comparison};
@@ -53,9 +53,26 @@ impl Analysis<'_> {
                         Reach::Anything => state.cells.clear(),
                     }
                 }
-                Inst::Text { dst, .. } => {
-                    fails = true;
-                    state.cells.clear();
+                Inst::Text { action, dst, to, to_room, from, from_room, .. } => {
+                    let mut bytes = |place: Place, room: TextRoom, write: bool| match room.is_unknown() {
+                        true => None,
+                        false => self.reach(&state, &temporaries, place, Span::Bytes(room.bytes()), write).bytes(room.bytes()),
+                    };
+                    let is_read = !action.takes_number();
+                    let read = if is_read { bytes(from, from_room, false) } else { None };
+                    let other = if action == TextAction::Length { None } else { bytes(to, to_room, action.writes()) };
+                    let inside = (read.is_some() || !is_read) && (other.is_some() || action == TextAction::Length);
+                    match &other {
+                        Some((base, range)) if inside && action.writes() => state.forget(*base, range),
+                        _ if inside => {}
+                        _ => {
+                            fails = true;
+                            state.cells.clear();
+                        }
+                    }
+                    if notes && inside {
+                        self.found.texts.insert(index, [read, other]);
+                    }
                     let known = self.value(Interval::any(32));
                     put(&mut state, &mut temporaries, dst, known);
                 }

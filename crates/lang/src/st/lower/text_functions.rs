@@ -7,10 +7,13 @@ use sieben_model::types::{DataType, STRING_LENGTH_MAX};
 
 use super::Lowering;
 use crate::st::standard::texts::{Manner, TextAction, TextFunction};
-use crate::st::tree::{Argument, Base, Call, Place, TextRoom, Value};
+use crate::st::tree::{Argument, Base, Bounds, Call, Place, Scalar, Text, TextRoom, Value};
 
 /// More characters than any text has.
 const ALL: u64 = i32::MAX as u64;
+
+/// Texts that are joined at once. More would take more temporaries than there are.
+const TEXTS_MAX: usize = 16;
 
 /// A text that is there, and how many of its characters count.
 type Ready = (Place, TextRoom);
@@ -29,21 +32,26 @@ impl Lowering<'_> {
         if !is_usual(function, call) {
             return None;
         }
-        let mut texts: Vec<(u32, Ready)> = Vec::new();
+        let mut texts: Vec<Ready> = Vec::new();
         let mut numbers: Vec<(u32, Value)> = Vec::new();
-        for argument in &call.arguments {
-            match argument {
-                Argument::Text { parameter, text, .. } => {
-                    let (place, room) = self.text(text);
-                    texts.push((*parameter, (self.freeze(&place), room)));
-                }
-                Argument::Value { parameter, value } => numbers.push((*parameter, self.keep(value))),
-                _ => {}
+        let joined = self.joined(function, call, TEXTS_MAX);
+        if let Some(joined) = &joined {
+            for text in joined.texts() {
+                texts.push(self.ready(text));
             }
+        } else {
+            let mut given: Vec<(u32, Ready)> = Vec::new();
+            for argument in &call.arguments {
+                match argument {
+                    Argument::Text { parameter, text, .. } => given.push((*parameter, self.ready(text))),
+                    Argument::Value { parameter, value } => numbers.push((*parameter, self.keep(value))),
+                    _ => {}
+                }
+            }
+            given.sort_by_key(|(parameter, _)| *parameter);
+            texts.extend(given.into_iter().map(|(_, text)| text));
         }
-        texts.sort_by_key(|(parameter, _)| *parameter);
         numbers.sort_by_key(|(parameter, _)| *parameter);
-        let texts: Vec<Ready> = texts.into_iter().map(|(_, text)| text).collect();
         let numbers: Vec<Value> = numbers.into_iter().map(|(_, number)| number).collect();
         if function.action == TextAction::Find {
             let found = self.text_instruction(Action::Find, (&texts[0].0, texts[0].1), (&texts[1].0, texts[1].1), None);
@@ -51,14 +59,21 @@ impl Lowering<'_> {
             self.set_br(None);
             return Some(false);
         }
-        let target = target.filter(|target| texts.iter().all(|text| are_apart(*target, text)));
-        let (to, room) = match target {
-            Some((place, room)) => (place.clone(), room),
-            None => {
+        let begins = target.and_then(|target| begins_in(function, target, &texts));
+        let (to, room) = match (target, begins) {
+            (Some((place, room)), Some(_)) => (self.freeze(place), room),
+            _ => {
                 let room = function.result_room();
                 (self.hidden_bytes(room.bytes()), room)
             }
         };
+        if function.arity().0 == 0 {
+            self.digits(function, &numbers, (&to, room));
+            self.result = begins.is_none().then_some(to.offset);
+            return Some(begins.is_some());
+        }
+        let target = target.filter(|_| begins.is_some());
+        let grows = begins == Some(Begins::ItsFirstText);
         let numbers: Vec<Var> = numbers
             .iter()
             .map(|number| {
@@ -69,23 +84,31 @@ impl Lowering<'_> {
         let (parts, good) = self.parts(function, &texts, &numbers);
         if target.is_some() {
             // What lies outside its data block is found before anything is written.
+            let written_first = parts.get(usize::from(grows)).map(|part| part.text);
             for (index, (place, max)) in texts.iter().enumerate() {
-                if place.base != Base::Area(Area::Local) && parts.first().is_some_and(|part| part.text != index) {
+                let may_fail = place.base != Base::Area(Area::Local) || !place.indexes.is_empty();
+                if may_fail && written_first != Some(index) && !(grows && index == 0) {
                     let length = self.text_instruction(Action::Length, (place, *max), (place, *max), None);
                     self.release(length);
                 }
             }
         }
-        let mut whole: Option<Var> = None;
+        let mut lengths = Vec::with_capacity(parts.len());
         for (index, Part { text, first, count }) in parts.into_iter().enumerate() {
-            let action = if index == 0 { Action::Piece } else { Action::Append };
             let (place, max) = &texts[text];
-            let length = self.text_instruction(action, (&to, room), (place, *max), Some([first, count]));
-            whole = Some(match whole {
-                Some(whole) => self.compute(Op::AddU32, &[whole, length]),
-                None => length,
-            });
+            let action = match index {
+                0 if grows => Action::Length,
+                0 => Action::Piece,
+                _ => Action::Append,
+            };
+            let piece = action.takes_piece().then_some([first, count]);
+            lengths.push(self.text_instruction(action, (&to, room), (place, *max), piece));
         }
+        let whole = match &joined {
+            _ if good.is_none() => None,
+            Some(joined) => Some(self.whole_length(joined, &mut lengths.into_iter())),
+            None => lengths.into_iter().reduce(|whole, length| self.compute(Op::AddU32, &[whole, length])),
+        };
         let good = good.zip(whole).map(|(good, whole)| {
             // What the result of the block would have no room for.
             let most = self.constant(u64::from(STRING_LENGTH_MAX));
@@ -95,6 +118,99 @@ impl Lowering<'_> {
         self.set_br(good);
         self.result = target.is_none().then_some(to.offset);
         Some(target.is_some())
+    }
+
+    /// A text whose place stays the same until the end of the source statement.
+    fn ready(&mut self, text: &Text) -> Ready {
+        let (place, room) = self.text(text);
+        (self.freeze(&place), room)
+    }
+
+    /// What a CONCAT joins, with the texts of those that are its texts: nobody sees what they join on the way.
+    fn joined<'c>(&self, function: TextFunction, call: &'c Call, most: usize) -> Option<Joined<'c>> {
+        if function.action != TextAction::Concat {
+            return None;
+        }
+        let mut given: Vec<(u32, &Text)> = call
+            .arguments
+            .iter()
+            .filter_map(|argument| match argument {
+                Argument::Text { parameter, text, .. } => Some((*parameter, text)),
+                _ => None,
+            })
+            .collect();
+        // They are computed in the order in which they are written; where that is another one, each is joined for itself.
+        let is_ordered = given.is_sorted_by_key(|(parameter, _)| *parameter);
+        given.sort_by_key(|(parameter, _)| *parameter);
+        let [(_, first), (_, second)] = given[..] else { return None };
+        if !is_ordered {
+            return None;
+        }
+        let inner = |text: &'c Text, most: usize| match text {
+            Text::Call { call, .. } if !function.wide && call.written_out == Some(function) && call.enable.is_none() && !call.clears_ok => {
+                is_usual(function, call).then(|| self.joined(function, call, most)).flatten()
+            }
+            _ => None,
+        };
+        // The last text is computed before the first ones are looked at.
+        let calm = [first, second].iter().all(|text| self.changes_nothing(text));
+        let join = |text: &'c Text, most: usize| match inner(text, most) {
+            Some(joined) if calm && joined.texts().len() <= most => joined,
+            _ => Joined::Text(text),
+        };
+        let first = join(first, most.saturating_sub(1));
+        let left = most.saturating_sub(first.texts().len());
+        Some(Joined::Both(Box::new([first, join(second, left)])))
+    }
+
+    /// Whether nothing that a program sees changes while a text is computed.
+    fn changes_nothing(&self, text: &Text) -> bool {
+        match text {
+            Text::Constant(_) | Text::WideConstant(_) | Text::Place { .. } | Text::Character(_) => !self.text_breaks(text),
+            Text::Converted(text) => self.changes_nothing(text),
+            Text::Call { call, .. } => {
+                let calm = |argument: &Argument| match argument {
+                    Argument::Text { text, .. } => self.changes_nothing(text),
+                    Argument::Value { value, .. } => !self.breaks(value),
+                    _ => false,
+                };
+                call.enable.is_none()
+                    && call.written_out.is_some_and(|function| is_usual(function, call))
+                    && call.arguments.iter().all(calm)
+            }
+        }
+    }
+
+    /// How many characters joined texts have; a result inside has at most so many as any result.
+    fn whole_length(&mut self, joined: &Joined<'_>, lengths: &mut dyn Iterator<Item = Var>) -> Var {
+        let Joined::Both(both) = joined else { return lengths.next().unwrap_or_else(|| self.constant(0)) };
+        let [first, second] = [&both[0], &both[1]].map(|part| {
+            let length = self.whole_length(part, lengths);
+            match part {
+                Joined::Text(_) => length,
+                Joined::Both(_) => self.compute_with(Op::MinI32, length, u64::from(STRING_LENGTH_MAX)),
+            }
+        });
+        self.compute(Op::AddU32, &[first, second])
+    }
+
+    /// Writes the digits of a number.
+    fn digits(&mut self, function: TextFunction, numbers: &[Value], (to, room): (&Place, TextRoom)) {
+        let action = match (function.action, function.manner) {
+            (TextAction::Unsigned, _) => Action::Unsigned,
+            (_, Manner::S7) => Action::SignedAlways,
+            _ => Action::Signed,
+        };
+        let number = self.value(&numbers[0]);
+        let number = match numbers[0].scalar {
+            Scalar::I16 => self.compute(Op::ExtendI16I64, &[number]),
+            Scalar::I32 => self.compute(Op::ExtendI32I64, &[number]),
+            _ => number,
+        };
+        let length = self.text_instruction(action, (to, room), (to, room), Some([number, number]));
+        self.release(length);
+        self.release(number);
+        self.set_br(None);
     }
 
     /// BR is what the block would leave there; `None` = 1.
@@ -145,7 +261,7 @@ impl Lowering<'_> {
                 let count = self.compute_from(Op::Gate, &[wanted, good]);
                 (vec![Part { text: 0, first, count }], Some(good))
             }
-            TextAction::Concat => (vec![whole(0), whole(1)], reports.then_some(one)),
+            TextAction::Concat => ((0..texts.len()).map(whole).collect(), reports.then_some(one)),
             TextAction::Insert => {
                 let position = numbers[0];
                 let good = self.compute_from(Op::GeI32, &[position, zero]);
@@ -228,8 +344,78 @@ impl Lowering<'_> {
                 (parts, reports.then_some(good))
             }
             TextAction::Find => unreachable!("it makes no text"),
+            TextAction::Unsigned | TextAction::Signed => unreachable!("it has no text"),
         }
     }
+}
+
+/// How a result comes about in its target, instead of hidden local data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Begins {
+    /// Its first piece is written there.
+    Empty,
+    /// The target is the first text, and the others are put behind it.
+    ItsFirstText,
+}
+
+/// Texts that are joined, and how.
+enum Joined<'c> {
+    Text(&'c Text),
+    Both(Box<[Joined<'c>; 2]>),
+}
+
+impl<'c> Joined<'c> {
+    /// All of them, in their order.
+    fn texts(&self) -> Vec<&'c Text> {
+        match self {
+            Self::Text(text) => vec![text],
+            Self::Both(both) => both.iter().flat_map(Self::texts).collect(),
+        }
+    }
+}
+
+/// How the result of a function comes about in its target; `None` if somebody could tell the difference.
+fn begins_in(function: TextFunction, (target, room): (&Place, TextRoom), texts: &[Ready]) -> Option<Begins> {
+    let apart = |text: &Ready| are_apart((target, room), text);
+    if texts.iter().all(apart) && (!texts.is_empty() || !room.is_unknown()) {
+        return Some(Begins::Empty);
+    }
+    // What has room for more than a result would get more of it.
+    if room.is_unknown() || room.characters_max > function.result_room().characters_max {
+        return None;
+    }
+    if function.makes_one_piece() {
+        return Some(Begins::Empty);
+    }
+    let is_it = |(place, text_room): &Ready| {
+        *text_room == room
+            && place.indexes.is_empty()
+            && target.indexes.is_empty()
+            && is_kept(place)
+            && place.base == target.base
+            && place.offset == target.offset
+    };
+    let [first, second, rest @ ..] = texts else { return None };
+    let grows = function.action == TextAction::Concat && is_it(first) && (is_it(second) || apart(second)) && rest.iter().all(apart);
+    grows.then_some(Begins::ItsFirstText)
+}
+
+/// Whether a place lies where it says, in an area that no pointer leads to.
+fn is_kept(place: &Place) -> bool {
+    matches!(place.base, Base::Area(Area::Local | Area::BitMemory) | Base::Instance | Base::DataBlock(_))
+}
+
+/// The bits of its area that a text may lie in: all elements that its indexes may name.
+fn extent(place: &Place, room: TextRoom) -> Option<(u64, u64)> {
+    let mut reach = 0_u64;
+    for index in &place.indexes {
+        if index.check == Bounds::None {
+            return None;
+        }
+        reach = reach.checked_add(index.count.checked_sub(1)?.checked_mul(u64::from(index.step))?)?;
+    }
+    let start = u64::from(place.offset);
+    is_kept(place).then_some((start, start.checked_add(reach)? + 8 * u64::from(room.bytes())))
 }
 
 /// Whether a call has exactly the texts and numbers that the function takes.
@@ -246,16 +432,12 @@ fn is_usual(function: TextFunction, call: &Call) -> bool {
 
 /// Whether a target is known to share no byte with a text, wherever the program runs.
 fn are_apart((target, room): (&Place, TextRoom), (text, from_room): &Ready) -> bool {
-    let is_plain = |place: &Place| {
-        let area = matches!(place.base, Base::Area(Area::Local | Area::BitMemory) | Base::Instance | Base::DataBlock(_));
-        area && place.indexes.is_empty()
-    };
-    if room.is_unknown() || !is_plain(target) || !is_plain(text) {
+    if room.is_unknown() {
         return false;
     }
-    let end = |place: &Place, room: TextRoom| u64::from(place.offset) + 8 * u64::from(room.bytes());
+    let (Some((start, end)), Some((from_start, from_end))) = (extent(target, room), extent(text, *from_room)) else { return false };
     match (&target.base, &text.base) {
-        (a, b) if a == b => end(target, room) <= u64::from(text.offset) || end(text, *from_room) <= u64::from(target.offset),
+        (a, b) if a == b => end <= from_start || from_end <= start,
         // The instance may be the same data block.
         (Base::Instance, Base::DataBlock(_)) | (Base::DataBlock(_), Base::Instance) => false,
         _ => true,

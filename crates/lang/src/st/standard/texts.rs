@@ -1,4 +1,4 @@
-//! Functions of texts that callers write out: what each does is a piece of a text, then others behind it.
+//! Functions of texts that callers write out: what each does is a piece of a text, then others behind it, or the digits of a number.
 //!
 //! The blocks of the library do the same, for programs that call them as blocks; a test compares both.
 
@@ -30,6 +30,10 @@ pub enum TextAction {
     Delete,
     Replace,
     Find,
+    /// The digits of a number without a sign.
+    Unsigned,
+    /// The digits of a number with its sign: `-` in front of a negative one; of the S7 library `+` in front of the others.
+    Signed,
 }
 
 /// Whose function it is.
@@ -66,6 +70,10 @@ const BLOCKS: &[(&str, TextAction, Manner)] = &[
     ("CODESYS_DELETE", TextAction::Delete, Manner::Codesys),
     ("CODESYS_REPLACE", TextAction::Replace, Manner::Codesys),
     ("CODESYS_FIND", TextAction::Find, Manner::Codesys),
+    ("I_STRNG", TextAction::Signed, Manner::S7),
+    ("DI_STRNG", TextAction::Signed, Manner::S7),
+    ("LINT_TO_STRING", TextAction::Signed, Manner::Iec),
+    ("ULINT_TO_STRING", TextAction::Unsigned, Manner::Iec),
 ];
 
 impl TextFunction {
@@ -73,10 +81,13 @@ impl TextFunction {
     pub fn of(provided: &Provided, called: &str) -> Option<Self> {
         let name = match provided {
             Provided::Library(block) => block.name,
-            Provided::Source { name, .. } if !name.eq_ignore_ascii_case(called) => name,
-            Provided::Source { .. } | Provided::System(_) => return None,
+            Provided::Source { name, .. } => name,
+            Provided::System(_) => return None,
         };
-        Self::of_block(name)
+        // The blocks of conversions have the names of functions.
+        let function = Self::of_block(name)?;
+        let by_its_name = matches!(provided, Provided::Source { .. }) && name.eq_ignore_ascii_case(called);
+        (!by_its_name || function.arity().0 == 0).then_some(function)
     }
 
     /// What the block with this name does, if callers write it out.
@@ -98,6 +109,12 @@ impl TextFunction {
             TextAction::Concat | TextAction::Find => (2, 0),
             TextAction::Insert => (2, 1),
             TextAction::Replace => (2, 2),
+            TextAction::Unsigned | TextAction::Signed => (0, 1),
         }
+    }
+
+    /// Whether it makes one piece of its text, or of a number: everything is read before anything is written.
+    pub fn makes_one_piece(self) -> bool {
+        matches!(self.action, TextAction::Left | TextAction::Right | TextAction::Mid | TextAction::Unsigned | TextAction::Signed)
     }
 }
