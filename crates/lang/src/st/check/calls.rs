@@ -182,7 +182,7 @@ impl Checker<'_> {
 
     fn called_target(&mut self, target: Target, span: Span) -> Called {
         match target.data_type {
-            DataType::Instance { block, .. } => match self.without_body(block, span) {
+            DataType::Instance { block, .. } => match self.without_body(block, span) || self.no_timer_instruction(block, &target, span) {
                 true => Called::Nothing,
                 false => {
                     let dispatch = self.dispatch_of(block, &target);
@@ -242,7 +242,11 @@ impl Checker<'_> {
                 }
                 // The instruction that an instance of a system type belongs to: `"T1".TON(…)`.
                 let block = *block;
-                if self.is_instruction(block, name) {
+                let timer = self.timer_instruction(block, name);
+                if timer.is_none() && self.no_timer_instruction(block, &target, name.span) {
+                    return Called::Nothing;
+                }
+                if let Some(block) = timer.or_else(|| self.is_instruction(block, name).then_some(block)) {
                     return match self.judge(Construct::InstructionCall, name.span) {
                         true => Called::Instance(block, target, None),
                         false => Called::Nothing,
@@ -266,7 +270,11 @@ impl Checker<'_> {
                 Some(target) if matches!(target.data_type, DataType::Instance { .. }) => {
                     let DataType::Instance { block, structure } = &target.data_type else { return Called::Nothing };
                     if structure.field(&name.text).is_none() {
-                        let block = *block;
+                        let timer = self.timer_instruction(*block, name);
+                        if timer.is_none() && self.no_timer_instruction(*block, &target, name.span) {
+                            return Called::Nothing;
+                        }
+                        let block = timer.unwrap_or(*block);
                         return match self.judge(Construct::InstructionCall, name.span) {
                             true => Called::Instance(block, target, None),
                             false => Called::Nothing,

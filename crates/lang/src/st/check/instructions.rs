@@ -46,7 +46,7 @@ impl Checker<'_> {
             "MOVE_BLK_VARIANT" => self.move_variant(call, span).map(|(statements, place)| delivered(statements, place, span)),
             "SERIALIZE" => self.serialize(call, span).map(|(statements, place)| delivered(statements, place, span)),
             "DESERIALIZE" => self.deserialize(call, span).map(|(statements, place)| delivered(statements, place, span)),
-            "DEMUX" | "S_MOVE" | "SCATTER" | "GATHER" => {
+            "DEMUX" | "S_MOVE" | "SCATTER" | "GATHER" | "RESET_TIMER" | "PRESET_TIMER" => {
                 self.look_at(&call.arguments);
                 self.report(Problem::P6218, span, format!("`{upper}` has no result")).help =
                     Some("Call it in a statement of its own.".to_owned());
@@ -64,6 +64,8 @@ impl Checker<'_> {
             "S_MOVE" => self.string_move(call, span),
             "SCATTER" => self.scatter(call, span),
             "GATHER" => self.gather(call, span),
+            "RESET_TIMER" => self.reset_timer(call, span),
+            "PRESET_TIMER" => self.preset_timer(call, span),
             "MOVE_BLK_VARIANT" => self.move_variant(call, span).map(|(statements, _)| StatementKind::Block(statements)),
             "SERIALIZE" => self.serialize(call, span).map(|(statements, _)| StatementKind::Block(statements)),
             "DESERIALIZE" => self.deserialize(call, span).map(|(statements, _)| StatementKind::Block(statements)),

@@ -19,6 +19,7 @@ mod s5;
 mod statements;
 mod testing;
 mod texts;
+mod timers;
 mod typed;
 mod types;
 mod usage;

@@ -57,6 +57,7 @@ chapters! {
         "tp" "a pulse" ["TP" "TP_TIME" "TP_LTIME" "LTP"]
             "TP(IN: BOOL; PT: TIME) → Q: BOOL; ET: TIME" "TP_LTIME(IN: BOOL; PT: LTIME) → Q: BOOL; ET: LTIME" "LTP(IN: BOOL; PT: LTIME) → Q: BOOL; ET: LTIME";
         "tonr" "the time of several pieces" ["TONR"] "TONR(IN: BOOL; R: BOOL; PT: TIME) → Q: BOOL; ET: TIME";
+        "iec_timer" "any timer" ["IEC_TIMER" "RESET_TIMER" "PRESET_TIMER"] "RESET_TIMER(timer)" "PRESET_TIMER(duration; timer)";
         "rtc" "a clock that is set" ["RTC"] "RTC(IN: BOOL; PDT: DT) → Q: BOOL; CDT: DT";
         "scan_clock" "the clock of timers" ["SCAN_CLOCK" "TIME"] "SCAN_CLOCK(): TIME" "TIME(): TIME";
         "s_pulse" "S5 timer: a pulse" ["S_PULSE" "S_IMPULS"] "S_PULSE(T_NO: TIMER; S: BOOL; TV: S5TIME; R: BOOL; BI => WORD; Q => BOOL): S5TIME";

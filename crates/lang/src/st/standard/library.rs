@@ -38,6 +38,7 @@ sources! {
     "timers_tia.st" Iec                 [0 0 0 1]: TON TOF TP;
     "timers_tia_time.st" Iec            [0 0 0 1]: TON_TIME TOF_TIME TP_TIME;
     "timers_tia_ltime.st" Iec           [0 0 0 1]: TON_LTIME TOF_LTIME TP_LTIME;
+    "iec_timer.st" Iec                  [0 0 0 1]: IEC_TIMER;
     "tonr.st" Iec                       [0 0 0 1]: TONR;
     "rtc.st" Iec                        [1 0 0 0]: RTC;
     "counters.st" Iec                   [1 0 0 1]: CTU CTD CTUD;
