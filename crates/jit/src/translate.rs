@@ -807,7 +807,10 @@ impl<'a> Translator<'a> {
         }
         // Most status bits are never read; an operation with a constant is often no operation.
         let spared = dst.register().is_some_and(|register| SPARED & bit_of(register) != 0);
-        let waits = used.iter().all(|arg| arg.constant().is_none()) || compares(op) && used.iter().any(|arg| arg.constant().is_none());
+        let is_lazy = |arg: &Val| matches!(arg, Val::Lazy(_));
+        let waits = used.iter().all(|arg| arg.constant().is_none())
+            || compares(op) && used.iter().any(|arg| arg.constant().is_none())
+            || used.iter().any(is_lazy);
         if spared && self.options.inline && waits {
             return self.later(op, args);
         }

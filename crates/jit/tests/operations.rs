@@ -93,7 +93,7 @@ const ARGUMENTS: [Register; 4] = [Register::Mcr, Register::DbNumber, Register::D
 const RESULT: Register = Register::Nesting;
 
 /// Second to fourth arguments that are known when the program is compiled.
-const CONSTANTS: [[u64; 3]; 5] = [[1, 0, 1], [0, 1, 0], [16, 0xFFFF_FFFF, 1], [0x8000, 31, 0], [0xFFFF_FFFF, 5, 1]];
+const CONSTANTS: [[u64; 3]; 6] = [[1, 0, 1], [0, 1, 0], [16, 0xFFFF_FFFF, 1], [0x8000, 31, 0], [0xFFFF_FFFF, 5, 1], [32, 17, 33]];
 
 /// A Host that nobody asks.
 struct Nobody;

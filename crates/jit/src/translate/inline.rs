@@ -5,6 +5,7 @@ use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
 use cranelift_codegen::ir::types::{F32, I16, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, InstructionData, MemFlagsData, Opcode, Value, ValueDef};
 use sieben_engine::ir::Op;
+use sieben_model::address::Width;
 
 use super::{Translator, value::Val};
 
@@ -88,7 +89,8 @@ impl Translator<'_> {
             // Integers.
             Op::MergeLow16 => self.merge(a, b, 0xFFFF),
             Op::MergeLow8 => self.merge(a, b, 0xFF),
-            Op::Low16 | Op::Low8 => { let a = self.int(a); Val::Int(self.b.ins().band_imm_u(a, if op == Op::Low16 { 0xFFFF } else { 0xFF })) }
+            Op::Low16 => Val::Int(self.low_bits(a, Width::Word)),
+            Op::Low8 => Val::Int(self.low_bits(a, Width::Byte)),
             Op::Extend16 => Val::Int(self.i16(a)),
             Op::AddI16Wide => { let (a, b) = (self.i16(a), self.i16(b)); Val::Int(self.b.ins().iadd(a, b)) }
             Op::SubI16Wide => { let (a, b) = (self.i16(a), self.i16(b)); Val::Int(self.b.ins().isub(a, b)) }
@@ -127,7 +129,7 @@ impl Translator<'_> {
                 let none = self.b.ins().iconst(I64, 0);
                 Val::Word(self.b.ins().select(zero, none, result))
             }
-            Op::Low32 => Val::Int(self.int(a)),
+            Op::Low32 => self.low_32(a),
             Op::OverflowsI32 => { let exact = self.word(a); let low = self.i64(a); self.compare(IntCC::NotEqual, Val::Word(exact), Val::Word(low)) }
             Op::PositiveI32 => { let a = self.int(a); self.compare(IntCC::SignedGreaterThan, Val::Int(a), Val::Const(0)) }
             Op::NegativeI32 => { let a = self.int(a); self.compare(IntCC::SignedLessThan, Val::Int(a), Val::Const(0)) }
@@ -191,7 +193,7 @@ impl Translator<'_> {
             Op::Swap32 => { let a = self.int(a); Val::Int(self.b.ins().bswap(a)) }
 
             // Word logic, and shifts by a constant that move something.
-            Op::AndU32 => { let (a, b) = (self.int(a), self.int(b)); Val::Int(self.b.ins().band(a, b)) }
+            Op::AndU32 => self.and_u32(a, b),
             Op::OrU32 => { let (a, b) = (self.int(a), self.int(b)); Val::Int(self.b.ins().bor(a, b)) }
             Op::XorU32 => { let (a, b) = (self.int(a), self.int(b)); Val::Int(self.b.ins().bxor(a, b)) }
             Op::Shl16 if let Some(n) = count(b, 15) => { let a = self.int(a); let moved = self.b.ins().ishl_imm_u(a, n); Val::Int(self.b.ins().band_imm_u(moved, 0xFFFF)) }
@@ -489,7 +491,8 @@ impl Translator<'_> {
             Val::Const(low) => Val::Const(low & u64::from(mask)),
             low => {
                 let low = self.int(low);
-                Val::Int(self.b.ins().band_imm_u(low, i64::from(mask)))
+                let fits = self.narrow.get(&low).is_some_and(|&bits| bits < 32 && u64::from(mask) >= (1 << bits) - 1);
+                Val::Int(if fits { low } else { self.b.ins().band_imm_u(low, i64::from(mask)) })
             }
         };
         let no_high = match high {
@@ -503,6 +506,43 @@ impl Translator<'_> {
         let (high, low) = (self.int(high), self.int(low));
         let high = self.b.ins().band_imm_u(high, i64::from(!mask));
         Val::Int(self.b.ins().bor(high, low))
+    }
+
+    fn and_u32(&mut self, a: Val, b: Val) -> Val {
+        let bits = |this: &Self, value: Val| match value {
+            Val::Const(value) => 32 - (value as u32).leading_zeros(),
+            Val::Int(value) => this.narrow.get(&value).copied().unwrap_or(32),
+            _ => 32,
+        };
+        let most = bits(self, a).min(bits(self, b));
+        let (a, b) = (self.int(a), self.int(b));
+        let result = self.b.ins().band(a, b);
+        if self.options.optimize && most <= 16 {
+            self.narrow.insert(result, most);
+        }
+        Val::Int(result)
+    }
+
+    /// The low half of 64 bits; of a sum it is the sum of the low halves.
+    fn low_32(&mut self, value: Val) -> Val {
+        let Val::Word(word) = self.force(value) else { return Val::Int(self.int(value)) };
+        let low = |this: &Self, value: Value| match this.definition(value) {
+            Some((_, InstructionData::Unary { opcode: Opcode::Sextend, arg })) if this.b.func.dfg.value_type(arg) == I32 => Some(Ok(arg)),
+            Some((_, InstructionData::UnaryImm { opcode: Opcode::Iconst, imm })) => Some(Err(imm.bits() as u32)),
+            _ => None,
+        };
+        if let Some((_, InstructionData::Binary { opcode: opcode @ (Opcode::Iadd | Opcode::Isub | Opcode::Imul), args })) =
+            self.definition(word)
+            && let [Some(a), Some(b)] = args.map(|arg| low(self, arg))
+        {
+            let [a, b] = [a, b].map(|half| half.unwrap_or_else(|constant| self.constant(constant)));
+            return Val::Int(match opcode {
+                Opcode::Iadd => self.b.ins().iadd(a, b),
+                Opcode::Isub => self.b.ins().isub(a, b),
+                _ => self.b.ins().imul(a, b),
+            });
+        }
+        Val::Int(self.int(value))
     }
 
     /// Whether a divisor is 0, and a divisor that never is.

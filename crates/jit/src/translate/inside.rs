@@ -109,8 +109,12 @@ impl Translator<'_> {
         {
             return address;
         }
+        let highest = self.bounds.get(&pointer).and_then(|&(_, most)| most.checked_add(offset));
         let pointer = if offset == 0 { pointer } else { self.b.ins().iadd_imm_u(pointer, i64::from(offset)) };
-        let position = self.b.ins().band_imm_u(pointer, 0x00FF_FFFF);
+        let position = match highest {
+            Some(highest) if highest <= 0x00FF_FFFF => pointer,
+            _ => self.b.ins().band_imm_u(pointer, 0x00FF_FFFF),
+        };
         let bit = match width {
             Width::Bit => Bit::Computed(self.b.ins().band_imm_u(position, 7)),
             _ => Bit::Number(0),

@@ -148,7 +148,10 @@ impl Translator<'_> {
         let below = |bounds: Bounds| (bounds.most <= limit).then_some(bounds);
         match data {
             InstructionData::UnaryImm { opcode: Opcode::Iconst, imm } => Some(Bounds::constant(imm.bits() as u64 & limit)),
-            InstructionData::Unary { opcode: Opcode::Uextend, arg } => self.bounds(arg, depth),
+            InstructionData::Unary { opcode: Opcode::Uextend, arg } => {
+                let any = || Bounds { least: 0, most: u64::MAX >> (64 - dfg.value_type(arg).bits()), zeros: 0 };
+                Some(self.bounds(arg, depth).unwrap_or_else(any))
+            }
             InstructionData::Unary { opcode: Opcode::Ireduce, arg } => below(self.bounds(arg, depth)?),
             InstructionData::Binary { opcode, args: [a, b] } => {
                 let (a, b) = (self.bounds(a, depth), self.bounds(b, depth));

@@ -390,7 +390,13 @@ impl Translator<'_> {
                     Bit::Computed(bit) => Val::Bit { value: self.b.ins().ushr(byte, bit), clean: false },
                 }
             }
-            Width::Byte => Val::Int(self.b.ins().uload8(I32, data(), base, offset)),
+            Width::Byte => {
+                let value = self.b.ins().uload8(I32, data(), base, offset);
+                if self.options.optimize {
+                    self.narrow.insert(value, 8);
+                }
+                Val::Int(value)
+            }
             Width::Word => {
                 let word = self.b.ins().load(I16, data(), base, offset);
                 let word = self.b.ins().bswap(word);
