@@ -832,6 +832,13 @@ fn called(b: &mut Builder, seed: u64, is_function: bool) {
     if !is_function {
         let bit = Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 67 };
         b.store(bit, Width::Bit, condition);
+        // More bits of the same byte, one of which is read.
+        for offset in [64, 70].into_iter().take(dice.roll(3) as usize) {
+            let other = Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset };
+            let before = b.load(other, Width::Bit, OnFault::SkipStatement);
+            let after = b.compute(Op::Xor, &[before, condition]);
+            b.store(other, Width::Bit, after);
+        }
     }
     b.push(Inst::Branch { condition, to: Target(3) });
     match dice.roll(3) {
@@ -849,6 +856,11 @@ fn called(b: &mut Builder, seed: u64, is_function: bool) {
     let by = b.constant(dice.of(&[4, 16, 3]));
     let value = b.compute(dice.of(&[Op::DivI32, Op::RemI32, Op::AddU32]), &[value, by]);
     b.store(sum, Width::DoubleWord, value);
+    if !is_function && dice.roll(2) == 0 {
+        let bit = Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 65 };
+        let set = b.compute(Op::IsNonzero, &[value]);
+        b.store(bit, Width::Bit, set);
+    }
     b.begin_statement();
     if is_function {
         let value = get(b, sum);

@@ -319,6 +319,11 @@ impl Translator<'_> {
         if let (Size::Unsigned(64), true) = (size, self.is_32_bits(a) && self.is_32_bits(b)) {
             return self.quotient(Size::Unsigned(32), a, b);
         }
+        if let (Size::Signed(32), Some(divisor @ 4..=0x7FFF_FFFF)) = (size, b.constant())
+            && divisor.is_power_of_two()
+        {
+            return Val::Int(self.shifted_quotient(a, divisor));
+        }
         let (a, b, zero) = self.division(size, a, b);
         let result = match size {
             Size::Unsigned(_) => self.b.ins().udiv(a, b),
@@ -332,6 +337,15 @@ impl Translator<'_> {
             }
         };
         self.zero_if(zero, bits, result)
+    }
+
+    /// A DINT divided by a power of two, towards 0.
+    fn shifted_quotient(&mut self, a: Val, divisor: u64) -> Value {
+        let a = self.int(a);
+        let raised = self.b.ins().iadd_imm_s(a, divisor as i64 - 1);
+        let negative = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, a, 0);
+        let raised = self.b.ins().select(negative, raised, a);
+        self.b.ins().sshr_imm_u(raised, i64::from(divisor.trailing_zeros()))
     }
 
     fn rest(&mut self, size: Size, a: Val, b: Val) -> Val {

@@ -1,7 +1,10 @@
 //! What a turn knows of memory at addresses that it computes: what it has read or written there is not read again, and what it writes
 //! is written once, when somebody may read it otherwise or the turn ends.
 
-use super::kernel::{Access, Node, Step};
+use sieben_engine::ir::Op;
+use sieben_model::address::Width;
+
+use super::kernel::{Access, Node, Part, Step};
 use super::reader::Reader;
 use super::ways::Ways;
 
@@ -34,7 +37,7 @@ impl Access {
     /// Whether another access may go to some of the same bits.
     fn may_meet(&self, other: &Self) -> bool {
         if self.area == other.area && self.pointer == other.pointer {
-            let bits = |access: &Self| if access.width == sieben_model::address::Width::Bit { 1 } else { access.width.bytes() * 8 };
+            let bits = |access: &Self| if access.width == Width::Bit { 1 } else { access.width.bytes() * 8 };
             // Positions have 24 bits.
             let ahead = other.offset.wrapping_sub(self.offset) & 0x00FF_FFFF;
             let behind = self.offset.wrapping_sub(other.offset) & 0x00FF_FFFF;
@@ -116,6 +119,9 @@ impl Reader<'_, '_> {
 
     fn write_where(&mut self, wanted: impl Fn(&Entry) -> bool, steps: &mut Vec<Step>) {
         for at in 0..self.held.0.len() {
+            if self.write_byte(at, &wanted, steps) {
+                continue;
+            }
             let entry = &mut self.held.0[at];
             if entry.waits && wanted(entry) {
                 entry.waits = false;
@@ -124,5 +130,41 @@ impl Reader<'_, '_> {
                 self.access(access, reached, steps);
             }
         }
+    }
+
+    /// Writes the bits of a byte at once, if more than one of them waits with the bit at a place in the list; whether it did.
+    fn write_byte(&mut self, at: usize, wanted: &impl Fn(&Entry) -> bool, steps: &mut Vec<Step>) -> bool {
+        let first = self.held.0[at].access.clone();
+        let Some(part) = first.part else { return false };
+        let is_one = |entry: &Entry| {
+            let access = &entry.access;
+            let same_byte = (access.area, access.pointer, access.offset & !7) == (first.area, first.pointer, first.offset & !7);
+            let known = access.part.is_some() && access.sure && entry.unsure.is_none();
+            entry.waits && access.width == Width::Bit && same_byte && known && wanted(entry)
+        };
+        let bits: Vec<usize> = (at..self.held.0.len()).filter(|&other| is_one(&self.held.0[other])).collect();
+        if bits.len() < 2 || bits[0] != at {
+            return false;
+        }
+        let whole = Access { offset: first.offset & !7, width: Width::Byte, part: Some(Part { bit: 0, ..part }), ..first };
+        let mut value = self.access(whole.clone(), None, steps);
+        let mut others = 0xFF;
+        let mut new = Vec::new();
+        for other in bits {
+            let entry = &mut self.held.0[other];
+            entry.waits = false;
+            let bit = entry.access.offset % 8;
+            others &= !(1 << bit);
+            new.push((bit, entry.value));
+        }
+        let others = self.constant(others);
+        value = self.compute(Op::AndU32, [value, others, value, value]);
+        for (bit, set) in new {
+            let bit = self.constant(u64::from(bit));
+            let moved = self.compute(Op::Shl32, [set, bit, set, set]);
+            value = self.compute(Op::OrU32, [value, moved, value, value]);
+        }
+        self.access(Access { value: Some(value), ..whole }, None, steps);
+        true
     }
 }

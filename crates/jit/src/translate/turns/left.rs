@@ -6,7 +6,6 @@
 
 use std::collections::BTreeSet;
 
-use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{InstBuilder, StackSlotData, StackSlotKind, Value};
 use cranelift_frontend::Variable;
@@ -16,10 +15,12 @@ use sieben_model::address::Width;
 use super::super::value::Val;
 use super::super::{TRUSTED, Translator};
 use super::kernel::{Cell, Kept, Kernel, Level, Node, What};
-use super::line::{Carried, Line};
+use super::line::Carried;
 
 /// Cells that are left under the same conditions, for which this is cheaper than to carry them.
 const CELLS_MIN: usize = 3;
+/// Operations in one another of values that are computed behind the loop.
+const COMPUTED_MAX: usize = 4;
 /// Conditions in one another.
 const CONDITIONS_MAX: usize = 4;
 
@@ -56,8 +57,26 @@ impl Kernel {
         for left in &mut all {
             let waiting: BTreeSet<Node> = left.cells.iter().map(|&(_, value)| value).collect();
             left.waiting = waiting.into_iter().filter(|&value| self.line(value, Level::Outer).is_none()).collect();
+            // What can be computed from the others behind the loop needs not wait, the last value first: it may rest on the others.
+            for at in (0..left.waiting.len()).rev() {
+                let value = left.waiting.remove(at);
+                if !self.follows_from(&left.waiting, value, COMPUTED_MAX) {
+                    left.waiting.insert(at, value);
+                }
+            }
         }
         all
+    }
+
+    /// Whether a value is computed from others, from constants and from what is on a line, in so many operations in one another.
+    fn follows_from(&self, others: &[Node], value: Node, depth: usize) -> bool {
+        if others.contains(&value) || self.line(value, Level::Outer).is_some() {
+            return true;
+        }
+        match self.what(value) {
+            What::Compute(op, args) => depth > 0 && args[..op.arity()].iter().all(|&arg| self.follows_from(others, arg, depth - 1)),
+            _ => false,
+        }
     }
 
     /// The conditions under which a turn writes a cell, and what, if nothing else looks at what the cell held.
@@ -82,6 +101,25 @@ impl Kernel {
         let required = self.required.iter().map(|&(number, _)| number);
         let mut all = others.chain(of_accesses).chain(own).chain(required);
         (!all.any(|node| self.rests_on(node, Level::Outer, cell))).then_some((conditions, value))
+    }
+}
+
+/// How far a loop is.
+#[derive(Clone, Copy)]
+pub(super) enum Progress {
+    /// So many turns are left with the running one.
+    Left(Value),
+    /// An address that is so many bytes further in each turn, and as it was in the first one.
+    Address { now: Value, first: Value, step: i64 },
+}
+
+impl Progress {
+    /// What tells the running turn from others, and is not 0.
+    pub(super) fn mark(self) -> Value {
+        match self {
+            Self::Left(left) => left,
+            Self::Address { now, .. } => now,
+        }
     }
 }
 
@@ -124,10 +162,10 @@ impl Translator<'_> {
         Waiting { left, place, bytes, written: false }
     }
 
-    /// Puts down what a turn leaves: so many turns were left with it.
-    pub(super) fn put_left(&mut self, waiting: &Waiting, conditions: &[Val], values: &[Val], turns: Value) {
+    /// Puts down what a turn leaves, and its mark.
+    pub(super) fn put_left(&mut self, waiting: &Waiting, conditions: &[Val], values: &[Val], mark: Value) {
         let place = self.b.use_var(waiting.place);
-        self.b.ins().store(TRUSTED, turns, place, 0);
+        self.b.ins().store(TRUSTED, mark, place, 0);
         for (at, &value) in values.iter().enumerate() {
             let value = self.int(value);
             self.b.ins().store(TRUSTED, value, place, Waiting::offset(at));
@@ -139,29 +177,40 @@ impl Translator<'_> {
             all = Some(all.map_or(condition, |all| self.b.ins().band(all, condition)));
         }
         let Some(all) = all else { unreachable!("cells are left under conditions") };
-        let all = self.b.ins().uextend(I64, all);
         let far = self.b.ins().ishl_imm_u(all, i64::from(waiting.bytes.trailing_zeros()));
+        let far = self.b.ins().uextend(I64, far);
         let next = self.b.ins().bxor(place, far);
         self.b.def_var(waiting.place, next);
     }
 
-    /// What a value was in the last turn that wrote the cells, if any; `line` gives it in the first turn if it is on a line.
-    pub(super) fn take_left(&mut self, waiting: &Waiting, value: Node, line: Option<(Val, Line)>, turns: Value, before: Val) -> Val {
+    /// The mark of the last turn that wrote the cells; 0 if none did.
+    pub(super) fn mark_left(&mut self, waiting: &Waiting) -> Value {
+        let place = self.place_left(waiting);
+        self.b.ins().load(I64, TRUSTED, place, 0)
+    }
+
+    /// What a value was in that turn, if it waits.
+    pub(super) fn take_left(&mut self, waiting: &Waiting, value: Node) -> Option<Val> {
+        let at = waiting.left.waiting.binary_search(&value).ok()?;
+        let place = self.place_left(waiting);
+        Some(Val::Int(self.b.ins().load(I32, TRUSTED, place, Waiting::offset(at))))
+    }
+
+    /// The place that the last turn wrote that wrote the cells.
+    fn place_left(&mut self, waiting: &Waiting) -> Value {
         let next = self.b.use_var(waiting.place);
-        let place = self.b.ins().bxor_imm_u(next, i64::from(waiting.bytes));
-        let last = self.b.ins().load(I64, TRUSTED, place, 0);
-        let any = self.b.ins().icmp_imm_s(IntCC::NotEqual, last, 0);
-        let value = match line {
-            Some((first, line)) => {
-                let made = self.b.ins().isub(turns, last);
-                self.behind(first, line, made)
+        self.b.ins().bxor_imm_u(next, i64::from(waiting.bytes))
+    }
+
+    /// How many turns were made before the one with a mark, of so many.
+    pub(super) fn turns_before(&mut self, progress: Progress, mark: Value, turns: Value) -> Value {
+        match progress {
+            Progress::Left(_) => self.b.ins().isub(turns, mark),
+            Progress::Address { first, step, .. } => {
+                let way = self.b.ins().isub(mark, first);
+                let step = self.b.ins().iconst(I64, step);
+                self.b.ins().sdiv(way, step)
             }
-            None => {
-                let at = waiting.left.waiting.binary_search(&value).unwrap_or_else(|_| unreachable!("what is on no line waits"));
-                Val::Int(self.b.ins().load(I32, TRUSTED, place, Waiting::offset(at)))
-            }
-        };
-        let (value, before) = (self.int(value), self.int(before));
-        Val::Int(self.b.ins().select(any, value, before))
+        }
     }
 }

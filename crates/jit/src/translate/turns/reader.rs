@@ -921,6 +921,16 @@ impl Reader<'_, '_> {
                 let added = self.constant(u64::from(added.wrapping_sub(taken)));
                 self.kernel.is_32_bits(of).then(|| self.compute(Op::AddU32, [of, added, of, of]))
             }
+            // What is never negative is divided by a power of two as if it had no sign.
+            Op::DivI32 | Op::RemI32 => {
+                let divisor = self.kernel.constant(b).filter(|&divisor| divisor.is_power_of_two() && divisor < 1 << 31)?;
+                if self.range(a, DEPTH_MAX).signed(32).0 < 0 || !self.kernel.is_32_bits(a) {
+                    return None;
+                }
+                let (op, by) = if op == Op::DivI32 { (Op::Shr32, divisor.trailing_zeros().into()) } else { (Op::AndU32, divisor - 1) };
+                let by = self.constant(by);
+                Some(self.compute(op, [a, by, a, a]))
+            }
             // A number that stays inside its type is the same in the wider one.
             Op::Extend16 => {
                 let What::Compute(op @ (Op::AddU16 | Op::SubU16 | Op::MulU16), [a, b, ..]) = self.kernel.what(a) else { return None };

@@ -15,7 +15,7 @@ use super::super::value::Val;
 use super::super::{Translator, is_bit};
 use super::Plan;
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Part, Step, What};
-use super::left::Waiting;
+use super::left::{Progress, Waiting};
 use super::line::{Carried, Line, Shape, Sum};
 use super::vector::Lanes;
 
@@ -68,8 +68,8 @@ pub(super) struct Writing<'t, 'a, 'k> {
     taken: Option<Val>,
     /// Values that wait on the stack for what the last turn that wrote them leaves.
     waiting: Vec<Waiting>,
-    /// How many turns are made, and how many are left with the running one, of the outer loop.
-    left: Option<(Value, Value)>,
+    /// How many turns of the outer loop are made, and where it is.
+    progress: Option<(Value, Progress)>,
 }
 
 impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
@@ -88,7 +88,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             sums: HashMap::new(),
             taken: None,
             waiting: Vec::new(),
-            left: None,
+            progress: None,
         };
         this.version(it);
     }
@@ -286,10 +286,20 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             self.waiting = self.kernel.left().into_iter().map(|left| self.t.begin_left(left)).collect();
         }
         let handed = self.handed(level);
-        let mut first = vec![turns];
+        // An address that is counted on tells when the last turn was made, if it has one.
+        let counting = handed.iter().enumerate().find_map(|(at, one)| match *one {
+            Handed::Address(.., step) if step != 0 && level == Level::Outer && self.lanes == 1 => Some((at, step)),
+            _ => None,
+        });
+        let mut first = if counting.is_some() { Vec::new() } else { vec![turns] };
+        let others = first.len();
         for one in &handed {
             self.first_of(level, one, &mut first);
         }
+        let end = counting.map(|(at, step)| {
+            let way = self.t.b.ins().imul_imm_s(turns, step);
+            self.t.b.ins().iadd(first[others + at], way)
+        });
         let head = self.t.b.create_block();
         let arguments: Vec<BlockArg> = first.iter().map(|&value| BlockArg::Value(value)).collect();
         self.t.b.ins().jump(head, &arguments);
@@ -301,10 +311,14 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 self.t.b.append_block_param(head, ty)
             })
             .collect();
+        let progress = match counting {
+            Some((at, step)) => Progress::Address { now: parameters[others + at], first: first[others + at], step },
+            None => Progress::Left(parameters[0]),
+        };
         if level == Level::Outer {
-            self.left = Some((turns, parameters[0]));
+            self.progress = Some((turns, progress));
         }
-        self.begin(level, &handed, &parameters[1..]);
+        self.begin(level, &handed, &parameters[others..]);
         for step in &self.kernel.turn(level).steps {
             match step {
                 Step::Access(access) => self.access(*access, level),
@@ -314,22 +328,28 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     self.turns(Level::Inner, turns);
                 }
             }
-            self.leave(level, parameters[0], false);
+            self.leave(level, progress, false);
         }
-        self.leave(level, parameters[0], true);
-        let left = self.t.b.ins().iadd_imm_s(parameters[0], -i64::from(step));
-        let mut next = vec![left];
-        for (one, own) in handed.iter().zip(self.owned(&handed, &parameters[1..])) {
+        self.leave(level, progress, true);
+        let mut next = match counting {
+            Some(_) => Vec::new(),
+            None => vec![self.t.b.ins().iadd_imm_s(parameters[0], -i64::from(step))],
+        };
+        for (one, own) in handed.iter().zip(self.owned(&handed, &parameters[others..])) {
             self.next_of(level, one, &own, &mut next);
         }
+        let again = match (counting, end) {
+            (Some((at, _)), Some(end)) => self.t.b.ins().icmp(IntCC::NotEqual, next[others + at], end),
+            _ => next[0],
+        };
         let behind = self.t.b.create_block();
         let arguments: Vec<BlockArg> = next.iter().map(|&value| BlockArg::Value(value)).collect();
-        self.t.b.ins().brif(left, head, &arguments, behind, &[]);
+        self.t.b.ins().brif(again, head, &arguments, behind, &[]);
         self.t.b.seal_block(head);
         self.t.b.switch_to_block(behind);
         self.t.b.seal_block(behind);
         let mut all = Vec::new();
-        let mut at = 1;
+        let mut at = others;
         for one in &handed {
             let count = self.count_of(one);
             if let Handed::Sum(cell, ..) = one {
@@ -342,7 +362,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     }
 
     /// Puts down what the turn leaves, as soon as its values are known.
-    fn leave(&mut self, level: Level, turns: Value, at_end: bool) {
+    fn leave(&mut self, level: Level, progress: Progress, at_end: bool) {
         if level == Level::Inner {
             return;
         }
@@ -355,7 +375,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             }
             let conditions: Vec<Val> = conditions.map(|condition| self.first(condition, level)).collect();
             let values: Vec<Val> = one.left.waiting.iter().map(|&value| self.first(value, level)).collect();
-            self.t.put_left(one, &conditions, &values, turns);
+            self.t.put_left(one, &conditions, &values, progress.mark());
             one.written = true;
         }
         self.waiting = waiting;
@@ -365,8 +385,28 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     fn was_left(&mut self, cell: Cell, turns: Value) -> Option<Val> {
         let value_of = |one: &Waiting| one.left.cells.iter().find(|(left, _)| *left == cell).map(|&(_, value)| value);
         let (at, value) = self.waiting.iter().enumerate().find_map(|(at, one)| Some((at, value_of(one)?)))?;
-        let line = self.kernel.line(value, Level::Outer).map(|line| (self.value_before(value), line));
-        Some(self.t.take_left(&self.waiting[at], value, line, turns, self.before[&cell]))
+        let (_, progress) = self.progress?;
+        let mark = self.t.mark_left(&self.waiting[at]);
+        let any = self.t.b.ins().icmp_imm_s(IntCC::NotEqual, mark, 0);
+        let made = self.t.turns_before(progress, mark, turns);
+        let value = self.value_left(at, value, made);
+        let before = self.before[&cell];
+        let (value, before) = (self.t.int(value), self.t.int(before));
+        Some(Val::Int(self.t.b.ins().select(any, value, before)))
+    }
+
+    /// What a value was in the last turn that wrote such cells, so many turns behind the first one.
+    fn value_left(&mut self, at: usize, value: Node, made: Value) -> Val {
+        if let Some(line) = self.kernel.line(value, Level::Outer) {
+            let first = self.value_before(value);
+            return self.t.behind(first, line, made);
+        }
+        if let Some(value) = self.t.take_left(&self.waiting[at], value) {
+            return value;
+        }
+        let What::Compute(op, args) = self.kernel.what(value) else { unreachable!("what is not computed waits") };
+        let args: Vec<Val> = args[..op.arity()].iter().map(|&arg| self.value_left(at, arg, made)).collect();
+        self.t.compute_now(op, &args)
     }
 
     fn is_left(&self, cell: Cell) -> bool {
@@ -681,10 +721,10 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     Some(value) => value,
                     None if of == Level::Outer
                         && self.lanes == 1
-                        && let (Some(line), Some((turns, left))) = (self.kernel.cell_line(of, cell), self.left)
+                        && let (Some(line), Some((turns, progress))) = (self.kernel.cell_line(of, cell), self.progress)
                         && !line.is_same() =>
                     {
-                        let made = self.t.b.ins().isub(turns, left);
+                        let made = self.t.turns_before(progress, progress.mark(), turns);
                         Lanes::One(self.t.behind(self.before[&cell], line, made))
                     }
                     None => {
