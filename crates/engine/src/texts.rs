@@ -236,11 +236,13 @@ impl Found {
     fn write(self, arena: &mut [u8], characters: &[u8]) {
         let most = self.most(arena);
         let count = characters.len().min(most);
-        for (index, &character) in characters[..count].iter().enumerate() {
-            let target = self.byte_of(index);
-            match self.room.wide {
-                false => arena[target] = character,
-                true => [arena[target], arena[target + 1]] = [0, character],
+        let target = &mut arena[self.byte_of(0)..self.byte_of(count)];
+        match self.room.wide {
+            false => target.copy_from_slice(&characters[..count]),
+            true => {
+                for (word, &character) in target.chunks_exact_mut(2).zip(characters) {
+                    word.copy_from_slice(&[0, character]);
+                }
             }
         }
         self.put_lengths(arena, [most, count]);
@@ -290,12 +292,17 @@ impl Decimal {
         let negative = action != TextAction::Unsigned && (number as i64) < 0;
         let mut rest = if negative { (number as i64).unsigned_abs() } else { number };
         let mut it = Self { bytes: [0; Self::BYTES], first: Self::BYTES };
-        loop {
-            it.push(b'0' + (rest % 10) as u8);
-            rest /= 10;
-            if rest == 0 {
-                break;
-            }
+        // Two digits at a time: the divisions, each of which waits for the one before, are what takes time.
+        while rest >= 100 {
+            let two = (rest % 100) as u8;
+            rest /= 100;
+            it.push(b'0' + two % 10);
+            it.push(b'0' + two / 10);
+        }
+        let two = rest as u8;
+        it.push(b'0' + two % 10);
+        if two >= 10 {
+            it.push(b'0' + two / 10);
         }
         match action {
             _ if negative => it.push(b'-'),
