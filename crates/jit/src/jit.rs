@@ -11,7 +11,7 @@ use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
 
 use crate::entry::{Function, Generation};
-use crate::run::{Areas, Limits, Room, Run, Scratch, areas};
+use crate::run::{Areas, Limits, OpenTable, Room, Run, Scratch, areas, open_table};
 use crate::translate::{self, Options};
 
 /// More parameters at one call are left to the interpreter: every activation has room for as many.
@@ -142,6 +142,7 @@ impl Source {
             asks_before_writing: self.asks_before_writing,
             parameters_max: self.parameters_max,
             areas: areas(&self.layout),
+            open_table: open_table(&self.layout),
             any_registers: options.exact,
         };
         Ok(Jit { compiled, layout: self.layout.clone(), known_layout: OnceLock::new() })
@@ -180,6 +181,8 @@ pub(crate) struct Compiled {
     asks_before_writing: bool,
     pub(crate) parameters_max: usize,
     pub(crate) areas: Areas,
+    /// The data blocks of the layout, for machine code that opens them by numbers that it computes.
+    pub(crate) open_table: OpenTable,
     /// Whether organization blocks begin with the registers that they are given; otherwise with fresh ones.
     any_registers: bool,
 }

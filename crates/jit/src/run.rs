@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::ops::Range;
 
 use sieben_engine::access::File;
-use sieben_engine::machine::{CallerRegisters, Origin};
+use sieben_engine::machine::{CallerRegisters, Memory, Origin};
 use sieben_engine::{Context, Exit, Fault, Layout};
 
 use sieben_model::address::Area;
@@ -110,6 +110,26 @@ pub(crate) fn areas(layout: &Layout) -> Areas {
     areas
 }
 
+/// Data blocks by number, as they were loaded: first byte in the arena and length; behind the last one that is not loaded.
+pub(crate) type OpenTable = Box<[[u32; 2]]>;
+
+/// The first byte of a data block that is not loaded.
+pub(crate) const NOT_LOADED: u32 = u32::MAX;
+
+/// Where machine code finds nothing and asks: the data blocks are not as they were loaded.
+static NONE_LOADED: [[u32; 2]; 1] = [[NOT_LOADED, 0]];
+
+/// The data blocks of a layout.
+pub(crate) fn open_table(layout: &Layout) -> OpenTable {
+    let last = layout.data_blocks.keys().next_back().map_or(0, |&number| usize::from(number));
+    let mut table = vec![[NOT_LOADED, 0]; last + 2];
+    table[0] = [0, 0];
+    for (&number, range) in &layout.data_blocks {
+        table[usize::from(number)] = [range.start as u32, range.len() as u32];
+    }
+    table.into_boxed_slice()
+}
+
 /// What all blocks that become part of a function, and those that it calls first, need together.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Room {
@@ -144,6 +164,13 @@ impl Limits {
     }
 }
 
+/// Where machine code looks for data blocks by their numbers, as address and last index.
+#[inline]
+fn data_blocks_to_open(memory: &Memory, compiled: &Compiled) -> (u64, u64) {
+    let table: &[[u32; 2]] = if memory.data_blocks.is_as_laid_out() { &compiled.open_table } else { &NONE_LOADED };
+    (table.as_ptr() as u64, table.len() as u64 - 1)
+}
+
 /// One run of machine code. The fields before `context` are reached by machine code through their offsets.
 #[repr(C)]
 pub(crate) struct Run<'a, 'c> {
@@ -160,6 +187,9 @@ pub(crate) struct Run<'a, 'c> {
     /// Address of the last link that a call may use.
     pub(crate) link_max: u64,
     pub(crate) areas: &'a Areas,
+    /// Address of the table of data blocks, and its last index, under which none is loaded.
+    pub(crate) open_table: u64,
+    pub(crate) open_last: u64,
     /// Address of the first timer.
     pub(crate) timers: u64,
     /// Address of the first counter.
@@ -193,6 +223,7 @@ impl<'a, 'c> Run<'a, 'c> {
         let budget = context.machine.budget;
         let (timers, counters) = (context.machine.timers.as_mut_ptr() as u64, context.machine.counters.as_mut_ptr() as u64);
         let clock_us = context.machine.clock_us;
+        let (open_table, open_last) = data_blocks_to_open(memory, compiled);
         Self {
             registers,
             value: 0,
@@ -201,6 +232,8 @@ impl<'a, 'c> Run<'a, 'c> {
             local_end: arena as u64 + compiled.limits.local_end,
             link_max: scratch.links.as_ptr() as u64 + compiled.limits.links,
             areas: &compiled.areas,
+            open_table,
+            open_last,
             timers,
             counters,
             clock_us,
@@ -334,6 +367,7 @@ impl<'a, 'c> Run<'a, 'c> {
         let there = machine.timers.len() == usize::from(layout.timers) && machine.counters.len() == usize::from(layout.counters);
         assert!(there, "a CPU keeps its timers and counters");
         (self.timers, self.counters) = (machine.timers.as_mut_ptr() as u64, machine.counters.as_mut_ptr() as u64);
+        (self.open_table, self.open_last) = data_blocks_to_open(&machine.memory, self.compiled);
         self.arena();
     }
 

@@ -5,7 +5,6 @@
 
 use std::collections::BTreeSet;
 use std::mem::offset_of;
-use std::ops::Range;
 
 use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{self as clif, BlockArg, FuncRef, InstBuilder, InstructionData, MemFlagsData, Opcode, Value, ValueDef};
@@ -14,9 +13,8 @@ use cranelift_jit::JITModule;
 use cranelift_module::{FuncId, Module};
 use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::Layout;
-use sieben_engine::access::data_registers;
 use sieben_engine::fault::NOTED;
-use sieben_engine::ir::{DataRegister, Inst, Op, Place, Target, Var};
+use sieben_engine::ir::{Inst, Op, Place, Target, Var};
 use sieben_engine::machine::{Register, Registers};
 use sieben_model::address::Area;
 use sieben_model::block::BlockKind;
@@ -31,6 +29,7 @@ mod bytes;
 mod calls;
 mod choices;
 mod decimal;
+mod effects;
 mod flow;
 mod gates;
 mod home;
@@ -44,6 +43,7 @@ mod loops;
 mod meeting;
 mod memory;
 mod nesting;
+mod open;
 mod outside;
 mod program;
 mod promote;
@@ -60,6 +60,7 @@ mod words;
 use analysis::{SPARED, Summary, open_blocks, set_by_calls};
 use budget::Look;
 use bytes::Bytes;
+use effects::Effects;
 use flow::Arrival;
 use inlining::{Outer, Plan};
 use instance::Instance;
@@ -134,6 +135,7 @@ struct Program<'a> {
     blocks: &'a [Native],
     summaries: &'a [Summary],
     plans: &'a [Plan],
+    effects: &'a [Option<Effects>],
     pointers: &'a [InstancePointer],
     find: Find<'a>,
     layout: &'a Layout,
@@ -153,6 +155,7 @@ struct Translator<'a> {
     blocks: &'a [Native],
     summaries: &'a [Summary],
     plans: &'a [Plan],
+    effects: &'a [Option<Effects>],
     pointers: &'a [InstancePointer],
     versions: &'a mut Versions,
     index: usize,
@@ -258,7 +261,7 @@ fn register_offset(register: Register) -> i32 {
 
 impl<'a> Translator<'a> {
     fn new(mut b: FunctionBuilder<'a>, module: &'a mut JITModule, versions: &'a mut Versions, program: Program<'a>, index: usize) -> Self {
-        let Program { functions, blocks, summaries, plans, pointers, find, layout, options } = program;
+        let Program { functions, blocks, summaries, plans, effects, pointers, find, layout, options } = program;
         let entry = b.create_block();
         b.append_block_params_for_function_params(entry);
         b.switch_to_block(entry);
@@ -274,6 +277,7 @@ impl<'a> Translator<'a> {
             blocks,
             summaries,
             plans,
+            effects,
             pointers,
             versions,
             index,
@@ -585,7 +589,11 @@ impl<'a> Translator<'a> {
         if matches!(question, Question::TryLoad | Question::TryStore | Question::CallOther) {
             self.look = None;
         }
-        self.store_promoted();
+        // Nobody looks at memory where a data block is looked for.
+        let looks = !matches!(question, Question::TryOpen);
+        if looks {
+            self.store_promoted();
+        }
         let mut arguments: Vec<Value> = [self.run].iter().chain(arguments).copied().collect();
         // In an inlined block the link is another one.
         if let Some(link) = arguments.iter().position(|&argument| argument == self.link) {
@@ -598,7 +606,9 @@ impl<'a> Translator<'a> {
                 self.call(function, &arguments)
             }
         };
-        self.take_promoted();
+        if looks {
+            self.take_promoted();
+        }
         answer
     }
 
@@ -679,7 +689,7 @@ impl<'a> Translator<'a> {
 
     fn inst(&mut self, index: u32, inst: &Inst) {
         self.write_inst(index, inst);
-        self.forget_words_behind(inst);
+        self.forget_words_behind(index, inst);
         if sieben_engine::ir::verify::writes(inst) == Some(Register::Ar2.into()) {
             self.know_instance_behind(index);
         }
@@ -703,6 +713,9 @@ impl<'a> Translator<'a> {
                 let added = self.pointers[self.index].loaded(index).unwrap_or_default();
                 let pointer = self.instance_and(added);
                 self.set(dst, pointer);
+            }
+            Inst::Load { dst, place, width, .. } if let Some(value) = self.constant_at(index, place, width) => {
+                self.set(dst, Val::Const(value));
             }
             Inst::Load { .. } | Inst::Store { .. } if self.access_instance(inst) => {}
             Inst::Load { dst, place, width, .. } if self.is_there(index, place, width) && self.is_needless(index, dst) => {}
@@ -737,20 +750,7 @@ impl<'a> Translator<'a> {
             }
             Inst::Require { condition, register, .. } => self.require(index, condition, Some(register), After::NextStatement),
             Inst::RequireStack { condition, .. } => self.require(index, condition, None, After::Never),
-            Inst::Open { register, number } => {
-                let number = self.get(number);
-                if let Val::Const(number) = number
-                    && self.open_known(register, number & 0xFFFF)
-                {
-                    return;
-                }
-                let number = self.word(number);
-                self.store_open_blocks();
-                let site = self.site(index);
-                let failed = self.ask(Question::TryOpen, &[site, number]);
-                self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
-                self.reload(open_blocks());
-            }
+            Inst::Open { register, number } => self.open(index, register, number),
             Inst::Jump { to } => {
                 let block = self.way_to(to);
                 self.b.ins().jump(block, &[]);
@@ -857,25 +857,6 @@ impl<'a> Translator<'a> {
             };
             self.set_register(register, value);
             self.dirty &= !bit_of(register);
-        }
-    }
-
-    /// Opens a data block that the program has; whether that is known beforehand. The run makes sure that it is there.
-    fn open_known(&mut self, register: DataRegister, number: u64) -> bool {
-        let Some(range) = self.data_block(number) else { return false };
-        let values = [number, range.start as u64, range.len() as u64];
-        for (register, value) in data_registers(register).into_iter().zip(values) {
-            self.set_register(register, Val::Const(value));
-        }
-        self.pinned.insert(number as u16);
-        true
-    }
-
-    /// The bytes of a data block that the program has, by its number; 0 is none and has none.
-    fn data_block(&self, number: u64) -> Option<Range<usize>> {
-        match number {
-            0 => Some(0..0),
-            _ => self.layout.data_blocks.get(&u16::try_from(number).ok()?).cloned(),
         }
     }
 

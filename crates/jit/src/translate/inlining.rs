@@ -10,7 +10,7 @@ use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, Value};
 use rustc_hash::FxHashMap;
-use sieben_engine::ir::Inst;
+use sieben_engine::ir::{Callee, Inst};
 use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
 use sieben_model::address::Width;
 
@@ -18,7 +18,7 @@ use super::analysis::ALL;
 use super::instance::Instance;
 use super::loops::{self, Loop};
 use super::promote::Promoted;
-use super::ranges::Ranges;
+use super::ranges::{Fact, Ranges};
 use super::value::Val;
 use super::versions::callees;
 use super::{AFTER_CALL, AT_CALL, After, Arrival, Find, OPEN_BLOCKS, TRUSTED, Translator, bit_of};
@@ -144,6 +144,11 @@ pub(super) struct Outer {
 }
 
 impl Outer {
+    /// What the code behind the call relies on.
+    pub(super) fn facts_over_call(&self) -> &[Fact] {
+        self.ranges.facts_over_call(self.inst)
+    }
+
     /// Whether the call is in a loop.
     pub(super) fn is_in_loop(&self) -> bool {
         self.loops.iter().any(|it| it.contains(self.statement))
@@ -153,11 +158,28 @@ impl Outer {
 impl Translator<'_> {
     /// Whether a call of this block becomes its code.
     pub(super) fn inlines(&self, code: usize) -> bool {
-        let own = self.outer.first().map_or(self.index, |outermost| outermost.index);
-        let most = (self.blocks[own].code.insts.len() * GROWTH + GROWTH_MIN).min(GROWTH_MAX);
+        self.inlines_at_all() && self.plans[code].inlined.is_some_and(|size| self.grown + size <= self.grown_most())
+    }
+
+    fn inlines_at_all(&self) -> bool {
         // Code that has to be there at once is for the time until better code is there.
         let quick = !self.options.optimize && !self.options.exact;
-        self.options.inline && !quick && self.plans[code].inlined.is_some_and(|size| self.grown + size <= most)
+        self.options.inline && !quick
+    }
+
+    fn grown_most(&self) -> usize {
+        let own = self.outer.first().map_or(self.index, |outermost| outermost.index);
+        (self.blocks[own].code.insts.len() * GROWTH + GROWTH_MIN).min(GROWTH_MAX)
+    }
+
+    /// Whether each call of the present block, which is still to be written, becomes its code if the called block can.
+    pub(super) fn inlines_all_calls(&self) -> bool {
+        let inlined = |inst: &Inst| match inst {
+            Inst::Call { callee: Callee::Block(id), .. } => (self.find)(*id).and_then(|code| self.plans[code as usize].inlined),
+            _ => None,
+        };
+        let all: usize = self.native().code.insts.iter().filter_map(inlined).sum();
+        self.inlines_at_all() && self.grown + all <= self.grown_most()
     }
 
     /// Looks at the beginning of a function whether all that it calls itself has room. If not, the interpreter goes on, which looks at
@@ -207,6 +229,7 @@ impl Translator<'_> {
         let given = self.passed.split_off(self.passed.len().saturating_sub(parameters));
         let local_offset = self.local_behind() as i32;
         let promoted = self.keep_in_block();
+        let at_call = self.ranges.instance(index);
         self.outer.push(Outer {
             index: self.index,
             statement: self.statement,
@@ -227,7 +250,7 @@ impl Translator<'_> {
         (self.index, self.local_offset, self.parameters_end) = (code, local_offset, parameters_end);
         self.instance = instance;
         self.written = self.written_in_block();
-        self.in_range = self.instance_in_range();
+        self.in_range = self.instance_in_range(at_call);
         self.statement = 0;
         for to in loop_heads(&self.native().code) {
             self.expect_way_back(to);

@@ -10,6 +10,7 @@ use sieben_engine::machine::Register;
 use sieben_model::address::Width;
 
 use super::analysis::{open_blocks, set_by_calls};
+use super::inlining::Outer;
 use super::memory::{Address, Bit, data};
 use super::promote::Base;
 use super::ranges::{self, Fact, Interval, Ranges, Surroundings};
@@ -59,6 +60,11 @@ impl Translator<'_> {
             *register = constants(value);
         }
         let written = |inst: &Inst| self.written_by_call(inst);
+        let becomes_part = self.inlines_all_calls();
+        let called = |inst: &Inst| match inst {
+            Inst::Call { callee: Callee::Block(id), .. } if becomes_part => (self.find)(*id).map(|code| code as usize),
+            _ => None,
+        };
         let (pointers, instance) = (&self.pointers[self.index], self.instance.constant());
         let added = |added: Option<u32>| Some(u64::from((instance? as u32).wrapping_add(added?)));
         let surroundings = Surroundings {
@@ -71,8 +77,17 @@ impl Translator<'_> {
             asks_before_writing: self.options.asks_before_writing,
             written: &written,
             instance: [&|statement| added(pointers.at(statement)), &|inst| added(pointers.after(inst))],
+            effects: self.effects,
+            called: &called,
         };
         ranges::find(&self.native().code, &surroundings)
+    }
+
+    /// What a load finds, if that is known to be a constant.
+    pub(super) fn constant_at(&self, index: u32, place: Place, width: Width) -> Option<u64> {
+        let (value, _) = self.ranges.result(index).filter(|(least, most)| least == most)?;
+        let is_there = self.ranges.pointed(index).is_some() || self.constant_address(place, width).is_some();
+        is_there.then_some(u64::from(value))
     }
 
     /// Registers that are not known any more behind a call.
@@ -290,7 +305,8 @@ impl Translator<'_> {
 
     /// What the code relies on from a statement on, if that can have changed while somebody was asked.
     pub(super) fn relies_on_memory(&self, statement: u32) -> bool {
-        !self.ranges.facts(statement).is_empty() || self.look.is_some()
+        let over_calls = |outer: &Outer| !outer.facts_over_call().is_empty();
+        !self.ranges.facts(statement).is_empty() || self.look.is_some() || self.outer.iter().any(over_calls)
     }
 
     /// A block in which memory is compared with what the code relies on from a statement on, in front of the block where it begins. The
@@ -314,7 +330,8 @@ impl Translator<'_> {
         for (verify, statement, next, look) in std::mem::take(&mut self.verify_later) {
             self.b.switch_to_block(verify);
             let before = self.cold.replace(verify);
-            let facts = self.ranges.facts(statement).to_vec();
+            let over_calls = self.outer.iter().flat_map(Outer::facts_over_call);
+            let facts: Vec<Fact> = self.ranges.facts(statement).iter().chain(over_calls).copied().collect();
             let mut holds: Option<Value> = look.map(|look| self.budget_lasts(look));
             for fact in facts {
                 let this = self.holds(fact);

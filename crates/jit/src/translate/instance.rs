@@ -9,6 +9,7 @@ use sieben_model::address::{Area, Width};
 
 use super::memory::{Address, Bit};
 use super::promote::Base;
+use super::ranges::Interval;
 use super::value::Val;
 use super::{OPEN_BLOCKS, Translator};
 
@@ -46,6 +47,16 @@ impl Bounds {
         Self { least: value, most: value, zeros: value.trailing_zeros() }
     }
 
+    /// A range of AR2.
+    fn of(range: Interval) -> Self {
+        let (least, most) = range.unsigned(32);
+        Self { least: least as u64, most: most as u64, zeros: range.zeros }
+    }
+
+    fn reach(&self) -> (u64, std::cmp::Reverse<u32>) {
+        (self.most - self.least, std::cmp::Reverse(self.zeros))
+    }
+
     fn either(self, other: Self) -> Self {
         Self { least: self.least.min(other.least), most: self.most.max(other.most), zeros: self.zeros.min(other.zeros) }
     }
@@ -53,7 +64,7 @@ impl Bounds {
 
 impl Translator<'_> {
     /// Where the instance of the block that begins now lies, from what AR2 and DI hold.
-    pub(super) fn instance_in_range(&mut self) -> Option<Instance> {
+    pub(super) fn instance_in_range(&mut self, at_call: Option<Interval>) -> Option<Instance> {
         let pointer = self.register(Register::Ar2);
         let value = match pointer {
             Val::Int(value) | Val::Word(value) => value,
@@ -61,7 +72,8 @@ impl Translator<'_> {
         };
         let block = self.instance_block()?;
         let [number, base, length] = block;
-        let Bounds { least, most, zeros } = self.bounds(value, DEPTH_MAX)?;
+        let computed = self.bounds(value, DEPTH_MAX);
+        let Bounds { least, most, zeros } = at_call.map(Bounds::of).into_iter().chain(computed).min_by_key(Bounds::reach)?;
         // The area in the pointer does not count.
         if zeros < 3 || least >> 24 != most >> 24 {
             return None;

@@ -1,5 +1,6 @@
 //! Where a block loops: statements that are entered at their first one only and jump back to it.
 
+use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Callee, Code, Inst, Target, Var};
 use sieben_model::block::BlockKind;
 
@@ -78,7 +79,10 @@ pub(super) fn find(code: &Code) -> Vec<Loop> {
     for it in &mut loops {
         for inst in (it.first..=it.last).flat_map(|statement| code.statement(statement as usize)) {
             it.written |= written(inst);
-            it.asks_nothing &= !matches!(inst, Inst::Intrinsic { .. } | Inst::Text { .. });
+            it.asks_nothing &= match inst {
+                Inst::Intrinsic { intrinsic, .. } => *intrinsic == Intrinsic::Clock,
+                inst => !matches!(inst, Inst::Text { .. }),
+            };
             it.calls_nothing &= it.asks_nothing && !matches!(inst, Inst::Call { .. });
         }
     }

@@ -8,7 +8,7 @@ use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I16, I32, I64};
 use cranelift_codegen::ir::{BlockArg, InstBuilder, InstructionData, MemFlagsData, Opcode, Type, Value, ValueDef};
 use sieben_engine::access;
-use sieben_engine::ir::{DataRegister, OnFault, Place, Var};
+use sieben_engine::ir::{DataRegister, Inst, OnFault, Place, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
@@ -187,7 +187,8 @@ impl Translator<'_> {
                 let pointer = self.force(pointer);
                 let Some(constant) = pointer.constant() else {
                     let bits = self.int(pointer);
-                    let area = self.area_code(bits).and_then(|code| access::pointed_area(code, write).ok());
+                    let known = self.ranges.pointed_area(index, self.is_store(index));
+                    let area = known.or_else(|| self.area_code(bits).and_then(|code| access::pointed_area(code, write).ok()));
                     return match area {
                         Some(area @ (Area::SharedData | Area::InstanceData)) => {
                             self.way_to_pointer(index, area, (pointer, offset), width, write)
@@ -206,6 +207,10 @@ impl Translator<'_> {
                 }
             }
         }
+    }
+
+    fn is_store(&self, index: u32) -> bool {
+        matches!(self.native().code.insts[index as usize], Inst::Store { .. })
     }
 
     /// First byte and number of bytes of an area, if they are known beforehand.

@@ -16,7 +16,7 @@ use sieben_model::block::BlockId;
 
 use super::outside::{self, Functions};
 use super::versions::Versions;
-use super::{Program, Translator, analysis, gates, inlining, instance_pointer};
+use super::{Program, Translator, analysis, effects, gates, inlining, instance_pointer};
 use crate::entry::Generation;
 use crate::jit::Native;
 use crate::run::{LINKS, Room};
@@ -155,6 +155,7 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     let pointers = instance_pointer::follow(blocks, find);
     let summaries = analysis::summaries(blocks, find, options.exact);
     let plans = inlining::plan(blocks, find);
+    let effects = effects::find(blocks, find, layout, &plans, &pointers);
     let mut context = module.make_context();
     let mut frontend = FunctionBuilderContext::new();
     let mut listing = String::new();
@@ -171,8 +172,17 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
         let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
         let target = module.target_config();
         let for_loops = for_loops.as_ref().filter(|_| plans[index].loops);
-        let program =
-            Program { functions: &functions, blocks, summaries: &summaries, plans: &plans, pointers: &pointers, find, layout, options };
+        let program = Program {
+            functions: &functions,
+            blocks,
+            summaries: &summaries,
+            plans: &plans,
+            effects: &effects,
+            pointers: &pointers,
+            find,
+            layout,
+            options,
+        };
         let mut found = Translator::new(builder, &mut module, &mut versions, program, index).run(known, target);
         pinned.append(&mut found.pinned);
         if options.lists {

@@ -12,6 +12,7 @@ use cranelift_codegen::ir::types::{F32, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
 use cranelift_frontend::Variable;
 use sieben_engine::access::data_registers;
+use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
@@ -191,6 +192,7 @@ impl Translator<'_> {
                 }
                 Inst::PassParameter { src } => constants.contains(&src.0),
                 Inst::Load { place, .. } | Inst::Store { place, .. } if inlined => is_said(place),
+                Inst::Intrinsic { intrinsic: Intrinsic::Clock, .. } => true,
                 Inst::Move { .. } | Inst::Text { .. } | Inst::Intrinsic { .. } | Inst::Open { .. } => !inlined,
                 _ => true,
             }
@@ -221,6 +223,7 @@ impl Translator<'_> {
             let mut results = BTreeSet::new();
             for (index, inst) in (code.statements[statement as usize]..).zip(code.statement(statement as usize)) {
                 let (place, width, written) = match *inst {
+                    Inst::Load { place, width, .. } if self.constant_at(index, place, width).is_some() => continue,
                     Inst::Load { place, width, .. } => (place, width, false),
                     Inst::Store { place, width, .. } => (place, width, true),
                     Inst::Compute { op: Op::I32ToF32, dst, .. } => {
@@ -243,7 +246,7 @@ impl Translator<'_> {
                     }
                     _ => continue,
                 };
-                let Some((base, offset)) = self.constant_address(place, width) else {
+                let Some((base, offset)) = self.constant_address(place, width).or_else(|| self.ranges.pointed(index)) else {
                     others.push(match self.ranges.inside(index) {
                         Some((base, bytes)) => Touched::Bytes(base, bytes),
                         None => self.touched(place),

@@ -12,12 +12,14 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::Layout;
 use sieben_engine::ir::{Code, Inst, Place};
 use sieben_engine::machine::Register;
-use sieben_model::address::Width;
+use sieben_model::address::{Area, Width};
 
+use super::effects::Effects;
 use super::loops;
 use super::promote::Base;
 
 mod access;
+mod calls;
 mod interval;
 mod places;
 mod statements;
@@ -65,8 +67,16 @@ pub(super) struct Ranges {
     met: FxHashSet<u32>,
     /// Ranges of results, of numbers without sign.
     results: FxHashMap<u32, (u32, u32)>,
+    /// Areas to which pointers go that are not known beforehand and may name any: by instruction, and whether it is written.
+    areas: FxHashMap<(u32, bool), Area>,
+    /// Variables that instructions reach through pointers that name the area.
+    pointed: FxHashMap<u32, (Base, i32)>,
     /// For each statement what its code relies on.
     facts: Vec<Vec<Fact>>,
+    /// What the code behind a call relies on while the called block runs, which becomes part of this one, by the call.
+    over_calls: FxHashMap<u32, Vec<Fact>>,
+    /// Ranges of AR2 at calls.
+    instances: FxHashMap<u32, Interval>,
     /// Data blocks that are opened by a number in a variable, which are taken to be as they were loaded.
     opened: BTreeSet<u16>,
 }
@@ -92,6 +102,16 @@ impl Ranges {
         self.texts.get(&inst)?[usize::from(is_to)].clone()
     }
 
+    /// The area to which the pointer of an access goes that may name any.
+    pub(super) fn pointed_area(&self, inst: u32, write: bool) -> Option<Area> {
+        self.areas.get(&(inst, write)).copied()
+    }
+
+    /// The variable that an access reaches through a pointer that names its area.
+    pub(super) fn pointed(&self, inst: u32) -> Option<(Base, i32)> {
+        self.pointed.get(&inst).copied()
+    }
+
     /// Whether the condition of an instruction always holds.
     pub(super) fn is_met(&self, inst: u32) -> bool {
         self.met.contains(&inst)
@@ -105,6 +125,16 @@ impl Ranges {
     /// What the code relies on from a statement on.
     pub(super) fn facts(&self, statement: u32) -> &[Fact] {
         self.facts.get(statement as usize).map_or(&[], Vec::as_slice)
+    }
+
+    /// What the code relies on behind a call, and so all through the block that is called.
+    pub(super) fn facts_over_call(&self, inst: u32) -> &[Fact] {
+        self.over_calls.get(&inst).map_or(&[], Vec::as_slice)
+    }
+
+    /// The range of AR2 at a call.
+    pub(super) fn instance(&self, inst: u32) -> Option<Interval> {
+        self.instances.get(&inst).copied()
     }
 }
 
@@ -128,6 +158,10 @@ pub(super) struct Surroundings<'a> {
     pub(super) written: &'a dyn Fn(&Inst) -> u32,
     /// What AR2 is known to hold at a statement, and behind an instruction that writes it.
     pub(super) instance: [&'a dyn Fn(u32) -> Option<u64>; 2],
+    /// What a called block may write that becomes part of this one and asks nobody in the middle of a statement.
+    pub(super) effects: &'a [Option<Effects>],
+    /// Which block that is.
+    pub(super) called: &'a dyn Fn(&Inst) -> Option<usize>,
 }
 
 /// A value: what is known of it, and which one it is.
@@ -252,6 +286,12 @@ impl State {
         });
     }
 
+    /// What is known of variables in memory.
+    fn facts(&self) -> Vec<Fact> {
+        let facts = self.cells.iter().filter(|((.., width), known)| !says_nothing(*width, &known.range));
+        facts.map(|(&cell, known)| Fact { cell, range: known.range }).collect()
+    }
+
     fn is_within(&self, other: &Self) -> bool {
         let registers = other
             .registers
@@ -333,10 +373,7 @@ impl<'a> Analysis<'a> {
         let first = self.beginning();
         self.arrive(0, &first, None);
         for (statement, state) in states.iter().enumerate() {
-            let facts = state.as_ref().map_or(Vec::new(), |state| {
-                let facts = state.cells.iter().filter(|((.., width), known)| !says_nothing(*width, &known.range));
-                facts.map(|(&cell, known)| Fact { cell, range: known.range }).collect()
-            });
+            let facts = state.as_ref().map_or(Vec::new(), State::facts);
             self.found.facts.push(facts);
             if let Some(state) = state
                 && statement < self.code.statement_count()

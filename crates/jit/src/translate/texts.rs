@@ -5,7 +5,7 @@ use std::ops::Range;
 use cranelift_codegen::ir::InstBuilder;
 use cranelift_codegen::ir::types::{I32, I64};
 use sieben_engine::ir::{Inst, Place, TextAction, TextRoom, Var};
-use sieben_model::address::{Area, Width};
+use sieben_model::address::Area;
 
 use super::memory::{Address, Bit, moved};
 use super::outside::Outside;
@@ -158,15 +158,6 @@ impl Translator<'_> {
         let offset = inside(i64::try_from(range.start).ok()?, range.len() as u64, position, room)?;
         self.pinned.insert(number);
         Some((Base::Arena, Address { base: self.arena, offset, bit: Bit::Number(0) }))
-    }
-
-    fn forget_words_in(&mut self, (base, range): &(Base, Range<i64>)) {
-        if *base == Base::Local {
-            for at in range.clone() {
-                let address = Address { base: self.local, offset: at as i32, bit: Bit::Number(0) };
-                self.forget_word(address, Width::Byte);
-            }
-        }
     }
 }
 

@@ -184,6 +184,14 @@ impl Translator<'_> {
         self.words.known.retain(|&(at, width, _)| at + width.bytes() as i32 <= end);
     }
 
+    /// Forgets what overlaps some bytes that are written.
+    pub(super) fn forget_words_in(&mut self, (base, bytes): &(Base, Range<i64>)) {
+        if *base == Base::Local {
+            let apart = |at: i32, width: Width| i64::from(at) >= bytes.end || i64::from(at) + i64::from(width.bytes()) <= bytes.start;
+            self.words.known.retain(|&(at, width, _)| apart(at, width));
+        }
+    }
+
     /// Forgets all memory: anything may have been written.
     pub(super) fn forget_memory(&mut self) {
         self.forget_what_was_asked();
@@ -191,8 +199,13 @@ impl Translator<'_> {
     }
 
     /// Forgets what an instruction may have written at an address that is not known beforehand.
-    pub(super) fn forget_words_behind(&mut self, inst: &Inst) {
+    pub(super) fn forget_words_behind(&mut self, index: u32, inst: &Inst) {
         let anywhere = match *inst {
+            // What is known of the pointer says where.
+            Inst::Store { place: Place::Crossing { .. }, .. } if let Some(touched) = self.ranges.inside(index) => {
+                self.forget_words_in(&touched);
+                false
+            }
             Inst::Store { place: Place::Indirect { area: Area::Local, pointer, .. } | Place::Crossing { pointer, .. }, .. } => {
                 self.get(pointer).constant().is_none()
             }

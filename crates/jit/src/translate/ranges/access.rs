@@ -13,7 +13,15 @@ use crate::translate::promote::Base;
 
 impl Analysis<'_> {
     /// What an access to a place reaches.
-    pub(super) fn reach(&mut self, state: &State, temporaries: &BTreeMap<u8, Known>, place: Place, span: Span, write: bool) -> Reach {
+    pub(super) fn reach(
+        &mut self,
+        state: &State,
+        temporaries: &BTreeMap<u8, Known>,
+        place: Place,
+        span: Span,
+        write: bool,
+        notes: Option<(u32, bool)>,
+    ) -> Reach {
         let (area, position) = match place {
             Place::Fixed { area, position } => (area, Interval::constant(u64::from(position))),
             Place::Indirect { area, pointer, offset } => (area, self.moved(state, temporaries, pointer, offset)),
@@ -24,11 +32,19 @@ impl Analysis<'_> {
                     && let (Ok(Area::CallerLocal), Span::Width(width)) = (pointed_area(least as u64, write), span)
                     && let Some((byte, _)) = (self.around.caller)(moved(least as u64, offset), width)
                 {
+                    if let Some((index, _)) = notes {
+                        self.found.pointed.insert(index, (Base::Local, byte));
+                    }
                     return Reach::Cell(Base::Local, byte);
                 }
                 let far = least >> 32 != 0 && matches!(span, Span::Bytes(_));
                 match pointed_area(least as u64, write) {
                     Ok(area) if least >> 24 == most >> 24 && !far && area != Area::CallerLocal => {
+                        if let Some(role) = notes
+                            && least != most
+                        {
+                            self.found.areas.insert(role, area);
+                        }
                         (area, self.moved(state, temporaries, pointer, offset))
                     }
                     _ => return Reach::Anything,
@@ -44,7 +60,12 @@ impl Analysis<'_> {
             return whole;
         }
         match i32::try_from(start + first) {
-            Ok(offset) if least == most => Reach::Cell(base, offset),
+            Ok(offset) if least == most => {
+                if let (Some((index, _)), Place::Crossing { .. }) = (notes, place) {
+                    self.found.pointed.insert(index, (base, offset));
+                }
+                Reach::Cell(base, offset)
+            }
             _ => Reach::Inside(base, start + first..start + end),
         }
     }
@@ -88,7 +109,8 @@ impl Analysis<'_> {
         notes: Option<u32>,
     ) -> Known {
         let any = if width == Width::Bit { Interval { most: 1, ..Interval::any(8) } } else { Interval::any(width.bits()) };
-        match self.reach(state, temporaries, place, Span::Width(width), on_fault == OnFault::SkipWrite) {
+        let role = notes.map(|index| (index, false));
+        match self.reach(state, temporaries, place, Span::Width(width), on_fault == OnFault::SkipWrite, role) {
             Reach::Cell(base, offset) => {
                 let cell = (base, offset, width);
                 if let Some(known) = state.cells.get(&cell) {

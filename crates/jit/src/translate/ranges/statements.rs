@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use sieben_engine::fault::NOTED;
+use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Inst, Op, Place, Target, TextAction, TextRoom, Var};
 use sieben_engine::machine::Register;
 
@@ -17,6 +18,7 @@ impl Analysis<'_> {
         let first = code.statements[statement as usize];
         let registers = state.registers.clone();
         let mut temporaries: BTreeMap<u8, Known> = BTreeMap::new();
+        let mut passed = Vec::new();
         let mut ended = false;
         for (index, inst) in (first..).zip(code.statement(statement as usize)) {
             let mut fails = false;
@@ -36,12 +38,13 @@ impl Analysis<'_> {
                 }
                 Inst::Store { place, width, src } => {
                     let value = self.get(&state, &temporaries, src);
-                    let reach = self.reach(&state, &temporaries, place, Span::Width(width), true);
+                    let role = notes.then_some((index, true));
+                    let reach = self.reach(&state, &temporaries, place, Span::Width(width), true, role);
                     self.store(&mut state, reach, (place, width), value, &mut fails, notes.then_some(index));
                 }
                 Inst::Move { from, to, bytes } => {
-                    let read = self.reach(&state, &temporaries, from, Span::Bytes(bytes), false).bytes(bytes);
-                    let write = self.reach(&state, &temporaries, to, Span::Bytes(bytes), true);
+                    let read = self.reach(&state, &temporaries, from, Span::Bytes(bytes), false, None).bytes(bytes);
+                    let write = self.reach(&state, &temporaries, to, Span::Bytes(bytes), true, None);
                     match (read, write.bytes(bytes)) {
                         (Some(read), Some(write)) if notes => drop(self.found.moves.insert(index, [read, write])),
                         (Some(_), Some(_)) => {}
@@ -56,7 +59,7 @@ impl Analysis<'_> {
                 Inst::Text { action, dst, to, to_room, from, from_room, .. } => {
                     let mut bytes = |place: Place, room: TextRoom, write: bool| match room.is_unknown() {
                         true => None,
-                        false => self.reach(&state, &temporaries, place, Span::Bytes(room.bytes()), write).bytes(room.bytes()),
+                        false => self.reach(&state, &temporaries, place, Span::Bytes(room.bytes()), write, None).bytes(room.bytes()),
                     };
                     let is_read = !action.takes_number();
                     let read = if is_read { bytes(from, from_room, false) } else { None };
@@ -81,9 +84,9 @@ impl Analysis<'_> {
                     let known = self.value(given.map_or(Interval::any(32), Interval::constant));
                     put(&mut state, &mut temporaries, dst, known);
                 }
-                Inst::PassParameter { .. } => {}
-                Inst::Intrinsic { dst, .. } => {
-                    fails = true;
+                Inst::PassParameter { src } => passed.push(self.get(&state, &temporaries, src)),
+                Inst::Intrinsic { dst, intrinsic, .. } => {
+                    fails = intrinsic != Intrinsic::Clock;
                     let known = self.value(Interval::any(64));
                     put(&mut state, &mut temporaries, dst, known);
                 }
@@ -140,9 +143,7 @@ impl Analysis<'_> {
                 }
                 Inst::Call { .. } => {
                     fails = true;
-                    let written = (self.around.written)(inst);
-                    state.registers.retain(|&register, _| written & (1 << register) == 0);
-                    state.cells.clear();
+                    self.call(index, inst, &mut state, &mut passed, notes);
                     temporaries.clear();
                 }
                 Inst::Return => {

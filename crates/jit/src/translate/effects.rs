@@ -1,0 +1,237 @@
+//! What a small block may write, so that its caller keeps what it knows of all other memory over a call that becomes part of it.
+//!
+//! Nobody looks at a block here that asks in the middle of a statement, or that writes where this cannot tell: whoever is asked between two
+//! statements may change memory, and behind that question the facts of all callers are looked at, too.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use sieben_engine::Layout;
+use sieben_engine::access::pointed_area;
+use sieben_engine::intrinsics::Intrinsic;
+use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Op, Place, Var};
+use sieben_engine::machine::{CALLS_SHIFT, Register};
+use sieben_model::address::{Area, Width};
+
+use super::Find;
+use super::inlining::Plan;
+use super::instance_pointer::InstancePointer;
+use crate::jit::Native;
+
+/// Anything in the instance data block.
+const ANYWHERE: Range<i64> = -0x100_0000..0x100_0000;
+
+/// What a block may write but its own local data.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Effects {
+    /// Bytes of the instance data block, from where AR2 points when the block is called.
+    pub(super) instance: Option<Range<i64>>,
+    /// Areas of the CPU.
+    pub(super) areas: Vec<Area>,
+    /// Data blocks.
+    pub(super) blocks: Vec<u16>,
+    /// Access through parameters.
+    pub(super) given: Vec<Given>,
+}
+
+/// Access through a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Given {
+    pub(super) parameter: u16,
+    /// Bits behind the pointer.
+    pub(super) offset: u32,
+    pub(super) width: Width,
+    pub(super) writes: bool,
+}
+
+/// What a variable of the IR holds.
+#[derive(Clone, Copy)]
+enum Held {
+    Constant(u64),
+    Parameter(u16),
+    Other,
+}
+
+/// The effects of all blocks that may become part of others; `None` = nothing is told of that block.
+pub(super) fn find(
+    blocks: &[Native],
+    find: Find<'_>,
+    layout: &Layout,
+    plans: &[Plan],
+    pointers: &[InstancePointer],
+) -> Vec<Option<Effects>> {
+    let mut search = Search { blocks, find, layout, plans, pointers, found: vec![None; blocks.len()] };
+    (0..blocks.len()).for_each(|index| drop(search.of_block(index)));
+    search.found.into_iter().map(Option::flatten).collect()
+}
+
+struct Search<'a> {
+    blocks: &'a [Native],
+    find: Find<'a>,
+    layout: &'a Layout,
+    plans: &'a [Plan],
+    pointers: &'a [InstancePointer],
+    found: Vec<Option<Option<Effects>>>,
+}
+
+impl Search<'_> {
+    /// A block that calls itself is none that becomes part of another one.
+    fn of_block(&mut self, index: usize) -> Option<Effects> {
+        if let Some(found) = &self.found[index] {
+            return found.clone();
+        }
+        let effects = self.plans[index].inlined().and_then(|_| self.look_at(index));
+        self.found[index] = Some(effects.clone());
+        effects
+    }
+
+    fn look_at(&mut self, index: usize) -> Option<Effects> {
+        let (code, pointers) = (&self.blocks[index].code, &self.pointers[index]);
+        let mut effects = Effects::default();
+        for statement in 0..code.statement_count() {
+            let mut held: BTreeMap<u8, Held> = BTreeMap::new();
+            let mut passed: Vec<Held> = Vec::new();
+            let mut opened: Option<u16> = None;
+            let mut instance = pointers.at(statement as u32);
+            for (at, inst) in (code.statements[statement]..).zip(code.statement(statement)) {
+                let of = |var: Var| held.get(&var.0).copied().unwrap_or(Held::Other);
+                let mut result = Held::Other;
+                match *inst {
+                    Inst::Constant { value, .. } => result = Held::Constant(value),
+                    Inst::Compute { op: Op::Copy, args, .. } => result = of(args[0]),
+                    Inst::Parameter { index, .. } => result = Held::Parameter(index),
+                    Inst::Load { on_fault: OnFault::DeliverZero, place, .. } if !self.is_own(index, place) => return None,
+                    Inst::Load { place, width, .. } => match place {
+                        Place::Crossing { pointer, offset } => effects.access_given(of(pointer), offset, width, false)?,
+                        Place::Fixed { area, .. } | Place::Indirect { area, .. } => drop(self.has(area).then_some(())?),
+                    },
+                    Inst::Store { place, width, .. } => match place {
+                        Place::Crossing { pointer, offset } => effects.access_given(of(pointer), offset, width, true)?,
+                        Place::Indirect { area: Area::InstanceData, pointer, offset } if pointer.register() == Some(Register::Ar2) => {
+                            effects.write_instance(instance, offset, width);
+                        }
+                        Place::Fixed { area, .. } | Place::Indirect { area, .. } => self.write_area(&mut effects, area, opened)?,
+                    },
+                    Inst::Open { register, number } => {
+                        let Held::Constant(number) = of(number) else { return None };
+                        let number = (number & 0xFFFF) as u16;
+                        if register != DataRegister::Shared || number != 0 && !self.layout.data_blocks.contains_key(&number) {
+                            return None;
+                        }
+                        opened = Some(number);
+                    }
+                    Inst::PassParameter { src } => passed.push(of(src)),
+                    Inst::Call { callee: Callee::Block(id), parameters } => {
+                        let callee = (self.find)(id)? as usize;
+                        let given = passed.split_off(passed.len().checked_sub(usize::from(parameters))?);
+                        let inner = self.of_block(callee)?;
+                        effects.add_call(&inner, &given, instance)?;
+                        // The registers of data blocks are restored, and AR2 mostly.
+                        opened = None;
+                        held.clear();
+                        if !self.pointers[callee].kept {
+                            instance = None;
+                        }
+                        continue;
+                    }
+                    Inst::Intrinsic { intrinsic: Intrinsic::Clock, .. }
+                    | Inst::Compute { .. }
+                    | Inst::Require { .. }
+                    | Inst::RequireStack { .. }
+                    | Inst::Jump { .. }
+                    | Inst::Branch { .. }
+                    | Inst::JumpTable { .. }
+                    | Inst::Return => {}
+                    Inst::Move { .. } | Inst::Text { .. } | Inst::Intrinsic { .. } | Inst::Call { .. } => return None,
+                }
+                if let Some(dst) = sieben_engine::ir::verify::writes(inst) {
+                    held.insert(dst.0, result);
+                    if dst == Register::Ar2.into() {
+                        instance = pointers.after(at);
+                    }
+                }
+            }
+        }
+        Some(effects)
+    }
+
+    /// Whether a place is in the local data of a block, whatever happens.
+    fn is_own(&self, index: usize, place: Place) -> bool {
+        matches!(place, Place::Fixed { area: Area::Local, position } if position / 8 + 8 <= self.blocks[index].local_size)
+    }
+
+    /// Whether an area is memory.
+    fn has(&self, area: Area) -> bool {
+        matches!(area, Area::Local | Area::SharedData | Area::InstanceData) || self.layout.area(area).is_some()
+    }
+
+    fn write_area(&self, effects: &mut Effects, area: Area, opened: Option<u16>) -> Option<()> {
+        match area {
+            Area::Local => {}
+            Area::InstanceData => effects.instance = Some(ANYWHERE),
+            Area::SharedData => effects.blocks.push(opened?),
+            _ if self.has(area) => effects.areas.push(area),
+            _ => return None,
+        }
+        Some(())
+    }
+}
+
+impl Effects {
+    fn write_instance(&mut self, added: Option<u32>, offset: u32, width: Width) {
+        let range = match added {
+            Some(added) => {
+                let bits = i64::from(added as i32) + i64::from(offset);
+                // AR2 may point into the middle of a byte.
+                bits.div_euclid(8)..bits.div_euclid(8) + i64::from(width.bytes()) + 1
+            }
+            None => ANYWHERE,
+        };
+        self.add_instance(&range);
+    }
+
+    fn add_instance(&mut self, range: &Range<i64>) {
+        self.instance = Some(match &self.instance {
+            Some(known) => known.start.min(range.start)..known.end.max(range.end),
+            None => range.clone(),
+        });
+    }
+
+    fn access_given(&mut self, pointer: Held, offset: u32, width: Width, writes: bool) -> Option<()> {
+        let Held::Parameter(parameter) = pointer else { return None };
+        let given = Given { parameter, offset, width, writes };
+        if !self.given.contains(&given) {
+            self.given.push(given);
+        }
+        Some(())
+    }
+
+    /// Adds what a called block does.
+    fn add_call(&mut self, inner: &Self, given: &[Held], added: Option<u32>) -> Option<()> {
+        self.areas.extend(&inner.areas);
+        self.blocks.extend(&inner.blocks);
+        match (&inner.instance, added) {
+            (None, _) => {}
+            (Some(range), Some(added)) => {
+                let bits = i64::from(added as i32);
+                self.add_instance(&(range.start + bits.div_euclid(8)..range.end + bits.div_euclid(8) + 1));
+            }
+            (Some(_), None) => self.add_instance(&ANYWHERE),
+        }
+        for access in &inner.given {
+            match given.get(usize::from(access.parameter)).copied().unwrap_or(Held::Constant(0)) {
+                Held::Constant(pointer) => match pointed_area(pointer, access.writes).ok()? {
+                    area @ (Area::Input | Area::Output | Area::BitMemory) if access.writes => self.areas.push(area),
+                    Area::Input | Area::Output | Area::BitMemory => {}
+                    // Its own local data.
+                    Area::CallerLocal if pointer & 0x00FF_FFFF < 1 << CALLS_SHIFT => {}
+                    Area::InstanceData if access.writes => self.add_instance(&ANYWHERE),
+                    Area::InstanceData | Area::SharedData if !access.writes => {}
+                    _ => return None,
+                },
+                Held::Parameter(_) | Held::Other => return None,
+            }
+        }
+        Some(())
+    }
+}

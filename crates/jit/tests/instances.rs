@@ -1,0 +1,364 @@
+//! Arrays of function blocks called in loops, under a Host that changes memory, time and budget whenever it is asked: machine code that
+//! keeps what it knows over such calls, and remembers what it read of an instance, does what the interpreter does.
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use dice::Dice;
+use noting::{layout, program, run};
+use sieben_engine::fault::NOTED;
+use sieben_engine::intrinsics::Intrinsic;
+use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::machine::Register;
+use sieben_engine::{Engine, Entry, Exit, FaultPlace, Interpreter, Machine, Reaction, StopReason};
+use sieben_jit::{Jit, StatusBits};
+use sieben_model::address::{Area, Width};
+use sieben_model::block::BlockId;
+
+mod dice;
+mod noting;
+
+/// Programs that are compared.
+const PROGRAMS: u64 = 150;
+/// Questions after which the Host stops a run.
+const QUESTIONS_MAX: usize = 60;
+/// Function blocks of a program; each may call those behind it.
+const BLOCKS: u16 = 4;
+/// The function block with the array.
+const LOOPS: u16 = BLOCKS + 1;
+/// Bytes of the data block with the instances.
+const DATA_BYTES: u64 = 48;
+/// Bytes of bit memory that programs use.
+const BYTES: u64 = 8;
+const LOCAL_BYTES: u32 = 24;
+/// Where the present instance is saved over calls.
+const SAVED: Place = Place::Fixed { area: Area::Local, position: 8 * 20 };
+
+fn width(dice: &mut Dice) -> Width {
+    dice.of(&[Width::Bit, Width::Bit, Width::Byte, Width::Word, Width::DoubleWord])
+}
+
+/// A variable of the instance, of bit memory, of local data, or behind a parameter.
+fn place(b: &mut Builder, dice: &mut Dice, width: Width, own: bool) -> Place {
+    let bit = if width == Width::Bit { dice.roll(8) as u32 } else { 0 };
+    match dice.roll(10) {
+        0..=4 => {
+            let byte = dice.roll(if own { 8 } else { DATA_BYTES - 3 }) as u32;
+            Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 8 * byte + bit }
+        }
+        5 if own => {
+            let pointer = b.temporary();
+            b.push(Inst::Parameter { dst: pointer, index: dice.roll(2) as u16 });
+            Place::Crossing { pointer, offset: 8 * dice.roll(2) as u32 + bit }
+        }
+        6 | 7 => Place::Fixed { area: Area::Local, position: 8 * dice.roll(8) as u32 + bit },
+        8 if dice.roll(3) == 0 => Place::Fixed { area: Area::SharedData, position: 8 * dice.roll(DATA_BYTES) as u32 + bit },
+        _ => Place::Fixed { area: Area::BitMemory, position: 8 * dice.roll(BYTES) as u32 + bit },
+    }
+}
+
+fn read(b: &mut Builder, dice: &mut Dice, width: Width, own: bool) -> Var {
+    if width == Width::DoubleWord && dice.roll(6) == 0 {
+        return b.intrinsic(Intrinsic::Clock, &[]);
+    }
+    let place = place(b, dice, width, own);
+    b.load(place, width, OnFault::SkipStatement)
+}
+
+/// A statement that computes something.
+fn assignment(b: &mut Builder, dice: &mut Dice, own: bool) {
+    b.begin_statement();
+    let width = width(dice);
+    let mut value = read(b, dice, width, own);
+    for _ in 0..dice.roll(3) {
+        let other = if dice.roll(3) == 0 { b.constant(dice.roll(0x1_0000)) } else { read(b, dice, width, own) };
+        value = match width {
+            Width::Bit => b.compute(dice.of(&[Op::And, Op::Or, Op::Xor, Op::AndNot]), &[value, other]),
+            Width::DoubleWord => b.compute(dice.of(&[Op::AddU32, Op::SubU32, Op::AddF32, Op::MulF32, Op::MaxI32]), &[value, other]),
+            _ => b.compute(dice.of(&[Op::AddU32, Op::SubU32, Op::AddU16]), &[value, other]),
+        };
+    }
+    let to = place(b, dice, width, own);
+    b.store(to, width, value);
+}
+
+/// A jump over some assignments; how many statements that are.
+fn jump(b: &mut Builder, dice: &mut Dice, own: bool, statement: u32) -> u32 {
+    b.begin_statement();
+    let condition = if dice.roll(2) == 0 {
+        read(b, dice, Width::Bit, own)
+    } else {
+        let (value, limit) = (read(b, dice, Width::Word, own), b.constant(dice.roll(9)));
+        b.compute(dice.of(&[Op::LtI16, Op::Equal, Op::GeI16]), &[value, limit])
+    };
+    let over = 1 + dice.roll(3) as u32;
+    b.push(Inst::Branch { condition, to: Target(statement + 1 + over) });
+    (0..over).for_each(|_| assignment(b, dice, own));
+    1 + over
+}
+
+/// A call of a block with at least this number, with pointers to bit memory, local data of the caller, or the data block.
+fn call(b: &mut Builder, dice: &mut Dice, first: u16) {
+    let number = first + dice.roll(u64::from(BLOCKS + 1 - first)) as u16;
+    for _ in 0..2 {
+        let code = dice.of(&[0x83, 0x83, 0x87, 0x84, 0x85]);
+        let pointer = b.constant((code << 24) | (8 * dice.roll(BYTES)));
+        b.push(Inst::PassParameter { src: pointer });
+    }
+    b.push(Inst::Call { callee: Callee::Block(BlockId::fb(number)), parameters: 2 });
+}
+
+/// A function block.
+fn block(b: &mut Builder, dice: &mut Dice, number: u16) {
+    let mut statements = 0;
+    for _ in 0..1 + dice.roll(5) {
+        match dice.roll(6) {
+            0 | 1 => statements += jump(b, dice, true, statements),
+            2 if number < BLOCKS => {
+                b.begin_statement();
+                b.store(SAVED, Width::DoubleWord, Register::Ar2);
+                let by = b.constant(8 * dice.roll(3));
+                b.compute_into(Register::Ar2, Op::AddU32, &[Register::Ar2.into(), by]);
+                call(b, dice, number + 1);
+                let saved = b.load(SAVED, Width::DoubleWord, OnFault::SkipStatement);
+                b.copy(Register::Ar2, saved);
+                statements += 1;
+            }
+            _ => {
+                assignment(b, dice, true);
+                statements += 1;
+            }
+        }
+    }
+}
+
+/// An element of an array, as an address is computed.
+fn element(b: &mut Builder, dice: &mut Dice, index: (Place, Width), step: u64) -> Var {
+    let mut number = b.load(index.0, index.1, OnFault::SkipStatement);
+    if dice.roll(3) != 0 {
+        let count = b.constant(dice.of(&[3, 4, 5]));
+        let inside = b.compute(Op::Below, &[number, count]);
+        let noted = if dice.roll(2) == 0 { NOTED } else { 0 };
+        b.push(Inst::Require { condition: inside, code: noted | 0x22, register: number });
+        if noted != 0 {
+            number = b.compute(Op::Gate, &[number, inside]);
+        }
+    }
+    let step = b.constant(step);
+    let pointer = b.compute(Op::MulU32, &[number, step]);
+    b.compute(Op::AddU32, &[Register::Ar2.into(), pointer])
+}
+
+/// The organization block.
+fn begin(b: &mut Builder) {
+    b.begin_statement();
+    for register in [DataRegister::Instance, DataRegister::Shared] {
+        let number = b.constant(1);
+        b.push(Inst::Open { register, number });
+    }
+    b.set(Register::Ar2, 0x8400_0000);
+    b.push(Inst::Call { callee: Callee::Block(BlockId::fb(LOOPS)), parameters: 0 });
+}
+
+/// Loops over instances.
+fn loops(b: &mut Builder, dice: &mut Dice) {
+    let mut statements = 0;
+    for _ in 0..1 + dice.roll(2) {
+        let position = 8 * dice.of(&[40, 42, 44]);
+        let place = dice.of(&[
+            Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: position },
+            Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: position },
+            Place::Fixed { area: Area::BitMemory, position: 8 * 5 },
+            Place::Fixed { area: Area::Local, position: 8 * 2 },
+        ]);
+        let index = (place, dice.of(&[Width::Word, Width::DoubleWord, Width::Byte]));
+        let step = 8 * dice.of(&[4, 6, 8, 9]);
+        b.begin_statement();
+        let first = b.constant(dice.roll(2));
+        b.store(index.0, index.1, first);
+        statements += 1;
+        let head = statements;
+        for _ in 0..1 + dice.roll(4) {
+            match dice.roll(6) {
+                0 => assignment(b, dice, false),
+                1 => {
+                    statements += jump(b, dice, false, statements) - 1;
+                }
+                2 => {
+                    b.begin_statement();
+                    let pointer = element(b, dice, index, step);
+                    let value =
+                        b.load(Place::Indirect { area: Area::InstanceData, pointer, offset: 8 }, Width::Word, OnFault::SkipStatement);
+                    b.store(Place::Fixed { area: Area::BitMemory, position: 0 }, Width::Word, value);
+                }
+                _ => {
+                    b.begin_statement();
+                    let pointer = element(b, dice, index, step);
+                    let offset = 8 * dice.roll(6) as u32;
+                    let width = width(dice);
+                    let value = read(b, dice, width, false);
+                    b.store(Place::Indirect { area: Area::InstanceData, pointer, offset }, width, value);
+                    b.store(SAVED, Width::DoubleWord, Register::Ar2);
+                    b.copy(Register::Ar2, pointer);
+                    call(b, dice, 1);
+                    let saved = b.load(SAVED, Width::DoubleWord, OnFault::SkipStatement);
+                    b.copy(Register::Ar2, saved);
+                }
+            }
+            statements += 1;
+        }
+        b.begin_statement();
+        let (value, one) = (b.load(index.0, index.1, OnFault::SkipStatement), b.constant(1));
+        let next = b.compute(if index.1 == Width::Word { Op::AddU16 } else { Op::AddU32 }, &[value, one]);
+        b.store(index.0, index.1, next);
+        let limit = b.constant(dice.of(&[2, 3, 3, 4]));
+        let goes_on = b.compute(if index.1 == Width::Word { Op::LeI16 } else { Op::LeI32 }, &[next, limit]);
+        b.push(Inst::Branch { condition: goes_on, to: Target(head) });
+        statements += 1;
+    }
+}
+
+/// Changes a few bytes, the time and the budget, sometimes, and goes on.
+fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> Reaction {
+    if asked >= QUESTIONS_MAX {
+        return Reaction::Stop(StopReason { event: 0x4562, place: None::<FaultPlace> });
+    }
+    if what.contains(&format!("code: {}", NOTED | 0x22)) {
+        return Reaction::Continue;
+    }
+    machine.budget = dice.of(&[0, 1, 2, 5, 10, 40]);
+    machine.clock_us += dice.of(&[0, 0, 10_000, 50_000]);
+    for _ in 0..dice.of(&[0, 0, 1, 1, 3]) {
+        let value = dice.of(&[0, 1, 2, 3, 7, 0x80, 0xFF]);
+        if dice.roll(3) != 0 {
+            let range = machine.memory.layout.data_blocks[&1].clone();
+            // Mostly what the loops count with.
+            let byte = if dice.roll(3) == 0 { dice.roll(DATA_BYTES) } else { 40 + dice.roll(6) };
+            machine.memory.arena[range.start + byte as usize] = value;
+        } else {
+            machine.memory.area_mut(Area::BitMemory)[dice.roll(BYTES) as usize] = value;
+        }
+    }
+    Reaction::Continue
+}
+
+#[test]
+fn instances_called_in_loops_do_the_same_on_all_engines() {
+    let (mut asked, mut finished) = (0, 0);
+    for seed in 0..PROGRAMS {
+        let blocks: Vec<_> = (0..=LOOPS).collect();
+        let build = |number: u16| {
+            move |b: &mut Builder| match number {
+                0 => begin(b),
+                LOOPS => loops(b, &mut Dice(seed * 100)),
+                number => block(b, &mut Dice(seed * 100 + u64::from(number)), number),
+            }
+        };
+        let builders: Vec<_> = blocks.iter().map(|&number| build(number)).collect();
+        let id = |number: u16| if number == 0 { BlockId::ob(1) } else { BlockId::fb(number) };
+        let part = |(&number, build)| (id(number), LOCAL_BYTES, build as &dyn Fn(&mut Builder));
+        let parts: Vec<_> = blocks.iter().zip(&builders).map(part).collect();
+        let program = program(&parts);
+        let mut layout = layout(&program);
+        layout.data_blocks.insert(1, layout.size - 64..layout.size - 64 + DATA_BYTES as usize);
+        let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+        let prepare = |machine: &mut Machine| {
+            let mut dice = Dice(seed + 1_000_000);
+            machine.budget = dice.of(&[5, 40, 400]);
+            let range = machine.memory.layout.data_blocks[&1].clone();
+            machine.memory.arena[range].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
+        };
+        let outcome = |engine: Arc<dyn Engine>| {
+            let (dice, seen) = (RefCell::new(Dice(seed + 2_000_000)), RefCell::new(Vec::new()));
+            let answer = |machine: &mut Machine, what: &str, asked: usize| {
+                let memory = &machine.memory;
+                let (local, data) = (memory.layout.local.clone(), memory.layout.data_blocks[&1].clone());
+                let local = memory.arena[local.start..local.start + 5 * LOCAL_BYTES as usize].to_vec();
+                seen.borrow_mut().push((machine.budget, local, memory.area(Area::BitMemory)[..8].to_vec(), memory.arena[data].to_vec()));
+                meddle(machine, what, &mut dice.borrow_mut(), asked)
+            };
+            let outcome = run(engine.as_ref(), &layout, &entry, &prepare, &answer);
+            (outcome, seen.into_inner())
+        };
+        let (expected, expected_seen) = outcome(Interpreter::load(&program, &layout));
+        for status in [StatusBits::All, StatusBits::Needed] {
+            let (got, got_seen) = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
+            let listing = || program.code.iter().map(|(id, block)| format!("{id}\n{}", block.code)).collect::<String>();
+            assert_eq!(got.asked, expected.asked, "{seed} {status:?}\n{}", listing());
+            let differs = (0..expected_seen.len()).find(|&at| got_seen[at] != expected_seen[at]);
+            if let Some(at) = differs {
+                let (got, expected, what) = (&got_seen[at], &expected_seen[at], &expected.asked[at]);
+                panic!("{seed} {status:?}: question {at}, {what}: {got:?} and {expected:?}\n{}", listing());
+            }
+            assert!(got.arena == expected.arena, "{seed} {status:?}: memory differs\n{}", listing());
+            assert_eq!((got.exit, got.budget), (expected.exit.clone(), expected.budget), "{seed} {status:?}\n{}", listing());
+        }
+        asked += expected.asked.len();
+        finished += usize::from(expected.exit == Exit::Finished);
+    }
+    assert!(asked > 500 && finished > 20, "{asked} questions, {finished} runs to the end");
+}
+
+#[test]
+fn an_index_that_is_changed_while_an_instance_runs_is_looked_at_again() {
+    let index = Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 8 * 40 };
+    let main = |b: &mut Builder| {
+        b.begin_statement();
+        let first = b.constant(0);
+        b.store(index, Width::Word, first);
+        b.begin_statement();
+        let number = b.load(index, Width::Word, OnFault::SkipStatement);
+        let step = b.constant(64);
+        let by = b.compute(Op::MulU32, &[number, step]);
+        b.store(SAVED, Width::DoubleWord, Register::Ar2);
+        b.compute_into(Register::Ar2, Op::AddU32, &[Register::Ar2.into(), by]);
+        b.push(Inst::Call { callee: Callee::Block(BlockId::fb(1)), parameters: 0 });
+        let saved = b.load(SAVED, Width::DoubleWord, OnFault::SkipStatement);
+        b.copy(Register::Ar2, saved);
+        b.begin_statement();
+        let number = b.load(index, Width::Word, OnFault::SkipStatement);
+        let step = b.constant(64);
+        let by = b.compute(Op::MulU32, &[number, step]);
+        let pointer = b.compute(Op::AddU32, &[Register::Ar2.into(), by]);
+        b.store(Place::Indirect { area: Area::InstanceData, pointer, offset: 16 }, Width::Word, number);
+        b.begin_statement();
+        let (value, one) = (b.load(index, Width::Word, OnFault::SkipStatement), b.constant(1));
+        let next = b.compute(Op::AddU16, &[value, one]);
+        b.store(index, Width::Word, next);
+        let limit = b.constant(3);
+        let goes_on = b.compute(Op::LeI16, &[next, limit]);
+        b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+    };
+    let counts = |b: &mut Builder| {
+        b.begin_statement();
+        let own = Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 0 };
+        let (value, one) = (b.load(own, Width::Word, OnFault::SkipStatement), b.constant(1));
+        let next = b.compute(Op::AddU16, &[value, one]);
+        b.store(own, Width::Word, next);
+    };
+    let program = program(&[(BlockId::ob(1), LOCAL_BYTES, &begin), (BlockId::fb(LOOPS), LOCAL_BYTES, &main), (BlockId::fb(1), 0, &counts)]);
+    let mut layout = layout(&program);
+    layout.data_blocks.insert(1, layout.size - 64..layout.size - 64 + DATA_BYTES as usize);
+    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+    // Each question in turn changes the index to one that is outside, and all others leave it.
+    for which in 0..12 {
+        let outcome = |engine: Arc<dyn Engine>| {
+            let answer = |machine: &mut Machine, _: &str, asked: usize| {
+                // The next safe point asks again, be it that of the loop or of the instance.
+                machine.budget = 0;
+                let range = machine.memory.layout.data_blocks[&1].clone();
+                if asked == which {
+                    machine.memory.arena[range.start + 41] = 6;
+                }
+                Reaction::Continue
+            };
+            run(engine.as_ref(), &layout, &entry, &|_| {}, &answer)
+        };
+        let expected = outcome(Interpreter::load(&program, &layout));
+        for status in [StatusBits::All, StatusBits::Needed] {
+            let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
+            assert_eq!(got.asked, expected.asked, "{which} {status:?}");
+            assert!(got.arena == expected.arena, "{which} {status:?}: memory differs");
+        }
+    }
+}
