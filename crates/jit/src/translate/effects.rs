@@ -13,9 +13,10 @@ use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Op, Place, Var};
 use sieben_engine::machine::{CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 
-use super::Find;
+use super::analysis::open_blocks;
 use super::inlining::Plan;
 use super::instance_pointer::InstancePointer;
+use super::{Find, bit_of};
 use crate::jit::Native;
 
 /// Anything in the instance data block.
@@ -88,6 +89,7 @@ impl Search<'_> {
     fn look_at(&mut self, index: usize) -> Option<Effects> {
         let (code, pointers) = (&self.blocks[index].code, &self.pointers[index]);
         let mut effects = Effects::default();
+        let mut opens = false;
         for statement in 0..code.statement_count() {
             let mut held: BTreeMap<u8, Held> = BTreeMap::new();
             let mut passed: Vec<Held> = Vec::new();
@@ -119,6 +121,7 @@ impl Search<'_> {
                             return None;
                         }
                         opened = Some(number);
+                        opens = true;
                     }
                     Inst::PassParameter { src } => passed.push(of(src)),
                     Inst::Call { callee: Callee::Block(id), parameters } => {
@@ -145,6 +148,10 @@ impl Search<'_> {
                     Inst::Move { .. } | Inst::Text { .. } | Inst::Intrinsic { .. } | Inst::Call { .. } => return None,
                 }
                 if let Some(dst) = sieben_engine::ir::verify::writes(inst) {
+                    // CDB: the instance is another block from here on.
+                    if dst.register().is_some_and(|register| open_blocks() & bit_of(register) != 0) {
+                        return None;
+                    }
                     held.insert(dst.0, result);
                     if dst == Register::Ar2.into() {
                         instance = pointers.after(at);
@@ -152,7 +159,8 @@ impl Search<'_> {
                 }
             }
         }
-        Some(effects)
+        // What a parameter names in a data block is counted from the one that is open.
+        (!opens || effects.given.is_empty()).then_some(effects)
     }
 
     /// Whether a place is in the local data of a block, whatever happens.

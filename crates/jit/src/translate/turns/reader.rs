@@ -314,6 +314,12 @@ impl Reader<'_, '_> {
         let unknown = Val::Word(self.translator.arena);
         let instance = known(self, pointer).unwrap_or(unknown);
         let vals = given.iter().map(|&node| known(self, node).unwrap_or(unknown)).collect();
+        // The data blocks that are open where the block is called, not those in front of the loop.
+        let mut open = [None; OPEN_BLOCKS.len()];
+        for (value, register) in open.iter_mut().zip(OPEN_BLOCKS) {
+            let node = self.get(register.into())?;
+            *value = known(self, node);
+        }
         let t = &mut *self.translator;
         self.frames.push(Frame {
             index: std::mem::replace(&mut t.index, code),
@@ -325,7 +331,10 @@ impl Reader<'_, '_> {
             given: std::mem::replace(&mut self.given, given),
             passed: std::mem::take(&mut self.passed),
         });
+        let before = OPEN_BLOCKS.map(|register| t.current[register as usize]);
+        OPEN_BLOCKS.iter().zip(open).for_each(|(&register, value)| t.current[register as usize] = value);
         t.ranges = t.find_ranges_alone();
+        OPEN_BLOCKS.iter().zip(before).for_each(|(&register, value)| t.current[register as usize] = value);
         let ways = self.ways.clone();
         let open = OPEN_BLOCKS.map(|register| {
             let cell = self.cell(Kept::Register(register));
@@ -659,7 +668,9 @@ impl Reader<'_, '_> {
         let always = self.always_inside(area, pointer, offset, width);
         let inside = match self.translator.ranges.inside(index) {
             _ if always.is_some() => always.clone(),
-            Some((known, range)) if known == base => Some(range),
+            Some((known, range)) if known == base && i64::from(start) <= range.start && range.end <= i64::from(start) + length as i64 => {
+                Some(range)
+            }
             _ => None,
         };
         let sure = always.is_some() || self.ways.is_always() && inside.is_some();
