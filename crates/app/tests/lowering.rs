@@ -34,7 +34,7 @@ fn for_loop(variable: Place, (from, to, by): (Value, Value, Value), body: Vec<St
 }
 
 fn call(callee: Callee, arguments: Vec<Argument>, result: DataType) -> Call {
-    Call { callee, arguments, enable: None, result, clears_ok: false, written_out: None, span: Span::default() }
+    Call { callee, arguments, enable: None, result, clears_ok: false, of_library: false, written_out: None, span: Span::default() }
 }
 
 /// FC with INT inputs named a, b … and an INT result.

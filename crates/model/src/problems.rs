@@ -285,7 +285,8 @@ problems! {
     P6311 Error "a path of VAR_CONFIG or VAR_ACCESS that leads nowhere" "Write the instance of the PROGRAM, the instances inside it and the variable, with points between them.";
     P6312 Error "an array of unknown length as a whole" "Use its elements from LOWER_BOUND to UPPER_BOUND, or give it to another ARRAY[*].";
     P6320 Error "a conversion without a type to convert to" "Assign the result to a variable in a statement of its own.";
-    P6321 Error "a timer of which no call says what it is" "Write the instruction behind it: `t.TON(IN := …, PT := …)`.";
+    P6321 Error "a timer or a counter of which no call says what it is" "Write the instruction behind it: `t.TON(IN := …, PT := …)`.";
+    P6322 Error "a conversion that does not exist" "Convert to a type that the message or `sieben explain T_CONV` names, or in two steps.";
 
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";

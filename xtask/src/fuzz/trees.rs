@@ -182,6 +182,7 @@ impl Generator<'_> {
             enable,
             result,
             clears_ok: self.choose(2) == 0,
+            of_library: false,
             written_out: None,
             span: Span::default(),
         }
@@ -205,6 +206,7 @@ impl Generator<'_> {
             enable,
             result: DataType::Void,
             clears_ok: self.choose(2) == 0,
+            of_library: false,
             written_out: None,
             span: Span::default(),
         }

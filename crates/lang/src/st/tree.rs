@@ -337,6 +337,8 @@ pub struct Call {
     pub result: DataType,
     /// Whether ENO/OK of this block is cleared if the called one fails (leaves BR = 0).
     pub clears_ok: bool,
+    /// Whether it is a function that comes with Sieben: it changes nothing but its outputs.
+    pub of_library: bool,
     /// The function of texts that it is, which is written out instead of called.
     pub written_out: Option<TextFunction>,
     /// Where it is written.

@@ -182,13 +182,15 @@ impl Checker<'_> {
 
     fn called_target(&mut self, target: Target, span: Span) -> Called {
         match target.data_type {
-            DataType::Instance { block, .. } => match self.without_body(block, span) || self.no_timer_instruction(block, &target, span) {
-                true => Called::Nothing,
-                false => {
-                    let dispatch = self.dispatch_of(block, &target);
-                    Called::Instance(block, target, dispatch)
+            DataType::Instance { block, .. } => {
+                match self.without_body(block, span) || self.no_memory_instruction(block, &target, None, span) {
+                    true => Called::Nothing,
+                    false => {
+                        let dispatch = self.dispatch_of(block, &target);
+                        Called::Instance(block, target, dispatch)
+                    }
                 }
-            },
+            }
             DataType::Void => Called::Nothing,
             _ => {
                 let message = format!("`{}` is {} and cannot be called", target.name, self.words(&target.data_type));
@@ -242,11 +244,11 @@ impl Checker<'_> {
                 }
                 // The instruction that an instance of a system type belongs to: `"T1".TON(…)`.
                 let block = *block;
-                let timer = self.timer_instruction(block, name);
-                if timer.is_none() && self.no_timer_instruction(block, &target, name.span) {
+                let instruction = self.memory_instruction(block, name);
+                if instruction.is_none() && self.no_memory_instruction(block, &target, Some(name), name.span) {
                     return Called::Nothing;
                 }
-                if let Some(block) = timer.or_else(|| self.is_instruction(block, name).then_some(block)) {
+                if let Some(block) = instruction.or_else(|| self.is_instruction(block, name).then_some(block)) {
                     return match self.judge(Construct::InstructionCall, name.span) {
                         true => Called::Instance(block, target, None),
                         false => Called::Nothing,
@@ -270,11 +272,18 @@ impl Checker<'_> {
                 Some(target) if matches!(target.data_type, DataType::Instance { .. }) => {
                     let DataType::Instance { block, structure } = &target.data_type else { return Called::Nothing };
                     if structure.field(&name.text).is_none() {
-                        let timer = self.timer_instruction(*block, name);
-                        if timer.is_none() && self.no_timer_instruction(*block, &target, name.span) {
+                        let instruction = self.memory_instruction(*block, name);
+                        if instruction.is_none() && self.no_memory_instruction(*block, &target, Some(name), name.span) {
                             return Called::Nothing;
                         }
-                        let block = timer.unwrap_or(*block);
+                        if instruction.is_none() && self.names.is_of_library(*block) && !self.is_instruction(*block, name) {
+                            let of = self.names.block_name(*block);
+                            let message = format!("`{}` is {of}, which has no instruction `{}`", target.name, name.text);
+                            let own = of.split('_').next().unwrap_or_default().to_owned();
+                            self.report(Problem::P6217, name.span, message).help = Some(format!("Write `{}.{own}(…)`.", target.name));
+                            return Called::Nothing;
+                        }
+                        let block = instruction.unwrap_or(*block);
                         return match self.judge(Construct::InstructionCall, name.span) {
                             true => Called::Instance(block, target, None),
                             false => Called::Nothing,
@@ -580,9 +589,10 @@ impl Checker<'_> {
             .find(|variable| variable.section == Section::Return)
             .map_or(DataType::Void, |result| result.data_type.clone());
         let Arguments { arguments, enable, before, .. } = all;
-        let clears_ok = self.reads_ok && matches!(callee, Callee::Function(block) if self.names.is_of_library(block));
+        let of_library = matches!(callee, Callee::Function(block) if self.names.is_of_library(block));
+        let clears_ok = self.reads_ok && of_library;
         let written_out = self.written_out(&callee, &call.callee);
-        sound.then_some((Call { callee, arguments, enable, result, clears_ok, written_out, span }, before))
+        sound.then_some((Call { callee, arguments, enable, result, clears_ok, of_library, written_out, span }, before))
     }
 
     /// The function of texts that a call of a block of the S7 library is. A name in quotation marks calls the block.
@@ -835,7 +845,16 @@ impl Checker<'_> {
             let typed = self.expression(value);
             return self.input(formal, typed, value.span, &mut all.arguments, &mut all.before);
         }
-        let Some(target) = self.target(value) else { return false };
+        // A data block is the variable that it holds.
+        let of_block = match self.quietly(|checker| checker.reach(value)) {
+            Reached::Other(Typed::Block(block)) if block.kind == BlockKind::DataBlock => Some(block),
+            _ => None,
+        };
+        let target = match of_block {
+            Some(block) => self.data_block(block, value.span),
+            None => self.target(value),
+        };
+        let Some(target) = target else { return false };
         if is_open(&formal.data_type)
             && let Some(mut bounds) = self.bounds_of(formal, &target, all.interface)
         {

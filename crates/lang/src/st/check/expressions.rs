@@ -71,8 +71,12 @@ impl Checker<'_> {
         {
             return value;
         }
+        if let Some(typed) = self.long_difference(expression, wanted) {
+            return typed;
+        }
         match self.by_target(expression, wanted) {
-            Some(conversion) => self.expression(&conversion),
+            Some(Some(conversion)) => self.expression(&conversion),
+            Some(None) => Typed::Poison,
             None => self.expression(expression),
         }
     }
@@ -327,6 +331,8 @@ impl Checker<'_> {
         match (data_type, self.dialect.switches().calendar) {
             (DataType::LongDate, Calendar::Long) => Some("DATE"),
             (DataType::LongDateAndTime, Calendar::Long) => Some("DT"),
+            (DataType::TimeOfDay, _) => Some("TOD"),
+            (DataType::DateAndTime, _) => Some("DT"),
             _ => data_type.word(),
         }
     }
@@ -339,6 +345,13 @@ impl Checker<'_> {
             source.zip(target).filter(|(source, target)| source != target).map(|(source, target)| format!("{source}_TO_{target}"));
         let given = [Given { name: None, kind: GivenKind::Typed(from.base().clone()) }];
         let exists = |function: &String| matches!(standard::resolve(function, self.dialect, &given), Some(Ok(_)));
+        // A date made of a time of day is its bits, which nobody means.
+        let part_of_time = |data_type: &DataType| match Kind::of(data_type).map(|kind| kind.class) {
+            Some(class @ (Class::Date | Class::TimeOfDay | Class::Duration)) => Some(class),
+            _ => None,
+        };
+        let meant = part_of_time(from).zip(part_of_time(wanted)).is_none_or(|(a, b)| a == b);
+        let function = function.filter(|_| meant);
         let help = function.filter(exists).map(|function| format!("Convert it with `{function}`."));
         let diagnostic = self.report(Problem::P6200, span, message);
         if help.is_some() {
@@ -627,6 +640,11 @@ impl Checker<'_> {
         if a == Typed::Poison || b == Typed::Poison {
             return Typed::Poison;
         }
+        match (Self::is_dtl(&a), Self::is_dtl(&b)) {
+            (true, false) => return self.dtl_beside(operator.sign(), &b, right),
+            (false, true) => return self.dtl_beside(operator.sign(), &a, left),
+            _ => {}
+        }
         if let (Typed::Aggregate(target), _) | (_, Typed::Aggregate(target)) = (&a, &b) {
             let message = format!("`{}` compares elementary values and texts, not {}", operator.sign(), self.words(&target.data_type));
             let help = (target.data_type == DataType::DateAndTime).then(|| "Call EQ_DT, LT_DT and their like of the library.".to_owned());
@@ -695,6 +713,11 @@ impl Checker<'_> {
             Typed::Scalar { data_type, .. } => Kind::of(data_type),
             _ => None,
         };
+        if Self::is_dtl(&a) || Self::is_dtl(&b) {
+            self.report(Problem::P6202, sign, format!("`{}` does not take a DTL", operator.sign())).help =
+                Some("Call T_ADD and T_SUB with a duration, T_DIFF with two DTL.".to_owned());
+            return Typed::Poison;
+        }
         let (x, y) = (kind_of(&a), kind_of(&b));
         let timed = |kind: Option<Kind>| {
             kind.is_some_and(|kind| matches!(kind.class, Class::Duration | Class::Date | Class::TimeOfDay | Class::DateAndTime))

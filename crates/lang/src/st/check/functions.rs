@@ -375,7 +375,8 @@ impl Checker<'_> {
         let result = interface.variables.iter().find(|variable| variable.section == Section::Return);
         let result = result.map_or(DataType::Void, |result| result.data_type.clone());
         let callee = Callee::Function(block);
-        let call = Call { callee, arguments: passed, enable: None, result, clears_ok: self.reads_ok, written_out, span };
+        let of_library = self.names.is_of_library(block);
+        let call = Call { callee, arguments: passed, enable: None, result, clears_ok: self.reads_ok, of_library, written_out, span };
         self.result_of(call, before, span)
     }
 

@@ -14,10 +14,10 @@ use super::places::{Reached, element_step};
 use super::texts::text_room;
 use super::typed::{Target, Typed};
 use super::types::{Class, Kind};
-use crate::st::ast::{self, BinaryOperator, Expression, Name};
+use crate::st::ast::{self, Expression, Name};
 use crate::st::open_arrays::End;
+use crate::st::standard::build::compute;
 use crate::st::standard::operators::Operation;
-use crate::st::standard::{self, build::compute};
 use crate::st::tree::{Bounds, Branch, Callee, Index, Place, Scalar, Statement, StatementKind, Value, ValueKind, room_of};
 
 /// Elements from the first one on that are not all in the source, in the target.
@@ -39,8 +39,7 @@ impl Checker<'_> {
         }
         let upper = name.text.to_ascii_uppercase();
         let found = match upper.as_str() {
-            "T_ADD" => self.sum(&upper, BinaryOperator::Add, call, span),
-            "T_SUB" | "T_DIFF" => self.sum(&upper, BinaryOperator::Subtract, call, span),
+            "T_ADD" | "T_SUB" | "T_DIFF" => self.sum(&upper, call, false, span),
             "COUNTOFELEMENTS" => self.count_of_elements(call, span),
             "MAX_LEN" => self.max_len(call, span),
             "MOVE_BLK_VARIANT" => self.move_variant(call, span).map(|(statements, place)| delivered(statements, place, span)),
@@ -73,62 +72,28 @@ impl Checker<'_> {
         })
     }
 
-    /// A sum or a difference of times, by a name.
-    fn sum(&mut self, name: &str, operator: BinaryOperator, call: &ast::Call, span: Span) -> Option<Typed> {
-        let given = self.named(name, call, &["IN1", "IN2"], span)?;
-        let (a, b) = (self.expression(given[0]), self.expression(given[1]));
-        if Self::is_dtl(&a) {
-            return Some(self.sum_of_dtl(name, (a, given[0].span), (b, given[1].span), span));
-        }
-        let timed = |typed: &Typed| {
-            let Typed::Scalar { data_type, .. } = typed else { return false };
-            Kind::of(data_type)
-                .is_some_and(|kind| matches!(kind.class, Class::Duration | Class::Date | Class::TimeOfDay | Class::DateAndTime))
-        };
-        if a == Typed::Poison || b == Typed::Poison {
-            return None;
-        }
-        if !timed(&a) {
-            let what = self.what(&a);
-            let message = format!("`{name}` takes a time, a time of day or a date first, not {what}");
-            self.report(Problem::P4011, given[0].span, message).help =
-                Some("Call AD_DT_TM or SB_DT_TM for a DATE_AND_TIME; write `+` and `-` for numbers.".to_owned());
-            return None;
-        }
-        Some(self.arithmetic(operator, span, (a, given[0].span), (b, given[1].span)))
-    }
-
-    /// T_DIFF of two DTL; the sums are a DTL, which is only assigned.
-    fn sum_of_dtl(&mut self, name: &str, a: (Typed, Span), b: (Typed, Span), span: Span) -> Typed {
-        if b.0 == Typed::Poison {
-            return Typed::Poison;
-        }
-        if Self::is_dtl(&b.0) {
-            let long = self.by_block("TIA_DIFF_DTL", vec![a, b], span);
-            let call = standard::Given { name: None, kind: super::functions::kind_of(&long) };
-            let given = [call];
-            let Some(Ok(resolved)) = standard::resolve("LTIME_TO_TIME", self.dialect, &given) else { return long };
-            let argument = ast::Argument { name: None, direction: ast::Direction::Assigned, value: None, span };
-            let call = ast::Call { callee: Expression { kind: ast::ExpressionKind::Missing, span }, arguments: vec![argument] };
-            return self.composed("LTIME_TO_TIME", resolved, &call, vec![(long, span)], span);
-        }
-        let message = format!("`{name}` of a DTL is a DTL, which stands only in an assignment of its own");
-        self.report(Problem::P6320, span, message).help = Some(format!("Write `x := {name}(…);` with a DTL `x`."));
-        Typed::Poison
-    }
-
     /// RD_SYS_T and its like: a system function whose result says whether it went well.
     fn clock(&mut self, name: &str, call: &ast::Call, span: Span) -> Option<Typed> {
         let &(_, number, own, given) = CLOCKS.iter().find(|(one, ..)| *one == name)?;
-        if let Some(typed) = self.clock_of_type(given, call, span) {
+        if let Some(typed) = self.clock_of_type(name, given, call, span) {
             return Some(typed);
         }
         let block = BlockId::new(BlockKind::SystemFunction, number);
         let mut renamed = call.clone();
+        if renamed.arguments.len() > 1 {
+            self.look_at(&call.arguments);
+            self.report(Problem::P6219, call.arguments[1].span, format!("`{name}` takes one parameter, {given}")).help =
+                Some(format!("Write `x := {name}({given} {} y);`.", if given == "OUT" { "=>" } else { ":=" }));
+            return Some(Typed::Poison);
+        }
         for argument in &mut renamed.arguments {
             match &mut argument.name {
                 Some(name) if name.is(given) => own.clone_into(&mut name.text),
-                _ => {}
+                Some(_) => {}
+                None => {
+                    argument.name = Some(Name { text: own.to_owned(), span: argument.span, quoting: ast::Quoting::Bare });
+                    argument.direction = if given == "OUT" { ast::Direction::Delivered } else { ast::Direction::Assigned };
+                }
             }
         }
         let Some(interface) = self.interface(block, call.callee.span) else { return Some(Typed::Poison) };
@@ -138,8 +103,11 @@ impl Checker<'_> {
     }
 
     /// The clock as a DTL or an LDT, which a block of the library makes of the DATE_AND_TIME that the CPU has.
-    fn clock_of_type(&mut self, parameter: &str, call: &ast::Call, span: Span) -> Option<Typed> {
-        let [ast::Argument { value: Some(value), .. }] = call.arguments.as_slice() else { return None };
+    fn clock_of_type(&mut self, name: &str, parameter: &str, call: &ast::Call, span: Span) -> Option<Typed> {
+        let [ast::Argument { value: Some(value), name: given, .. }] = call.arguments.as_slice() else { return None };
+        if given.as_ref().is_some_and(|given| !given.is(parameter)) {
+            return None;
+        }
         let data_type = match self.quietly(|checker| checker.reach(value)) {
             Reached::Target(target) => target.data_type,
             Reached::Other(Typed::Structured(..)) => crate::st::dtl::data_type(),
@@ -151,7 +119,14 @@ impl Checker<'_> {
             (DataType::LongDateAndTime, _) => "TIA_WRITE_LDT",
             (other, "OUT") if crate::st::dtl::is_dtl(other) => "TIA_READ_DTL",
             (other, _) if crate::st::dtl::is_dtl(other) => "TIA_WRITE_DTL",
-            _ => return None,
+            (DataType::DateAndTime | DataType::Void, _) => return None,
+            (other, _) => {
+                let does = if parameter == "OUT" { "writes the clock to" } else { "sets the clock from" };
+                let message = format!("`{name}` {does} a DTL, an LDT or a DATE_AND_TIME, and this is {}", self.words(other));
+                self.report(Problem::P4011, value.span, message).help =
+                    Some("Use a variable of one of these types, and T_CONV for what you need of it.".to_owned());
+                return Some(Typed::Poison);
+            }
         };
         let Some(block) = self.of_library(function) else { return Some(self.not_built(span, "this instruction")) };
         let Some(interface) = self.interface(block, span) else { return Some(Typed::Poison) };

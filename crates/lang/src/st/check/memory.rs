@@ -124,11 +124,21 @@ impl Checker<'_> {
                     Some(near) => format!("Write `{near}`; it has {}.", parameters.join(", ")),
                     None => format!("It has {}.", parameters.join(", ")),
                 };
-                let shown = argument.name.as_ref().map_or("so many", |name| &name.text);
-                self.report(Problem::P3009, argument.span, format!("`{function}` has no parameter `{shown}`")).help = Some(help);
+                match &argument.name {
+                    Some(name) => self.report(Problem::P3009, argument.span, format!("`{function}` has no parameter `{}`", name.text)),
+                    None => {
+                        let takes = super::calls::counted(parameters.len(), "parameter");
+                        self.report(Problem::P6219, argument.span, format!("`{function}` takes {takes}"))
+                    }
+                }
+                .help = Some(help);
                 return None;
             };
-            found[index] = Some(value);
+            if let Some(first) = found[index].replace(value) {
+                let message = format!("the parameter `{}` is given twice", parameters[index]);
+                self.report(Problem::P3011, argument.span, message).related.push((first.span, "first given here".to_owned()));
+                return None;
+            }
         }
         let missing: Vec<String> =
             parameters.iter().zip(&found).filter(|(_, given)| given.is_none()).map(|(name, _)| format!("`{name}`")).collect();

@@ -3,14 +3,17 @@
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
-use sieben_model::types::DataType;
+use sieben_model::types::{DataType, STRING_LENGTH_MAX};
 
 use super::Checker;
+use super::calls::Called;
 use super::expressions::same_type;
 use super::places::Reached;
 use super::statements::moment;
 use super::typed::Typed;
-use crate::st::ast::{self, Expression, ExpressionKind, Name, Quoting};
+use super::types::{Class, Kind};
+use crate::st::ast::{self, BinaryOperator, Expression, ExpressionKind, Name, Quoting};
+use crate::st::dialect::Construct;
 use crate::st::dtl;
 use crate::st::standard::{self, library};
 use crate::st::tree::{Place, Scalar, Statement, StatementKind, Value, ValueKind};
@@ -67,6 +70,105 @@ impl Checker<'_> {
         }
     }
 
+    /// T_ADD, T_SUB and T_DIFF. `long`: a difference of two DTL is to be an LTIME, because that is what it is assigned to.
+    pub(super) fn sum(&mut self, name: &str, call: &ast::Call, long: bool, span: Span) -> Option<Typed> {
+        let given = self.named(name, call, &["IN1", "IN2"], span)?;
+        let (a, b) = (self.expression(given[0]), self.expression(given[1]));
+        if a == Typed::Poison || b == Typed::Poison {
+            return None;
+        }
+        let (first, second) = (given[0].span, given[1].span);
+        if Self::is_dtl(&a) || name == "T_DIFF" && Self::is_dtl(&b) {
+            return self.sum_of_dtl(name, (a, first), (b, second), long, span);
+        }
+        let class = |typed: &Typed| match typed {
+            Typed::Scalar { data_type, .. } => Kind::of(data_type).map(|kind| kind.class),
+            _ => None,
+        };
+        let is_time = |class| matches!(class, Class::Duration | Class::Date | Class::TimeOfDay | Class::DateAndTime);
+        let Some(of_first) = class(&a).filter(|&class| is_time(class)) else {
+            let what = self.what(&a);
+            let message = format!("`{name}` takes a time, a time of day or a date first, not {what}");
+            let moment =
+                matches!(a, Typed::Moment(_)) || matches!(&a, Typed::Aggregate(target) if target.data_type == DataType::DateAndTime);
+            self.report(Problem::P4011, first, message).help = Some(
+                match moment {
+                    true => "Call AD_DT_TM, SB_DT_TM or SB_DT_DT for a DATE_AND_TIME.",
+                    false => "Write `+` and `-` for numbers.",
+                }
+                .to_owned(),
+            );
+            return None;
+        };
+        let wanted = if name == "T_DIFF" { of_first } else { Class::Duration };
+        if class(&b) != Some(wanted) {
+            let wanted = match wanted {
+                Class::Duration => "a duration",
+                Class::TimeOfDay => "a time of day, as the first value is",
+                Class::Date => "a date, as the first value is",
+                _ => "an LDT, as the first value is",
+            };
+            let what = self.what(&b);
+            self.report(Problem::P4011, second, format!("`{name}` takes {wanted}, not {what}")).help = Some(
+                match name {
+                    "T_DIFF" => "Convert one of the two to the type of the other one.",
+                    _ => "Write a duration such as `T#5s`; the difference of two dates is T_DIFF.",
+                }
+                .to_owned(),
+            );
+            return None;
+        }
+        let operator = if name == "T_ADD" { BinaryOperator::Add } else { BinaryOperator::Subtract };
+        Some(self.arithmetic(operator, span, (a, first), (b, second)))
+    }
+
+    /// T_DIFF of two DTL; the sums are a DTL, which is only assigned.
+    fn sum_of_dtl(&mut self, name: &str, a: (Typed, Span), b: (Typed, Span), long: bool, span: Span) -> Option<Typed> {
+        if name != "T_DIFF" {
+            let message = format!("`{name}` of a DTL is a DTL, which stands only in an assignment to a DTL of its own");
+            self.report(Problem::P6320, span, message).help = Some(format!("Write `x := {name}(…);` with a DTL `x`."));
+            return None;
+        }
+        if let Some((other, at)) = [&a, &b].into_iter().find(|(typed, _)| !Self::is_dtl(typed)) {
+            let (what, at) = (self.what(other), *at);
+            let message = format!("`T_DIFF` takes two values of one type: one is a DTL, and this is {what}");
+            self.report(Problem::P4011, at, message).help =
+                Some("Convert the DTL, for example with `DTL_TO_DATE`, `DTL_TO_TOD` or `DTL_TO_LDT`.".to_owned());
+            return None;
+        }
+        let difference = self.by_block("TIA_DIFF_DTL", vec![a, b], span);
+        if long {
+            return Some(difference);
+        }
+        let given = [standard::Given { name: None, kind: super::functions::kind_of(&difference) }];
+        let Some(Ok(resolved)) = standard::resolve("LTIME_TO_TIME", self.dialect, &given) else { return Some(difference) };
+        let argument = ast::Argument { name: None, direction: ast::Direction::Assigned, value: None, span };
+        let call = ast::Call { callee: Expression { kind: ExpressionKind::Missing, span }, arguments: vec![argument] };
+        Some(self.composed("LTIME_TO_TIME", resolved, &call, vec![(difference, span)], span))
+    }
+
+    /// T_DIFF where an LTIME is wanted: the difference of two DTL has all its digits.
+    pub(super) fn long_difference(&mut self, expression: &Expression, wanted: &DataType) -> Option<Typed> {
+        if let ExpressionKind::Parenthesized(inner) = &expression.kind {
+            return self.long_difference(inner, wanted);
+        }
+        let ExpressionKind::Call(call) = &expression.kind else { return None };
+        let ExpressionKind::Name(name) = &call.callee.kind else { return None };
+        if *wanted != DataType::LongTime || !name.is("T_DIFF") || !self.has_memory_functions() {
+            return None;
+        }
+        matches!(self.quietly(|checker| checker.called(&call.callee)), Called::Standard(_)).then_some(())?;
+        Some(self.sum("T_DIFF", call, true, expression.span).unwrap_or(Typed::Poison))
+    }
+
+    /// Says that a DTL is not compared or computed with what it is not.
+    pub(super) fn dtl_beside(&mut self, sign: &str, other: &Typed, at: Span) -> Typed {
+        let what = self.what(other);
+        self.report(Problem::P6202, at, format!("`{sign}` compares a DTL with a DTL, not with {what}")).help =
+            Some("Convert the DTL, for example with `DTL_TO_DATE`, `DTL_TO_TOD` or `DTL_TO_LDT`, or write `DTL#…`.".to_owned());
+        Typed::Poison
+    }
+
     /// What a function of the library that is written in ST makes of arguments by position.
     pub(super) fn by_block(&mut self, function: &str, arguments: Vec<(Typed, Span)>, span: Span) -> Typed {
         let Some(block) = self.of_library(function) else { return self.not_built(span, "this instruction") };
@@ -95,31 +197,75 @@ impl Checker<'_> {
         self.names.provided(&provided)
     }
 
-    /// A call of T_CONV and its like as the call of the conversion that the wanted type asks for; `None` for anything else.
-    pub(super) fn by_target(&mut self, expression: &Expression, wanted: &DataType) -> Option<Expression> {
-        if !self.has_memory_functions() {
+    /// A call of T_CONV and its like as the call of the conversion that the wanted type asks for; `None` for anything else, and `Some(None)`
+    /// where there is no such conversion, which is said.
+    pub(super) fn by_target(&mut self, expression: &Expression, wanted: &DataType) -> Option<Option<Expression>> {
+        if !self.has_memory_functions() || *wanted == DataType::Void {
             return None;
         }
         let (name, call) = called_by_target(expression)?;
-        let function = match name.text.to_ascii_uppercase().as_str() {
-            "T_COMBINE" => match wanted {
-                DataType::LongDateAndTime => "CONCAT_DATE_LTOD".to_owned(),
-                DataType::DateAndTime => "CONCAT_DATE_TOD".to_owned(),
-                _ => return None,
-            },
-            _ => {
-                let [ast::Argument { value: Some(value), .. }] = call.arguments.as_slice() else { return None };
-                let given = self.quietly(|checker| checker.type_of(value))?;
-                if same_type(&given, wanted) {
-                    return Some(value.clone());
+        if !matches!(self.quietly(|checker| checker.called(&call.callee)), Called::Standard(_)) {
+            return None;
+        }
+        let upper = name.text.to_ascii_uppercase();
+        if upper == "T_COMBINE" {
+            let function = match wanted {
+                DataType::LongDateAndTime => "CONCAT_DATE_LTOD",
+                DataType::DateAndTime => "CONCAT_DATE_TOD",
+                wanted if dtl::is_dtl(wanted) => return None,
+                wanted => {
+                    let message = format!("`T_COMBINE` makes a DTL, an LDT or a DATE_AND_TIME, and {} is wanted here", self.words(wanted));
+                    self.report(Problem::P6322, expression.span, message).help =
+                        Some("Assign it to a variable of one of these types.".to_owned());
+                    return Some(None);
                 }
-                format!("{}_TO_{}", word(&given)?, word(wanted)?)
-            }
+            };
+            return Some(Some(renamed(name, function.to_owned(), call, expression.span)));
+        }
+        let [ast::Argument { value: Some(value), .. }] = call.arguments.as_slice() else {
+            self.look_at(&call.arguments);
+            self.one_value(&upper, expression.span);
+            return Some(None);
         };
-        let callee = Name { text: function, ..name.clone() };
-        let callee = Expression { kind: ExpressionKind::Name(callee), span: call.callee.span };
-        let kind = ExpressionKind::Call(Box::new(ast::Call { callee, arguments: call.arguments.clone() }));
-        Some(Expression { kind, span: expression.span })
+        let Some(given) = self.quietly(|checker| checker.type_of(value)) else {
+            let typed = self.expression(value);
+            if typed != Typed::Poison {
+                let what = self.what(&typed);
+                self.report(Problem::P6322, value.span, format!("`{upper}` converts a value, and this is {what}"));
+            }
+            return Some(None);
+        };
+        if same_type(&given, wanted) {
+            return Some(Some(value.clone()));
+        }
+        let function = word(&given).zip(word(wanted)).map(|(from, to)| format!("{from}_TO_{to}"));
+        match function.filter(|function| self.converts(function, &given)) {
+            Some(function) => Some(Some(renamed(name, function, call, expression.span))),
+            None => {
+                let message = format!("`{upper}` makes no {} of {}", self.words(wanted), self.words(&given));
+                self.report(Problem::P6322, expression.span, message).help = Some(
+                    "T_CONV makes times, dates and integers of each other, S_CONV texts and numbers; convert in two steps where that leads there."
+                        .to_owned(),
+                );
+                Some(None)
+            }
+        }
+    }
+
+    /// Whether there is a conversion with this name from this type; a WSTRING goes the way of a STRING.
+    fn converts(&self, function: &str, given: &DataType) -> bool {
+        let narrow = function.replace("WSTRING", "STRING");
+        let given = match given {
+            DataType::WideString(_) => DataType::String(STRING_LENGTH_MAX),
+            other => other.clone(),
+        };
+        let given = [standard::Given { name: None, kind: standard::GivenKind::Typed(given) }];
+        narrow == "STRING_TO_STRING" || matches!(standard::resolve(&narrow, self.dialect, &given), Some(Ok(_)))
+    }
+
+    fn one_value(&mut self, name: &str, span: Span) {
+        self.report(Problem::P6219, span, format!("`{name}` takes one value, and its result goes to what it is assigned to")).help =
+            Some(format!("Write `x := {name}(y);`, or name the output, `{name}(IN := y, OUT => x);`."));
     }
 
     /// The type of an expression that has one.
@@ -141,6 +287,10 @@ impl Checker<'_> {
             return None;
         }
         self.look_at(&call.arguments);
+        if name != "T_COMBINE" && call.arguments.len() > 1 && call.arguments.iter().all(|argument| argument.name.is_none()) {
+            self.one_value(name, span);
+            return Some(Typed::Poison);
+        }
         let message = format!("`{name}` has the type of what it is assigned to, and here nothing says what that is");
         self.report(Problem::P6320, span, message).help =
             Some("Assign it to a variable first, or write the conversion by its name, such as `DTL_TO_LDT`.".to_owned());
@@ -153,11 +303,24 @@ impl Checker<'_> {
             return None;
         }
         let is_output = |argument: &&ast::Argument| argument.name.as_ref().is_some_and(|name| name.is("OUT"));
-        let target = call.arguments.iter().find(is_output).and_then(|argument| argument.value.clone())?;
+        let output = call.arguments.iter().find(is_output)?;
+        let target = output.value.clone()?;
+        if output.direction == ast::Direction::Assigned && !self.judge(Construct::AssignedOutput, output.span) {
+            self.look_at(&call.arguments);
+            return Some(None);
+        }
         let arguments = call.arguments.iter().filter(|argument| !is_output(argument)).cloned().collect();
         let kind = ExpressionKind::Call(Box::new(ast::Call { callee: call.callee.clone(), arguments }));
         Some(self.assign(&target, &Expression { kind, span }, span))
     }
+}
+
+/// The same call of another function.
+fn renamed(name: &Name, function: String, call: &ast::Call, span: Span) -> Expression {
+    let callee = Name { text: function, ..name.clone() };
+    let callee = Expression { kind: ExpressionKind::Name(callee), span: call.callee.span };
+    let kind = ExpressionKind::Call(Box::new(ast::Call { callee, arguments: call.arguments.clone() }));
+    Expression { kind, span }
 }
 
 /// The name and the call, if an expression calls T_CONV or its like.

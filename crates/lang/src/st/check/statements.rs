@@ -320,12 +320,17 @@ impl Checker<'_> {
 
     /// A function whose result is an array or a structure writes it to the target itself.
     fn result_into(&mut self, target: &Target, value: &Expression, span: Span) -> Option<Option<StatementKind>> {
-        let conversion = self.by_target(value, &target.data_type);
-        let value = conversion.as_ref().unwrap_or(value);
-        let ExpressionKind::Call(call) = &value.kind else { return None };
+        // Elementary values and texts come as expressions.
         if Kind::of(&target.data_type).is_some() || room_of(&target.data_type).is_some() {
             return None;
         }
+        let conversion = match self.by_target(value, &target.data_type) {
+            Some(Some(conversion)) => Some(conversion),
+            Some(None) => return Some(None),
+            None => None,
+        };
+        let value = conversion.as_ref().unwrap_or(value);
+        let ExpressionKind::Call(call) = &value.kind else { return None };
         let (block, callee) = match self.quietly(|checker| checker.called(&call.callee)) {
             Called::Function(block) => (block, Callee::Function(block)),
             Called::Method(block, callee) => (block, callee),

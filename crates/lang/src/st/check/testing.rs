@@ -576,6 +576,7 @@ fn call_of(block: BlockId, arguments: Vec<Argument>, span: Span) -> Statement {
         enable: None,
         result: DataType::Void,
         clears_ok: false,
+        of_library: false,
         written_out: None,
         span,
     };

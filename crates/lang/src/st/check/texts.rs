@@ -287,7 +287,8 @@ impl Checker<'_> {
         let finds = function.action == TextAction::Find;
         let result = if finds { DataType::Int } else { DataType::WideString(STRING_LENGTH_MAX.into()) };
         let callee = Callee::Function(block);
-        let call = Call { callee, arguments, enable: None, result, clears_ok: self.reads_ok, written_out: Some(function), span };
+        let call =
+            Call { callee, arguments, enable: None, result, clears_ok: self.reads_ok, of_library: true, written_out: Some(function), span };
         self.result_of(call, Vec::new(), span)
     }
 

@@ -1,4 +1,4 @@
-//! IEC timers of tia: IEC_TIMER, whose calls say which timer it is, RESET_TIMER and PRESET_TIMER.
+//! IEC timers and counters of tia: IEC_TIMER, IEC_COUNTER and their like, whose calls say which one it is, RESET_TIMER and PRESET_TIMER.
 
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
@@ -12,34 +12,58 @@ use super::types::Kind;
 use crate::st::ast::{self, Expression, Name};
 use crate::st::tree::{Place, Statement, StatementKind, Value, ValueKind};
 
-/// The type that is the memory of any timer.
-const ANY_TIMER: &str = "IEC_TIMER";
+/// A type that is the memory of several instructions.
+struct Memory {
+    name: &'static str,
+    instructions: &'static [&'static str],
+    /// What stands behind the instruction in the name of its block.
+    suffix: &'static str,
+    /// How a call of the first instruction looks.
+    example: &'static str,
+}
 
-/// The instructions that work on it.
-const INSTRUCTIONS: [&str; 4] = ["TON", "TOF", "TP", "TONR"];
+const TIMERS: &[&str] = &["TON", "TOF", "TP", "TONR"];
+const COUNTERS: &[&str] = &["CTU", "CTD", "CTUD"];
+const TIMER: &str = "IN := …, PT := …";
+const COUNTER: &str = "CU := …, R := …, PV := …";
+
+/// These types.
+const MEMORIES: &[Memory] = &[
+    Memory { name: "IEC_TIMER", instructions: TIMERS, suffix: "", example: TIMER },
+    Memory { name: "IEC_LTIMER", instructions: TIMERS, suffix: "_LTIME", example: TIMER },
+    Memory { name: "IEC_COUNTER", instructions: COUNTERS, suffix: "_INT", example: COUNTER },
+    Memory { name: "IEC_SCOUNTER", instructions: COUNTERS, suffix: "_SINT", example: COUNTER },
+    Memory { name: "IEC_DCOUNTER", instructions: COUNTERS, suffix: "_DINT", example: COUNTER },
+    Memory { name: "IEC_USCOUNTER", instructions: COUNTERS, suffix: "_USINT", example: COUNTER },
+    Memory { name: "IEC_UCOUNTER", instructions: COUNTERS, suffix: "_UINT", example: COUNTER },
+    Memory { name: "IEC_UDCOUNTER", instructions: COUNTERS, suffix: "_UDINT", example: COUNTER },
+];
 
 impl Checker<'_> {
-    /// Whether instances of a block are the memory of any timer.
-    fn is_any_timer(&self, block: BlockId) -> bool {
-        self.names.is_of_library(block) && self.names.block_name(block).eq_ignore_ascii_case(ANY_TIMER)
+    /// What instances of a block are the memory of.
+    fn memory(&self, block: BlockId) -> Option<&'static Memory> {
+        let name = self.names.is_of_library(block).then(|| self.names.block_name(block))?;
+        MEMORIES.iter().find(|memory| name.eq_ignore_ascii_case(memory.name))
     }
 
-    /// The timer that `name` makes of an IEC_TIMER: `TON` of `t.TON(…)`.
-    pub(super) fn timer_instruction(&mut self, block: BlockId, name: &Name) -> Option<BlockId> {
-        if !self.is_any_timer(block) {
-            return None;
-        }
-        let instruction = INSTRUCTIONS.iter().find(|instruction| name.is(instruction))?;
-        self.of_library(instruction)
+    /// The block that `name` makes of an IEC_TIMER or an IEC_COUNTER: `TON` of `t.TON(…)`.
+    pub(super) fn memory_instruction(&mut self, block: BlockId, name: &Name) -> Option<BlockId> {
+        let memory = self.memory(block)?;
+        let instruction = memory.instructions.iter().find(|instruction| name.is(instruction))?;
+        // CTD has its output at another place than the counters that count up.
+        let family = if *instruction == "CTD" { "IEC_" } else { "" };
+        self.of_library(&format!("{family}{instruction}{}", memory.suffix))
     }
 
-    /// Whether a call does not say which timer an IEC_TIMER is, or names none; that is said.
-    pub(super) fn no_timer_instruction(&mut self, block: BlockId, target: &Target, span: Span) -> bool {
-        if !self.is_any_timer(block) {
-            return false;
-        }
-        let message = format!("`{}` is an IEC_TIMER, and the call does not say which timer it is to be", target.name);
-        let help = format!("Write `{}.TON(IN := …, PT := …)`; there are TON, TOF, TP and TONR.", target.name);
+    /// Whether a call does not say which instruction works on such a memory, or names none; that is said.
+    pub(super) fn no_memory_instruction(&mut self, block: BlockId, target: &Target, name: Option<&Name>, span: Span) -> bool {
+        let Some(memory) = self.memory(block) else { return false };
+        let message = match name {
+            Some(name) => format!("`{}` is an {}, which has no instruction `{}`", target.name, memory.name, name.text),
+            None => format!("`{}` is an {}, and the call does not say which instruction it is", target.name, memory.name),
+        };
+        let first = memory.instructions[0];
+        let help = format!("Write `{}.{first}({})`; there are {}.", target.name, memory.example, memory.instructions.join(", "));
         self.report(Problem::P6321, span, message).help = Some(help);
         true
     }

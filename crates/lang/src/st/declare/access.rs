@@ -180,7 +180,8 @@ fn entry_of<'a>(
                 structure = std::sync::Arc::clone(inside);
             }
             other if index + 1 < entry.path.len() => {
-                let message = format!("`{}` is {} and has no variables inside", shown_until(entry, index + 1), describe(other));
+                let message =
+                    format!("`{}` is {} and has no variables inside", shown_until(entry, index + 1), entry.dialect.type_words(other));
                 types.report(Problem::P6311, name.span, message);
                 return;
             }
@@ -200,7 +201,12 @@ fn entry_of<'a>(
     if let Some(own) = resolver.data_type(written)
         && own != target
     {
-        let message = format!("`{}` is {} where it is declared, not {}", entry.shown(), describe(&target), describe(&own));
+        let message = format!(
+            "`{}` is {} where it is declared, not {}",
+            entry.shown(),
+            entry.dialect.type_words(&target),
+            entry.dialect.type_words(&own)
+        );
         resolver.report(Problem::P4006, written.span, message);
         return;
     }
@@ -308,15 +314,17 @@ impl Environment<'_> {
                 if let ast::TypeKind::Named(written) = &declaration.data_type.kind
                     && let Some(word) = written.single().and_then(|name| DataType::from_any_word(&name.text))
                     && word.is_elementary()
-                    && word != data_type
+                    && dialect.type_words(&word) != dialect.type_words(&data_type)
                 {
-                    let message = format!("this is {} where it is declared, not {}", describe(&data_type), describe(&word));
+                    let message =
+                        format!("this is {} where it is declared, not {}", dialect.type_words(&data_type), dialect.type_words(&word));
                     diagnostics.push(Diagnostic::new(Problem::P4006, declaration.data_type.span, message));
                     continue;
                 }
                 let operand = data_type.width().and_then(|width| operand(&base, offset, width));
                 let Some(operand) = operand else {
-                    let message = format!("{} has no name of its own for those outside: it has more than 32 bits", describe(&data_type));
+                    let message =
+                        format!("{} has no name of its own for those outside: it has more than 32 bits", dialect.type_words(&data_type));
                     let help = "Name its parts, or call it by the name of the instance.";
                     diagnostics.push(Diagnostic::new(Problem::P6311, path.span, message).help(help));
                     continue;

@@ -5,7 +5,7 @@ use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
 use super::types::Resolver;
-use crate::declarations::types::{State, describe};
+use crate::declarations::types::State;
 use crate::scope::{did_you_mean, key};
 use crate::st::ast::{BinaryOperator, Expression, ExpressionKind, LiteralKind, Name, UnaryOperator};
 use crate::st::check::names::{Constant, Entity};
@@ -106,7 +106,7 @@ impl Resolver<'_, '_> {
     /// A value of an enumeration.
     pub(super) fn value_of(&mut self, data_type: &DataType, name: &Name) -> Option<Constant> {
         let DataType::Enumeration(enumeration) = data_type else {
-            self.report(Problem::P6122, name.span, format!("{} has no values with names", describe(data_type)));
+            self.report(Problem::P6122, name.span, format!("{} has no values with names", self.dialect.type_words(data_type)));
             return None;
         };
         match enumeration.values.iter().find(|(value, _)| value.eq_ignore_ascii_case(&name.text)) {
@@ -115,7 +115,7 @@ impl Resolver<'_, '_> {
             }
             None => {
                 let nearest = self.types.scope.nearest(&name.text, enumeration.values.iter().map(|(name, _)| name.as_str()));
-                let message = format!("{} has no value `{}`{}", describe(data_type), name.text, did_you_mean(nearest));
+                let message = format!("{} has no value `{}`{}", self.dialect.type_words(data_type), name.text, did_you_mean(nearest));
                 self.report(Problem::P3007, name.span, message);
                 None
             }

@@ -12,7 +12,7 @@ use super::items::{Data, Items};
 use super::types::{FieldLayout, Resolver, instance_of};
 use super::{access, ast, globals, instances};
 use crate::declarations::data_block::{DataLayout, instance};
-use crate::declarations::types::{Types, describe};
+use crate::declarations::types::Types;
 use crate::scope::{did_you_mean, key};
 use crate::st::ast::{Expression, ExpressionKind};
 
@@ -130,7 +130,11 @@ impl Resolver<'_, '_> {
             ExpressionKind::Index(base, indexes) => {
                 let (position, data_type) = self.reached(whole, base)?;
                 let DataType::Array { element, bounds } = &data_type else {
-                    self.report(Problem::P4010, path.span, format!("{} is no array and takes no index", describe(&data_type)));
+                    self.report(
+                        Problem::P4010,
+                        path.span,
+                        format!("{} is no array and takes no index", self.dialect.type_words(&data_type)),
+                    );
                     return None;
                 };
                 let mut numbers = Vec::with_capacity(indexes.len());
@@ -154,14 +158,14 @@ impl Resolver<'_, '_> {
 
     fn field(&mut self, position: u64, data_type: &DataType, name: &ast::Name) -> Option<(u64, DataType)> {
         let (DataType::Struct(structure) | DataType::Instance { structure, .. }) = data_type else {
-            self.report(Problem::P4010, name.span, format!("{} has no field `{}`", describe(data_type), name.text));
+            self.report(Problem::P4010, name.span, format!("{} has no field `{}`", self.dialect.type_words(data_type), name.text));
             return None;
         };
         match structure.field(&name.text) {
             Some(field) => Some((position + u64::from(field.offset), field.data_type.clone())),
             None => {
                 let nearest = self.types.scope.nearest(&name.text, structure.fields.iter().map(|field| field.name.as_str()));
-                let message = format!("{} has no field `{}`{}", describe(data_type), name.text, did_you_mean(nearest));
+                let message = format!("{} has no field `{}`{}", self.dialect.type_words(data_type), name.text, did_you_mean(nearest));
                 self.report(Problem::P3007, name.span, message);
                 None
             }

@@ -15,7 +15,7 @@ use super::items::Items;
 use super::types::Resolver;
 use crate::declarations::BLOCK_BYTES_MAX;
 use crate::declarations::data_block::DataLayout;
-use crate::declarations::types::{Types, describe};
+use crate::declarations::types::Types;
 use crate::scope::key;
 use crate::st::check::names::{Entity, Role, Variable};
 use crate::st::dialect::AddressUnit;
@@ -51,7 +51,7 @@ pub(super) fn globals<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: &mu
                 continue;
             };
             if data_type == DataType::Void || data_type.is_number() {
-                let message = format!("{} may not stand here: it is only for parameters", describe(&data_type));
+                let message = format!("{} may not stand here: it is only for parameters", resolver.dialect.type_words(&data_type));
                 resolver.report(Problem::P4009, declaration.data_type.span, message);
                 continue;
             }
@@ -141,8 +141,12 @@ pub(super) fn located(resolver: &mut Resolver<'_, '_>, address: &ast::Address, d
     let width = u64::from(address.width.bits());
     let aggregate = !data_type.is_elementary() && !data_type.is_long();
     if !aggregate && data_type.bits() != width {
-        let message =
-            format!("{} has {} bits, and the address `{}` has {width}", describe(data_type), data_type.bits(), address.written.text);
+        let message = format!(
+            "{} has {} bits, and the address `{}` has {width}",
+            resolver.dialect.type_words(data_type),
+            data_type.bits(),
+            address.written.text
+        );
         resolver.report(Problem::P6127, span, message);
         return None;
     }

@@ -6,7 +6,6 @@ use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
 use super::types::Resolver;
-use crate::declarations::types::describe;
 use crate::declarations::values::{Misfit, write, write_initial};
 use crate::scope::did_you_mean;
 use crate::st::ast::DateAndTimeForm;
@@ -214,15 +213,17 @@ impl Resolver<'_, '_> {
             }
             Err(Misfit::Range) => {
                 let message = match (range(data_type), data_type) {
-                    (Some((low, high)), _) => format!("this value is outside the range of {}, {low} to {high}", describe(data_type)),
+                    (Some((low, high)), _) => {
+                        format!("this value is outside the range of {}, {low} to {high}", self.dialect.type_words(data_type))
+                    }
                     (None, DataType::String(length)) => format!("this text is longer than the {length} characters of the variable"),
-                    _ => format!("this value is outside the range of {}", describe(data_type)),
+                    _ => format!("this value is outside the range of {}", self.dialect.type_words(data_type)),
                 };
                 self.report(Problem::P4001, span, message);
                 None
             }
             _ => {
-                self.report(Problem::P4006, span, format!("this value is not one of {}", describe(data_type)));
+                self.report(Problem::P4006, span, format!("this value is not one of {}", self.dialect.type_words(data_type)));
                 None
             }
         }
@@ -290,7 +291,8 @@ impl Resolver<'_, '_> {
                         None => {
                             let names = structure.fields.iter().map(|field| field.name.as_str());
                             let nearest = self.types.scope.nearest(&name.text, names);
-                            let message = format!("{} has no field `{}`{}", describe(data_type), name.text, did_you_mean(nearest));
+                            let message =
+                                format!("{} has no field `{}`{}", self.dialect.type_words(data_type), name.text, did_you_mean(nearest));
                             self.report(Problem::P3007, name.span, message);
                         }
                     }
@@ -305,7 +307,7 @@ impl Resolver<'_, '_> {
                 }
             }
             (DataType::Struct(_) | DataType::Instance { .. } | DataType::Array { .. }, _) => {
-                let message = format!("{} takes no value as a whole; give one to each of its fields", describe(data_type));
+                let message = format!("{} takes no value as a whole; give one to each of its fields", self.dialect.type_words(data_type));
                 self.report(Problem::P4006, span, message);
             }
             (_, InitializerKind::Expression(expression)) => {
@@ -318,7 +320,7 @@ impl Resolver<'_, '_> {
             // `[5]` and `(5)` are lists of one.
             (_, InitializerKind::List { elements, .. }) if elements.len() == 1 => self.fill(image, position, data_type, &elements[0]),
             _ => {
-                self.report(Problem::P4007, span, format!("{} takes one value", describe(data_type)));
+                self.report(Problem::P4007, span, format!("{} takes one value", self.dialect.type_words(data_type)));
             }
         }
     }

@@ -433,7 +433,7 @@ impl<'a> Sections<'_, 'a> {
             return self.unknown(declaration);
         };
         if let Some((problem, why)) = misplaced(&data_type, store) {
-            let message = format!("{} may not stand here: {why}", describe(&data_type));
+            let message = format!("{} may not stand here: {why}", self.resolver.dialect.type_words(&data_type));
             self.resolver.report(problem, declaration.data_type.span, message);
             return self.unknown(declaration);
         }
@@ -575,7 +575,12 @@ impl<'a> Sections<'_, 'a> {
                 if let (Some(data_type), Some(own)) = (&data_type, &own)
                     && data_type != own
                 {
-                    let message = format!("`{}` is {} where it is declared, not {}", name.text, describe(own), describe(data_type));
+                    let message = format!(
+                        "`{}` is {} where it is declared, not {}",
+                        name.text,
+                        dialect.type_words(own),
+                        dialect.type_words(data_type)
+                    );
                     let first = global.span;
                     let report = self.resolver.report(Problem::P4006, declaration.data_type.span, message);
                     report.related.push((first, "declared here".to_owned()));
@@ -595,7 +600,7 @@ impl<'a> Sections<'_, 'a> {
             return;
         }
         if holds_instance(&data_type) || data_type.is_number() {
-            let message = format!("a function cannot have {} as its result", describe(&data_type));
+            let message = format!("a function cannot have {} as its result", self.resolver.dialect.type_words(&data_type));
             self.resolver.report(Problem::P4009, written.span, message);
             return;
         }

@@ -14,7 +14,7 @@ use super::initial::range;
 use super::items::{Items, numbered};
 use super::{Demand, Named, ast};
 use crate::declarations::BLOCK_BYTES_MAX;
-use crate::declarations::types::{State, Types, describe};
+use crate::declarations::types::{State, Types};
 use crate::scope::{did_you_mean, key};
 use crate::st::ast::{Dimension, TypeKind, TypeSpec};
 use crate::st::check::names::Entity;
@@ -178,13 +178,13 @@ impl<'t, 'a> Resolver<'t, 'a> {
             TypeKind::Subrange { base, low, high } => {
                 let base = self.named(base)?.data_type.clone();
                 let Some(limits) = range(&base) else {
-                    self.report(Problem::P3015, span, format!("{} has no subranges; an integer type has", describe(&base)));
+                    self.report(Problem::P3015, span, format!("{} has no subranges; an integer type has", self.dialect.type_words(&base)));
                     return None;
                 };
                 let (low, high) = (self.integer(low), self.integer(high));
                 let (low, high) = (low?, high?);
                 if low > high || low < limits.0 || high > limits.1 {
-                    let message = format!("{low}..{high} is no part of {}, {} to {}", describe(&base), limits.0, limits.1);
+                    let message = format!("{low}..{high} is no part of {}, {} to {}", self.dialect.type_words(&base), limits.0, limits.1);
                     self.report(Problem::P4004, span, message);
                     return None;
                 }
@@ -397,7 +397,11 @@ impl<'t, 'a> Resolver<'t, 'a> {
             None => DataType::Int,
         };
         let Some((low, high)) = range(&base) else {
-            self.report(Problem::P3015, span, format!("{} cannot hold the values of an enumeration; an integer type can", describe(&base)));
+            self.report(
+                Problem::P3015,
+                span,
+                format!("{} cannot hold the values of an enumeration; an integer type can", self.dialect.type_words(&base)),
+            );
             return None;
         };
         if values.is_empty() || values.len() > VALUES_MAX {
@@ -426,7 +430,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 self.report(
                     Problem::P4001,
                     value.span,
-                    format!("the value {next} of `{}` is outside the range of {}", value.text, describe(&base)),
+                    format!("the value {next} of `{}` is outside the range of {}", value.text, self.dialect.type_words(&base)),
                 );
                 return None;
             }
@@ -479,7 +483,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
             return None;
         }
         if element == DataType::Void || element.is_number() {
-            self.report(Problem::P4009, span, format!("an array cannot consist of {}", describe(&element)));
+            self.report(Problem::P4009, span, format!("an array cannot consist of {}", self.dialect.type_words(&element)));
             return None;
         }
         if bounds.contains(&OPEN) && bounds.iter().any(|bounds| *bounds != OPEN) {
@@ -519,7 +523,11 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 continue;
             };
             if data_type == DataType::Void || data_type.is_number() {
-                self.report(Problem::P4009, declaration.data_type.span, format!("a STRUCT cannot hold {}", describe(&data_type)));
+                self.report(
+                    Problem::P4009,
+                    declaration.data_type.span,
+                    format!("a STRUCT cannot hold {}", self.dialect.type_words(&data_type)),
+                );
                 whole = false;
                 continue;
             }
@@ -530,7 +538,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
                     match offset.filter(|offset| fits && *offset < BLOCK_BYTES_MAX * 8) {
                         Some(offset) => Some(offset),
                         None => {
-                            let message = format!("{} cannot lie there in a STRUCT", describe(&data_type));
+                            let message = format!("{} cannot lie there in a STRUCT", self.dialect.type_words(&data_type));
                             let help =
                                 "A BOOL is written `AT %X2.0`, all else with the byte and its own width: `AT %B2`, `AT %W2`, `AT %D4`.";
                             self.report(Problem::P6127, *span, message).help = Some(help.to_owned());

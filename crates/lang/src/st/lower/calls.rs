@@ -161,11 +161,23 @@ impl Lowering<'_> {
         let formals: Vec<&Variable> = interface.iter().flat_map(|interface| interface.parameters()).collect();
         let mut passed: Vec<Option<Pass>> = vec![None; formals.len()];
         let mut behind = Vec::new();
-        for argument in &call.arguments {
+        for (position, argument) in call.arguments.iter().enumerate() {
             let Some((index, formal)) = argument.parameter().and_then(|index| Some((index as usize, *formals.get(index as usize)?))) else {
                 continue;
             };
-            passed[index] = Some(self.pass(argument, formal, &mut behind));
+            let changes = call.arguments[position + 1..].iter().any(|later| self.argument_changes(later));
+            passed[index] = Some(match argument {
+                Argument::Text { text, .. } if changes => {
+                    let place = self.kept_text(text).0;
+                    self.pass_place(&place, formal)
+                }
+                Argument::Aggregate { source, data_type, .. } if changes => {
+                    let place = self.hidden_bytes(bytes(data_type).clamp(1, VALUE_BYTES_MAX));
+                    self.copy_typed(&place, source, data_type);
+                    self.pass_pointer(&place, data_type, false)
+                }
+                _ => self.pass(argument, formal, &mut behind),
+            });
         }
         for (index, formal) in formals.iter().enumerate() {
             if passed[index].is_none() {

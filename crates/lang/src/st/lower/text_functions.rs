@@ -7,7 +7,7 @@ use sieben_model::types::{DataType, STRING_LENGTH_MAX};
 
 use super::Lowering;
 use crate::st::standard::texts::{Manner, TextAction, TextFunction};
-use crate::st::tree::{Argument, Base, Bounds, Call, Place, Scalar, Text, TextRoom, Value};
+use crate::st::tree::{Argument, Base, Bounds, Call, Place, Scalar, Text, TextRoom, Value, ValueKind};
 
 /// More characters than any text has.
 const ALL: u64 = i32::MAX as u64;
@@ -36,14 +36,19 @@ impl Lowering<'_> {
         let mut numbers: Vec<(u32, Value)> = Vec::new();
         let joined = self.joined(function, call, TEXTS_MAX);
         if let Some(joined) = &joined {
-            for text in joined.texts() {
-                texts.push(self.ready(text));
+            let all = joined.texts();
+            for (position, text) in all.iter().enumerate() {
+                let changes = all[position + 1..].iter().any(|later| self.text_changes(later));
+                texts.push(if changes { self.kept_text(text) } else { self.ready(text) });
             }
         } else {
             let mut given: Vec<(u32, Ready)> = Vec::new();
-            for argument in &call.arguments {
+            for (position, argument) in call.arguments.iter().enumerate() {
                 match argument {
-                    Argument::Text { parameter, text, .. } => given.push((*parameter, self.ready(text))),
+                    Argument::Text { parameter, text, .. } => {
+                        let changes = call.arguments[position + 1..].iter().any(|later| self.argument_changes(later));
+                        given.push((*parameter, if changes { self.kept_text(text) } else { self.ready(text) }));
+                    }
                     Argument::Value { parameter, value } => numbers.push((*parameter, self.keep(value))),
                     _ => {}
                 }
@@ -161,6 +166,65 @@ impl Lowering<'_> {
         let first = join(first, most.saturating_sub(1));
         let left = most.saturating_sub(first.texts().len());
         Some(Joined::Both(Box::new([first, join(second, left)])))
+    }
+
+    /// A text that keeps its characters, whatever is computed before it is used.
+    pub(super) fn kept_text(&mut self, text: &Text) -> Ready {
+        let (place, most) = self.text(text);
+        let Text::Place { .. } = text else { return (place, most) };
+        let room = if most.is_unknown() { TextRoom { characters_max: STRING_LENGTH_MAX.into(), ..most } } else { most };
+        let kept = self.empty_text(room);
+        self.copy_text(&kept, room, &place, most);
+        (kept, room)
+    }
+
+    /// Whether something that a program sees may change while an argument is computed.
+    pub(super) fn argument_changes(&self, argument: &Argument) -> bool {
+        match argument {
+            Argument::Text { text, .. } => self.text_changes(text),
+            Argument::Value { value, .. } | Argument::Number { value, .. } => self.value_changes(value),
+            other => other.place().is_some_and(|place| self.place_changes(place)),
+        }
+    }
+
+    /// The same of a text.
+    pub(super) fn text_changes(&self, text: &Text) -> bool {
+        match text {
+            Text::Constant(_) | Text::WideConstant(_) => false,
+            Text::Converted(text) => self.text_changes(text),
+            Text::Place { place, .. } => self.place_changes(place),
+            Text::Character(value) => self.value_changes(value),
+            Text::Call { call, .. } => self.call_changes(call),
+        }
+    }
+
+    fn call_changes(&self, call: &Call) -> bool {
+        !call.of_library || call.enable.is_some() || call.arguments.iter().any(|argument| self.argument_changes(argument))
+    }
+
+    fn value_changes(&self, value: &Value) -> bool {
+        // A value whose computation begins no new IR statement calls nothing.
+        match &value.kind {
+            _ if !self.breaks(value) => false,
+            ValueKind::Call(call) => self.call_changes(call),
+            ValueKind::Load(place) | ValueKind::AddressOf(place) => self.place_changes(place),
+            ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } | ValueKind::Intrinsic { args, .. } => {
+                args.iter().any(|arg| self.value_changes(arg))
+            }
+            ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => self.value_changes(a) || self.value_changes(b),
+            ValueKind::Choose { condition, a, b } => [condition, a, b].into_iter().any(|value| self.value_changes(value)),
+            ValueKind::CompareTexts(a, b) => self.text_changes(a) || self.text_changes(b),
+            ValueKind::Length(text) => self.text_changes(text),
+            _ => true,
+        }
+    }
+
+    fn place_changes(&self, place: &Place) -> bool {
+        let base = match &place.base {
+            Base::ComputedDataBlock(value) | Base::Reference(value) => self.value_changes(value),
+            _ => false,
+        };
+        base || place.indexes.iter().any(|index| self.value_changes(&index.value))
     }
 
     /// Whether nothing that a program sees changes while a text is computed.

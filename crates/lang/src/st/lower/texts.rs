@@ -114,7 +114,7 @@ impl Lowering<'_> {
         self.copy_text(target, room, &place, from_room);
     }
 
-    fn copy_text(&mut self, target: &Place, room: TextRoom, place: &Place, from_room: TextRoom) {
+    pub(super) fn copy_text(&mut self, target: &Place, room: TextRoom, place: &Place, from_room: TextRoom) {
         let [place, target] = self.settle([place, target]);
         let cut = self.text_instruction(TextAction::Assign, (&target, room), (&place, from_room), None);
         self.release(cut);
@@ -122,7 +122,7 @@ impl Lowering<'_> {
 
     /// −1, 0 or 1.
     pub(super) fn compare_texts(&mut self, a: &Text, b: &Text) -> Var {
-        let mut first = self.text(a);
+        let mut first = if self.text_changes(b) { self.kept_text(a) } else { self.text(a) };
         if self.text_breaks(b) {
             first.0 = self.freeze(&first.0);
         }

@@ -56,8 +56,8 @@ chapters! {
             "TOF(IN: BOOL; PT: TIME) → Q: BOOL; ET: TIME" "TOF_LTIME(IN: BOOL; PT: LTIME) → Q: BOOL; ET: LTIME" "LTOF(IN: BOOL; PT: LTIME) → Q: BOOL; ET: LTIME";
         "tp" "a pulse" ["TP" "TP_TIME" "TP_LTIME" "LTP"]
             "TP(IN: BOOL; PT: TIME) → Q: BOOL; ET: TIME" "TP_LTIME(IN: BOOL; PT: LTIME) → Q: BOOL; ET: LTIME" "LTP(IN: BOOL; PT: LTIME) → Q: BOOL; ET: LTIME";
-        "tonr" "the time of several pieces" ["TONR"] "TONR(IN: BOOL; R: BOOL; PT: TIME) → Q: BOOL; ET: TIME";
-        "iec_timer" "any timer" ["IEC_TIMER" "RESET_TIMER" "PRESET_TIMER"] "RESET_TIMER(timer)" "PRESET_TIMER(duration; timer)";
+        "tonr" "the time of several pieces" ["TONR" "TONR_TIME" "TONR_LTIME"] "TONR(IN: BOOL; R: BOOL; PT: TIME) → Q: BOOL; ET: TIME" "TONR_LTIME(IN: BOOL; R: BOOL; PT: LTIME) → Q: BOOL; ET: LTIME";
+        "iec_timer" "any timer" ["IEC_TIMER" "IEC_LTIMER" "RESET_TIMER" "PRESET_TIMER"] "RESET_TIMER(timer)" "PRESET_TIMER(duration; timer)";
         "rtc" "a clock that is set" ["RTC"] "RTC(IN: BOOL; PDT: DT) → Q: BOOL; CDT: DT";
         "scan_clock" "the clock of timers" ["SCAN_CLOCK" "TIME"] "SCAN_CLOCK(): TIME" "TIME(): TIME";
         "s_pulse" "S5 timer: a pulse" ["S_PULSE" "S_IMPULS"] "S_PULSE(T_NO: TIMER; S: BOOL; TV: S5TIME; R: BOOL; BI => WORD; Q => BOOL): S5TIME";
@@ -75,6 +75,9 @@ chapters! {
             "iec tia: CTUD(CU: BOOL; CD: BOOL; R: BOOL; LD: BOOL; PV: INT) → QU: BOOL; QD: BOOL; CV: INT"
             "codesys: CTUD(CU: BOOL; CD: BOOL; RESET: BOOL; LOAD: BOOL; PV: WORD) → QU: BOOL; QD: BOOL; CV: WORD"
             "scl: CTUD(CU: BOOL; CD: BOOL; R: BOOL; LOAD: BOOL; PV: INT) → QU: BOOL; QD: BOOL; CV: INT";
+        "iec_counter" "any counter" ["IEC_COUNTER" "IEC_SCOUNTER" "IEC_DCOUNTER" "IEC_USCOUNTER" "IEC_UCOUNTER" "IEC_UDCOUNTER"]
+            "counter.CTU(CU: BOOL; R: BOOL; PV: INT) → Q: BOOL; CV: INT" "counter.CTD(CD: BOOL; LD: BOOL; PV: INT) → Q: BOOL; CV: INT"
+            "counter.CTUD(CU: BOOL; CD: BOOL; R: BOOL; LD: BOOL; PV: INT) → QU: BOOL; QD: BOOL; CV: INT";
         "s_cu" "S5 counter: up" ["S_CU" "Z_VORW"] "S_CU(C_NO: COUNTER; CU: BOOL; S: BOOL; PV: WORD; R: BOOL; CV => WORD; Q => BOOL): WORD";
         "s_cd" "S5 counter: down" ["S_CD" "Z_RUECK"] "S_CD(C_NO: COUNTER; CD: BOOL; S: BOOL; PV: WORD; R: BOOL; CV => WORD; Q => BOOL): WORD";
         "s_cud" "S5 counter: up and down" ["S_CUD" "ZAEHLER"] "S_CUD(C_NO: COUNTER; CU: BOOL; CD: BOOL; S: BOOL; PV: WORD; R: BOOL; CV => WORD; Q => BOOL): WORD";

@@ -361,7 +361,11 @@ fn of_text(call: &Call<'_>, source: &DataType, target: &DataType, long: bool) ->
             DataType::Char => Some("CHAR"),
             DataType::Real => Some("REAL"),
             DataType::LongReal => Some("LREAL"),
-            DataType::Byte | DataType::Word | DataType::DoubleWord | DataType::LongWord if dialect == Dialect::Iec => Some("LWORD"),
+            DataType::Byte | DataType::Word | DataType::DoubleWord | DataType::LongWord
+                if matches!(dialect, Dialect::Iec | Dialect::Tia) =>
+            {
+                Some("LWORD")
+            }
             DataType::Byte | DataType::Word | DataType::DoubleWord | DataType::LongWord if dialect == Dialect::Codesys => Some("ULINT"),
             DataType::Time => Some("TIME"),
             DataType::TimeOfDay => Some("TOD"),
@@ -377,12 +381,14 @@ fn of_text(call: &Call<'_>, source: &DataType, target: &DataType, long: bool) ->
     };
     let other = if matches!(target, DataType::String(_)) { source } else { target };
     let name: Option<String> = match (source, target) {
-        (DataType::Int, DataType::String(_)) if s7 => Some("I_STRNG".to_owned()),
+        (DataType::SmallInt | DataType::Int, DataType::String(_)) if s7 => Some("I_STRNG".to_owned()),
+        (DataType::LongInt, DataType::String(_)) if s7 => Some("TIA_LINT_TO_STRING".to_owned()),
         (DataType::DoubleInt, DataType::String(_)) if s7 => Some("DI_STRNG".to_owned()),
         (DataType::Real, DataType::String(_)) if s7 => Some("R_STRNG".to_owned()),
         (DataType::String(_), DataType::Int) if s7 => Some("STRNG_I".to_owned()),
         (DataType::String(_), DataType::DoubleInt) if s7 => Some("STRNG_DI".to_owned()),
-        (DataType::String(_), DataType::Real) if s7 => Some("STRNG_R".to_owned()),
+        // STRNG_R takes only texts of fourteen characters, as R_STRNG writes them.
+        (DataType::String(_), DataType::Real) if dialect == Dialect::Scl => Some("STRNG_R".to_owned()),
         (_, DataType::String(_)) => class(other).map(|class| format!("{class}_TO_STRING")),
         _ if unit(target).is_some() => class(target).map(|class| format!("STRING_TO_{class}")),
         _ => target.word().map(|word| format!("STRING_TO_{word}")),

@@ -39,9 +39,14 @@ sources! {
     "timers_tia_time.st" Iec            [0 0 0 1]: TON_TIME TOF_TIME TP_TIME;
     "timers_tia_ltime.st" Iec           [0 0 0 1]: TON_LTIME TOF_LTIME TP_LTIME;
     "iec_timer.st" Iec                  [0 0 0 1]: IEC_TIMER;
+    "iec_ltimer.st" Iec                 [0 0 0 1]: IEC_LTIMER;
     "tonr.st" Iec                       [0 0 0 1]: TONR;
+    "tonr_time.st" Iec                  [0 0 0 1]: TONR_TIME;
+    "tonr_ltime.st" Iec                 [0 0 0 1]: TONR_LTIME;
     "rtc.st" Iec                        [1 0 0 0]: RTC;
     "counters.st" Iec                   [1 0 0 1]: CTU CTD CTUD;
+    "iec_counters.st" Iec               [0 0 0 1]: IEC_COUNTER IEC_CTD_INT IEC_SCOUNTER IEC_CTD_SINT IEC_DCOUNTER IEC_CTD_DINT
+                                                   IEC_USCOUNTER IEC_CTD_USINT IEC_UCOUNTER IEC_CTD_UINT IEC_UDCOUNTER IEC_CTD_UDINT;
     "counters_sint.st" Iec              [0 0 0 1]: CTU_SINT CTD_SINT CTUD_SINT;
     "counters_int.st" Iec               [1 0 0 1]: CTU_INT CTD_INT CTUD_INT;
     "counters_dint.st" Iec              [1 0 0 1]: CTU_DINT CTD_DINT CTUD_DINT;
@@ -62,8 +67,8 @@ sources! {
                                                    CODESYS_REPLACE CODESYS_FIND;
     "selection_strings.st" Iec          [1 1 1 1]: MAX_STRING MIN_STRING LIMIT_STRING SEL_STRING;
     "selection_wide_strings.st" Iec     [1 1 0 1]: MAX_WSTRING MIN_WSTRING LIMIT_WSTRING SEL_WSTRING WSTRING_TO_WCHAR;
-    "to_string.st" Iec                  [1 1 0 0]: ULINT_TO_STRING LINT_TO_STRING LWORD_TO_STRING BOOL_TO_STRING CHAR_TO_STRING;
-    "real_to_string.st" Iec             [1 1 0 0]: LREAL_TO_STRING REAL_TO_STRING DIGITS_OF_REAL;
+    "to_string.st" Iec                  [1 1 0 1]: ULINT_TO_STRING LINT_TO_STRING LWORD_TO_STRING BOOL_TO_STRING CHAR_TO_STRING;
+    "real_to_string.st" Iec             [1 1 0 1]: LREAL_TO_STRING REAL_TO_STRING DIGITS_OF_REAL;
     "duration_to_string.st" Iec         [1 0 0 0]: TIME_TO_STRING;
     "duration_to_string_codesys.st" Codesys [0 1 0 0]: TIME_TO_STRING;
     "date_to_string.st" Iec             [1 1 0 0]: DIGITS_OF_TWO CLOCK_IN_TEXT DAY_IN_TEXT TOD_TO_STRING DATE_TO_STRING DT_TO_STRING;
@@ -74,6 +79,7 @@ sources! {
     "dtl.st" Tia                        [0 0 0 1]: LDT_TO_DTL DTL_TO_LDT DT_TO_LDT LDT_TO_DATE LDT_TO_DT DTL_TO_DT DT_TO_DTL DTL_TO_DATE DTL_TO_TOD DTL_TO_LTOD
                                                    DATE_TO_DTL CONCAT_DATE_TOD CONCAT_DATE_LTOD TIA_COMBINE_DTL TIA_ADD_DTL TIA_SUB_DTL TIA_DIFF_DTL
                                                    TIA_READ_DTL TIA_READ_LDT TIA_WRITE_DTL TIA_WRITE_LDT;
+    "long_to_string_tia.st" Iec         [0 0 0 1]: TIA_LINT_TO_STRING;
     "characters.st" Iec                 [0 0 0 1]: Strg_TO_Chars Chars_TO_Strg;
     "counters_codesys_long.st" Codesys  [0 1 0 0]: LCTU LCTD LCTUD;
     "util_codes.st" Codesys             [0 1 0 0]: BYTE_TO_GRAY WORD_TO_GRAY DWORD_TO_GRAY GRAY_TO_BYTE GRAY_TO_WORD GRAY_TO_DWORD;
