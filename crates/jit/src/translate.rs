@@ -43,6 +43,7 @@ mod loops;
 mod meeting;
 mod memory;
 mod nesting;
+mod numbers;
 mod open;
 mod outside;
 mod program;
@@ -72,7 +73,7 @@ use outside::{Functions, Outside};
 pub(crate) use program::aarch64_bytes;
 use program::{Find, block_signature, words_signature};
 pub(crate) use program::{Options, listing, program};
-use promote::{Base, Promoted};
+use promote::{Base, Computed, Promoted};
 use ranges::Ranges;
 use value::{Constants, Lazy, Val};
 use versions::{Known, Versions};
@@ -218,6 +219,8 @@ struct Translator<'a> {
     instance: Val,
     /// Where the instance of the present block lies, if it is inside its data block whatever AR2 holds.
     in_range: Option<Instance>,
+    /// Addresses that were computed and are known to be there.
+    computed: FxHashMap<Value, Computed>,
     arrivals: FxHashMap<u32, Arrival>,
     statement: u32,
     /// Parameters passed and not yet taken.
@@ -316,6 +319,7 @@ impl<'a> Translator<'a> {
             written: 0,
             instance: Val::Const(0),
             in_range: None,
+            computed: FxHashMap::default(),
             arrivals: FxHashMap::default(),
             statement: 0,
             passed: Vec::new(),

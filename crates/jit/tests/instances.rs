@@ -108,12 +108,49 @@ fn call(b: &mut Builder, dice: &mut Dice, first: u16) {
     b.push(Inst::Call { callee: Callee::Block(BlockId::fb(number)), parameters: 2 });
 }
 
+/// A loop of an instance over its own variables, of which some are elements; how many statements that are.
+fn own_loop(b: &mut Builder, dice: &mut Dice, first: u32) -> u32 {
+    let (at, width) = (8 * dice.roll(8) as u32, dice.of(&[Width::Word, Width::Byte]));
+    let index = Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: at };
+    b.begin_statement();
+    let begin = b.constant(0);
+    b.store(index, width, begin);
+    let mut statements = 1;
+    for _ in 0..1 + dice.roll(3) {
+        match dice.roll(4) {
+            0 => assignment(b, dice, true),
+            1 => statements += jump(b, dice, true, first + statements) - 1,
+            _ => {
+                b.begin_statement();
+                let step = dice.of(&[8, 8, 16]);
+                let pointer = element(b, dice, (index, width), step);
+                let elements = Place::Indirect { area: Area::InstanceData, pointer, offset: 8 * dice.roll(6) as u32 };
+                let width = dice.of(&[Width::Bit, Width::Byte, Width::Word, Width::DoubleWord]);
+                let (from, to) =
+                    if dice.roll(2) == 0 { (elements, place(b, dice, width, true)) } else { (place(b, dice, width, true), elements) };
+                let value = b.load(from, width, OnFault::SkipStatement);
+                b.store(to, width, value);
+            }
+        }
+        statements += 1;
+    }
+    b.begin_statement();
+    let (value, one) = (b.load(index, width, OnFault::SkipStatement), b.constant(1));
+    let next = b.compute(Op::AddU16, &[value, one]);
+    b.store(index, width, next);
+    let limit = b.constant(dice.of(&[1, 2, 3]));
+    let goes_on = b.compute(Op::LeI16, &[next, limit]);
+    b.push(Inst::Branch { condition: goes_on, to: Target(first + 1) });
+    statements + 1
+}
+
 /// A function block.
 fn block(b: &mut Builder, dice: &mut Dice, number: u16) {
     let mut statements = 0;
     for _ in 0..1 + dice.roll(5) {
-        match dice.roll(6) {
+        match dice.roll(7) {
             0 | 1 => statements += jump(b, dice, true, statements),
+            3 => statements += own_loop(b, dice, statements),
             2 if number < BLOCKS => {
                 b.begin_statement();
                 b.store(SAVED, Width::DoubleWord, Register::Ar2);
@@ -245,7 +282,8 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
 #[test]
 fn instances_called_in_loops_do_the_same_on_all_engines() {
     let (mut asked, mut finished) = (0, 0);
-    for seed in 0..PROGRAMS {
+    let more = std::env::var("SOAK").ok().and_then(|n| n.parse::<u64>().ok());
+    for seed in more.map_or(0..PROGRAMS, |n| n * 1_000_000..n * 1_000_000 + 6000) {
         let blocks: Vec<_> = (0..=LOOPS).collect();
         let build = |number: u16| {
             move |b: &mut Builder| match number {

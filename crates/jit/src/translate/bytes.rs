@@ -16,6 +16,7 @@ use sieben_model::address::Width;
 use super::Translator;
 use super::loops::Loop;
 use super::memory::{Address, Bit, data};
+use super::numbers::Numbers;
 use super::promote::Base;
 use super::value::Val;
 use super::words::{WaitingWords, Words};
@@ -34,6 +35,8 @@ pub(super) struct Bytes {
     pub(super) words: WaitingWords,
     /// Values of pieces in memory, the oldest first. Bits that wait for their store are old here.
     known: Vec<(Piece, Value)>,
+    /// Numbers at computed addresses.
+    pub(super) numbers: Numbers,
     /// Bytes that code looks at bit by bit, and those that it looks at otherwise.
     of_bits: FxHashSet<(Base, i32)>,
     of_others: FxHashSet<(Base, i32)>,
@@ -51,7 +54,8 @@ struct Piece {
 
 impl Piece {
     fn meets(&self, base: Base, bytes: &Range<i32>) -> bool {
-        self.base == base && self.start < bytes.end && bytes.start < self.start + self.bytes
+        let own = i64::from(self.start)..i64::from(self.start + self.bytes);
+        self.base.may_share(&own, base, &(i64::from(bytes.start)..i64::from(bytes.end)))
     }
 
     /// All its bits.
@@ -88,6 +92,7 @@ struct Newest {
 #[derive(Debug, Default)]
 pub(super) struct KnownMemory {
     bits: Vec<(Piece, Value)>,
+    numbers: Numbers,
     words: Words,
     /// Timers that were brought up to date.
     timers: Vec<u64>,
@@ -99,6 +104,7 @@ impl KnownMemory {
     /// Keeps what is known on another way, too.
     pub(super) fn keep_common(&mut self, other: &Self) {
         self.bits.retain(|known| other.bits.contains(known));
+        self.numbers.keep_common(&other.numbers);
         self.words.keep_common(&other.words);
         self.timers.retain(|timer| other.timers.contains(timer));
         self.counts.retain(|count| other.counts.contains(count));
@@ -125,16 +131,18 @@ impl Translator<'_> {
         }
         let Address { base, offset, bit } = address;
         let (Width::Bit, Bit::Number(number)) = (width, bit) else {
-            if let Some(value) = self.known_word(address, width) {
+            if let Some(value) = self.known_word(address, width).or_else(|| self.known_number(address, width)) {
                 return value;
             }
             self.store_waiting_in(base, offset, width);
             let value = self.read(address, width);
             self.remember_word(address, width, value);
+            self.remember_number(address, width, value);
             return value;
         };
         let (piece, at) = self.piece_of(base, offset, number);
         self.store_waiting_words_in(piece.base, &(piece.start..piece.start + piece.bytes));
+        self.settle_shared(piece, false);
         if let Some(waiting) = self.bytes.waiting.iter().find(|waiting| waiting.piece == piece)
             && waiting.mask & 1 << at != 0
         {
@@ -176,6 +184,7 @@ impl Translator<'_> {
         };
         let (piece, at) = self.piece_of(base, offset, number);
         self.store_waiting_words_in(piece.base, &(piece.start..piece.start + piece.bytes));
+        self.settle_shared(piece, true);
         let mut waiting = match self.bytes.waiting.iter().position(|waiting| waiting.piece == piece) {
             Some(index) => self.bytes.waiting.remove(index),
             None => Waiting { piece, mask: 0, ones: 0, bits: None, newest: None },
@@ -222,6 +231,9 @@ impl Translator<'_> {
     /// The piece with a bit of a byte, and which of its bits that is.
     fn piece_of(&mut self, base: Value, offset: i32, number: u8) -> (Piece, u8) {
         let base = self.known_base(base);
+        if let Base::Computed(_) = base {
+            return (Piece { base, start: offset, bytes: 1 }, number);
+        }
         let start = offset & !(LONG - 1);
         let end = if base == Base::Local { self.local_offset + self.native().local_size as i32 } else { self.layout.size as i32 };
         let bytes = &mut self.bytes;
@@ -238,11 +250,37 @@ impl Translator<'_> {
 
     /// What an address that is known to be there is counted from.
     fn known_base(&self, base: Value) -> Base {
-        if base == self.local { Base::Local } else { Base::Arena }
+        match self.computed.get(&base) {
+            Some(&computed) => Base::Computed(computed),
+            None if base == self.local => Base::Local,
+            None => Base::Arena,
+        }
     }
 
-    fn address_of_base(&self, base: Base) -> Value {
-        if base == Base::Local { self.local } else { self.arena }
+    pub(super) fn address_of_base(&self, base: Base) -> Value {
+        match base {
+            Base::Local => self.local,
+            Base::Computed(computed) => computed.address,
+            Base::Arena | Base::Run => self.arena,
+        }
+    }
+
+    /// Stores bits that wait in pieces which may share bytes with this one and are counted from elsewhere, and forgets what may lie there
+    /// if it is written.
+    fn settle_shared(&mut self, piece: Piece, written: bool) {
+        if self.computed.is_empty() {
+            return;
+        }
+        let bytes = piece.start..piece.start + piece.bytes;
+        let shares = |other: &Piece| other.base != piece.base && other.meets(piece.base, &bytes);
+        while let Some(index) = self.bytes.waiting.iter().position(|waiting| shares(&waiting.piece)) {
+            let waiting = self.bytes.waiting.remove(index);
+            self.store_bits(waiting);
+        }
+        if written {
+            self.bytes.known.retain(|(other, _)| !shares(other));
+            self.bytes.numbers.forget(piece.base, &bytes);
+        }
     }
 
     /// A piece as it is in memory, in 32 bits.
@@ -305,6 +343,7 @@ impl Translator<'_> {
         self.store_waiting_in(base, offset, width);
         let (written, base) = (offset..offset + width.bytes() as i32, self.known_base(base));
         self.bytes.known.retain(|(piece, _)| !piece.meets(base, &written));
+        self.bytes.numbers.forget(base, &written);
     }
 
     /// Whether anything waits.
@@ -324,6 +363,7 @@ impl Translator<'_> {
     pub(super) fn settle_bytes(&mut self) {
         self.store_waiting();
         self.bytes.known.clear();
+        self.bytes.numbers.clear();
         self.forget_words_behind_block();
     }
 
@@ -338,15 +378,21 @@ impl Translator<'_> {
     /// What is known of memory in the running piece of code, in which nothing waits.
     pub(super) fn known_memory(&self) -> KnownMemory {
         match self.cold {
-            None => KnownMemory {
-                bits: self.bytes.known.clone(),
-                words: self.words.clone(),
-                timers: self.fresh_timers.clone(),
-                counts: self.counts.clone(),
-                items: self.items,
-            },
+            None => self.known_memory_here(),
             // Somebody was asked.
             Some(_) => KnownMemory::default(),
+        }
+    }
+
+    /// The same, on a way as well on which somebody was asked who changes nothing.
+    pub(super) fn known_memory_here(&self) -> KnownMemory {
+        KnownMemory {
+            bits: self.bytes.known.clone(),
+            numbers: self.bytes.numbers.clone(),
+            words: self.words.clone(),
+            timers: self.fresh_timers.clone(),
+            counts: self.counts.clone(),
+            items: self.items,
         }
     }
 
@@ -357,7 +403,7 @@ impl Translator<'_> {
 
     /// Knows of memory what is known on all ways to a place.
     pub(super) fn know_memory(&mut self, known: KnownMemory) {
-        (self.bytes.known, self.words) = (known.bits, known.words);
+        (self.bytes.known, self.bytes.numbers, self.words) = (known.bits, known.numbers, known.words);
         (self.fresh_timers, self.counts, self.items) = (known.timers, known.counts, known.items);
     }
 }

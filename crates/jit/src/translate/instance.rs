@@ -8,7 +8,7 @@ use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
 use super::memory::{Address, Bit};
-use super::promote::Base;
+use super::promote::{Base, Computed};
 use super::ranges::Interval;
 use super::value::Val;
 use super::{OPEN_BLOCKS, Translator};
@@ -23,8 +23,6 @@ pub(super) struct Instance {
     pointer: Val,
     /// The address to which it points.
     address: Value,
-    /// Where it may begin: bytes of the arena.
-    begins: [i64; 2],
     /// Bytes that are there, whatever AR2 holds.
     bytes: u64,
     /// The data block: number, base, length.
@@ -86,7 +84,8 @@ impl Translator<'_> {
         let start = self.b.ins().iadd_imm_u(self.arena, i64::try_from(base).ok()?);
         let address = self.b.ins().iadd(start, byte);
         let byte = |bits: u64| base as i64 + (bits as i64 & 0x00FF_FFFF) / 8;
-        Some(Instance { pointer, address, begins: [byte(least), byte(most)], bytes, block, written })
+        self.computed.insert(address, Computed { address, least: byte(least), most: byte(most) });
+        Some(Instance { pointer, address, bytes, block, written })
     }
 
     /// Number, base and length of the open instance data block, if they are constants.
@@ -105,38 +104,39 @@ impl Translator<'_> {
             Inst::Store { place, width, .. } => (place, width, true),
             _ => return false,
         };
-        let Place::Indirect { area: Area::InstanceData, pointer, offset } = place else { return false };
-        let Some(instance) = self.in_range else { return false };
-        let (byte, bit) = (u64::from(offset / 8), (offset % 8) as u8);
+        let Some((base, offset)) = self.instance_address(place, width, writes) else { return false };
+        let bit = match place {
+            Place::Indirect { offset, .. } => Bit::Number((offset % 8) as u8),
+            _ => return false,
+        };
+        let address = Address { base: self.address_of_base(base), offset, bit };
+        match *inst {
+            Inst::Load { dst, .. } => {
+                let value = self.read_known(address, width);
+                self.set(dst, value);
+            }
+            Inst::Store { src, .. } => {
+                let value = self.get(src);
+                self.write_known(address, width, value);
+            }
+            _ => {}
+        }
+        true
+    }
+
+    /// The address of a variable of the instance, without its bit, if the variable is known to be there.
+    pub(super) fn instance_address(&self, place: Place, width: Width, writes: bool) -> Option<(Base, i32)> {
+        let Place::Indirect { area: Area::InstanceData, pointer, offset } = place else { return None };
+        let instance = self.in_range?;
+        let (byte, bit) = (u64::from(offset / 8), offset % 8);
         let there = pointer.register() == Some(Register::Ar2)
             && self.current[Register::Ar2 as usize] == Some(instance.pointer)
             && self.instance_block() == Some(instance.block)
             && (instance.written || !writes)
             && (width == Width::Bit || bit == 0)
             && byte + u64::from(width.bytes()) <= instance.bytes;
-        let Ok(offset) = i32::try_from(byte) else { return false };
-        if !there {
-            return false;
-        }
-        let address = Address { base: instance.address, offset, bit: Bit::Number(bit) };
-        // Other bytes of the same block may be the same bytes.
-        self.settle_bytes();
-        let [least, most] = instance.begins.map(|begin| begin + byte as i64);
-        let touched = (Base::Arena, least..most + i64::from(width.bytes()));
-        self.store_promoted_in(&touched);
-        match *inst {
-            Inst::Load { dst, .. } => {
-                let value = self.read(address, width);
-                self.set(dst, value);
-            }
-            Inst::Store { src, .. } => {
-                let value = self.get(src);
-                self.write(address, width, value);
-                self.take_promoted_in(&touched);
-            }
-            _ => {}
-        }
-        true
+        let computed = *self.computed.get(&instance.address)?;
+        there.then_some((Base::Computed(computed), i32::try_from(byte).ok()?))
     }
 
     /// The upper byte of a pointer, which names its area, if it is the same for all that the pointer may be.

@@ -120,9 +120,11 @@ impl Translator<'_> {
         self.take_from_budget(self.taken - taken);
         let arguments: Vec<BlockArg> = value.into_iter().map(BlockArg::Value).collect();
         self.b.ins().jump(block, &arguments);
-        let dirty = self.dirty;
+        let (dirty, memory) = (self.dirty, self.known_memory_here());
         if let Some(meeting) = &mut self.meeting {
             meeting.dirty |= dirty;
+            // Each way writes where its own index leads.
+            meeting.memory.keep_common(&memory);
         }
     }
 
@@ -142,8 +144,7 @@ impl Translator<'_> {
 
     fn meet(&mut self) {
         self.go_to_meeting();
-        let Some(Meeting { block, condition, dirty, mut memory, .. }) = self.meeting.take() else { return };
-        memory.keep_common(&self.known_memory());
+        let Some(Meeting { block, condition, dirty, memory, .. }) = self.meeting.take() else { return };
         self.know_memory(memory);
         self.b.switch_to_block(block);
         self.b.seal_block(block);

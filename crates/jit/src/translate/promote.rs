@@ -41,6 +41,39 @@ pub(super) enum Base {
     Local,
     /// The run: its budget.
     Run,
+    /// An address that is computed.
+    Computed(Computed),
+}
+
+/// An address in the arena that is computed, and the bytes where it may lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) struct Computed {
+    pub(super) address: Value,
+    pub(super) least: i64,
+    pub(super) most: i64,
+}
+
+impl Base {
+    /// Whether bytes behind this base may be some of those behind another one.
+    pub(super) fn may_share(self, bytes: &Range<i64>, other: Self, others: &Range<i64>) -> bool {
+        let share = |a: &Range<i64>, b: &Range<i64>| a.start < b.end && b.start < a.end;
+        if self == other {
+            return share(bytes, others);
+        }
+        match (self.in_arena(bytes), other.in_arena(others)) {
+            (Some(bytes), Some(others)) => share(&bytes, &others),
+            _ => false,
+        }
+    }
+
+    /// Where bytes behind it may lie in the arena.
+    fn in_arena(self, bytes: &Range<i64>) -> Option<Range<i64>> {
+        match self {
+            Self::Arena => Some(bytes.clone()),
+            Self::Computed(Computed { least, most, .. }) => Some(least + bytes.start..most + bytes.end),
+            Self::Local | Self::Run => None,
+        }
+    }
 }
 
 /// Bytes that a register stands for.
@@ -71,7 +104,7 @@ impl Promoted {
             _ if self.base == Base::Run => false,
             Touched::Bytes(base, range) => {
                 let start = i64::from(self.offset);
-                *base == self.base && start < range.end && range.start < start + i64::from(self.width.bytes())
+                self.base.may_share(&(start..start + i64::from(self.width.bytes())), *base, range)
             }
             Touched::DataBlocks => self.in_data_block,
             Touched::Anything => true,
@@ -246,7 +279,8 @@ impl Translator<'_> {
                     }
                     _ => continue,
                 };
-                let Some((base, offset)) = self.constant_address(place, width).or_else(|| self.ranges.pointed(index)) else {
+                let known = self.constant_address(place, width).or_else(|| self.ranges.pointed(index));
+                let Some((base, offset)) = known.or_else(|| self.instance_address(place, width, written)) else {
                     others.push(match self.ranges.inside(index) {
                         Some((base, bytes)) => Touched::Bytes(base, bytes),
                         None => self.touched(place),
@@ -274,6 +308,12 @@ impl Translator<'_> {
             let [(base, start, length), (next_base, next, next_length)] = [pair[0], pair[1]];
             if base == next_base && start + length > next {
                 others.push(Touched::Bytes(base, start..next + next_length));
+            }
+        }
+        for &(base, start, length) in spans.iter().filter(|(base, ..)| matches!(base, Base::Computed(_))) {
+            let bytes = start..start + length;
+            if spans.iter().any(|&(other, first, many)| other != base && base.may_share(&bytes, other, &(first..first + many))) {
+                others.push(Touched::Bytes(base, bytes));
             }
         }
         let writes = candidates.iter().filter(|(_, candidate)| candidate.written).map(|(&place, _)| place).collect();
@@ -376,6 +416,7 @@ impl Translator<'_> {
 
     fn base_of(&self, Address { base, .. }: Address) -> Option<Base> {
         match base {
+            base if let Some(&computed) = self.computed.get(&base) => Some(Base::Computed(computed)),
             base if base == self.arena => Some(Base::Arena),
             base if base == self.local => Some(Base::Local),
             _ => None,
@@ -573,7 +614,6 @@ impl Translator<'_> {
     }
 
     fn address(&self, base: Base, offset: i32) -> Address {
-        let base = if base == Base::Local { self.local } else { self.arena };
-        Address { base, offset, bit: Bit::Number(0) }
+        Address { base: self.address_of_base(base), offset, bit: Bit::Number(0) }
     }
 }

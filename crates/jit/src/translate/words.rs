@@ -99,7 +99,7 @@ impl Translator<'_> {
     }
 
     /// A number as a load of this width would have it.
-    fn as_read_there(&mut self, width: Width, value: Val) -> Val {
+    pub(super) fn as_read_there(&mut self, width: Width, value: Val) -> Val {
         let bits = width.bytes() * 8;
         match (self.force(value), width) {
             (Val::Const(value), _) if bits < 64 => Val::Const(value & ((1 << bits) - 1)),
@@ -122,7 +122,8 @@ impl Translator<'_> {
     pub(super) fn write_number(&mut self, address: Address, width: Width, value: Val) {
         if !self.options.optimize || address.base != self.local {
             self.forget_bits_in(address, width);
-            return self.write(address, width, value);
+            self.write(address, width, value);
+            return self.remember_number(address, width, value);
         }
         let value = self.force(value);
         let known = self.as_read_there(width, value);
