@@ -721,7 +721,7 @@ impl<'a> Translator<'a> {
             Inst::Load { dst, place, width, .. } if let Some(value) = self.constant_at(index, place, width) => {
                 self.set(dst, Val::Const(value));
             }
-            Inst::Load { .. } | Inst::Store { .. } if self.access_instance(inst) => {}
+            Inst::Load { .. } | Inst::Store { .. } if self.access_instance(index, inst) => {}
             Inst::Load { dst, place, width, .. } if self.is_there(index, place, width) && self.is_needless(index, dst) => {}
             Inst::Load { dst, place, width, on_fault } => self.load(index, dst, place, width, on_fault),
             Inst::Store { place, width, src } => {

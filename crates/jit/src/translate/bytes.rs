@@ -346,6 +346,21 @@ impl Translator<'_> {
         self.bytes.numbers.forget(base, &written);
     }
 
+    /// Stores what waits in some bytes that are read or written otherwise, and forgets what is known there if they are written.
+    pub(super) fn settle_touched(&mut self, (base, bytes): &(Base, Range<i64>), written: bool) {
+        let (Ok(start), Ok(end)) = (i32::try_from(bytes.start), i32::try_from(bytes.end)) else { return self.settle_bytes() };
+        let (base, bytes) = (*base, start..end);
+        while let Some(index) = self.bytes.waiting.iter().position(|waiting| waiting.piece.meets(base, &bytes)) {
+            let waiting = self.bytes.waiting.remove(index);
+            self.store_bits(waiting);
+        }
+        self.store_waiting_words_in(base, &bytes);
+        if written {
+            self.bytes.known.retain(|(piece, _)| !piece.meets(base, &bytes));
+            self.bytes.numbers.forget(base, &bytes);
+        }
+    }
+
     /// Whether anything waits.
     pub(super) fn anything_waits(&self) -> bool {
         !self.bytes.waiting.is_empty() || self.words_wait()

@@ -13,7 +13,7 @@ use super::analysis::{open_blocks, set_by_calls};
 use super::inlining::Outer;
 use super::memory::{Address, Bit, data};
 use super::promote::Base;
-use super::ranges::{self, Fact, Interval, Ranges, Surroundings};
+use super::ranges::{self, Fact, Interval, Ranges, Relative, Surroundings};
 use super::value::Val;
 use super::{Translator, loops};
 use crate::ask::Question;
@@ -26,30 +26,41 @@ const DEPTH_MAX: usize = 12;
 /// Longer moves are left to Rust code, which takes little time for each byte.
 const MOVED_BYTES_MAX: u32 = 256;
 
+/// A pointer to the first byte of the instance data block.
+const FIRST_BYTE: u64 = 0x8400_0000;
+
 /// An address as a sum: of values times constants, and a constant; modulo 2^32.
 #[derive(Default)]
 struct Sum {
     terms: Vec<(Value, u32)>,
     constant: u32,
+    /// AR2, if that is not taken apart.
+    of_instance: Option<Value>,
 }
 
 impl Translator<'_> {
     /// Looks at the ranges of the values of the present block, whose known registers and parameters are current.
     pub(super) fn find_ranges(&mut self) -> Ranges {
         let caller = |position: u32, width: Width| self.way_to_caller(position, width);
-        let ranges = self.ranges_of(self.words.constants(), &caller);
+        let relative = self.relative_instance();
+        let ranges = self.ranges_of(self.words.constants(), &caller, relative.as_ref());
         self.pinned.extend(ranges.opened());
         ranges
     }
 
     /// The same for a block whose callers are not those of the running code.
     pub(super) fn find_ranges_alone(&mut self) -> Ranges {
-        let ranges = self.ranges_of(Vec::new(), &|_, _| None);
+        let ranges = self.ranges_of(Vec::new(), &|_, _| None, None);
         self.pinned.extend(ranges.opened());
         ranges
     }
 
-    fn ranges_of(&self, words: Vec<(i32, Width, u64)>, caller: &dyn Fn(u32, Width) -> Option<(i32, u8)>) -> Ranges {
+    fn ranges_of(
+        &self,
+        words: Vec<(i32, Width, u64)>,
+        caller: &dyn Fn(u32, Width) -> Option<(i32, u8)>,
+        relative: Option<&Relative>,
+    ) -> Ranges {
         // Code that has to be there at once is for the time until better code is there.
         if !self.options.optimize && !self.options.exact {
             return Ranges::default();
@@ -65,7 +76,11 @@ impl Translator<'_> {
             Inst::Call { callee: Callee::Block(id), .. } if becomes_part => (self.find)(*id).map(|code| code as usize),
             _ => None,
         };
-        let (pointers, instance) = (&self.pointers[self.index], self.instance.constant());
+        let instance = if relative.is_some() { Some(FIRST_BYTE) } else { self.instance.constant() };
+        if relative.is_some() {
+            registers[Register::Ar2 as usize] = instance;
+        }
+        let pointers = &self.pointers[self.index];
         let added = |added: Option<u32>| Some(u64::from((instance? as u32).wrapping_add(added?)));
         let surroundings = Surroundings {
             layout: self.layout,
@@ -79,6 +94,7 @@ impl Translator<'_> {
             instance: [&|statement| added(pointers.at(statement)), &|inst| added(pointers.after(inst))],
             effects: self.effects,
             called: &called,
+            relative,
         };
         ranges::find(&self.native().code, &surroundings)
     }
@@ -118,7 +134,10 @@ impl Translator<'_> {
         (width, bytes): (Width, u32),
     ) -> Address {
         let pointer = self.int(pointer);
-        let mut sum = Sum { terms: Vec::new(), constant: offset };
+        if let Some(address) = self.address_in_instance(pointer, offset, (width, bytes)) {
+            return address;
+        }
+        let mut sum = Sum { constant: offset, ..Sum::default() };
         if self.decompose(pointer, 1, &mut sum, 0)
             && let Some(address) = self.address_of_sum((base, start, length), &mut sum, (width, bytes))
         {
@@ -139,18 +158,37 @@ impl Translator<'_> {
         Address { base: self.b.ins().iadd(base, byte), offset: start, bit }
     }
 
+    /// The address of a pointer into the instance of the block, counted from where that begins.
+    fn address_in_instance(&mut self, pointer: Value, offset: u32, access: (Width, u32)) -> Option<Address> {
+        if !self.ranges.is_relative() {
+            return None;
+        }
+        let (own, area) = self.instance_area()?;
+        let mut sum = Sum { constant: offset, of_instance: Some(own), ..Sum::default() };
+        if !self.decompose(pointer, 1, &mut sum, 0) {
+            return None;
+        }
+        let at = sum.terms.iter().position(|&term| term == (own, 1))?;
+        sum.terms.remove(at);
+        self.address_of_sum(area, &mut sum, access)
+    }
+
     /// Takes a value apart; whether the sum is short enough.
     fn decompose(&self, value: Value, times: u32, sum: &mut Sum, depth: usize) -> bool {
         let dfg = &self.b.func.dfg;
         let value = dfg.resolve_aliases(value);
         let ValueDef::Result(inst, 0) = dfg.value_def(value) else { return self.term(value, times, sum) };
         if depth == DEPTH_MAX
+            || sum.of_instance == Some(value)
             || self.bounds.contains_key(&value)
                 && !matches!(dfg.insts[inst].opcode(), Opcode::Iadd | Opcode::Isub | Opcode::Ishl | Opcode::Imul | Opcode::Iconst)
         {
             return self.term(value, times, sum);
         }
         match dfg.insts[inst] {
+            InstructionData::Unary { opcode: Opcode::Ireduce, arg } if sum.of_instance == Some(dfg.resolve_aliases(arg)) => {
+                self.term(dfg.resolve_aliases(arg), times, sum)
+            }
             InstructionData::UnaryImm { opcode: Opcode::Iconst, imm } => {
                 sum.constant = sum.constant.wrapping_add((imm.bits() as u32).wrapping_mul(times));
                 true
@@ -245,14 +283,14 @@ impl Translator<'_> {
 
     /// Reads where an access is known to stay inside its area.
     pub(super) fn read_inside(&mut self, address: Address, touched: &(Base, Range<i64>), width: Width) -> Val {
-        self.settle_bytes();
+        self.settle_touched(touched, false);
         self.store_promoted_in(touched);
         self.read(address, width)
     }
 
     /// Writes where an access is known to stay inside its area.
     pub(super) fn write_inside(&mut self, address: Address, touched: &(Base, Range<i64>), width: Width, value: Val) {
-        self.settle_bytes();
+        self.settle_touched(touched, true);
         self.store_promoted_in(touched);
         self.write(address, width, value);
         self.take_promoted_in(touched);
@@ -367,7 +405,7 @@ impl Translator<'_> {
     /// Whether a variable in memory is in its range.
     fn holds(&mut self, Fact { cell: (base, offset, width), range }: Fact) -> Value {
         // Other ways come here, too.
-        let base = if base == Base::Local { self.local } else { self.first_arena };
+        let base = if base == Base::Arena { self.first_arena } else { self.address_of_base(base) };
         let value = self.read(Address { base, offset, bit: Bit::Number(0) }, width);
         let value = self.int(value);
         let Interval { least, most, zeros, bits } = range;

@@ -3,13 +3,13 @@
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{InstBuilder, InstructionData, Opcode, Value, ValueDef};
-use sieben_engine::ir::{Inst, OnFault, Place};
+use sieben_engine::ir::{Callee, Inst, OnFault, Place};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
 use super::memory::{Address, Bit};
 use super::promote::{Base, Computed};
-use super::ranges::Interval;
+use super::ranges::{self, Interval, Relative};
 use super::value::Val;
 use super::{OPEN_BLOCKS, Translator};
 
@@ -88,6 +88,31 @@ impl Translator<'_> {
         Some(Instance { pointer, address, bytes, block, written })
     }
 
+    /// The instance, if the block that begins now reaches it by AR2 and nothing else.
+    pub(super) fn relative_instance(&self) -> Option<Relative> {
+        let it = self.in_range?;
+        let instance = *self.computed.get(&it.address)?;
+        let is_apart = |inst: &Inst| match inst {
+            Inst::Call { callee: Callee::Block(id), .. } => {
+                let effects = (self.find)(*id).and_then(|code| self.effects[code as usize].as_ref());
+                effects.is_some_and(|effects| effects.instance.is_none())
+            }
+            _ => false,
+        };
+        let pointers = ranges::pointers(&self.native().code, &is_apart)?;
+        Some(Relative { instance, bytes: it.bytes as i64, protected: !it.written, pointers })
+    }
+
+    /// AR2, and where the instance begins to which it points, with the bytes that are there.
+    pub(super) fn instance_area(&self) -> Option<(Value, (Value, i32, u64))> {
+        let instance = self.in_range?;
+        let own = match instance.pointer {
+            Val::Int(value) | Val::Word(value) => self.b.func.dfg.resolve_aliases(value),
+            _ => return None,
+        };
+        Some((own, (instance.address, 0, instance.bytes)))
+    }
+
     /// Number, base and length of the open instance data block, if they are constants.
     fn instance_block(&self) -> Option<[u64; 3]> {
         let mut block = [0; 3];
@@ -98,7 +123,7 @@ impl Translator<'_> {
     }
 
     /// Reads or writes a variable of the instance, if the instruction does and the variable is known to be there; whether it was.
-    pub(super) fn access_instance(&mut self, inst: &Inst) -> bool {
+    pub(super) fn access_instance(&mut self, index: u32, inst: &Inst) -> bool {
         let (place, width, writes) = match *inst {
             Inst::Load { place, width, on_fault, .. } => (place, width, on_fault == OnFault::SkipWrite),
             Inst::Store { place, width, .. } => (place, width, true),
@@ -113,6 +138,7 @@ impl Translator<'_> {
         match *inst {
             Inst::Load { dst, .. } => {
                 let value = self.read_known(address, width);
+                self.note_range(index, value);
                 self.set(dst, value);
             }
             Inst::Store { src, .. } => {

@@ -22,10 +22,12 @@ mod access;
 mod calls;
 mod interval;
 mod places;
+mod relative;
 mod statements;
 
 pub(super) use interval::{Interval, result};
 use interval::{Number, Relation};
+pub(super) use relative::{Relative, pointers};
 
 /// Blocks with more instructions are not looked at: it takes time that grows faster than they do.
 const INSTRUCTIONS_MAX: usize = 6_000;
@@ -77,6 +79,8 @@ pub(super) struct Ranges {
     over_calls: FxHashMap<u32, Vec<Fact>>,
     /// Ranges of AR2 at calls.
     instances: FxHashMap<u32, Interval>,
+    /// Whether places in the instance are counted from where it begins.
+    relative: bool,
     /// Data blocks that are opened by a number in a variable, which are taken to be as they were loaded.
     opened: BTreeSet<u16>,
 }
@@ -85,6 +89,11 @@ impl Ranges {
     /// Data blocks that are taken to be as they were loaded.
     pub(super) fn opened(&self) -> impl Iterator<Item = u16> {
         self.opened.iter().copied()
+    }
+
+    /// Whether places in the instance are counted from where it begins.
+    pub(super) fn is_relative(&self) -> bool {
+        self.relative
     }
 
     /// The bytes that an access by a computed address may touch, if they are known to lie inside its area.
@@ -162,6 +171,8 @@ pub(super) struct Surroundings<'a> {
     pub(super) effects: &'a [Option<Effects>],
     /// Which block that is.
     pub(super) called: &'a dyn Fn(&Inst) -> Option<usize>,
+    /// The instance of the block, if all places are counted from there. AR2 counts as a pointer to its first byte then.
+    pub(super) relative: Option<&'a Relative>,
 }
 
 /// A value: what is known of it, and which one it is.
@@ -274,7 +285,14 @@ pub(super) fn find(code: &Code, around: &Surroundings<'_>) -> Ranges {
         back: BTreeMap::new(),
         found: Ranges::default(),
     };
-    analysis.run().unwrap_or_default()
+    let mut found = analysis.run().unwrap_or_default();
+    if let Some(relative) = around.relative {
+        found.relative = true;
+        // What AR2 is said to hold is no number that anybody calculates with.
+        found.results.retain(|index, _| !relative.pointers.contains(index));
+        found.instances.clear();
+    }
+    found
 }
 
 impl State {
@@ -282,7 +300,7 @@ impl State {
     fn forget(&mut self, base: Base, bytes: &Range<i64>) {
         self.cells.retain(|&(other, offset, width), _| {
             let start = i64::from(offset);
-            other != base || start >= bytes.end || start + i64::from(width.bytes()) <= bytes.start
+            !other.may_share(&(start..start + i64::from(width.bytes())), base, bytes)
         });
     }
 

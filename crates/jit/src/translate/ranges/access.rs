@@ -53,6 +53,10 @@ impl Analysis<'_> {
         };
         let Some((base, start, length, protected)) = self.area(state, area) else { return Reach::Anything };
         let whole = Reach::Bytes(base, start..start + length);
+        let (base, start, length, protected) = match (place, self.around.relative) {
+            (Place::Indirect { area: Area::InstanceData, .. }, Some(it)) => (Base::Computed(it.instance), 0, it.bytes, it.protected),
+            _ => (base, start, length, protected),
+        };
         let (least, most) = position.unsigned(24);
         let (first, end) = ((least / 8) as i64, (most / 8) as i64 + i64::from(span.bytes()));
         let aligned = span == Span::Width(Width::Bit) || position.zeros >= 3 || position.exact().is_some_and(|position| position % 8 == 0);

@@ -1,0 +1,72 @@
+//! Blocks that reach their instance by AR2 and nothing else: what is found with AR2 at the first byte of the instance holds wherever that
+//! lies, if all pointers are AR2 and something more, and if nothing is made of them but access to the instance.
+
+use std::collections::BTreeSet;
+
+use rustc_hash::FxHashSet;
+use sieben_engine::ir::{Code, DataRegister, Inst, Op, Place, Var, verify};
+use sieben_engine::machine::Register;
+use sieben_model::address::Area;
+
+use crate::translate::promote::Computed;
+
+/// The instance of a block, wherever it lies.
+#[derive(Clone, Debug)]
+pub(in crate::translate) struct Relative {
+    pub(in crate::translate) instance: Computed,
+    /// Bytes that are there.
+    pub(in crate::translate) bytes: i64,
+    /// Whether it may not be written.
+    pub(in crate::translate) protected: bool,
+    /// Instructions that calculate pointers into it.
+    pub(in crate::translate) pointers: FxHashSet<u32>,
+}
+
+/// The instructions of a block that calculate pointers into its instance, if it reaches that in no other way. `is_apart` tells whether a
+/// call leaves the instance alone.
+pub(in crate::translate) fn pointers(code: &Code, is_apart: &dyn Fn(&Inst) -> bool) -> Option<FxHashSet<u32>> {
+    let mut found = FxHashSet::default();
+    for statement in 0..code.statement_count() {
+        let mut pointers: BTreeSet<u8> = BTreeSet::new();
+        for (index, inst) in (code.statements[statement]..).zip(code.statement(statement)) {
+            let is_pointer = |var: Var| var.register() == Some(Register::Ar2) || pointers.contains(&var.0);
+            let is_apart_there = |place: Place| match place {
+                Place::Fixed { area, .. } => area != Area::InstanceData,
+                Place::Indirect { area, pointer, .. } => (area == Area::InstanceData) == is_pointer(pointer),
+                Place::Crossing { pointer, .. } => !is_pointer(pointer),
+            };
+            let mut calculated = false;
+            let fine = match *inst {
+                Inst::Compute { op: Op::Copy, args, .. } => {
+                    calculated = is_pointer(args[0]);
+                    true
+                }
+                Inst::Compute { op: op @ (Op::AddU32 | Op::SubU32), args, .. } => {
+                    let [a, b] = [is_pointer(args[0]), is_pointer(args[1])];
+                    calculated = a || b;
+                    !(a && b || op == Op::SubU32 && b)
+                }
+                Inst::Load { place, .. } => is_apart_there(place),
+                Inst::Store { place, src, .. } => is_apart_there(place) && !is_pointer(src),
+                Inst::Move { .. } | Inst::Text { .. } | Inst::Open { register: DataRegister::Instance, .. } => false,
+                Inst::Call { .. } => is_apart(inst),
+                _ => !verify::reads(inst).any(is_pointer),
+            };
+            if !fine {
+                return None;
+            }
+            if let Some(dst) = verify::writes(inst) {
+                if dst.register() == Some(Register::Ar2) || calculated && dst.register().is_some() {
+                    return None;
+                }
+                if calculated {
+                    pointers.insert(dst.0);
+                    found.insert(index);
+                } else {
+                    pointers.remove(&dst.0);
+                }
+            }
+        }
+    }
+    Some(found)
+}
