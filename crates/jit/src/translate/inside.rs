@@ -27,7 +27,7 @@ const DEPTH_MAX: usize = 12;
 const MOVED_BYTES_MAX: u32 = 256;
 
 /// A pointer to the first byte of the instance data block.
-const FIRST_BYTE: u64 = 0x8400_0000;
+pub(super) const FIRST_BYTE: u64 = 0x8400_0000;
 
 /// An address as a sum: of values times constants, and a constant; modulo 2^32.
 #[derive(Default)]
@@ -163,7 +163,9 @@ impl Translator<'_> {
         if !self.ranges.is_relative() {
             return None;
         }
-        let (own, area) = self.instance_area()?;
+        let own = self.instance_pointer()?;
+        let (base, bytes) = self.instance_area()?;
+        let area = (self.address_of_base(base), 0, bytes);
         let mut sum = Sum { constant: offset, of_instance: Some(own), ..Sum::default() };
         if !self.decompose(pointer, 1, &mut sum, 0) {
             return None;

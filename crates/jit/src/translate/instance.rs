@@ -103,14 +103,18 @@ impl Translator<'_> {
         Some(Relative { instance, bytes: it.bytes as i64, protected: !it.written, pointers })
     }
 
-    /// AR2, and where the instance begins to which it points, with the bytes that are there.
-    pub(super) fn instance_area(&self) -> Option<(Value, (Value, i32, u64))> {
+    /// AR2, as a block began with it whose instance is in range.
+    pub(super) fn instance_pointer(&self) -> Option<Value> {
+        match self.in_range?.pointer {
+            Val::Int(value) | Val::Word(value) => Some(self.b.func.dfg.resolve_aliases(value)),
+            _ => None,
+        }
+    }
+
+    /// Where the instance begins, and the bytes that are there.
+    pub(super) fn instance_area(&self) -> Option<(Base, u64)> {
         let instance = self.in_range?;
-        let own = match instance.pointer {
-            Val::Int(value) | Val::Word(value) => self.b.func.dfg.resolve_aliases(value),
-            _ => return None,
-        };
-        Some((own, (instance.address, 0, instance.bytes)))
+        Some((Base::Computed(*self.computed.get(&instance.address)?), instance.bytes))
     }
 
     /// Number, base and length of the open instance data block, if they are constants.

@@ -54,8 +54,7 @@ impl Plan {
 impl Translator<'_> {
     /// Writes versions of a loop whose turns nobody looks at, in front of it.
     pub(super) fn turns_at_once(&mut self, it: &Loop) {
-        // Turns are counted from the beginning of the arena.
-        if !self.options.optimize || self.at_once.len() >= LOOPS_MAX || self.ranges.is_relative() {
+        if !self.options.optimize || self.at_once.len() >= LOOPS_MAX {
             return;
         }
         let around = |&(index, first, last): &(usize, u32, u32)| index == self.index && first <= it.first && it.last <= last;

@@ -41,11 +41,14 @@ pub(in crate::translate) fn pointers(code: &Code, is_apart: &dyn Fn(&Inst) -> bo
                     calculated = is_pointer(args[0]);
                     true
                 }
-                Inst::Compute { op: op @ (Op::AddU32 | Op::SubU32), args, .. } => {
-                    let [a, b] = [is_pointer(args[0]), is_pointer(args[1])];
-                    calculated = a || b;
-                    !(a && b || op == Op::SubU32 && b)
-                }
+                Inst::Compute { op: op @ (Op::AddU32 | Op::SubU32), args, .. } => match args.map(is_pointer) {
+                    [false, false, ..] => true,
+                    [true, true, ..] => false,
+                    [first, ..] => {
+                        calculated = true;
+                        first || op == Op::AddU32
+                    }
+                },
                 Inst::Load { place, .. } => is_apart_there(place),
                 Inst::Store { place, src, .. } => is_apart_there(place) && !is_pointer(src),
                 Inst::Move { .. } | Inst::Text { .. } | Inst::Open { register: DataRegister::Instance, .. } => false,

@@ -9,7 +9,6 @@ use sieben_model::address::Width;
 
 use super::super::Translator;
 use super::super::loops::Loop;
-use super::super::promote::Base;
 use super::super::value::Val;
 use super::Plan;
 use super::kernel::{Access, Cell, Kernel, Level, Node, What};
@@ -156,7 +155,7 @@ impl Translator<'_> {
                 let position = self.b.ins().uextend(I64, position);
                 let byte = self.b.ins().ushr_imm_u(position, 3);
                 let (base, start, _) = access.area;
-                let base = if base == Base::Local { self.local } else { self.arena };
+                let base = self.address_of_base(base);
                 (self.b.ins().iadd(base, byte), self.b.ins().band_imm_u(position, 7), start)
             })
             .collect();

@@ -156,7 +156,7 @@ impl Translator<'_> {
         self.b.ins().brif(guard, enter, &[], go_on, &[]);
         self.b.switch_to_block(enter);
         self.b.seal_block(enter);
-        let base = if bits.area.0 == Base::Local { self.local } else { self.arena };
+        let base = self.address_of_base(bits.area.0);
         match bits.stride {
             Stride::One => self.fill_bits(bits, base, position, turns),
             Stride::Computed(_) => self.stride_bits(bits, base, position, step, turns),

@@ -44,7 +44,7 @@ impl Access {
             return ahead < bits(self) || behind < bits(other);
         }
         let ((base, bytes), (other_base, others)) = (self.bytes(), other.bytes());
-        base == other_base && bytes.start < others.end && others.start < bytes.end
+        base.may_share(&bytes, other_base, &others)
     }
 }
 

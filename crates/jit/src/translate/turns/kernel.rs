@@ -419,14 +419,14 @@ impl Kernel {
         for (index, span) in spans.iter().enumerate() {
             let Some((base, bytes, bit)) = span else { continue };
             for (other_base, other, other_bit) in spans[..index].iter().flatten() {
-                let meet = base == other_base && bytes.start < other.end && other.start < bytes.end;
+                let meet = base.may_share(bytes, *other_base, other);
                 if meet && (bit.is_none() || other_bit.is_none() || bit == other_bit) {
                     return false;
                 }
             }
             for access in &self.accesses {
                 let (other_base, other) = access.bytes();
-                let meet = *base == other_base && bytes.start < other.end && other.start < bytes.end;
+                let meet = base.may_share(bytes, other_base, &other);
                 if meet && (access.value.is_some() || written(index)) {
                     return false;
                 }

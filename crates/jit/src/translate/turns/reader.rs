@@ -12,6 +12,7 @@ use sieben_model::address::{Area, Width};
 
 use super::super::analysis::open_blocks;
 use super::super::inlining::RESTORED;
+use super::super::inside::FIRST_BYTE;
 use super::super::loops::Loop;
 use super::super::memory::moved;
 use super::super::promote::Base;
@@ -65,8 +66,14 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
         blocks: 0,
         blocks_most: 0,
     };
+    // A block that reaches its instance by AR2 and nothing else counts from there.
+    let pointer = reader.translator.current[Register::Ar2 as usize];
+    if reader.translator.ranges.is_relative() {
+        reader.translator.current[Register::Ar2 as usize] = Some(Val::Const(FIRST_BYTE));
+    }
     let outer = reader.turn((it.first, it.last));
     reader.leave_frames(0);
+    reader.translator.current[Register::Ar2 as usize] = pointer;
     reader.kernel.outer = outer?;
     reader.choose_pointers()?;
     let mut kernel = reader.kernel;
@@ -292,7 +299,7 @@ impl Reader<'_, '_> {
             read & others != 0 || written & (others | open_blocks()) != 0
         };
         // What a call restores stays as it is.
-        if !t.inlines(code) || block.insts.iter().any(touches) {
+        if t.ranges.is_relative() || !t.inlines(code) || block.insts.iter().any(touches) {
             return None;
         }
         let given = self.passed.split_off(self.passed.len().checked_sub(parameters)?);
@@ -652,8 +659,14 @@ impl Reader<'_, '_> {
         if width == Width::QuadWord {
             return None;
         }
-        let (start, length) = self.area(area, write)?;
-        let base = if area == Area::Local { Base::Local } else { Base::Arena };
+        let (mut start, mut length) = self.area(area, write)?;
+        let mut base = if area == Area::Local { Base::Local } else { Base::Arena };
+        if let Place::Indirect { area: Area::InstanceData, .. } = place
+            && self.translator.ranges.is_relative()
+        {
+            let (instance, bytes) = self.translator.instance_area()?;
+            (base, start, length) = (instance, 0, bytes);
+        }
         if let Some(pointer) = self.kernel.constant(pointer) {
             let position = moved(pointer, offset);
             let (byte, bit) = (u64::from(position / 8), (position % 8) as u8);

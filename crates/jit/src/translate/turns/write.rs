@@ -632,7 +632,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     }
 
     fn base(&self, base: Base) -> Value {
-        if base == Base::Local { self.t.local } else { self.t.arena }
+        self.t.address_of_base(base)
     }
 
     /// Takes what was handed on.
@@ -875,7 +875,7 @@ impl Translator<'_> {
                 Val::Int(self.int(now))
             }
             Kept::Memory { base, offset, width, bit } => {
-                let base = if base == Base::Local { self.local } else { self.arena };
+                let base = self.address_of_base(base);
                 self.read_known(Address { base, offset, bit: Bit::Number(bit) }, width)
             }
         }
@@ -891,7 +891,7 @@ impl Translator<'_> {
             // It goes into the budget behind the turns; nothing writes the clock.
             Kept::Budget | Kept::Clock => {}
             Kept::Memory { base, offset, width, bit } => {
-                let base = if base == Base::Local { self.local } else { self.arena };
+                let base = self.address_of_base(base);
                 self.write_known(Address { base, offset, bit: Bit::Number(bit) }, width, value);
             }
         }
