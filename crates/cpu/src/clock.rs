@@ -84,6 +84,35 @@ impl DateAndTime {
     }
 }
 
+/// The bytes of DATE_AND_TIME, one point in time after the other: most of them differ from the one before in their milliseconds only.
+#[derive(Clone, Debug)]
+pub(crate) struct BcdClock {
+    /// Since 1990-01-01 00:00.
+    second: u64,
+    /// Its beginning.
+    bytes: [u8; 8],
+}
+
+impl BcdClock {
+    /// As [`DateAndTime::to_bcd`].
+    pub(crate) fn show(&mut self, time: DateAndTime) -> [u8; 8] {
+        let (second, ms) = (time.0 / 1000, (time.0 % 1000) as u32);
+        if second != self.second {
+            *self = Self { second, bytes: DateAndTime(second * 1000).to_bcd() };
+        }
+        let mut bytes = self.bytes;
+        bytes[6] = (ms / 100 << 4 | ms / 10 % 10) as u8;
+        bytes[7] |= (ms % 10 << 4) as u8;
+        bytes
+    }
+}
+
+impl Default for BcdClock {
+    fn default() -> Self {
+        Self { second: 0, bytes: DateAndTime(0).to_bcd() }
+    }
+}
+
 fn from_bcd_digits(byte: u8) -> u16 {
     u16::from(byte >> 4) * 10 + u16::from(byte & 0xF)
 }
@@ -126,6 +155,11 @@ mod tests {
         ];
         for &(ms, bytes) in cases {
             assert_eq!(DateAndTime::from_ms_since_1990(ms).to_bcd(), bytes, "{ms} ms");
+        }
+        let mut clock = BcdClock::default();
+        let steps = (0..500_000_u64).map(|step| DateAndTime(step * step * 7 % (CENTURY_DAYS * DAY_MS))).chain((0..3_000).map(DateAndTime));
+        for time in steps {
+            assert_eq!(clock.show(time), time.to_bcd(), "{}", time.display());
         }
         assert_eq!(DateAndTime::DEFAULT.display(), "1994-01-01 00:00:00.000");
     }

@@ -23,7 +23,7 @@ use sieben_engine::{Engine, Layout, Machine, Program};
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 
-use crate::clock::DateAndTime;
+use crate::clock::{BcdClock, DateAndTime};
 use crate::cycle::{Cycle, CycleTimes};
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::forcing::Forced;
@@ -67,6 +67,7 @@ pub struct Cpu {
     diagnostics: DiagnosticBuffer,
     cause: Option<StopCause>,
     now_us: u64,
+    bcd_clock: BcdClock,
     rack_us: u64,
     watchdog: Watchdog,
     class: StartInformation,
@@ -135,6 +136,7 @@ impl Cpu {
             diagnostics: DiagnosticBuffer::new(cpu_type.diagnostic_buffer),
             cause: None,
             now_us: 0,
+            bcd_clock: BcdClock::default(),
             rack_us: 0,
             watchdog: Watchdog::default(),
             class: StartInformation::default(),

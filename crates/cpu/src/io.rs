@@ -52,25 +52,19 @@ pub trait IoModule: Any + Send {
     }
 }
 
-/// A module without a process behind it: its inputs are set from outside and stay until changed.
+/// A module without a process behind it: its inputs are set from outside and stay until changed. What is put out is at [`Rack::outputs`].
 #[derive(Clone, Debug)]
 pub struct SimulatedModule {
     name: String,
     first: u32,
     inputs: Vec<u8>,
-    outputs: Vec<u8>,
     failed: bool,
 }
 
 impl SimulatedModule {
     /// A module with as many input as output bytes at these addresses.
     pub fn new(name: impl Into<String>, addresses: Range<u32>) -> Self {
-        let length = addresses.len();
-        Self { name: name.into(), first: addresses.start, inputs: vec![0; length], outputs: vec![0; length], failed: false }
-    }
-    /// What the program has written.
-    pub fn output_bytes(&self) -> &[u8] {
-        &self.outputs
+        Self { name: name.into(), first: addresses.start, inputs: vec![0; addresses.len()], failed: false }
     }
 }
 
@@ -82,16 +76,13 @@ impl IoModule for SimulatedModule {
         self.first..self.first + self.inputs.len() as u32
     }
     fn outputs(&self) -> Range<u32> {
-        self.first..self.first + self.outputs.len() as u32
+        self.inputs()
     }
     fn read(&self, offset: u32, into: &mut [u8]) {
         let start = offset as usize;
         into.copy_from_slice(&self.inputs[start..start + into.len()]);
     }
-    fn write(&mut self, offset: u32, from: &[u8]) {
-        let start = offset as usize;
-        self.outputs[start..start + from.len()].copy_from_slice(from);
-    }
+    fn write(&mut self, _: u32, _: &[u8]) {}
     fn answers(&self) -> bool {
         !self.failed
     }
@@ -170,6 +161,8 @@ struct Run {
 /// All modules of a CPU.
 pub struct Rack {
     modules: Vec<Box<dyn IoModule>>,
+    /// Which of them go on by themselves and may raise interrupts: all but simulated ones.
+    lively: Vec<bool>,
     input_owner: Vec<Option<u16>>,
     output_owner: Vec<Option<u16>>,
     input_runs: Vec<Run>,
@@ -370,24 +363,31 @@ impl Rack {
     }
 
     pub(crate) fn advance(&mut self, dt_us: u64) {
+        if !self.tape.is_on() {
+            return self.go_on(dt_us);
+        }
         self.ask(|rack| {
-            let end_us = rack.now_us.saturating_add(dt_us);
-            while let Some(order) = rack.orders.take_due(end_us) {
-                rack.pass_until(order.at_us);
-                match order.what {
-                    Ordered::Input { byte, mask, value } => drop(rack.put_input(byte, mask, value)),
-                    Ordered::Alarm(interrupt) => rack.alarms.push(interrupt),
-                }
-            }
-            rack.pass_until(end_us);
+            rack.go_on(dt_us);
             Reading::Done
         });
+    }
+
+    fn go_on(&mut self, dt_us: u64) {
+        let end_us = self.now_us.saturating_add(dt_us);
+        while let Some(order) = self.orders.take_due(end_us) {
+            self.pass_until(order.at_us);
+            match order.what {
+                Ordered::Input { byte, mask, value } => drop(self.put_input(byte, mask, value)),
+                Ordered::Alarm(interrupt) => self.alarms.push(interrupt),
+            }
+        }
+        self.pass_until(end_us);
     }
 
     fn pass_until(&mut self, end_us: u64) {
         let dt_us = end_us.saturating_sub(self.now_us);
         self.now_us = self.now_us.max(end_us);
-        for module in &mut self.modules {
+        for (module, _) in self.modules.iter_mut().zip(&self.lively).filter(|&(_, &lively)| lively) {
             module.advance(dt_us);
             collect(&mut self.alarms, &mut **module);
         }
@@ -422,6 +422,11 @@ impl Rack {
         self.alarmed
     }
 
+    /// Whether nobody has to be told that no module has raised anything.
+    pub(crate) fn is_quiet(&self) -> bool {
+        self.alarms.is_empty() && self.listener.is_none() && !self.tape.is_on()
+    }
+
     /// What the modules have raised since they were asked last.
     pub(crate) fn take_alarms(&mut self) -> Vec<Interrupt> {
         let alarms = match self.ask(|rack| Reading::Alarms(std::mem::take(&mut rack.alarms))) {
@@ -451,26 +456,30 @@ impl Rack {
                 self.outputs[bytes].copy_from_slice(source);
             }
         }
-        let reading = self.ask(|rack| {
-            let mut failed = Vec::new();
-            for run in &rack.output_runs {
-                let bytes = run.bytes.start..run.bytes.end.min(image.len());
-                let Some(source) = image.get(bytes.clone()) else { continue };
-                let module = &mut rack.modules[run.module];
-                if !module.answers() {
-                    failed.push(bytes);
-                } else if rack.enabled {
-                    let offset = bytes.start as u32 - module.outputs().start;
-                    module.write(offset, source);
-                    collect(&mut rack.alarms, &mut **module);
-                }
-            }
-            Reading::Failed(failed)
-        });
-        match reading {
+        if !self.tape.is_on() {
+            return self.hand_out(image);
+        }
+        match self.ask(|rack| Reading::Failed(rack.hand_out(image))) {
             Reading::Failed(failed) => failed,
             other => unexpected(&other),
         }
+    }
+
+    fn hand_out(&mut self, image: &[u8]) -> Vec<Range<usize>> {
+        let mut failed = Vec::new();
+        for run in &self.output_runs {
+            let bytes = run.bytes.start..run.bytes.end.min(image.len());
+            let Some(source) = image.get(bytes.clone()) else { continue };
+            let module = &mut self.modules[run.module];
+            if !module.answers() {
+                failed.push(bytes);
+            } else if self.enabled && self.lively[run.module] {
+                let offset = bytes.start as u32 - module.outputs().start;
+                module.write(offset, source);
+                collect(&mut self.alarms, &mut **module);
+            }
+        }
+        failed
     }
 
     /// Modules → process image of the inputs. Bytes without a module keep their value; those of a module that does not answer are 0
@@ -493,7 +502,7 @@ impl Rack {
             if let Some(listener) = self.listener.as_mut().filter(|_| run.bytes.end > length && module.answers()) {
                 // What lies behind the image is heard at the same moment, if it can change by itself.
                 let behind = run.bytes.start.max(length)..run.bytes.end;
-                if !(&**module as &dyn Any).is::<SimulatedModule>() {
+                if self.lively[run.module] {
                     let mut values = vec![0; behind.len()];
                     module.read(behind.start as u32 - module.inputs().start, &mut values);
                     listener.bytes(self.now_us, behind.start, &values);
@@ -554,6 +563,7 @@ impl Rack {
         let size = cpu.peripheral as usize;
         Self {
             modules: Vec::new(),
+            lively: Vec::new(),
             input_owner: vec![None; size],
             output_owner: vec![None; size],
             input_runs: Vec::new(),
@@ -599,6 +609,7 @@ impl Rack {
         for byte in module.outputs() {
             self.output_owner[byte as usize] = index;
         }
+        self.lively.push(!is_simulated(&*module));
         self.modules.push(module);
     }
 
@@ -680,6 +691,10 @@ fn unexpected(reading: &Reading) -> ! {
 
 /// Alarms that can wait for the CPU; a module that raises more in one moment is not believed.
 const ALARMS_MAX: usize = 1024;
+
+fn is_simulated(module: &dyn IoModule) -> bool {
+    (module as &dyn Any).is::<SimulatedModule>()
+}
 
 fn collect(alarms: &mut Vec<Interrupt>, module: &mut dyn IoModule) {
     alarms.extend(module.alarms());

@@ -25,10 +25,15 @@ pub(crate) fn exchange(machine: &mut Machine, rack: &mut Rack, overrides: &mut O
     let outputs_failed = rack.put_image(machine.memory.area(Area::Output));
     let inputs = machine.memory.area_mut(Area::Input);
     let inputs_failed = rack.get_image(inputs);
-    for (byte, (mask, value)) in std::mem::take(overrides) {
-        if let Some(input) = inputs.get_mut(byte as usize) {
-            *input = *input & !mask | value & mask;
+    if !overrides.is_empty() {
+        for (byte, (mask, value)) in std::mem::take(overrides) {
+            if let Some(input) = inputs.get_mut(byte as usize) {
+                *input = *input & !mask | value & mask;
+            }
         }
+    }
+    if inputs_failed.is_empty() && outputs_failed.is_empty() {
+        return Failures::new();
     }
     let of = |area, bytes: Range<usize>| (area, bytes.start as u32, bytes.len() as u32);
     let outputs = outputs_failed.into_iter().map(|bytes| of(Area::Output, bytes));

@@ -32,6 +32,11 @@ pub struct StartInformation {
 impl StartInformation {
     /// The 20 bytes, with the time of the start behind the fields.
     pub fn bytes(&self, time: DateAndTime) -> [u8; 20] {
+        self.bytes_with(time.to_bcd())
+    }
+
+    /// The same with the time as DATE_AND_TIME.
+    pub(crate) fn bytes_with(&self, time: [u8; 8]) -> [u8; 20] {
         let mut bytes = [0; 20];
         bytes[0..2].copy_from_slice(&self.event.to_be_bytes());
         bytes[2] = self.priority;
@@ -39,7 +44,7 @@ impl StartInformation {
         bytes[4..6].copy_from_slice(&self.data_id.to_be_bytes());
         bytes[6..8].copy_from_slice(&self.info_1.to_be_bytes());
         bytes[8..12].copy_from_slice(&self.info_2.to_be_bytes());
-        bytes[12..20].copy_from_slice(&time.to_bcd());
+        bytes[12..20].copy_from_slice(&time);
         bytes
     }
 

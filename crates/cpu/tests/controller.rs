@@ -3,13 +3,14 @@
 mod script;
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
 use proptest::prelude::*;
 use script::{Script, Step, cpu, cpu_of, cpu_type, operand, programming, read_error};
 use sieben_cpu::{
-    AccessError, Cpu, DiagnosticEntry, OperatingMode, Rack, RackError, Restart, Settings, SimulatedModule, Station, TimeSource,
+    AccessError, Cpu, DiagnosticEntry, IoModule, OperatingMode, Rack, RackError, Restart, Settings, SimulatedModule, Station, TimeSource,
 };
 use sieben_engine::machine::Registers;
 use sieben_engine::{Abort, Fault, Program};
@@ -42,7 +43,41 @@ fn startup_runs_ob_100_and_then_the_cycle() {
     assert_eq!(events(&cpu), [0x4302, 0x4301]);
     Cpu::stop(&mut cpu);
     assert_eq!(events(&cpu)[0], 0x4303);
-    assert_eq!(cpu.rack().module::<SimulatedModule>().unwrap().output_bytes()[0], 0, "STOP disables the outputs");
+}
+
+/// One output byte.
+#[derive(Debug, Default)]
+struct Lamps(u8);
+
+impl IoModule for Lamps {
+    fn name(&self) -> &str {
+        "lamps"
+    }
+    fn inputs(&self) -> Range<u32> {
+        0..0
+    }
+    fn outputs(&self) -> Range<u32> {
+        4..5
+    }
+    fn read(&self, _: u32, _: &mut [u8]) {}
+    fn write(&mut self, _: u32, from: &[u8]) {
+        self.0 = from[0];
+    }
+}
+
+#[test]
+fn modules_see_outputs_in_run_only() {
+    let blocks: &[(u16, &[Step])] = &[(100, &[Step::Set("QB4", 9)]), (1, &[])];
+    let cpu_type = cpu_type("315-2PN/DP");
+    let rack = Rack::with_background(cpu_type, vec![Box::new(Lamps::default())]).unwrap();
+    let mut cpu = Cpu::load(cpu_type, Arc::default(), |_, _| Arc::new(Script::new(blocks)), rack, Settings::default());
+    let lamps = |cpu: &Cpu| cpu.rack().module::<Lamps>().unwrap().0;
+    cpu.restart(Restart::Warm);
+    assert_eq!((value(&cpu, "QB4"), lamps(&cpu)), (9, 0), "STARTUP holds the outputs");
+    cpu.scan(10_000);
+    assert_eq!(lamps(&cpu), 9);
+    Cpu::stop(&mut cpu);
+    assert_eq!(lamps(&cpu), 0, "STOP disables the outputs");
 }
 
 #[test]

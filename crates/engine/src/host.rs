@@ -25,7 +25,7 @@ pub struct Entry {
     /// The first 20 bytes of its local data.
     pub start_information: [u8; 20],
     /// Registers at the first statement; `None` = those of a fresh priority class (BR = 1, all else 0).
-    pub registers: Option<Registers>,
+    pub registers: Option<Box<Registers>>,
 }
 
 /// How a run ended.

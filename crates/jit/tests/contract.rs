@@ -25,7 +25,7 @@ fn both_from(
 ) -> Outcome {
     let program = program(blocks);
     let layout = layout(&program);
-    let entry = Entry { block: first, start_information: [7; 20], registers };
+    let entry = Entry { block: first, start_information: [7; 20], registers: registers.map(Box::new) };
     let expected = run(Interpreter::load(&program, &layout).as_ref(), &layout, &entry, prepare, answer);
     let native = Jit::compiled(&program, &layout, StatusBits::All).expect("machine code");
     let got = run(native.as_ref(), &layout, &entry, prepare, answer);

@@ -143,7 +143,7 @@ fn left(engine: &dyn Engine, machine: &mut Machine, block: BlockId, state: &(Tim
     (machine.timers[at], machine.counters[at]) = state.clone();
     let registers = Registers { accu1: 77, accu2: u64::from(word) | 0xABCD_0000, accu3: u64::from(number), rlo, ..Registers::fresh() };
     (machine.budget, machine.clock_us) = (1 << 40, NOW_US);
-    let entry = Entry { block, start_information: [0; 20], registers: Some(registers) };
+    let entry = Entry { block, start_information: [0; 20], registers: Some(Box::new(registers)) };
     let mut host = Faults::default();
     let exit = engine.run(&mut Context { machine, host: &mut host, tracer: None }, &entry);
     assert_eq!(exit, Exit::Finished);

@@ -144,7 +144,7 @@ fn result(engine: &dyn Engine, machine: &mut Machine, block: u16, arguments: [u6
         registers.set(register, value);
     }
     machine.budget = 1 << 40;
-    let entry = Entry { block: BlockId::ob(block), start_information: [0; 20], registers: Some(registers) };
+    let entry = Entry { block: BlockId::ob(block), start_information: [0; 20], registers: Some(Box::new(registers)) };
     let exit = engine.run(&mut Context { machine, host: &mut Nobody, tracer: None }, &entry);
     assert_eq!(exit, Exit::Finished);
     machine.registers.get(RESULT)

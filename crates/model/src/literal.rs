@@ -472,20 +472,22 @@ pub fn days_to_date(year: u16, month: u8, day: u8) -> Option<u32> {
     exists.then(|| days_since_1990(year, month, day))
 }
 
+/// Days from the 1st of March of the year 0 to 1990-01-01.
+const DAYS_BEFORE_1990: u32 = 726_773;
+const DAYS_OF_400_YEARS: u32 = 146_097;
+
 /// Year, month and day of a DATE, for every 16-bit number of days.
 pub(crate) fn calendar_date(days: u16) -> (u32, u32, u32) {
-    let mut left = u32::from(days);
-    let mut year = 1990;
-    while left >= days_of_year(year) {
-        left -= days_of_year(year);
-        year += 1;
-    }
-    let mut month = 1;
-    while left >= days_of_month(year, month) {
-        left -= days_of_month(year, month);
-        month += 1;
-    }
-    (year, month, left + 1)
+    // Counted from the 1st of March of the year 0: the day that some years have is the last one of such a year, and the months before the
+    // last are all in the same rhythm of 153 days in five months.
+    let days = u32::from(days) + DAYS_BEFORE_1990;
+    let of_400_years = days % DAYS_OF_400_YEARS;
+    let year = (of_400_years - of_400_years / 1_460 + of_400_years / 36_524 - of_400_years / 146_096) / 365;
+    let of_year = of_400_years - (365 * year + year / 4 - year / 100);
+    let month = (5 * of_year + 2) / 153;
+    let day = of_year - (153 * month + 2) / 5 + 1;
+    let (month, next_year) = if month < 10 { (month + 3, 0) } else { (month - 9, 1) };
+    (days / DAYS_OF_400_YEARS * 400 + year + next_year, month, day)
 }
 
 /// Year, month and day of `1994-3-15`; a year of two digits counts as in DATE_AND_TIME.
@@ -542,7 +544,7 @@ fn parse_date_and_time(text: &str) -> Parsed {
 /// The eight BCD bytes of a DATE_AND_TIME; years repeat after 2089, as the two digits of the format do.
 pub fn date_and_time_bytes(days: u16, milliseconds_of_day: u32) -> [u8; 8] {
     let (year, month, day) = calendar_date(days);
-    let digits = |number: u32| bcd::encode(number % 100) as u8;
+    let digits = |number: u32| (number / 10 % 10 << 4 | number % 10) as u8;
     let milliseconds = milliseconds_of_day % DAY_MS;
     let (seconds, part) = (milliseconds / 1_000, milliseconds % 1_000);
     // 1990-01-01 was a Monday; the week begins with Sunday = 1.

@@ -34,7 +34,8 @@ impl Cpu {
         self.watchdog = Watchdog::new(true, self.now_us, self.watchdog_us(), self.settings.virtual_safe_points);
         let block = ob::startup(self.restart);
         if self.engine.has_block(block) {
-            match self.run(Go::Enter(self.entry(block, None)), clock, tracer) {
+            let entry = self.entry(block, None);
+            match self.run(Go::Enter(entry), clock, tracer) {
                 Outcome::Paused(rest) => return ControlFlow::Break((rest, Inner::Block)),
                 outcome => self.after_startup(outcome),
             }

@@ -61,7 +61,7 @@ impl Cpu {
 
     /// When the next timed interrupt comes, in microseconds like the time of a scan; `None` if there is none, or the CPU is not in RUN.
     pub fn next_interrupt_us(&self) -> Option<u64> {
-        if self.mode == OperatingMode::Run { self.interrupts.next_us(&self.now()) } else { None }
+        if self.mode == OperatingMode::Run && !self.interrupts.is_quiet() { self.interrupts.next_us(&self.now()) } else { None }
     }
 
     /// Runs the interrupts that have come since the last scan, without a scan: for the time in which the CPU waits for the next one.
@@ -154,7 +154,7 @@ impl Cpu {
 
     /// Runs everything that waits now, highest priority class first, while no block runs.
     pub(super) fn serve_waiting(&mut self, clock: &mut dyn FnMut() -> u64, tracer: &mut Option<&mut dyn Tracer>) -> ControlFlow<Paused> {
-        while self.mode == OperatingMode::Run {
+        while self.mode == OperatingMode::Run && !(self.interrupts.is_quiet() && self.rack.is_quiet()) {
             let now = self.now();
             self.interrupts.gather(&now, &self.machine, &self.class);
             for alarm in self.rack.take_alarms() {

@@ -51,8 +51,12 @@ impl Cpu {
         self.log(StartInformation { event: 0x4301, ..self.class }, None);
         self.watchdog = Watchdog::new(true, self.now_us, self.watchdog_us(), self.settings.virtual_safe_points);
         let block = ob::startup(self.restart);
-        let outcome =
-            if self.engine.has_block(block) { self.run(Go::Enter(self.entry(block, None)), clock, tracer) } else { Outcome::Finished };
+        let outcome = if self.engine.has_block(block) {
+            let entry = self.entry(block, None);
+            self.run(Go::Enter(entry), clock, tracer)
+        } else {
+            Outcome::Finished
+        };
         self.after_startup(outcome);
         self.mode
     }

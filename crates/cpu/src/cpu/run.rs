@@ -1,7 +1,5 @@
 //! The run of one organization block, with what interrupts it, and with OB 88 if it is aborted.
 
-use std::sync::Arc;
-
 use sieben_engine::machine::{Frame, Origin, Registers};
 use sieben_engine::{Context, Entry, Exit, StopReason, Tracer};
 use sieben_model::block::BlockId;
@@ -34,19 +32,19 @@ pub(super) enum Go {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rest {
     /// Registers of the aborted block while OB 88 runs.
-    saved: Option<Registers>,
+    saved: Option<Box<Registers>>,
     first: Option<DiagnosticEntry>,
     clock_set: bool,
 }
 
 impl Cpu {
-    pub(super) fn entry(&self, block: BlockId, registers: Option<Registers>) -> Entry {
-        Entry { block, start_information: self.class.bytes(self.date_and_time()), registers }
+    pub(super) fn entry(&mut self, block: BlockId, registers: Option<Registers>) -> Entry {
+        let time = self.bcd_clock.show(self.date_and_time());
+        Entry { block, start_information: self.class.bytes_with(time), registers: registers.map(Box::new) }
     }
 
     /// Runs an organization block, or goes on with a suspended one; and OB 88 if the run was aborted.
     pub(super) fn run(&mut self, go: Go, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) -> Outcome {
-        let engine = Arc::clone(&self.engine);
         let (mut saved, mut first, mut clock_set) = (None, None, false);
         let mut go = match go {
             Go::On(rest) => {
@@ -57,9 +55,10 @@ impl Cpu {
         };
         loop {
             let source = self.settings.time;
+            let engine = &*self.engine;
             let mut host = CpuHost {
                 cpu_type: self.cpu_type,
-                engine: &*engine,
+                engine,
                 rack: &mut self.rack,
                 diagnostics: &mut self.diagnostics,
                 requests: &self.requests,
@@ -111,24 +110,21 @@ impl Cpu {
                     self.interrupts.abort(info, self.now_us);
                     go = Go::Resume;
                 } else {
-                    saved.get_or_insert_with(|| self.machine.registers.clone());
+                    saved.get_or_insert_with(|| Box::new(self.machine.registers.clone()));
                     self.class = info;
                     go = Go::Enter(self.entry(ob::PROCESSING_ABORT, None));
                 }
                 continue;
             }
-            let registers = saved.get_or_insert_with(|| self.machine.registers.clone());
-            match exit {
-                Exit::Suspended => return Outcome::Suspended,
-                exit => {
-                    // OB 88 has registers of its own; those of the aborted block are the ones to show.
-                    self.machine.registers = registers.clone();
-                    return match exit {
-                        Exit::Stopped(reason) => Outcome::Stopped(reason, stop),
-                        _ => Outcome::Finished,
-                    };
-                }
+            if let Some(registers) = saved.take().filter(|_| exit != Exit::Suspended) {
+                // OB 88 has registers of its own; those of the aborted block are the ones to show.
+                self.machine.registers = *registers;
             }
+            return match exit {
+                Exit::Suspended => Outcome::Suspended,
+                Exit::Stopped(reason) => Outcome::Stopped(reason, stop),
+                _ => Outcome::Finished,
+            };
         }
     }
 

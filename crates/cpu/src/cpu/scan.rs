@@ -64,7 +64,9 @@ impl Cpu {
     /// The cycle, when the time has passed.
     pub(super) fn cycle_from(&mut self, begin_us: u64, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) -> ScanReport {
         self.advance(begin_us);
-        if self.mode == OperatingMode::Run && self.requests.stop.swap(false, Ordering::Relaxed) {
+        // Looked at first: to write what other threads write to takes longer than many a program.
+        let stop = &self.requests.stop;
+        if self.mode == OperatingMode::Run && stop.load(Ordering::Relaxed) && stop.swap(false, Ordering::Relaxed) {
             self.stop();
         }
         if self.mode != OperatingMode::Run {
@@ -94,8 +96,9 @@ impl Cpu {
         }
         self.class = StartInformation::cycle(self.restart, self.cycle.number, &self.cycle.times);
         let registers = self.preset.take();
-        let outcome = if self.engine.has_block(ob::CYCLE) {
-            self.run(Go::Enter(self.entry(ob::CYCLE, registers)), clock, again(&mut tracer))
+        let outcome = if self.interrupts.is_available(ob::CYCLE.number) {
+            let entry = self.entry(ob::CYCLE, registers);
+            self.run(Go::Enter(entry), clock, again(&mut tracer))
         } else {
             Outcome::Finished
         };
@@ -173,10 +176,12 @@ impl Cpu {
         if forces {
             self.forced.put_inputs(&mut self.machine);
         }
-        for error in process_image::errors(self.settings.image_errors, &self.image_failures, &failures) {
-            self.interrupts.raise(error, &self.class, self.now_us);
+        if !(failures.is_empty() && self.image_failures.is_empty()) {
+            for error in process_image::errors(self.settings.image_errors, &self.image_failures, &failures) {
+                self.interrupts.raise(error, &self.class, self.now_us);
+            }
+            self.image_failures = failures;
         }
-        self.image_failures = failures;
         if let Some(byte) = self.settings.clock_memory_byte
             && let Some(byte) = self.machine.memory.area_mut(Area::BitMemory).get_mut(usize::from(byte))
         {

@@ -44,41 +44,53 @@ struct Clockwork {
 
 /// All that run.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Cyclic(Vec<Clockwork>);
+pub(crate) struct Cyclic {
+    clockworks: Vec<Clockwork>,
+    /// The next one and when it comes.
+    next: Option<(u64, u16)>,
+}
 
 impl Cyclic {
     /// The CPU changes to RUN: all start to count.
     pub(crate) fn start(&mut self, settings: impl Iterator<Item = (u16, CyclicInterrupt)>, clock_us: u64) {
-        self.0 = settings
+        self.clockworks = settings
             .map(|(number, setting)| {
                 let (interval, phase) = setting.us();
                 Clockwork { number, setting, next_us: clock_us.saturating_add(interval + phase) }
             })
             .collect();
+        self.find_next();
     }
 
     /// The program changed in RUN: those that stay keep their time, new ones start to count.
     pub(crate) fn change(&mut self, settings: impl Iterator<Item = (u16, CyclicInterrupt)>, clock_us: u64) {
-        let old = std::mem::take(&mut self.0);
+        let old = std::mem::take(&mut self.clockworks);
         self.start(settings, clock_us);
-        for one in &mut self.0 {
+        for one in &mut self.clockworks {
             if let Some(before) = old.iter().find(|before| before.number == one.number && before.setting == one.setting) {
                 one.next_us = before.next_us;
             }
         }
+        self.find_next();
     }
 
     /// The next one and when it comes, by the CPU clock in microseconds.
     pub(crate) fn next(&self) -> Option<(u64, u16)> {
-        self.0.iter().map(|one| (one.next_us, one.number)).min()
+        self.next
+    }
+
+    fn find_next(&mut self) {
+        self.next = self.clockworks.iter().map(|one| (one.next_us, one.number)).min();
     }
 
     /// It comes. If it came while it still ran or nothing could run, all starts up to `missed_until_us` are one.
     pub(crate) fn fire(&mut self, number: u16, missed_until_us: Option<u64>) -> StartInformation {
-        let Some(one) = self.0.iter_mut().find(|one| one.number == number) else { return StartInformation::default() };
+        let Some(one) = self.clockworks.iter_mut().find(|one| one.number == number) else { return StartInformation::default() };
         let (interval, _) = one.setting.us();
         let behind = missed_until_us.map_or(0, |now| now.saturating_sub(one.next_us) / interval);
         one.next_us = one.next_us.saturating_add(interval.saturating_mul(behind + 1));
-        StartInformation::cyclic_interrupt(number, one.setting)
+        let setting = one.setting;
+        self.find_next();
+        StartInformation::cyclic_interrupt(number, setting)
     }
 }

@@ -179,6 +179,11 @@ impl Interrupts {
         self.waiting.is_empty() && self.entries.is_empty() && self.stop.is_none()
     }
 
+    /// Whether nothing waits, and nothing comes by itself.
+    pub(crate) fn is_quiet(&self) -> bool {
+        self.is_idle() && self.times_of_day.next().is_none() && self.delays.next().is_none() && self.cyclic.next().is_none()
+    }
+
     /// What has to enter the diagnostic buffer.
     pub(crate) fn take_entries(&mut self) -> Vec<StartInformation> {
         std::mem::take(&mut self.entries)
@@ -337,6 +342,8 @@ impl Interrupts {
 
     /// Drops what was to come at safe points that the cycle did not reach; how many there were.
     pub(crate) fn drop_scheduled(&mut self) -> usize {
-        std::mem::take(&mut self.scheduled).len()
+        let dropped = self.scheduled.len();
+        self.scheduled.clear();
+        dropped
     }
 }

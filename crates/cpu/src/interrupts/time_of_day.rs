@@ -99,13 +99,17 @@ pub(crate) enum Refusal {
 
 /// All eight.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct TimesOfDay([Option<Set>; 8]);
+pub(crate) struct TimesOfDay {
+    slots: [Option<Set>; 8],
+    /// The next one and its time.
+    next: Option<(u64, u16)>,
+}
 
 impl TimesOfDay {
     pub(crate) const FIRST: u16 = 10;
 
     fn slot(&mut self, number: u16) -> Option<&mut Option<Set>> {
-        self.0.get_mut(usize::from(number.checked_sub(Self::FIRST)?))
+        self.slots.get_mut(usize::from(number.checked_sub(Self::FIRST)?))
     }
 
     /// Sets start and period of OB `number`. Seconds and below count as 0. It is not active yet, whatever it was.
@@ -117,6 +121,7 @@ impl TimesOfDay {
         if let Some(slot) = self.slot(number) {
             *slot = Some(Set { start_ms, period, next_ms: None });
         }
+        self.find_next();
         Ok(())
     }
 
@@ -124,23 +129,30 @@ impl TimesOfDay {
     pub(crate) fn activate(&mut self, number: u16, now: DateAndTime) -> Result<(), Refusal> {
         let set = self.slot(number).and_then(Option::as_mut).ok_or(Refusal::NotSet)?;
         set.next_ms = Some(set.period.first(set.start_ms, now.ms()).ok_or(Refusal::Past)?);
+        self.find_next();
         Ok(())
     }
 
     /// Forgets what was set for OB `number`.
     pub(crate) fn cancel(&mut self, number: u16) -> Result<(), Refusal> {
-        self.slot(number).and_then(Option::take).map(|_| ()).ok_or(Refusal::NotSet)
+        let forgotten = self.slot(number).and_then(Option::take).map(|_| ()).ok_or(Refusal::NotSet);
+        self.find_next();
+        forgotten
     }
 
     /// Whether OB `number` is active and will come.
     pub(crate) fn is_active(&self, number: u16) -> bool {
-        let set = number.checked_sub(Self::FIRST).and_then(|index| self.0.get(usize::from(index)).copied().flatten());
+        let set = number.checked_sub(Self::FIRST).and_then(|index| self.slots.get(usize::from(index)).copied().flatten());
         set.is_some_and(|set| set.next_ms.is_some())
     }
 
     /// The next one and its time, in milliseconds since 1990.
     pub(crate) fn next(&self) -> Option<(u64, u16)> {
-        (Self::FIRST..).zip(&self.0).filter_map(|(number, set)| Some((set.as_ref()?.next_ms?, number))).min()
+        self.next
+    }
+
+    fn find_next(&mut self) {
+        self.next = (Self::FIRST..).zip(&self.slots).filter_map(|(number, set)| Some((set.as_ref()?.next_ms?, number))).min();
     }
 
     /// It comes; times up to now that were missed come no more.
@@ -148,14 +160,16 @@ impl TimesOfDay {
         let Some(Some(set)) = self.slot(number) else { return StartInformation::default() };
         let after = set.next_ms.unwrap_or_default().max(now.ms()) + 1;
         set.next_ms = if set.period == Period::Once { None } else { set.period.first(set.start_ms, after) };
-        StartInformation::time_of_day_interrupt(number, set.period.code())
+        let code = set.period.code();
+        self.find_next();
+        StartInformation::time_of_day_interrupt(number, code)
     }
 
     /// The clock jumps, or time passed without the CPU. Returns one bit for each active interrupt whose time was skipped.
     /// `again`: set back, those that have come already come again (S7-300), or wait for times that have not been yet (S7-400).
     pub(crate) fn clock_set(&mut self, now: DateAndTime, again: Again) -> u16 {
         let mut skipped = 0;
-        for (index, set) in self.0.iter_mut().enumerate() {
+        for (index, set) in self.slots.iter_mut().enumerate() {
             let Some(set) = set else { continue };
             let Some(next) = set.next_ms else { continue };
             if next < now.ms() {
@@ -165,6 +179,7 @@ impl TimesOfDay {
                 set.next_ms = set.period.first(set.start_ms, now.ms());
             }
         }
+        self.find_next();
         skipped
     }
 }

@@ -178,7 +178,7 @@ impl Script {
 
 impl Engine for Script {
     fn run(&self, context: &mut Context<'_>, entry: &Entry) -> Exit {
-        context.machine.registers = entry.registers.clone().unwrap_or_else(Registers::fresh);
+        context.machine.registers = entry.registers.as_deref().cloned().unwrap_or_else(Registers::fresh);
         self.push(context, entry.block, &entry.start_information, Origin::Start);
         self.go(context)
     }

@@ -49,7 +49,7 @@ impl Interpreter {
         let Some(&code) = self.index.get(&entry.block) else { return Exit::Finished };
         context.machine.frames.clear();
         context.machine.parameters.clear();
-        context.machine.registers = entry.registers.clone().unwrap_or_else(Registers::fresh);
+        context.machine.registers = entry.registers.as_deref().cloned().unwrap_or_else(Registers::fresh);
         let mut file = load_file(&context.machine.registers);
         if let Err(abort) = self.enter(context.machine, &mut file, code, Origin::Start, 0) {
             return match self.fault(context, &mut file, &self.blocks[code as usize], 0, &Fault::Abort(abort), None) {

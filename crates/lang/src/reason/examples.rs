@@ -160,7 +160,7 @@ impl Prepared {
         state.prepare(&mut machine);
         let before = machine.clone();
         let mut watch = Watch { place: self.place, seen: None };
-        let entry = Entry { block: BlockId::ob(1), start_information: [0; 20], registers: Some(state.registers()) };
+        let entry = Entry { block: BlockId::ob(1), start_information: [0; 20], registers: Some(Box::new(state.registers())) };
         self.engine.run(&mut Context { machine: &mut machine, host: &mut Alone, tracer: Some(&mut watch) }, &entry);
         let (event, after) = match watch.seen {
             Some(seen) => seen,

@@ -42,7 +42,7 @@ impl Bench {
     /// Runs a piece with these registers; those behind it, or `None` if a statement failed.
     pub(crate) fn run(&mut self, piece: usize, before: Registers) -> Option<Registers> {
         let block = BlockId::ob(u16::try_from(piece + 1).expect("few pieces"));
-        let entry = Entry { block, start_information: [0; 20], registers: Some(before) };
+        let entry = Entry { block, start_information: [0; 20], registers: Some(Box::new(before)) };
         let exit = self.engine.run(&mut Context { machine: &mut self.machine, host: &mut Strict, tracer: None }, &entry);
         (exit == Exit::Finished).then(|| self.machine.registers.clone())
     }

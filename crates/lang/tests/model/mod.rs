@@ -60,7 +60,7 @@ fn engine(word: &str, operand: Option<i16>, accu1: u32, accu2: u32) -> Outcome {
     drop(cache);
     let mut machine = Machine::new(loaded.1.clone());
     let registers = Registers { accu1: u64::from(accu1), accu2: u64::from(accu2), ..Registers::fresh() };
-    let entry = Entry { block: BlockId::ob(1), start_information: [0; 20], registers: Some(registers) };
+    let entry = Entry { block: BlockId::ob(1), start_information: [0; 20], registers: Some(Box::new(registers)) };
     let exit = loaded.0.run(&mut Context { machine: &mut machine, host: &mut Strict, tracer: None }, &entry);
     let after = &machine.registers;
     Outcome {

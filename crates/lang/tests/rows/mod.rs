@@ -135,7 +135,7 @@ fn program(instruction: Instruction, operand: &Operand, frame: Frame, cpu: &CpuT
 
 /// Runs one instruction; `None` if it failed.
 fn after(engine: &dyn Engine, machine: &mut Machine, before: &Registers) -> Option<Registers> {
-    let entry = Entry { block: BlockId::ob(1), start_information: [0; 20], registers: Some(before.clone()) };
+    let entry = Entry { block: BlockId::ob(1), start_information: [0; 20], registers: Some(Box::new(before.clone())) };
     let exit = engine.run(&mut Context { machine, host: &mut Strict, tracer: None }, &entry);
     (exit == Exit::Finished).then(|| machine.registers.clone())
 }
