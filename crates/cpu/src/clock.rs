@@ -101,8 +101,8 @@ impl BcdClock {
             *self = Self { second, bytes: DateAndTime(second * 1000).to_bcd() };
         }
         let mut bytes = self.bytes;
-        bytes[6] = (ms / 100 << 4 | ms / 10 % 10) as u8;
-        bytes[7] |= (ms % 10 << 4) as u8;
+        bytes[6] = (ms / 100 * 16 + ms / 10 % 10) as u8;
+        bytes[7] |= (ms % 10 * 16) as u8;
         bytes
     }
 }

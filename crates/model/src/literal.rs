@@ -544,7 +544,7 @@ fn parse_date_and_time(text: &str) -> Parsed {
 /// The eight BCD bytes of a DATE_AND_TIME; years repeat after 2089, as the two digits of the format do.
 pub fn date_and_time_bytes(days: u16, milliseconds_of_day: u32) -> [u8; 8] {
     let (year, month, day) = calendar_date(days);
-    let digits = |number: u32| (number / 10 % 10 << 4 | number % 10) as u8;
+    let digits = |number: u32| (number / 10 % 10 * 16 + number % 10) as u8;
     let milliseconds = milliseconds_of_day % DAY_MS;
     let (seconds, part) = (milliseconds / 1_000, milliseconds % 1_000);
     // 1990-01-01 was a Monday; the week begins with Sunday = 1.
