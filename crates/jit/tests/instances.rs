@@ -399,3 +399,73 @@ fn an_index_that_is_changed_while_an_instance_runs_is_looked_at_again() {
         }
     }
 }
+
+#[test]
+fn an_element_that_is_the_index_of_others_is_written_on_all_engines() {
+    let own = |byte: u32| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 8 * byte };
+    let index = Place::Fixed { area: Area::BitMemory, position: 0 };
+    let main = |b: &mut Builder| {
+        b.begin_statement();
+        let first = b.constant(0);
+        b.store(index, Width::Word, first);
+        b.begin_statement();
+        let number = b.load(index, Width::Word, OnFault::SkipStatement);
+        let count = b.constant(4);
+        let inside = b.compute(Op::Below, &[number, count]);
+        b.push(Inst::Require { condition: inside, code: 0x22, register: number });
+        let step = b.constant(64);
+        let by = b.compute(Op::MulU32, &[number, step]);
+        b.store(SAVED, Width::DoubleWord, Register::Ar2);
+        b.compute_into(Register::Ar2, Op::AddU32, &[Register::Ar2.into(), by]);
+        b.push(Inst::Call { callee: Callee::Block(BlockId::fb(1)), parameters: 0 });
+        let saved = b.load(SAVED, Width::DoubleWord, OnFault::SkipStatement);
+        b.copy(Register::Ar2, saved);
+        b.begin_statement();
+        let (value, one) = (b.load(index, Width::Word, OnFault::SkipStatement), b.constant(1));
+        let next = b.compute(Op::AddU16, &[value, one]);
+        b.store(index, Width::Word, next);
+        let limit = b.constant(3);
+        let goes_on = b.compute(Op::LeI16, &[next, limit]);
+        b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+    };
+    // Byte 0 is the index of a read; the byte to which byte 2 counts is written in between: this one, another one, one of another instance.
+    let counts = |b: &mut Builder| {
+        let element = |b: &mut Builder, of: u32| {
+            let (number, step) = (b.load(own(of), Width::Byte, OnFault::SkipStatement), b.constant(8));
+            let by = b.compute(Op::MulU32, &[number, step]);
+            b.compute(Op::AddU32, &[Register::Ar2.into(), by])
+        };
+        b.begin_statement();
+        let one = b.constant(1);
+        b.store(own(0), Width::Byte, one);
+        b.begin_statement();
+        let pointer = element(b, 2);
+        let value = b.constant(4);
+        b.store(Place::Indirect { area: Area::InstanceData, pointer, offset: 0 }, Width::Byte, value);
+        b.begin_statement();
+        let pointer = element(b, 0);
+        let value = b.load(Place::Indirect { area: Area::InstanceData, pointer, offset: 0 }, Width::Byte, OnFault::SkipStatement);
+        b.store(own(6), Width::Byte, value);
+    };
+    let program = program(&[(BlockId::ob(1), LOCAL_BYTES, &begin), (BlockId::fb(LOOPS), LOCAL_BYTES, &main), (BlockId::fb(1), 0, &counts)]);
+    let mut layout = layout(&program);
+    layout.data_blocks.insert(1, layout.size - 64..layout.size - 64 + DATA_BYTES as usize);
+    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+    for element in [0, 1, 5, 6, 8, 14, 40, 200] {
+        let outcome = |engine: Arc<dyn Engine>| {
+            let prepare = |machine: &mut Machine| {
+                machine.budget = 100;
+                let range = machine.memory.layout.data_blocks[&1].clone();
+                let data = &mut machine.memory.arena[range];
+                (0_u8..).zip(data.iter_mut()).for_each(|(at, byte)| *byte = if at % 8 == 2 { element } else { at });
+            };
+            run(engine.as_ref(), &layout, &entry, &prepare, &|_, _, _| Reaction::Continue)
+        };
+        let expected = outcome(Interpreter::load(&program, &layout));
+        for status in [StatusBits::All, StatusBits::Needed] {
+            let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
+            assert_eq!(got.asked, expected.asked, "{element} {status:?}");
+            assert!(got.arena == expected.arena, "{element} {status:?}: memory differs");
+        }
+    }
+}
