@@ -20,12 +20,12 @@ use super::{Find, bit_of};
 use crate::jit::Native;
 
 /// Anything in the instance data block.
-const ANYWHERE: Range<i64> = -0x100_0000..0x100_0000;
+const ANYWHERE: Range<i64> = -0x1000_0000..0x1000_0000;
 
 /// What a block may write but its own local data.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Effects {
-    /// Bytes of the instance data block, from where AR2 points when the block is called.
+    /// Bits of the instance data block, from where AR2 points when the block is called.
     pub(super) instance: Option<Range<i64>>,
     /// Areas of the CPU.
     pub(super) areas: Vec<Area>,
@@ -189,9 +189,8 @@ impl Effects {
     fn write_instance(&mut self, added: Option<u32>, offset: u32, width: Width) {
         let range = match added {
             Some(added) => {
-                let bits = i64::from(added as i32) + i64::from(offset);
-                // AR2 may point into the middle of a byte.
-                bits.div_euclid(8)..bits.div_euclid(8) + i64::from(width.bytes()) + 1
+                let first = i64::from(added as i32) + i64::from(offset);
+                first..first + i64::from(width.bits())
             }
             None => ANYWHERE,
         };
@@ -222,7 +221,7 @@ impl Effects {
             (None, _) => {}
             (Some(range), Some(added)) => {
                 let bits = i64::from(added as i32);
-                self.add_instance(&(range.start + bits.div_euclid(8)..range.end + bits.div_euclid(8) + 1));
+                self.add_instance(&(range.start + bits..range.end + bits));
             }
             (Some(_), None) => self.add_instance(&ANYWHERE),
         }

@@ -12,6 +12,11 @@ use crate::translate::promote::Base;
 /// Bits that a pointer may count.
 const POSITIONS: i64 = 1 << 24;
 
+/// Bytes that lie in front of a bit, if only in part.
+fn bytes_before(bit: i64) -> i64 {
+    bit.div_euclid(8) + i64::from(bit % 8 != 0)
+}
+
 impl Analysis<'_> {
     /// Follows a call. Variables that the called block may write are not known behind it, nor any if somebody may be asked in the middle of
     /// one of its statements.
@@ -41,9 +46,9 @@ impl Analysis<'_> {
             let (_, start, length, _) = self.area(state, Area::InstanceData)?;
             let pointer = state.registers.get(&(Register::Ar2 as u8))?.range;
             let (least, most) = pointer.unsigned(24);
-            let (first, end) = (least as i64 / 8 + touched.start, most as i64 / 8 + 1 + touched.end);
+            let (first, end) = (least as i64 + touched.start, most as i64 + touched.end);
             // A position may turn over.
-            let bytes = if first < 0 || end > POSITIONS / 8 { start..start + length } else { start + first..start + end };
+            let bytes = if first < 0 || end > POSITIONS { start..start + length } else { start + first / 8..start + bytes_before(end) };
             state.forget(Base::Arena, &bytes);
         }
         for &area in &effects.areas {
@@ -74,9 +79,9 @@ impl Analysis<'_> {
         let area = if area == Area::CallerLocal { Area::Local } else { area };
         let (base, start, length, _) = self.area(state, area)?;
         let position = |pointer: i128| (pointer & 0x00FF_FFFF) as i64 + i64::from(access.offset);
-        let (first, end) = (position(least) / 8, position(most) / 8 + 1 + i64::from(access.width.bytes()));
+        let end = position(most) + i64::from(access.width.bits());
         // A position may turn over.
-        let bytes = if position(most) >= POSITIONS { 0..length } else { first..end };
+        let bytes = if end > POSITIONS { 0..length } else { position(least) / 8..bytes_before(end) };
         state.forget(base, &(start + bytes.start..start + bytes.end));
         Some(())
     }
