@@ -68,6 +68,13 @@ fn get(b: &mut Builder, variable: Variable) -> Var {
 /// The index as an address would be computed from it, and whether it passed a gate.
 fn element(b: &mut Builder, dice: &mut Dice, array: Array, index: Variable) -> (Place, Option<Var>) {
     let mut number = get(b, index);
+    if index.width == Width::Word && dice.roll(2) == 0 {
+        number = b.compute(Op::Extend16, &[number]);
+    }
+    if dice.roll(4) == 0 {
+        let least = b.constant(dice.roll(4));
+        number = b.compute(dice.of(&[Op::SubU32, Op::AddU32]), &[number, least]);
+    }
     let mut gate = None;
     match dice.roll(7) {
         0 => {
@@ -208,11 +215,43 @@ fn assignment(b: &mut Builder, dice: &mut Dice, index: Variable, sum: Variable, 
     *statements += 2;
 }
 
-/// A loop in the middle of others, counted by a variable of its own.
-fn counted(b: &mut Builder, dice: &mut Dice, depth: u32, statements: &mut u32, sum: Variable) {
+/// Whether a loop goes on: a comparison of its variable, also in other forms than the one that it has in memory.
+fn goes_on(b: &mut Builder, dice: &mut Dice, index: Variable, next: Var) -> Var {
+    let is_word = index.width == Width::Word;
+    let limit = b.constant(dice.of(&[3, 7, 11, 15, 30]));
+    let extended = if is_word { b.compute(Op::Extend16, &[next]) } else { next };
+    match dice.roll(8) {
+        0 => {
+            let other = if is_word { b.compute(Op::Extend16, &[next]) } else { next };
+            let square = b.compute(Op::MulU32, &[extended, other]);
+            b.compute(dice.of(&[Op::LeI32, Op::LtI32]), &[square, limit])
+        }
+        1 => {
+            let added = b.constant(1 + dice.roll(3));
+            let moved = b.compute(dice.of(&[Op::AddU32, Op::SubU32]), &[extended, added]);
+            b.compute(dice.of(&[Op::LeI32, Op::Below]), &[moved, limit])
+        }
+        2 => b.compute(Op::LtI32, &[extended, limit]),
+        3 if is_word => {
+            let added = b.constant(1 + dice.roll(3));
+            let moved = b.compute(dice.of(&[Op::AddU16, Op::SubU16]), &[next, added]);
+            b.compute(Op::LeI16, &[moved, limit])
+        }
+        _ => b.compute(if is_word { Op::LeI16 } else { Op::LeI32 }, &[next, limit]),
+    }
+}
+
+/// A loop in the middle of others, counted by a variable of its own, which may begin and count with that of the loop around it.
+fn counted(b: &mut Builder, dice: &mut Dice, depth: u32, statements: &mut u32, sum: Variable, around: Option<Variable>) {
     let index = variable(dice);
     b.begin_statement();
-    let first = b.constant(dice.of(&[0, 0, 1, 2, 5]));
+    let first = match around.filter(|_| dice.roll(2) == 0) {
+        Some(around) => {
+            let [a, other] = [(); 2].map(|()| get(b, around));
+            b.compute(dice.of(&[Op::MulU16, Op::AddU16, Op::MulU32, Op::AddU32, Op::MinI32]), &[a, other])
+        }
+        None => b.constant(dice.of(&[0, 0, 1, 2, 5])),
+    };
     b.store(index.place, index.width, first);
     *statements += 1;
     let head = *statements;
@@ -224,15 +263,17 @@ fn counted(b: &mut Builder, dice: &mut Dice, depth: u32, statements: &mut u32, s
         }
     }
     if depth > 0 && dice.roll(2) == 0 {
-        counted(b, dice, depth - 1, statements, sum);
+        counted(b, dice, depth - 1, statements, sum, Some(index));
     }
     b.begin_statement();
     let value = get(b, index);
-    let step = b.constant(dice.of(&[1, 1, 2, 3]));
+    let step = match around.filter(|_| dice.roll(3) == 0) {
+        Some(around) => get(b, around),
+        None => b.constant(dice.of(&[1, 1, 2, 3])),
+    };
     let next = b.compute(if index.width == Width::Word { Op::AddU16 } else { Op::AddU32 }, &[value, step]);
     b.store(index.place, index.width, next);
-    let limit = b.constant(dice.of(&[3, 7, 11, 15, 30]));
-    let goes_on = b.compute(if index.width == Width::Word { Op::LeI16 } else { Op::LeI32 }, &[next, limit]);
+    let goes_on = goes_on(b, dice, index, next);
     b.push(Inst::Branch { condition: goes_on, to: Target(head) });
     *statements += 1;
 }
@@ -244,7 +285,7 @@ fn loops(b: &mut Builder, dice: &mut Dice) {
     let mut statements = 1;
     for _ in 0..1 + dice.roll(2) {
         let sum = variable(dice);
-        counted(b, dice, 2, &mut statements, sum);
+        counted(b, dice, 2, &mut statements, sum, None);
     }
     b.begin_statement();
     b.push(Inst::Return);
