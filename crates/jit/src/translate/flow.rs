@@ -277,7 +277,7 @@ impl Translator<'_> {
 
     pub(super) fn jump_table(&mut self, index: Var, first: u32, count: u32, otherwise: Target) {
         let index = self.get(index);
-        let index = self.word(index);
+        let index = self.force(index);
         let targets = &self.native().code.tables[first as usize..(first + count) as usize];
         let mut blocks: FxHashMap<u32, clif::Block> = FxHashMap::default();
         // Ways lead to places where the budget's variable lacks different weights.
@@ -301,10 +301,17 @@ impl Translator<'_> {
         };
         let otherwise = block_of(self, otherwise);
         let entries: Vec<clif::Block> = targets.iter().map(|&target| block_of(self, target)).collect();
-        let inside = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, index, i64::from(count));
-        let beyond = self.b.ins().iconst(I64, i64::from(count));
-        let index = self.b.ins().select(inside, index, beyond);
-        let index = self.b.ins().ireduce(I32, index);
+        let index = match index {
+            // The table looks at it itself.
+            Val::Int(index) => index,
+            index => {
+                let index = self.word(index);
+                let inside = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, index, i64::from(count));
+                let beyond = self.b.ins().iconst(I64, i64::from(count));
+                let index = self.b.ins().select(inside, index, beyond);
+                self.b.ins().ireduce(I32, index)
+            }
+        };
         let default = self.b.func.dfg.block_call(otherwise, &[]);
         let entries: Vec<_> = entries.into_iter().map(|block| self.b.func.dfg.block_call(block, &[])).collect();
         let table = self.b.create_jump_table(clif::JumpTableData::new(default, &entries));

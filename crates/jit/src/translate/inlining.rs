@@ -149,6 +149,11 @@ impl Outer {
         self.ranges.facts_over_call(self.inst)
     }
 
+    /// What is known in front of the call.
+    pub(super) fn facts_at_call(&self) -> &[Fact] {
+        self.ranges.facts_at_call(self.inst)
+    }
+
     /// Whether the call is in a loop.
     pub(super) fn is_in_loop(&self) -> bool {
         self.loops.iter().any(|it| it.contains(self.statement))

@@ -42,15 +42,16 @@ impl Translator<'_> {
     /// Looks at the ranges of the values of the present block, whose known registers and parameters are current.
     pub(super) fn find_ranges(&mut self) -> Ranges {
         let caller = |position: u32, width: Width| self.way_to_caller(position, width);
+        let facts = self.outer.last().map_or(Vec::new(), |outer| outer.facts_at_call().to_vec());
         let relative = self.relative_instance();
-        let ranges = self.ranges_of(self.words.constants(), &caller, relative.as_ref());
+        let ranges = self.ranges_of(self.words.constants(), facts, &caller, relative.as_ref());
         self.pinned.extend(ranges.opened());
         ranges
     }
 
     /// The same for a block whose callers are not those of the running code.
     pub(super) fn find_ranges_alone(&mut self) -> Ranges {
-        let ranges = self.ranges_of(Vec::new(), &|_, _| None, None);
+        let ranges = self.ranges_of(Vec::new(), Vec::new(), &|_, _| None, None);
         self.pinned.extend(ranges.opened());
         ranges
     }
@@ -58,6 +59,7 @@ impl Translator<'_> {
     fn ranges_of(
         &self,
         words: Vec<(i32, Width, u64)>,
+        facts: Vec<Fact>,
         caller: &dyn Fn(u32, Width) -> Option<(i32, u8)>,
         relative: Option<&Relative>,
     ) -> Ranges {
@@ -88,6 +90,7 @@ impl Translator<'_> {
             parameters: self.given.iter().map(|given| given.constant()).collect(),
             local: (self.local_offset, self.native().local_size),
             words,
+            facts,
             caller,
             asks_before_writing: self.options.asks_before_writing,
             written: &written,
@@ -156,6 +159,16 @@ impl Translator<'_> {
         let byte = self.b.ins().ushr_imm_u(position, 3);
         let byte = self.b.ins().uextend(I64, byte);
         Address { base: self.b.ins().iadd(base, byte), offset: start, bit }
+    }
+
+    /// The address of a byte to which a pointer goes that is known to stay inside an area, if nothing in its calculation turns over.
+    pub(super) fn byte_address(&mut self, area: (Value, i32, u64), pointer: Value) -> Option<Value> {
+        let mut sum = Sum::default();
+        if !self.decompose(pointer, 1, &mut sum, 0) {
+            return None;
+        }
+        let Address { base, offset, .. } = self.address_of_sum(area, &mut sum, (Width::Byte, 1))?;
+        Some(self.b.ins().iadd_imm_u(base, i64::from(offset)))
     }
 
     /// The address of a pointer into the instance of the block, counted from where that begins.
@@ -250,15 +263,12 @@ impl Translator<'_> {
             first >= 0 && last / 8 + i64::from(bytes) <= length as i64
         })?;
         let (whole, bits): (Vec<_>, Vec<_>) = sum.terms.iter().copied().partition(|(_, times)| times % 8 == 0);
-        if constant % 8 != 0 {
-            return None;
-        }
         let bit_index = match bits[..] {
-            [] => None,
+            [] if constant % 8 == 0 || width == Width::Bit => None,
             [(value, 1)] if width == Width::Bit => Some(value),
             _ => return None,
         };
-        let offset = i32::try_from(i64::from(start) + constant / 8).ok()?;
+        let offset = i32::try_from(i64::from(start) + constant.div_euclid(8)).ok()?;
         // What the loop does not change comes first: it is added once, in front of the loop.
         let mut terms = whole;
         terms.sort_by_key(|(value, _)| !self.fixed.contains(value));
@@ -273,8 +283,10 @@ impl Translator<'_> {
             };
             address = self.b.ins().iadd(address, part);
         }
-        let mut bit = Bit::Number(0);
+        let first_bit = constant.rem_euclid(8);
+        let mut bit = Bit::Number(first_bit as u8);
         if let Some(index) = bit_index {
+            let index = if first_bit == 0 { index } else { self.b.ins().iadd_imm_u(index, first_bit) };
             bit = Bit::Computed(self.b.ins().band_imm_u(index, 7));
             let byte = self.b.ins().ushr_imm_u(index, 3);
             let byte = self.b.ins().uextend(I64, byte);

@@ -75,6 +75,8 @@ pub(super) struct Ranges {
     pointed: FxHashMap<u32, (Base, i32)>,
     /// For each statement what its code relies on.
     facts: Vec<Vec<Fact>>,
+    /// What is known where a block is called.
+    at_calls: FxHashMap<u32, Vec<Fact>>,
     /// What the code behind a call relies on while the called block runs, which becomes part of this one, by the call.
     over_calls: FxHashMap<u32, Vec<Fact>>,
     /// Ranges of AR2 at calls.
@@ -141,6 +143,11 @@ impl Ranges {
         self.over_calls.get(&inst).map_or(&[], Vec::as_slice)
     }
 
+    /// What is known where a block is called.
+    pub(super) fn facts_at_call(&self, inst: u32) -> &[Fact] {
+        self.at_calls.get(&inst).map_or(&[], Vec::as_slice)
+    }
+
     /// The range of AR2 at a call.
     pub(super) fn instance(&self, inst: u32) -> Option<Interval> {
         self.instances.get(&inst).copied()
@@ -159,6 +166,8 @@ pub(super) struct Surroundings<'a> {
     /// Constants in the local data of the block and of those that called it: offset behind the local data of the function's outermost
     /// block, and width.
     pub(super) words: Vec<(i32, Width, u64)>,
+    /// What is known in front of it.
+    pub(super) facts: Vec<Fact>,
     /// Where a pointer to the local data of a caller goes, if that caller is in the same function and the access does not fail.
     pub(super) caller: &'a dyn Fn(u32, Width) -> Option<(i32, u8)>,
     /// Whether a data block that is not known beforehand may be protected.
@@ -193,6 +202,10 @@ enum Origin {
     Or(u32, u32),
     /// A square.
     Square(Known),
+    /// The lowest so many bits as a number with sign.
+    Extended(u32, Known),
+    /// A value and a constant, added in so many bits.
+    Sum(u32, Known, i64),
     Other,
 }
 
@@ -256,6 +269,12 @@ struct Analysis<'a> {
     arriving: Vec<Option<State>>,
     /// What arrived at heads from behind them, in the pass before.
     back: BTreeMap<u32, State>,
+    /// What is known at heads in the running pass.
+    at_heads: BTreeMap<u32, State>,
+    /// Variables that are at a head what they were in front of the loop, as the running pass sees it.
+    unchanged: BTreeMap<u32, BTreeSet<Cell>>,
+    /// What is known to hold at heads whatever a pass finds.
+    holding: BTreeMap<u32, State>,
     found: Ranges,
 }
 
@@ -283,6 +302,9 @@ pub(super) fn find(code: &Code, around: &Surroundings<'_>) -> Ranges {
         origins: Vec::new(),
         arriving: vec![None; count],
         back: BTreeMap::new(),
+        at_heads: BTreeMap::new(),
+        unchanged: BTreeMap::new(),
+        holding: BTreeMap::new(),
         found: Ranges::default(),
     };
     let mut found = analysis.run().unwrap_or_default();
@@ -323,13 +345,40 @@ impl State {
 }
 
 impl<'a> Analysis<'a> {
-    /// Passes over the block until nothing grows, then some that take back what grew too far. The last one makes sure that what is
-    /// known at the beginning of each statement leads to what is known behind it.
+    /// Passes over the block until nothing grows, then some that take back what grew too far. Where loops lie in others it is done twice:
+    /// what an inner loop counts from has not grown too far the second time. The last pass makes sure that what is known at the beginning of
+    /// each statement leads to what is known behind it.
     fn run(mut self) -> Option<Ranges> {
+        let best = self.settle()?;
+        if self.has_loops_in_loops() {
+            let heads = self.heads.iter().filter_map(|&head| Some((head, best[head as usize].clone()?)));
+            self.holding = heads.collect();
+            self.back.clear();
+            if let Some(better) = self.settle()
+                && self.check(&better)
+            {
+                return Some(self.found);
+            }
+            self.found = Ranges::default();
+        }
+        self.check(&best).then_some(self.found)
+    }
+
+    /// Whether some way back lies inside another one.
+    fn has_loops_in_loops(&self) -> bool {
+        let ways = (0..self.code.statement_count() as u32).flat_map(|from| {
+            let targets = self.code.statement(from as usize).iter().flat_map(|inst| loops::targets(self.code, inst));
+            targets.filter(move |&to| to <= from).map(move |to| (to, from))
+        });
+        let ways: Vec<(u32, u32)> = ways.collect();
+        ways.iter().any(|outer| ways.iter().any(|inner| inner.0 > outer.0 && inner.0 <= outer.1))
+    }
+
+    fn settle(&mut self) -> Option<Vec<Option<State>>> {
         let mut before: Option<Vec<Option<State>>> = None;
         let mut passes = 0;
         loop {
-            let states = self.pass(before.as_deref(), passes > 0);
+            let states = self.pass(before.as_deref(), passes > 0, false);
             let stable = before.as_ref().is_some_and(|before| {
                 self.heads.iter().all(|&head| match (&states[head as usize], &before[head as usize]) {
                     (Some(now), Some(before)) => now.is_within(before),
@@ -348,17 +397,19 @@ impl<'a> Analysis<'a> {
         }
         let mut best = before?;
         for _ in 0..NARROWING_PASSES {
-            best = self.pass(None, false);
+            best = self.pass(None, false, true);
         }
-        self.check(&best).then_some(self.found)
+        Some(best)
     }
 
     /// One pass; what is known at the beginning of each statement. With `widens` a range that grew since the pass before grows at once
-    /// to where it may stay.
-    fn pass(&mut self, before: Option<&[Option<State>]>, widens: bool) -> Vec<Option<State>> {
+    /// to where it may stay. With `narrows` a variable that a loop does not change is in the loop what it is in front of it.
+    fn pass(&mut self, before: Option<&[Option<State>]>, widens: bool, narrows: bool) -> Vec<Option<State>> {
         self.origins.clear();
         self.arriving.iter_mut().for_each(|state| *state = None);
         let back = std::mem::take(&mut self.back);
+        let unchanged = std::mem::take(&mut self.unchanged);
+        self.at_heads.clear();
         let mut states = vec![None; self.arriving.len()];
         let first = self.beginning();
         self.arrive(0, &first, None);
@@ -366,7 +417,15 @@ impl<'a> Analysis<'a> {
             let mut state = self.arriving[statement as usize].take();
             if let Some(again) = back.get(&statement) {
                 state = Some(match state {
-                    Some(state) => self.joined(&state, again),
+                    Some(state) => {
+                        let mut joined = self.joined(&state, again);
+                        for cell in unchanged.get(&statement).into_iter().flatten().filter(|_| narrows) {
+                            if let Some(in_front) = state.cells.get(cell) {
+                                joined.cells.insert(*cell, self.value(in_front.range));
+                            }
+                        }
+                        joined
+                    }
                     None => self.renumbered(again),
                 });
             }
@@ -376,7 +435,13 @@ impl<'a> Analysis<'a> {
             {
                 widen(now, before, &self.stops);
             }
-            let Some(state) = state else { continue };
+            let Some(mut state) = state else { continue };
+            if self.heads.contains(&statement) {
+                if let Some(holding) = self.holding.get(&statement) {
+                    keep_within(&mut state, holding);
+                }
+                self.at_heads.insert(statement, state.clone());
+            }
             states[statement as usize] = Some(state.clone());
             self.statement(statement, state, false);
         }
@@ -419,6 +484,10 @@ impl<'a> Analysis<'a> {
             if let Some(value) = value {
                 state.registers.insert(register, self.value(Interval::constant(value)));
             }
+        }
+        for &Fact { cell, range } in &self.around.facts {
+            let known = self.value(range);
+            state.cells.insert(cell, known);
         }
         for &(offset, width, value) in &self.around.words {
             state.cells.insert((Base::Local, offset, width), self.value(Interval::constant(value)));
@@ -475,6 +544,18 @@ impl<'a> Analysis<'a> {
             state.registers.insert(Register::Ar2 as u8, known);
         }
         if from.is_some_and(|from| to <= from) {
+            let at_head = self.at_heads.get(&to);
+            let is_same = |cell: &Cell| {
+                let same = |at_head: &State| Some(at_head.cells.get(cell)?.number == state.cells.get(cell)?.number);
+                at_head.and_then(same).unwrap_or(false)
+            };
+            match self.unchanged.get_mut(&to) {
+                Some(cells) => cells.retain(is_same),
+                None => {
+                    let cells = state.cells.keys().filter(|cell| is_same(cell)).copied().collect();
+                    self.unchanged.insert(to, cells);
+                }
+            }
             let joined = match self.back.get(&to).cloned() {
                 Some(before) => self.joined(&before, &state),
                 None => state,
@@ -493,6 +574,17 @@ impl<'a> Analysis<'a> {
 /// Whether a range is what every variable of a width is in.
 fn says_nothing(width: Width, range: &Interval) -> bool {
     range.bits == width.bits() && range.is_any()
+}
+
+/// Takes from ranges what is known not to be in them.
+fn keep_within(now: &mut State, holding: &State) {
+    for (cell, known) in &mut now.cells {
+        if let Some(holding) = holding.cells.get(cell)
+            && holding.range.is_within(&known.range)
+        {
+            known.range = holding.range;
+        }
+    }
 }
 
 /// Lets ranges that grew since the pass before grow to where they may stay.

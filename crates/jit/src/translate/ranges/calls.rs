@@ -27,6 +27,9 @@ impl Analysis<'_> {
         if notes && let Some(ar2) = ar2 {
             self.found.instances.insert(index, ar2);
         }
+        if notes {
+            self.found.at_calls.insert(index, state.facts());
+        }
         let around = self.around;
         let effects = (around.called)(inst).and_then(|code| around.effects[code].as_ref());
         let kept = effects.is_some_and(|effects| self.forget_effects(effects, state, &given).is_some());

@@ -5,8 +5,13 @@ use std::collections::BTreeSet;
 use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::ir::{Code, Inst, Place, Var};
 
+use sieben_model::address::Area;
+
 use super::interval::comparison;
 use super::{CONSTANTS_MAX, PLACES_MAX, STOPS};
+
+/// Local data that a block passes to others and that count as being relevant.
+const PASSED_MAX: usize = 12;
 
 /// Places that addresses, checked conditions and what these are compared with are computed from.
 pub(super) fn relevant(code: &Code) -> FxHashSet<Place> {
@@ -16,6 +21,7 @@ pub(super) fn relevant(code: &Code) -> FxHashSet<Place> {
         Place::Crossing { .. } => false,
     };
     let mut relevant = FxHashSet::default();
+    let mut passed: FxHashSet<Place> = FxHashSet::default();
     let mut statements = Vec::new();
     for index in 0..code.statement_count() {
         let (mut loads, mut stores, mut begins, mut branches) = (Vec::new(), Vec::new(), false, false);
@@ -31,7 +37,18 @@ pub(super) fn relevant(code: &Code) -> FxHashSet<Place> {
         if begins {
             relevant.extend(loads.iter().copied());
         }
+        if matches!(
+            code.statement(index).iter().rev().find(|inst| matches!(inst, Inst::Call { .. })),
+            Some(Inst::Call { parameters: 1.., .. })
+        ) {
+            let local = |place: &&Place| matches!(place, Place::Fixed { area: Area::Local, .. });
+            passed.extend(stores.iter().filter(local));
+        }
         statements.push((loads, stores, branches));
+    }
+    // What a called block is given by a pointer may be what it computes its addresses from.
+    if passed.len() <= PASSED_MAX {
+        relevant.extend(passed);
     }
     if relevant.is_empty() {
         return relevant;

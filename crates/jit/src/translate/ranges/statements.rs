@@ -11,6 +11,9 @@ use super::interval::{self, Interval, Number, comparison};
 use super::{Analysis, Known, Origin, Reach, Span, State};
 use crate::jit::end;
 
+/// How many origins of a value are looked at when something is found out about it.
+const ORIGINS_MAX: usize = 6;
+
 impl Analysis<'_> {
     /// Follows the instructions of a statement.
     pub(super) fn statement(&mut self, statement: u32, mut state: State, notes: bool) {
@@ -164,8 +167,10 @@ impl Analysis<'_> {
             }
             if notes && let Some(dst) = sieben_engine::ir::verify::writes(inst) {
                 let (least, most) = self.get(&state, &temporaries, dst).range.unsigned(64);
-                if let (Ok(least), Ok(most)) = (u32::try_from(least), i32::try_from(most)) {
-                    self.found.results.insert(index, (least, most as u32));
+                if let (Ok(least), Ok(most)) = (u32::try_from(least), u32::try_from(most))
+                    && (least == most || most <= i32::MAX as u32)
+                {
+                    self.found.results.insert(index, (least, most));
                 }
             }
             if ended {
@@ -208,6 +213,8 @@ impl Analysis<'_> {
             Op::AndNot if exact(b) == Some(false) && is_bit(a) => return a,
             Op::And if exact(b) == Some(true) && is_bit(a) => return a,
             Op::And if exact(a) == Some(true) && is_bit(b) => return b,
+            Op::MulU32 if a.range.exact() == Some(1) && b.range.bits <= 32 => return b,
+            Op::MulU32 if b.range.exact() == Some(1) && a.range.bits <= 32 => return a,
             _ => {}
         }
         let mut range = interval::result(op, [a.range, b.range, c.range]);
@@ -227,7 +234,12 @@ impl Analysis<'_> {
             Op::AndNot => Origin::AndNot(a.number, b.number),
             Op::And => Origin::And(a.number, b.number),
             Op::Or => Origin::Or(a.number, b.number),
-            Op::MulU32 if a.number == b.number => Origin::Square(a),
+            Op::MulU32 if a.number == b.number || self.extends_the_same(a, b) => Origin::Square(a),
+            Op::Extend16 => Origin::Extended(16, a),
+            Op::ExtendI8I16 | Op::ExtendI8I32 | Op::ExtendI8I64 => Origin::Extended(8, a),
+            Op::ExtendI16I64 => Origin::Extended(16, a),
+            Op::ExtendI32I64 => Origin::Extended(32, a),
+            Op::AddU16 | Op::AddU32 | Op::SubU16 | Op::SubU32 => sum(op, a, b),
             _ => match comparison(op) {
                 Some((number, relation)) => Origin::Comparison(number, relation, a, b),
                 None => Origin::Other,
@@ -259,37 +271,77 @@ impl Analysis<'_> {
                 self.refine(state, temporaries, a, false);
                 self.refine(state, temporaries, b, false);
             }
-            Origin::And(..) | Origin::AndNot(..) | Origin::Or(..) | Origin::Square(_) | Origin::Other => {}
+            Origin::And(..) | Origin::AndNot(..) | Origin::Or(..) => {}
+            Origin::Square(_) | Origin::Extended(..) | Origin::Sum(..) | Origin::Other => {}
         }
     }
 
+    /// Whether two values are the same bits as a number with sign.
+    fn extends_the_same(&self, a: Known, b: Known) -> bool {
+        match [a, b].map(|known| self.origins[known.number as usize]) {
+            [Origin::Extended(bits, a), Origin::Extended(others, b)] => bits == others && a.number == b.number,
+            _ => false,
+        }
+    }
+
+    /// Notes that a value lies in a range, and what follows for the values from which it was computed.
     pub(super) fn limit(
         &mut self,
         state: &mut State,
         temporaries: &mut BTreeMap<u8, Known>,
-        of: Known,
-        number: Number,
-        range: (i128, i128),
+        mut of: Known,
+        mut number: Number,
+        mut range: (i128, i128),
     ) {
-        let limited = of.range.limited(number, range);
-        let all = state.registers.values_mut().chain(state.cells.values_mut()).chain(temporaries.values_mut());
-        for known in all.filter(|known| known.number == of.number) {
-            // What is held in fewer bits is another form of it.
-            if known.range.bits == limited.bits {
-                known.range = limited;
-            } else {
-                known.range = known.range.limited(number, range);
+        for _ in 0..ORIGINS_MAX {
+            let limited = of.range.limited(number, range);
+            let all = state.registers.values_mut().chain(state.cells.values_mut()).chain(temporaries.values_mut());
+            for known in all.filter(|known| known.number == of.number) {
+                // What is held in fewer bits is another form of it.
+                if known.range.bits == limited.bits {
+                    known.range = limited;
+                } else {
+                    known.range = known.range.limited(number, range);
+                }
             }
+            let inner;
+            (inner, number, range) = match self.origins[of.number as usize] {
+                Origin::Extended(bits, inner) if inner.range.bits <= bits => (inner, Number::Signed(bits), limited.signed(limited.bits)),
+                Origin::Sum(bits, inner, added) if inner.range.bits <= bits && limited.bits == bits => {
+                    let summand = Interval { least: limited.least - added, most: limited.most - added, zeros: 0, bits };
+                    let signed = summand.signed(bits);
+                    if signed.1 - signed.0 < (1 << bits) - 1 {
+                        (inner, Number::Signed(bits), signed)
+                    } else {
+                        (inner, Number::Unsigned(bits), summand.unsigned(bits))
+                    }
+                }
+                Origin::Square(root) => {
+                    let now = current(state, root);
+                    let (least, most) = now.signed(32);
+                    let (_, square) = limited.signed(32);
+                    // The square is exact: its root is no greater than that of the limit.
+                    if least < 0 || most > 46_340 || square < 0 {
+                        return;
+                    }
+                    (root, Number::Signed(32), (0, i128::from((square as u64).isqrt())))
+                }
+                _ => return,
+            };
+            of = Known { range: current(state, inner), ..inner };
         }
-        if let Origin::Square(root) = self.origins[of.number as usize] {
-            let root = Known { range: current(state, root), ..root };
-            let (least, most) = root.range.signed(32);
-            let (_, square) = limited.signed(32);
-            // The square is exact: its root is no greater than that of the limit.
-            if least >= 0 && most <= 46_340 && square >= 0 {
-                self.limit(state, temporaries, root, Number::Signed(32), (0, i128::from((square as u64).isqrt())));
-            }
-        }
+    }
+}
+
+/// A sum of a value and a constant, or a difference.
+fn sum(op: Op, a: Known, b: Known) -> Origin {
+    let bits = if matches!(op, Op::AddU16 | Op::SubU16) { 16 } else { 32 };
+    let constant = |known: Known| (known.range.least == known.range.most).then_some(known.range.least);
+    match (op, constant(a), constant(b)) {
+        (Op::SubU16 | Op::SubU32, _, Some(b)) => Origin::Sum(bits, a, b.wrapping_neg()),
+        (Op::AddU16 | Op::AddU32, _, Some(b)) => Origin::Sum(bits, a, b),
+        (Op::AddU16 | Op::AddU32, Some(a), _) => Origin::Sum(bits, b, a),
+        _ => Origin::Other,
     }
 }
 
