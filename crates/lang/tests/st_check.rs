@@ -248,6 +248,13 @@ fn messages_name_what_was_meant() {
         ("iec", "i := d;", &["P6200", "INT is wanted here, and this is DATE", "`DATE_TO_INT`"]),
         ("codesys", "m := i;", &["P6200", "DATE_AND_TIME is wanted here, and this is INT", "`INT_TO_DT`"]),
         ("iec", "i := CODE_IN_TEXT('a');", &["P3008", "there is no function `CODE_IN_TEXT`"]),
+        ("tia", "T_CONV(r, i);", &["P6219", "takes one value", "T_CONV(IN := y, OUT => x)"]),
+        ("tia", "T_CONV(IN := r, OUT := i);", &["P6050", "Write `=>`"]),
+        ("tia", "d := S_CONV('x');", &["P6322", "`S_CONV` makes no DATE of STRING"]),
+        ("tia", "i := RD_SYS_T(i);", &["P4011", "a DTL, an LDT or a DATE_AND_TIME"]),
+        ("tia", "i := T_COMBINE(d, d);", &["P6322", "INT is wanted here"]),
+        ("tia", "r := T_DIFF(d, 5);", &["P4011", "a date, as the first value is"]),
+        ("codesys", "i := __NEW(INT);", &["P6323", "Declare an array"]),
         ("iec", "i := DAYS_OF_DATE(2024, 1, 1);", &["P3008", "there is no function"]),
     ];
     for (dialect, code, wanted) in rows {
@@ -262,6 +269,19 @@ fn messages_name_what_was_meant() {
         let [found] = found.as_slice() else { panic!("{code}: {found:?}") };
         let whole = format!("{} {} {found:?}", found.problem.code(), found.message);
         assert!(wanted.iter().all(|part| whole.contains(part)), "{code}: {whole}");
+    }
+}
+
+#[test]
+fn variables_that_are_private_stay_in_their_block() {
+    let base = "FUNCTION_BLOCK Base\nVAR PRIVATE a : INT; END_VAR\nVAR PROTECTED b : INT; END_VAR\nVAR c : INT; END_VAR\na := b + c;\nEND_FUNCTION_BLOCK\n";
+    for (name, wrong) in [("a", true), ("THIS.a", true), ("b", false), ("c", false), ("THIS.c", false)] {
+        let other = format!("FUNCTION_BLOCK Other EXTENDS Base\nVAR x : INT; END_VAR\nx := {name};\nEND_FUNCTION_BLOCK\n");
+        match (wrong, said(Dialect::Iec, &[base, &other].concat()).as_slice()) {
+            (false, []) => {}
+            (true, [(Severity::Error, "P6284", message)]) if message.contains("`a` of `Base` is PRIVATE") => {}
+            (_, said) => panic!("{name}: {said:?}"),
+        }
     }
 }
 

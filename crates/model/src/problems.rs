@@ -287,6 +287,7 @@ problems! {
     P6320 Error "a conversion without a type to convert to" "Assign the result to a variable in a statement of its own.";
     P6321 Error "a timer or a counter of which no call says what it is" "Write the instruction behind it: `t.TON(IN := …, PT := …)`.";
     P6322 Error "a conversion that does not exist" "Convert to a type that the message or `sieben explain T_CONV` names, or in two steps.";
+    P6323 Error "a function of the system that does not exist here" "Do without it, as the message shows.";
 
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";

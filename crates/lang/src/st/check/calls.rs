@@ -428,6 +428,18 @@ impl Checker<'_> {
                 Some(room) => Typed::Text(Text::Call { call: Box::new(call), room }),
                 None => Typed::Poison,
             },
+            DataType::Struct(_) | DataType::Array { .. } | DataType::DateAndTime => {
+                let interface = self.names.interface(call.callee.block());
+                let result = interface.as_ref().and_then(|interface| interface.variables.iter().find(|one| one.section == Section::Return));
+                let Some(parameter) = result.map(|result| result.offset) else { return Typed::Poison };
+                let name = self.callee_name(&call.callee).trim_matches('`').to_owned();
+                let place = self.temporary_place(u32::try_from(data_type.bits().div_ceil(8)).unwrap_or(u32::MAX), span);
+                let mut call = Call { result: DataType::Void, ..call };
+                call.arguments.push(Argument::OutputAggregate { parameter, target: place.clone(), data_type: data_type.clone() });
+                let mut before = before;
+                before.push(Statement { kind: StatementKind::Call(call), span });
+                Typed::Delivered(before, Target { place, data_type, role: Role::Constant, name, through: Through::Itself })
+            }
             _ => self.not_built(span, &format!("a result of type {} inside an expression", self.words(&data_type))),
         }
     }
@@ -730,6 +742,10 @@ impl Checker<'_> {
             }
             wanted => match typed {
                 Typed::Aggregate(target) if same_type(&target.data_type, wanted) => {
+                    Argument::Aggregate { parameter, source: target.place, data_type: target.data_type }
+                }
+                Typed::Delivered(mut statements, target) if same_type(&target.data_type, wanted) => {
+                    before.append(&mut statements);
                     Argument::Aggregate { parameter, source: target.place, data_type: target.data_type }
                 }
                 Typed::Structured(_, bytes) if dtl::is_dtl(wanted) => {

@@ -645,7 +645,9 @@ impl Checker<'_> {
             (false, true) => return self.dtl_beside(operator.sign(), &a, left),
             _ => {}
         }
-        if let (Typed::Aggregate(target), _) | (_, Typed::Aggregate(target)) = (&a, &b) {
+        if let (Typed::Aggregate(target) | Typed::Delivered(_, target), _) | (_, Typed::Aggregate(target) | Typed::Delivered(_, target)) =
+            (&a, &b)
+        {
             let message = format!("`{}` compares elementary values and texts, not {}", operator.sign(), self.words(&target.data_type));
             let help = (target.data_type == DataType::DateAndTime).then(|| "Call EQ_DT, LT_DT and their like of the library.".to_owned());
             let diagnostic = self.report(Problem::P6202, sign, message);

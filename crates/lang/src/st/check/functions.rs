@@ -36,6 +36,9 @@ impl Checker<'_> {
         if let Some(typed) = self.instruction(name, call, span) {
             return typed;
         }
+        if let Some(typed) = self.query(name, call, span) {
+            return typed;
+        }
         if let Some(typed) = self.built_in(name, call, span) {
             return typed;
         }
@@ -490,7 +493,7 @@ pub(super) fn kind_of(typed: &Typed) -> GivenKind {
         Typed::Scalar { data_type, .. } | Typed::Number { data_type, .. } => GivenKind::Typed(data_type.clone()),
         Typed::Text(text @ Text::Character(_)) => GivenKind::Typed(if text.is_wide() { DataType::WideChar } else { DataType::Char }),
         Typed::Text(text) => GivenKind::Typed(super::texts::type_of_room(text.room())),
-        Typed::Aggregate(target) => GivenKind::Typed(target.data_type.clone()),
+        Typed::Aggregate(target) | Typed::Delivered(_, target) => GivenKind::Typed(target.data_type.clone()),
         Typed::Moment(_) => GivenKind::Typed(DataType::DateAndTime),
         Typed::Structured(..) => GivenKind::Typed(crate::st::dtl::data_type()),
         Typed::Pointer(pointer) => {

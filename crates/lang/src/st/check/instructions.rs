@@ -45,7 +45,7 @@ impl Checker<'_> {
             "MOVE_BLK_VARIANT" => self.move_variant(call, span).map(|(statements, place)| delivered(statements, place, span)),
             "SERIALIZE" => self.serialize(call, span).map(|(statements, place)| delivered(statements, place, span)),
             "DESERIALIZE" => self.deserialize(call, span).map(|(statements, place)| delivered(statements, place, span)),
-            "DEMUX" | "S_MOVE" | "SCATTER" | "GATHER" | "RESET_TIMER" | "PRESET_TIMER" => {
+            "DEMUX" | "S_MOVE" | "STRG_VAL" | "VAL_STRG" | "SCATTER" | "GATHER" | "RESET_TIMER" | "PRESET_TIMER" => {
                 self.look_at(&call.arguments);
                 self.report(Problem::P6218, span, format!("`{upper}` has no result")).help =
                     Some("Call it in a statement of its own.".to_owned());
@@ -61,6 +61,8 @@ impl Checker<'_> {
         Some(match name {
             "DEMUX" => self.demux(call, span),
             "S_MOVE" => self.string_move(call, span),
+            "STRG_VAL" => self.value_of_text(call, span),
+            "VAL_STRG" => self.value_in_text(call, span),
             "SCATTER" => self.scatter(call, span),
             "GATHER" => self.gather(call, span),
             "RESET_TIMER" => self.reset_timer(call, span),

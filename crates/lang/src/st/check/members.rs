@@ -99,7 +99,32 @@ impl Checker<'_> {
     /// `THIS^.x`: what the instance has, whatever the method declares.
     pub(super) fn field_of_this(&mut self, name: &Name, span: Span) -> Option<Reached> {
         let entity = self.names.of_instance(&name.text)?;
+        if !self.may_see(&entity, name) {
+            return Some(Reached::Other(Typed::Poison));
+        }
         Some(self.entity(entity, &Name { span, ..name.clone() }))
+    }
+
+    /// Whether a variable that the block has from another one may be used in it; else that is said.
+    pub(super) fn may_see(&mut self, entity: &Entity, name: &Name) -> bool {
+        let (Entity::Variable(variable), Some(this)) = (entity, self.names.this()) else { return true };
+        let extends = self.names.objects().get(this).is_some_and(|object| object.base.is_some());
+        if !extends || !entity.is_of_instance() {
+            return true;
+        }
+        let Some((of, access)) = self.names.access_of(this, &name.text).filter(|(of, _)| *of != this) else { return true };
+        let (word, who) = match access {
+            Some(Access::Private) => ("PRIVATE", "only the block itself uses it"),
+            Some(Access::Internal)
+                if self.names.objects().get(of).is_some_and(|object| object.namespace.as_str() != self.names.namespace()) =>
+            {
+                ("INTERNAL", "only its namespace uses it")
+            }
+            _ => return true,
+        };
+        let (message, declared) = (format!("`{}` of `{}` is {word}: {who}", variable.name, self.names.block_name(of)), variable.span);
+        self.report(Problem::P6284, name.span, message).related.push((declared, "declared here".to_owned()));
+        false
     }
 
     /// The instance that a variable is or refers to.
@@ -344,6 +369,7 @@ impl Checker<'_> {
     }
 
     /// An instance, or a reference to one, where a reference to something that it extends or implements is wanted.
+    #[allow(clippy::result_large_err)] // What is no reference goes on to the other conversions.
     pub(super) fn upwards(&mut self, typed: Typed, span: Span, wanted: &DataType) -> Result<Value, Typed> {
         let DataType::Reference(reference) = wanted else { return Err(typed) };
         let DataType::Instance { block: upper, .. } = reference.target else { return Err(typed) };

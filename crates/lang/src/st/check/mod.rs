@@ -14,6 +14,7 @@ pub mod names;
 mod open_arrays;
 mod operators;
 mod places;
+mod queries;
 mod ranges;
 mod s5;
 mod statements;

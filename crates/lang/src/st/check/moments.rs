@@ -54,8 +54,8 @@ impl Checker<'_> {
                 let value = Value { kind: ValueKind::Constant(nanoseconds), scalar: Scalar::U64, span };
                 Typed::Scalar { value, data_type: DataType::LongDateAndTime }
             }
-            Typed::Aggregate(target) if dtl::is_dtl(&target.data_type) => {
-                self.by_block("DTL_TO_LDT", vec![(Typed::Aggregate(target), span)], span)
+            dtl @ (Typed::Aggregate(_) | Typed::Delivered(..)) if Self::is_dtl(&dtl) => {
+                self.by_block("DTL_TO_LDT", vec![(dtl, span)], span)
             }
             other => other,
         }
@@ -65,7 +65,7 @@ impl Checker<'_> {
     pub(super) fn is_dtl(typed: &Typed) -> bool {
         match typed {
             Typed::Structured(..) => true,
-            Typed::Aggregate(target) => dtl::is_dtl(&target.data_type),
+            Typed::Aggregate(target) | Typed::Delivered(_, target) => dtl::is_dtl(&target.data_type),
             _ => false,
         }
     }
@@ -122,12 +122,11 @@ impl Checker<'_> {
         Some(self.arithmetic(operator, span, (a, first), (b, second)))
     }
 
-    /// T_DIFF of two DTL; the sums are a DTL, which is only assigned.
+    /// The same with a DTL.
     fn sum_of_dtl(&mut self, name: &str, a: (Typed, Span), b: (Typed, Span), long: bool, span: Span) -> Option<Typed> {
         if name != "T_DIFF" {
-            let message = format!("`{name}` of a DTL is a DTL, which stands only in an assignment to a DTL of its own");
-            self.report(Problem::P6320, span, message).help = Some(format!("Write `x := {name}(…);` with a DTL `x`."));
-            return None;
+            let function = if name == "T_ADD" { "TIA_ADD_DTL" } else { "TIA_SUB_DTL" };
+            return Some(self.by_block(function, vec![a, b], span));
         }
         if let Some((other, at)) = [&a, &b].into_iter().find(|(typed, _)| !Self::is_dtl(typed)) {
             let (what, at) = (self.what(other), *at);
@@ -137,14 +136,16 @@ impl Checker<'_> {
             return None;
         }
         let difference = self.by_block("TIA_DIFF_DTL", vec![a, b], span);
-        if long {
-            return Some(difference);
-        }
-        let given = [standard::Given { name: None, kind: super::functions::kind_of(&difference) }];
-        let Some(Ok(resolved)) = standard::resolve("LTIME_TO_TIME", self.dialect, &given) else { return Some(difference) };
+        Some(if long { difference } else { self.converted_by("LTIME_TO_TIME", difference, span) })
+    }
+
+    /// What a conversion with this name makes of a value.
+    pub(super) fn converted_by(&mut self, conversion: &str, typed: Typed, span: Span) -> Typed {
+        let given = [standard::Given { name: None, kind: super::functions::kind_of(&typed) }];
+        let Some(Ok(resolved)) = standard::resolve(conversion, self.dialect, &given) else { return typed };
         let argument = ast::Argument { name: None, direction: ast::Direction::Assigned, value: None, span };
         let call = ast::Call { callee: Expression { kind: ExpressionKind::Missing, span }, arguments: vec![argument] };
-        Some(self.composed("LTIME_TO_TIME", resolved, &call, vec![(difference, span)], span))
+        self.composed(conversion, resolved, &call, vec![(typed, span)], span)
     }
 
     /// T_DIFF where an LTIME is wanted: the difference of two DTL has all its digits.

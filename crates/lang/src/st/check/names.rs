@@ -9,7 +9,7 @@ use sieben_model::source::Span;
 use sieben_model::types::{DataType, Structure};
 
 use crate::library::LibraryBlock;
-use crate::st::ast::LiteralKind;
+use crate::st::ast::{Access, LiteralKind};
 use crate::st::objects::Objects;
 use crate::st::standard::Provided;
 use crate::st::tree::{Base, Local};
@@ -156,8 +156,12 @@ pub trait Names {
     fn this(&self) -> Option<BlockId>;
     /// What the instance has under this name, whatever a method declares.
     fn of_instance(&self, name: &str) -> Option<Entity>;
+    /// The block that declares a variable of a block, which may be one that it extends, and who may use it, if the section says so.
+    fn access_of(&self, block: BlockId, variable: &str) -> Option<(BlockId, Option<Access>)>;
     /// Whether a variable of a block is declared PUBLIC.
-    fn is_public(&self, block: BlockId, variable: &str) -> bool;
+    fn is_public(&self, block: BlockId, variable: &str) -> bool {
+        self.access_of(block, variable).is_some_and(|(_, access)| access == Some(Access::Public))
+    }
     /// Whether the declaration of a variable of a block gives it an initial value.
     fn has_initial(&self, block: BlockId, variable: &str) -> bool;
     /// Whether the names are those of a CONFIGURATION, which knows the inside of every instance.

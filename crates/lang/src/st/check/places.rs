@@ -7,6 +7,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::{DataType, ReferenceKind};
 
+use super::calls::after;
 use super::members::{is_super, is_this};
 use super::names::{Constant, Entity, Role};
 use super::texts::text_room;
@@ -17,7 +18,7 @@ use crate::scope::nearest;
 use crate::st::ast::{self, Expression, ExpressionKind, LiteralKind, Name, Position, Quoting};
 use crate::st::dialect::{AddressUnit, Construct, IndexFault};
 use crate::st::open_arrays::is_open;
-use crate::st::tree::{Base, Bounds, Index, Place, Scalar, Text, Value, ValueKind};
+use crate::st::tree::{Base, Bounds, Index, Place, Scalar, Statement, Text, Value, ValueKind};
 
 /// What a path leads to.
 pub(super) enum Reached {
@@ -108,6 +109,7 @@ impl Checker<'_> {
             Quoting::Bare | Quoting::Backquoted => self.names.local(&name.text).or_else(|| self.names.global(&name.text)),
         };
         match found {
+            Some(entity) if !self.may_see(&entity, name) => POISON,
             Some(entity) => self.entity(entity, name),
             None => match self.flag(name).or_else(|| self.own_property(name, name.span)) {
                 Some(value) => Reached::Other(value),
@@ -271,6 +273,10 @@ impl Checker<'_> {
         match reached {
             Reached::Target(target) => self.field(target, name, span),
             Reached::Other(Typed::Poison) => POISON,
+            Reached::Other(Typed::Delivered(before, target)) => match self.field(target, name, span) {
+                Reached::Target(field) => Reached::Other(self.delivered_part(before, field, span)),
+                other => other,
+            },
             Reached::Other(Typed::Block(block)) if block.kind == BlockKind::DataBlock => match self.data_block(block, base.span) {
                 Some(target) => self.field(target, name, span),
                 None => POISON,
@@ -476,8 +482,13 @@ impl Checker<'_> {
             groups.push((indexes, base.span));
             base = inner;
         }
+        let mut before = Vec::new();
         let mut target = match self.reach(base) {
             Reached::Target(target) => target,
+            Reached::Other(Typed::Delivered(statements, target)) => {
+                before = statements;
+                target
+            }
             Reached::Other(Typed::Poison) => return POISON,
             Reached::Other(other) => {
                 let what = self.what(&other);
@@ -538,7 +549,20 @@ impl Checker<'_> {
             }
         }
         target.place.span = expression.span;
+        if !before.is_empty() {
+            return Reached::Other(self.delivered_part(before, target, expression.span));
+        }
         Reached::Target(target)
+    }
+
+    /// A part of what a function delivers.
+    fn delivered_part(&mut self, before: Vec<Statement>, part: Target, span: Span) -> Typed {
+        match self.load(part) {
+            Typed::Scalar { value, data_type } => Typed::Scalar { value: after(before, value), data_type },
+            Typed::Aggregate(part) => Typed::Delivered(before, part),
+            Typed::Poison => Typed::Poison,
+            _ => self.not_built(span, "a text as a part of a result"),
+        }
     }
 
     fn element(&mut self, mut target: Target, indexes: &[&Expression], span: Span) -> Option<Target> {
@@ -791,6 +815,7 @@ impl Checker<'_> {
             Typed::Scalar { data_type, .. } | Typed::Number { data_type, .. } => format!("a value of type {}", self.words(data_type)),
             Typed::Text(text) if text.is_wide() => "a WSTRING".to_owned(),
             Typed::Text(_) => "a text".to_owned(),
+            Typed::Delivered(_, target) => format!("a result of type {}", self.words(&target.data_type)),
             Typed::Aggregate(target) => format!("`{}` of type {}", target.name, self.words(&target.data_type)),
             Typed::Moment(_) => "a DATE_AND_TIME".to_owned(),
             Typed::Structured(..) => "a DTL".to_owned(),

@@ -394,6 +394,11 @@ impl Checker<'_> {
             (wanted, Typed::Structured(_, bytes)) if dtl::is_dtl(wanted) => {
                 Some(StatementKind::Block(Self::write_dtl(&target.place, bytes, span)))
             }
+            (wanted, Typed::Delivered(mut before, source)) if same_type(wanted, &source.data_type) => {
+                let bytes = u32::try_from(wanted.bits().div_ceil(8)).unwrap_or(u32::MAX);
+                before.push(Statement { kind: StatementKind::Copy { target: target.place, source: source.place, bytes }, span });
+                Some(StatementKind::Block(before))
+            }
             (wanted, Typed::Aggregate(source)) if same_type(wanted, &source.data_type) => {
                 if matches!(wanted, DataType::Instance { .. }) && !self.dialect.switches().temporaries_initialised {
                     let message = format!("`{}` is an instance, and instances are not copied", target.name);
@@ -406,7 +411,7 @@ impl Checker<'_> {
             (wanted, other) => {
                 let wanted = wanted.clone();
                 match other {
-                    Typed::Aggregate(source) => self.no_conversion(&source.data_type, &wanted, from),
+                    Typed::Aggregate(source) | Typed::Delivered(_, source) => self.no_conversion(&source.data_type, &wanted, from),
                     other => {
                         let what = self.what(&other);
                         self.report(Problem::P6200, from, format!("`{}` is {}, and this is {what}", target.name, self.words(&wanted)));

@@ -9,6 +9,7 @@ use sieben_model::types::{DataType, STRING_LENGTH_MAX};
 use super::functions::{kind_of, order_of};
 use super::places::unknown_length;
 use super::typed::{Target, Typed};
+use super::types::Kind;
 use super::{Checker, operators};
 use crate::st::ast::{self, CaseArm, CaseLabel, Expression, ExpressionKind, Name, Quoting};
 use crate::st::dialect::{Construct, Judgement};
@@ -174,6 +175,63 @@ impl Checker<'_> {
         }
         taken.push((text.clone(), span));
         Some(text)
+    }
+
+    /// `STRG_VAL(IN := text, FORMAT := 0, P := 1, OUT => number)`: the number that begins at a character.
+    pub(super) fn value_of_text(&mut self, call: &ast::Call, span: Span) -> Option<StatementKind> {
+        let given = self.named("STRG_VAL", call, &["IN", "FORMAT", "P", "OUT"], span)?;
+        let target = self.target(given[3])?;
+        let Some(kind) = Kind::of(&target.data_type).filter(|kind| kind.is_number()) else {
+            let message = format!("`STRG_VAL` writes a number, and `{}` is {}", target.name, self.words(&target.data_type));
+            self.report(Problem::P4011, given[3].span, message);
+            return None;
+        };
+        let whole = Value { kind: ValueKind::Constant(u64::from(kind.is_integer())), scalar: Scalar::Bool, span };
+        let mut arguments: Vec<(Typed, Span)> = given[..3].iter().map(|value| (self.expression(value), value.span)).collect();
+        arguments.push((Typed::Scalar { value: whole, data_type: DataType::Bool }, span));
+        let found = self.by_block("TIA_STRG_VAL", arguments, span);
+        let word = kind.data_type().word().unwrap_or("LREAL");
+        let found = if kind == Kind::LREAL { found } else { self.converted_by(&format!("LREAL_TO_{word}"), found, span) };
+        self.store(target, found, given[0].span, span)
+    }
+
+    /// `VAL_STRG(IN := number, SIZE := 8, PREC := 2, FORMAT := 0, P := 1, OUT => text)`: a number into a text from a character on.
+    pub(super) fn value_in_text(&mut self, call: &ast::Call, span: Span) -> Option<StatementKind> {
+        const PARAMETERS: [&str; 6] = ["IN", "SIZE", "PREC", "FORMAT", "P", "OUT"];
+        let given = self.named("VAL_STRG", call, &PARAMETERS, span)?;
+        let typed = self.expression(given[0]);
+        let whole = match &typed {
+            Typed::Integer { .. } => true,
+            Typed::Real { .. } => false,
+            Typed::Scalar { data_type, .. } if let Some(kind) = Kind::of(data_type).filter(|kind| kind.is_number()) => kind.is_integer(),
+            Typed::Poison => return None,
+            other => {
+                let what = self.what(other);
+                self.report(Problem::P4011, given[0].span, format!("`VAL_STRG` writes a number, not {what}"));
+                return None;
+            }
+        };
+        let target = self.target(given[5])?;
+        if !matches!(target.data_type, DataType::String(_)) {
+            let message = format!("`VAL_STRG` writes into a STRING, and `{}` is {}", target.name, self.words(&target.data_type));
+            self.report(Problem::P4011, given[5].span, message);
+            return None;
+        }
+        let named = |name: &str, value: Expression| ast::Argument {
+            name: Some(Name { text: name.to_owned(), span: value.span, quoting: Quoting::Bare }),
+            direction: ast::Direction::Assigned,
+            span: value.span,
+            value: Some(value),
+        };
+        let whole = ast::Literal { kind: ast::LiteralKind::Bool(whole), prefix: None };
+        let whole = Expression { kind: ExpressionKind::Literal(whole), span };
+        let arguments = PARAMETERS.iter().zip(&given).map(|(name, value)| named(name, (*value).clone())).chain([named("WHOLE", whole)]);
+        let call = ast::Call { callee: call.callee.clone(), arguments: arguments.collect() };
+        let block = self.of_library("TIA_VAL_STRG")?;
+        let interface = self.interface(block, span)?;
+        let (call, mut before) = self.arguments(Callee::Function(block), &interface, &call, span)?;
+        before.push(Statement { kind: StatementKind::Call(call), span });
+        Some(StatementKind::Block(before))
     }
 
     /// Whether a call is one of a function of WSTRINGs where a block for STRINGs has the same name.

@@ -6,7 +6,7 @@ use sieben_model::types::DataType;
 
 use super::names::Role;
 use crate::st::dtl::BYTES;
-use crate::st::tree::{Place, Text, Value};
+use crate::st::tree::{Place, Statement, Text, Value};
 
 /// An expression that has been looked at.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +23,8 @@ pub(super) enum Typed {
     Text(Text),
     /// An array, a structure, an instance, DATE_AND_TIME of the S7: what has a place and no scalar.
     Aggregate(Target),
+    /// What a function delivers that is an array, a structure or a DATE_AND_TIME: where the statements put it.
+    Delivered(Vec<Statement>, Target),
     /// A constant of the DATE_AND_TIME of the S7.
     Moment([u8; 8]),
     /// A constant of the type DTL: its nanoseconds since 1970, and its bytes.

@@ -329,19 +329,20 @@ impl Names for BlockNames<'_, '_> {
         declared.names.get(&key(name)).filter(|entity| entity.is_of_instance()).cloned()
     }
 
-    fn is_public(&self, block: BlockId, variable: &str) -> bool {
+    fn access_of(&self, block: BlockId, variable: &str) -> Option<(BlockId, Option<ast::Access>)> {
         let items = self.environment.items;
         let mut owner = Some(block);
-        while let Some(code) = owner.and_then(|owner| items.code.get(&owner)) {
+        while let Some((block, code)) = owner.and_then(|owner| Some((owner, items.code.get(&owner)?))) {
             let declares = |section: &&ast::VarSection| {
                 section.declarations.iter().any(|declaration| declaration.names.iter().any(|declared| declared.name.is(variable)))
             };
             if let Some(section) = code.block.sections.iter().find(declares) {
-                return section.has(ast::Qualifier::Access(ast::Access::Public));
+                let all = [ast::Access::Public, ast::Access::Private, ast::Access::Protected, ast::Access::Internal];
+                return Some((block, all.into_iter().find(|&access| section.has(ast::Qualifier::Access(access)))));
             }
-            owner = owner.and_then(|owner| items.objects.get(owner)).and_then(|object| object.base);
+            owner = items.objects.get(block).and_then(|object| object.base);
         }
-        false
+        None
     }
 
     fn has_initial(&self, block: BlockId, variable: &str) -> bool {

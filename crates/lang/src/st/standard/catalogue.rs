@@ -58,7 +58,7 @@ chapters! {
             "TP(IN: BOOL; PT: TIME) → Q: BOOL; ET: TIME" "TP_LTIME(IN: BOOL; PT: LTIME) → Q: BOOL; ET: LTIME" "LTP(IN: BOOL; PT: LTIME) → Q: BOOL; ET: LTIME";
         "tonr" "the time of several pieces" ["TONR" "TONR_TIME" "TONR_LTIME"] "TONR(IN: BOOL; R: BOOL; PT: TIME) → Q: BOOL; ET: TIME" "TONR_LTIME(IN: BOOL; R: BOOL; PT: LTIME) → Q: BOOL; ET: LTIME";
         "iec_timer" "any timer" ["IEC_TIMER" "IEC_LTIMER" "RESET_TIMER" "PRESET_TIMER"] "RESET_TIMER(timer)" "PRESET_TIMER(duration; timer)";
-        "rtc" "a clock that is set" ["RTC"] "RTC(IN: BOOL; PDT: DT) → Q: BOOL; CDT: DT";
+        "rtc" "a clock that is set" ["RTC"] "iec: RTC(IN: BOOL; PDT: DT) → Q: BOOL; CDT: DT" "codesys: RTC(EN: BOOL; PDT: DT) → Q: BOOL; CDT: DT";
         "scan_clock" "the clock of timers" ["SCAN_CLOCK" "TIME"] "SCAN_CLOCK(): TIME" "TIME(): TIME";
         "s_pulse" "S5 timer: a pulse" ["S_PULSE" "S_IMPULS"] "S_PULSE(T_NO: TIMER; S: BOOL; TV: S5TIME; R: BOOL; BI => WORD; Q => BOOL): S5TIME";
         "s_pext" "S5 timer: a pulse of full length" ["S_PEXT" "S_VIMP"] "S_PEXT(T_NO: TIMER; S: BOOL; TV: S5TIME; R: BOOL; BI => WORD; Q => BOOL): S5TIME";
@@ -112,6 +112,11 @@ chapters! {
         "extract" "single bits" ["EXTRACT" "PUTBIT" "PACK" "UNPACK"] "EXTRACT(X: DWORD; N: BYTE): BOOL" "PUTBIT(X: DWORD; N: BYTE; B: BOOL): DWORD"
             "PACK(B0: BOOL; B1: BOOL; B2: BOOL; B3: BOOL; B4: BOOL; B5: BOOL; B6: BOOL; B7: BOOL): BYTE"
             "UNPACK(B: BYTE) → B0: BOOL; B1: BOOL; B2: BOOL; B3: BOOL; B4: BOOL; B5: BOOL; B6: BOOL; B7: BOOL";
+        "getbit" "bits by their numbers" ["GETBIT" "SETBIT" "SWITCHBIT"] "GETBIT(X: DWORD; N: BYTE): BOOL" "SETBIT(X: DWORD; N: BYTE): DWORD" "SWITCHBIT(X: DWORD; N: BYTE): DWORD";
+        "bit_as_byte" "bits as a number" ["BIT_AS_BYTE" "BIT_AS_WORD" "BIT_AS_DWORD" "BYTE_AS_BIT" "WORD_AS_BIT" "DWORD_AS_BIT"]
+            "BIT_AS_BYTE(B00: BOOL; B01: BOOL; B02: BOOL; B03: BOOL; B04: BOOL; B05: BOOL; B06: BOOL; B07: BOOL): BYTE"
+            "BYTE_AS_BIT(B: BYTE) → B00: BOOL; B01: BOOL; B02: BOOL; B03: BOOL; B04: BOOL; B05: BOOL; B06: BOOL; B07: BOOL"
+            "WORD_AS_BIT(W: WORD) → B00: BOOL; …" "DWORD_AS_BIT(X: DWORD) → B00: BOOL; …";
     }
     "Selection and comparison" false {
         "sel" "one of two" ["SEL"] "SEL(G: BOOL; IN0: ANY; IN1: ANY): ANY";
@@ -150,6 +155,7 @@ chapters! {
         "replace" "some characters by others" ["REPLACE" "WREPLACE"] "iec scl tia: REPLACE(IN1: STRING; IN2: STRING; L: INT; P: INT): STRING" "codesys: REPLACE(STR1: STRING; STR2: STRING; L: INT; P: INT): STRING";
         "max_len" "room for characters" ["MAX_LEN" "S_MOVE"] "MAX_LEN(text): DINT" "S_MOVE(IN: STRING; OUT => STRING)";
         "strg_to_chars" "characters one by one" ["STRG_TO_CHARS" "CHARS_TO_STRG"] "Strg_TO_Chars(text; first; count; array)" "Chars_TO_Strg(array; first; count; text)";
+        "strg_val" "numbers at a place of a text" ["STRG_VAL" "VAL_STRG"] "STRG_VAL(text; format; first; number)" "VAL_STRG(number; size; decimals; format; first; text)";
         "find" "where a text begins" ["FIND" "WFIND"] "iec scl tia: FIND(IN1: STRING; IN2: STRING): INT" "codesys: FIND(STR1: STRING; STR2: STRING): INT";
     }
     "Times and dates" false {
@@ -179,6 +185,7 @@ chapters! {
     }
     "Names, sizes and numbers" false {
         "sizeof" "bytes" ["SIZEOF"] "SIZEOF(variable or type): INT";
+        "queryinterface" "what an interface refers to" ["__QUERYINTERFACE" "__QUERYPOINTER" "__ISVALIDREF"] "__QUERYINTERFACE(interface; wanted): BOOL" "__QUERYPOINTER(interface; pointer): BOOL" "__ISVALIDREF(reference): BOOL";
         "ref" "references" ["REF" "ADR"] "REF(variable): REF_TO its type" "ADR(variable): POINTER TO its type";
         "word_to_block_db" "data blocks by number" ["WORD_TO_BLOCK_DB" "BLOCK_DB_TO_WORD"] "WORD_TO_BLOCK_DB(number): BLOCK_DB" "BLOCK_DB_TO_WORD(block): WORD";
     }
@@ -186,6 +193,7 @@ chapters! {
         "blink" "on and off" ["BLINK"] "BLINK(ENABLE: BOOL; TIMELOW: TIME; TIMEHIGH: TIME) → OUT: BOOL";
         "gen" "a signal that repeats itself" ["GEN"] "GEN(MODE: INT; BASE: BOOL; PERIOD: TIME; CYCLES: INT; AMPLITUDE: INT; RESET: BOOL) → OUT: INT";
         "hysteresis" "two thresholds" ["HYSTERESIS"] "HYSTERESIS(IN: INT; HIGH: INT; LOW: INT) → OUT: BOOL";
+        "freq_measure" "how often in a second" ["FREQ_MEASURE"] "FREQ_MEASURE(IN: BOOL; PERIODS: INT; RESET: BOOL) → OUT: REAL; VALID: BOOL";
         "limitalarm" "above, below, in between" ["LIMITALARM"] "LIMITALARM(IN: INT; HIGH: INT; LOW: INT) → O: BOOL; U: BOOL; IL: BOOL";
         "ramp" "at most so fast" ["RAMP_INT" "RAMP_REAL"] "RAMP_INT(IN: INT; ASCEND: INT; DESCEND: INT; TIMEBASE: TIME; RESET: BOOL) → OUT: INT" "RAMP_REAL(IN: REAL; ASCEND: REAL; DESCEND: REAL; TIMEBASE: TIME; RESET: BOOL) → OUT: REAL";
         "derivative" "how fast it rises" ["DERIVATIVE"] "DERIVATIVE(IN: REAL; TM: DWORD; RESET: BOOL) → OUT: REAL";

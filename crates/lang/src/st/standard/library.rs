@@ -44,6 +44,7 @@ sources! {
     "tonr_time.st" Iec                  [0 0 0 1]: TONR_TIME;
     "tonr_ltime.st" Iec                 [0 0 0 1]: TONR_LTIME;
     "rtc.st" Iec                        [1 0 0 0]: RTC;
+    "rtc_codesys.st" Codesys            [0 1 0 0]: RTC;
     "counters.st" Iec                   [1 0 0 1]: CTU CTD CTUD;
     "iec_counters.st" Iec               [0 0 0 1]: IEC_COUNTER IEC_CTD_INT IEC_SCOUNTER IEC_CTD_SINT IEC_DCOUNTER IEC_CTD_DINT
                                                    IEC_USCOUNTER IEC_CTD_USINT IEC_UCOUNTER IEC_CTD_UINT IEC_UDCOUNTER IEC_CTD_UDINT;
@@ -61,6 +62,8 @@ sources! {
     "util_mathematics.st" Codesys       [0 1 0 0]: DERIVATIVE INTEGRAL STATISTICS_REAL STATISTICS_INT VARIANCE;
     "util_controllers.st" Codesys       [0 1 0 0]: PID_FIXCYCLE PID PD;
     "util_bits.st" Codesys              [0 1 0 0]: EXTRACT PUTBIT PACK UNPACK;
+    "util_numbered_bits.st" Codesys     [0 1 0 0]: GETBIT SETBIT SWITCHBIT BIT_AS_BYTE BYTE_AS_BIT BIT_AS_WORD WORD_AS_BIT BIT_AS_DWORD DWORD_AS_BIT;
+    "util_frequency.st" Codesys         [0 1 0 0]: FREQ_MEASURE;
     "strings_iec.st" Iec                [1 0 0 0]: IEC_DELETE IEC_REPLACE;
     "replace_tia.st" Iec                [0 0 0 1]: TIA_REPLACE;
     "strings_codesys.st" Iec            [0 1 0 0]: CODESYS_LEFT CODESYS_RIGHT CODESYS_MID CODESYS_CONCAT CODESYS_INSERT CODESYS_DELETE
@@ -80,6 +83,7 @@ sources! {
                                                    DATE_TO_DTL CONCAT_DATE_TOD CONCAT_DATE_LTOD TIA_COMBINE_DTL TIA_ADD_DTL TIA_SUB_DTL TIA_DIFF_DTL
                                                    TIA_READ_DTL TIA_READ_LDT TIA_WRITE_DTL TIA_WRITE_LDT;
     "long_to_string_tia.st" Iec         [0 0 0 1]: TIA_LINT_TO_STRING;
+    "values_in_texts.st" Iec            [0 0 0 1]: TIA_STRG_VAL TIA_VAL_STRG;
     "characters.st" Iec                 [0 0 0 1]: Strg_TO_Chars Chars_TO_Strg;
     "counters_codesys_long.st" Codesys  [0 1 0 0]: LCTU LCTD LCTUD;
     "util_codes.st" Codesys             [0 1 0 0]: BYTE_TO_GRAY WORD_TO_GRAY DWORD_TO_GRAY GRAY_TO_BYTE GRAY_TO_WORD GRAY_TO_DWORD;

@@ -1,0 +1,122 @@
+//! What codesys asks of interfaces and references: `__QUERYINTERFACE`, `__QUERYPOINTER`, `__ISVALIDREF`; and what has no place here, `__NEW`.
+
+use sieben_engine::ir::Op;
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+use sieben_model::types::{DataType, ReferenceKind};
+
+use super::Checker;
+use super::calls::after;
+use super::members::interface_of;
+use super::names::Entity;
+use super::typed::Typed;
+use crate::st::ast::{self, Expression, ExpressionKind, Name};
+use crate::st::dialect::{Construct, Judgement};
+use crate::st::tree::{Place, Scalar, Statement, StatementKind, Value, ValueKind};
+
+/// Functions of the system that are not there, and what does the same.
+const ABSENT: &[(&str, &str)] = &[
+    ("__NEW", "Declare an array of them, and keep which elements are in use: a CPU has no memory that is made while the program runs."),
+    ("__DELETE", "Declare an array of them, and keep which elements are in use: a CPU has no memory that is made while the program runs."),
+    ("__VARINFO", "Write the name, the type or the address as a constant."),
+    ("__POUNAME", "Write the name as a text."),
+    ("__POSITION", "Write the place as a text."),
+    ("__CURRENTTASK", "Give each task a variable that says which one it is."),
+    ("__XADD", "Write `x := x + y`: a task is interrupted between two statements, never in one."),
+    ("TEST_AND_SET", "Write `old := x; x := TRUE`, or use SEMA."),
+];
+
+impl Checker<'_> {
+    /// A query; `None` for other names.
+    pub(super) fn query(&mut self, name: &Name, call: &ast::Call, span: Span) -> Option<Typed> {
+        if self.dialect.judge(Construct::PointerTo) == Judgement::Reject {
+            return None;
+        }
+        if let Some((absent, help)) = ABSENT.iter().find(|(absent, _)| name.is(absent)) {
+            self.report(Problem::P6323, name.span, format!("`{absent}` does not exist here")).help = Some((*help).to_owned());
+            return Some(Typed::Poison);
+        }
+        let found = match name.text.to_ascii_uppercase().as_str() {
+            "__QUERYINTERFACE" => self.query_interface(call, span),
+            "__QUERYPOINTER" => self.query_pointer(call, span),
+            "__ISVALIDREF" => self.is_valid_reference(call, span),
+            _ => return None,
+        };
+        Some(found.unwrap_or(Typed::Poison))
+    }
+
+    /// Whether what an interface refers to has another one too, to which the second argument refers from then on.
+    fn query_interface(&mut self, call: &ast::Call, span: Span) -> Option<Typed> {
+        let [from, to] = self.two_arguments("__QUERYINTERFACE", call, span)?;
+        self.interface_variable("__QUERYINTERFACE", from)?;
+        let target = self.interface_variable("__QUERYINTERFACE", to)?;
+        let kind = self.attempt(to, from, span)?;
+        Some(is_set(vec![Statement { kind, span }], target, span))
+    }
+
+    /// A pointer to what an interface refers to.
+    fn query_pointer(&mut self, call: &ast::Call, span: Span) -> Option<Typed> {
+        let [from, to] = self.two_arguments("__QUERYPOINTER", call, span)?;
+        let source = self.interface_variable("__QUERYPOINTER", from)?;
+        let target = self.target(to)?;
+        if !matches!(&target.data_type, DataType::Reference(reference) if reference.kind == ReferenceKind::Pointer) {
+            let message = format!("`__QUERYPOINTER` writes a POINTER, and `{}` is {}", target.name, self.words(&target.data_type));
+            self.report(Problem::P4011, to.span, message);
+            return None;
+        }
+        let value = Value { kind: ValueKind::Load(source), scalar: Scalar::U64, span };
+        let kind = StatementKind::Assign { target: target.place.clone(), value };
+        Some(is_set(vec![Statement { kind, span }], target.place, span))
+    }
+
+    /// Whether a REFERENCE TO refers to something.
+    fn is_valid_reference(&mut self, call: &ast::Call, span: Span) -> Option<Typed> {
+        let [ast::Argument { value: Some(argument), .. }] = call.arguments.as_slice() else {
+            self.look_at(&call.arguments);
+            self.report(Problem::P6219, span, "`__ISVALIDREF` takes one parameter, a REFERENCE TO");
+            return None;
+        };
+        if let ExpressionKind::Name(name) = &argument.kind
+            && let Some(Entity::Variable(variable)) = self.names.local(&name.text).or_else(|| self.names.global(&name.text))
+            && matches!(&variable.data_type, DataType::Reference(reference) if reference.kind == ReferenceKind::Reference)
+        {
+            let place = Place { base: variable.base, offset: variable.offset, indexes: Vec::new(), span };
+            return Some(is_set(Vec::new(), place, span));
+        }
+        let typed = self.expression(argument);
+        if typed != Typed::Poison {
+            self.report(Problem::P4011, argument.span, "`__ISVALIDREF` takes a variable that is declared as REFERENCE TO").help =
+                Some("A pointer is compared with 0, an interface too.".to_owned());
+        }
+        None
+    }
+
+    fn two_arguments<'c>(&mut self, function: &str, call: &'c ast::Call, span: Span) -> Option<[&'c Expression; 2]> {
+        if let [ast::Argument { value: Some(from), .. }, ast::Argument { value: Some(to), .. }] = call.arguments.as_slice() {
+            return Some([from, to]);
+        }
+        self.look_at(&call.arguments);
+        self.report(Problem::P6219, span, format!("`{function}` takes two parameters"));
+        None
+    }
+
+    /// Where a variable lies that is an interface.
+    fn interface_variable(&mut self, function: &str, expression: &Expression) -> Option<Place> {
+        let target = self.target(expression)?;
+        if interface_of(&target.data_type).is_none() {
+            let message =
+                format!("`{function}` takes a variable that is an interface, and `{}` is {}", target.name, self.words(&target.data_type));
+            self.report(Problem::P4011, expression.span, message);
+            return None;
+        }
+        Some(target.place)
+    }
+}
+
+/// Whether a reference is not NULL after the statements.
+fn is_set(before: Vec<Statement>, place: Place, span: Span) -> Typed {
+    let load = Value { kind: ValueKind::Load(place), scalar: Scalar::U64, span };
+    let null = Value { kind: ValueKind::Constant(0), scalar: Scalar::U64, span };
+    let value = Value { kind: ValueKind::Compute { op: Op::Differ, args: vec![load, null] }, scalar: Scalar::Bool, span };
+    Typed::Scalar { value: after(before, value), data_type: DataType::Bool }
+}
