@@ -254,6 +254,7 @@ fn messages_name_what_was_meant() {
         ("tia", "i := RD_SYS_T(i);", &["P4011", "a DTL, an LDT or a DATE_AND_TIME"]),
         ("tia", "i := T_COMBINE(d, d);", &["P6322", "INT is wanted here"]),
         ("tia", "r := T_DIFF(d, 5);", &["P4011", "a date, as the first value is"]),
+        ("tia", "i := ATH(i);", &["P6323", "Strg_TO_Chars"]),
         ("codesys", "i := __NEW(INT);", &["P6323", "Declare an array"]),
         ("iec", "i := DAYS_OF_DATE(2024, 1, 1);", &["P3008", "there is no function"]),
     ];

@@ -103,6 +103,8 @@ pub struct DeclaredName {
     pub qualifier: Vec<Name>,
     /// The name.
     pub name: Name,
+    /// Elements of arrays on the way, in VAR_CONFIG: behind which of the names, the qualifiers first, and the indexes.
+    pub elements: Vec<(usize, Vec<Expression>)>,
 }
 
 /// What AT says.

@@ -13,7 +13,7 @@ mod moments;
 pub mod names;
 mod open_arrays;
 mod operators;
-mod places;
+pub(crate) mod places;
 mod queries;
 mod ranges;
 mod s5;

@@ -317,7 +317,13 @@ impl Checker<'_> {
     /// A data block as a variable.
     pub(super) fn data_block(&mut self, block: BlockId, span: Span) -> Option<Target> {
         let Some(view) = self.names.data_block(block.number) else {
-            self.report(Problem::P3008, span, format!("the data block {block} does not exist"));
+            // One with a name may be declared and have a mistake of its own.
+            let (name, number) = (self.names.block_name(block), block.to_string());
+            let message = match name == number {
+                true => format!("the data block {number} does not exist"),
+                false => format!("the data block `{name}` does not exist, or its declaration has a mistake"),
+            };
+            self.report(Problem::P3008, span, message);
             return None;
         };
         let place = Place { base: Base::DataBlock(block.number), offset: 0, indexes: Vec::new(), span };
@@ -849,7 +855,7 @@ pub(super) fn element_step(element: &DataType) -> u32 {
 }
 
 /// Bits from one index to the next, for each dimension.
-fn dimension_steps(bounds: &[(i32, i32)], element: &DataType) -> Vec<u32> {
+pub(crate) fn dimension_steps(bounds: &[(i32, i32)], element: &DataType) -> Vec<u32> {
     let count = |&(low, high): &(i32, i32)| u64::try_from(i64::from(high) - i64::from(low) + 1).unwrap_or(0);
     let mut step = u64::from(element_step(element));
     let mut steps = Vec::with_capacity(bounds.len());

@@ -1,4 +1,5 @@
-//! What codesys asks of interfaces and references: `__QUERYINTERFACE`, `__QUERYPOINTER`, `__ISVALIDREF`; and what has no place here, `__NEW`.
+//! What codesys asks of interfaces and references: `__QUERYINTERFACE`, `__QUERYPOINTER`, `__ISVALIDREF`; and what has no place here, such as
+//! `__NEW`.
 
 use sieben_engine::ir::Op;
 use sieben_model::problems::Problem;
@@ -26,9 +27,43 @@ const ABSENT: &[(&str, &str)] = &[
     ("TEST_AND_SET", "Write `old := x; x := TRUE`, or use SEMA."),
 ];
 
+const VARIANT: &str = "Types are known where a program is written here: declare the parameter with its type.";
+const ERRORS: &str = "Read ENO behind what may fail, or load OB 121 and read its start information.";
+
+/// The same of tia.
+const ABSENT_OF_TIA: &[(&str, &str)] = &[
+    ("TypeOf", VARIANT),
+    ("TypeOfElements", VARIANT),
+    ("TypeOfDB", VARIANT),
+    ("IS_ARRAY", VARIANT),
+    ("IS_NULL", VARIANT),
+    ("NOT_NULL", VARIANT),
+    ("VariantGet", VARIANT),
+    ("VariantPut", VARIANT),
+    ("GET_ERROR", ERRORS),
+    ("GET_ERR_ID", ERRORS),
+    ("ATH", "Take the characters one by one with Strg_TO_Chars and make numbers of them."),
+    ("HTA", "Make the characters of the digits one by one; WORD_TO_STRING writes 16#FF."),
+    ("JOIN", "Join the texts with CONCAT."),
+    ("SPLIT", "Look for the separator with FIND and take the parts with MID."),
+    ("RUNTIME", "Time stands still inside a scan: read RD_SYS_T in two scans, or measure with `sieben bench`."),
+    ("GetSymbolName", "Write the name as a text."),
+    ("GetInstanceName", "Write the name as a text."),
+    ("GetInstancePath", "Write the name as a text."),
+    ("SCATTER_BLK", "Call SCATTER in a FOR loop, once for each element."),
+    ("GATHER_BLK", "Call GATHER in a FOR loop, once for each element."),
+];
+
 impl Checker<'_> {
     /// A query; `None` for other names.
     pub(super) fn query(&mut self, name: &Name, call: &ast::Call, span: Span) -> Option<Typed> {
+        if self.has_memory_functions()
+            && let Some((absent, help)) = ABSENT_OF_TIA.iter().find(|(absent, _)| name.is(absent))
+        {
+            self.look_at(&call.arguments);
+            self.report(Problem::P6323, name.span, format!("`{absent}` does not exist here")).help = Some((*help).to_owned());
+            return Some(Typed::Poison);
+        }
         if self.dialect.judge(Construct::PointerTo) == Judgement::Reject {
             return None;
         }

@@ -22,6 +22,7 @@ use crate::declarations::types::{Types, describe};
 use crate::scope::key;
 use crate::st::ast::{Location, SectionKind};
 use crate::st::check::place_of;
+use crate::st::check::places::dimension_steps;
 use crate::st::dialect::Dialect;
 use crate::st::tree::Base;
 
@@ -66,6 +67,8 @@ struct Entry<'a> {
     declaration: &'a ast::Declaration,
     /// Resource, program, instances, variable.
     path: Vec<&'a ast::Name>,
+    /// Elements of arrays on the way: behind which of the names, and the indexes.
+    elements: &'a [(usize, Vec<ast::Expression>)],
 }
 
 impl Entry<'_> {
@@ -85,7 +88,7 @@ fn entries<'a>(items: &Items<'a>) -> Vec<Entry<'a>> {
         for declaration in &section.declarations {
             for declared in &declaration.names {
                 let path = declared.qualifier.iter().chain([&declared.name]).collect();
-                found.push(Entry { dialect, declaration, path });
+                found.push(Entry { dialect, declaration, path, elements: &declared.elements });
             }
         }
     }
@@ -169,8 +172,14 @@ fn entry_of<'a>(
         position += u64::from(field.offset);
         let open =
             types.st_known.open.iter().find(|open| Some(open.block) == owner_of(items, owner, open.block) && name.is(&open.name)).cloned();
-        found = Some((field.data_type.clone(), open));
-        match &field.data_type {
+        let mut data_type = field.data_type.clone();
+        if let Some((_, indexes)) = entry.elements.iter().find(|(behind, _)| *behind == index) {
+            let Some((element, offset)) = element_of(types, items, entry, (index, &data_type), indexes) else { return };
+            position += offset;
+            data_type = element;
+        }
+        found = Some((data_type.clone(), open));
+        match &data_type {
             DataType::Instance { block, structure: inside } => {
                 owner = Some(*block);
                 structure = std::sync::Arc::clone(inside);
@@ -243,6 +252,43 @@ fn entry_of<'a>(
     }
 }
 
+/// The element of an array that VAR_CONFIG names, and how many bits behind the begin of the array it lies.
+fn element_of<'a>(
+    types: &mut Types<'a>,
+    items: &'a Items<'a>,
+    entry: &Entry<'_>,
+    (name, array): (usize, &DataType),
+    indexes: &[ast::Expression],
+) -> Option<(DataType, u64)> {
+    let (mut data_type, mut offset, mut rest) = (array.clone(), 0, indexes);
+    while let Some(first) = rest.first() {
+        let DataType::Array { bounds, element } = &data_type else {
+            let message = format!("`{}` is {} and has no elements", shown_until(entry, name + 1), entry.dialect.type_words(&data_type));
+            types.report(Problem::P6311, first.span, message);
+            return None;
+        };
+        if rest.len() < bounds.len() {
+            let message = format!("`{}` has {} dimensions", shown_until(entry, name + 1), bounds.len());
+            types.report(Problem::P4005, first.span, message);
+            return None;
+        }
+        let (own, behind) = rest.split_at(bounds.len());
+        for ((index, &(low, high)), step) in own.iter().zip(bounds).zip(dimension_steps(bounds, element)) {
+            let mut resolver = Resolver::new(types, items, entry.dialect);
+            let number = resolver.integer(index)?;
+            if number < i128::from(low) || number > i128::from(high) {
+                let message = format!("the index {number} is outside {low}..{high} of `{}`", shown_until(entry, name + 1));
+                types.report(Problem::P4005, index.span, message);
+                return None;
+            }
+            offset += (number - i128::from(low)) as u64 * u64::from(step);
+        }
+        rest = behind;
+        data_type = (**element).clone();
+    }
+    Some((data_type, offset))
+}
+
 /// The block itself where a field is one that the block, or one that it extends, declares.
 fn owner_of(items: &Items<'_>, owner: Option<BlockId>, declares: BlockId) -> Option<BlockId> {
     let mut block = owner;
@@ -280,17 +326,45 @@ fn missing_in(
             }
             continue;
         }
-        let (mut inside, mut path) = (&field.data_type, path);
-        while let DataType::Array { element, bounds } = inside {
-            // The first element stands for all: none of them can be named.
-            path = format!("{path}[{}]", bounds.iter().map(|(low, _)| low.to_string()).collect::<Vec<_>>().join(", "));
-            inside = element;
+        missing_inside(types, items, &field.data_type, here, &path, given, missing);
+    }
+}
+
+/// The same of what lies in a variable.
+fn missing_inside(
+    types: &Types<'_>,
+    items: &Items<'_>,
+    data_type: &DataType,
+    here: u64,
+    path: &str,
+    given: &HashSet<u64>,
+    missing: &mut Vec<(String, OpenAddress)>,
+) {
+    match data_type {
+        DataType::Instance { block, structure } => missing_in(types, items, structure, Some(*block), here, path, given, missing),
+        DataType::Struct(structure) => missing_in(types, items, structure, None, here, path, given, missing),
+        DataType::Array { bounds, element }
+            if matches!(**element, DataType::Instance { .. } | DataType::Struct(_) | DataType::Array { .. }) =>
+        {
+            let (before, steps) = (missing.len(), dimension_steps(bounds, element));
+            for number in 0..data_type.elements() {
+                let (mut rest, mut offset, mut indexes) = (number, 0, Vec::with_capacity(bounds.len()));
+                for (&(low, high), &step) in bounds.iter().zip(&steps).rev() {
+                    let count = (i64::from(high) - i64::from(low) + 1).max(1) as u64;
+                    offset += rest % count * u64::from(step);
+                    indexes.push((i64::from(low) + (rest % count) as i64).to_string());
+                    rest /= count;
+                }
+                indexes.reverse();
+                let path = format!("{path}[{}]", indexes.join(", "));
+                missing_inside(types, items, element, here + offset, &path, given, missing);
+                // One element without an address speaks for those behind it.
+                if missing.len() > before {
+                    break;
+                }
+            }
         }
-        match inside {
-            DataType::Instance { block, structure } => missing_in(types, items, structure, Some(*block), here, &path, given, missing),
-            DataType::Struct(structure) => missing_in(types, items, structure, None, here, &path, given, missing),
-            _ => {}
-        }
+        _ => {}
     }
 }
 

@@ -106,7 +106,7 @@ fn of_property(property: Property, owner: &Block, members: &mut Vec<Block>) {
     if let Some(Accessor { sections: own_sections, body, span }) = set {
         let (name, member) = member(owner, &own, MemberKind::Set, Vec::new());
         let value = Declaration {
-            names: vec![DeclaredName { qualifier: Vec::new(), name: own.clone() }],
+            names: vec![DeclaredName { qualifier: Vec::new(), name: own.clone(), elements: Vec::new() }],
             attributes: Vec::new(),
             location: None,
             data_type,

@@ -298,10 +298,18 @@ impl Parser<'_> {
 
     /// One name of a declaration.
     fn declared(&mut self, place: Place) -> Option<DeclaredName> {
-        let mut qualifier = Vec::new();
-        if matches!(place, Place::Section(SectionKind::Config)) {
-            while self.at_name() && self.next_raw() == Raw::Point {
-                qualifier.push(self.name(SyntaxKind::Name));
+        let (mut qualifier, mut elements) = (Vec::new(), Vec::new());
+        let config = matches!(place, Place::Section(SectionKind::Config));
+        if config {
+            while self.at_name() && matches!(self.next_raw(), Raw::Point | Raw::BracketOpen) {
+                let name = self.name(SyntaxKind::Name);
+                if self.raw() == Raw::BracketOpen {
+                    elements.push((qualifier.len(), self.element_indexes()));
+                }
+                if self.raw() != Raw::Point {
+                    return Some(DeclaredName { qualifier, name, elements });
+                }
+                qualifier.push(name);
                 self.bump(SyntaxKind::Punctuation);
             }
         }
@@ -315,7 +323,21 @@ impl Parser<'_> {
             self.skip_declaration();
             return None;
         };
-        Some(DeclaredName { qualifier, name })
+        Some(DeclaredName { qualifier, name, elements })
+    }
+
+    /// `[1, 2]` behind a name of VAR_CONFIG, also `[1][2]`.
+    fn element_indexes(&mut self) -> Vec<Expression> {
+        let mut indexes = Vec::new();
+        while self.raw() == Raw::BracketOpen {
+            self.bump(SyntaxKind::Punctuation);
+            indexes.push(self.expression());
+            while self.eat(Raw::Comma, SyntaxKind::Punctuation) {
+                indexes.push(self.expression());
+            }
+            self.close(Raw::BracketClose, "]");
+        }
+        indexes
     }
 
     /// AT with an address or a variable.
