@@ -30,6 +30,9 @@ use write::Writing;
 /// Loops of a function of which there are such versions.
 const LOOPS_MAX: usize = 24;
 
+/// Turns that are done side by side.
+const SIDE_BY_SIDE_MAX: u32 = 32;
+
 /// How a loop is written.
 pub(super) struct Plan {
     kernel: Kernel,
@@ -109,15 +112,26 @@ impl Plan {
     /// How many turns are done side by side, the greatest number first.
     fn lanes(&self) -> Vec<u32> {
         let kernel = &self.kernel;
-        let halves = kernel.accesses.iter().any(|access| matches!(access.width, sieben_model::address::Width::Word));
+        // A vector of numbers of 16 bits has eight.
+        let halves = kernel.accesses.iter().any(|access| access.width == sieben_model::address::Width::Word) || kernel.computes_halves();
         let least = if halves { 8 } else { 4 };
         if !self.side_by_side() {
             return Vec::new();
         }
         match kernel.inner {
-            Some(_) => vec![32, least],
+            Some(_) => vec![SIDE_BY_SIDE_MAX, least],
             None => vec![2 * least],
         }
+    }
+
+    /// Whether what a turn writes in its inner loop lies so far from what it writes there next that turns beside it write neither.
+    fn turns_write_apart(&self, access: &Access) -> bool {
+        let apart = SIDE_BY_SIDE_MAX * access.width.bytes() * 8;
+        access.level == Level::Outer
+            || self
+                .kernel
+                .line(access.pointer, Level::Inner)
+                .is_some_and(|line| line.is_same() || line.bits == 32 && (line.step as i32).unsigned_abs() >= apart)
     }
 
     /// Whether turns can be done side by side: none needs what another one left, and all values have a form for it.
@@ -168,7 +182,7 @@ impl Plan {
                         sieben_model::address::Width::DoubleWord => fits(value, Shape::Words) || fits(value, Shape::Reals),
                         _ => false,
                     };
-                    follows && form
+                    follows && form && self.turns_write_apart(access)
                 }
             };
             form && kernel.accesses[..number].iter().all(|other| kernel.are_apart(access, other))
@@ -177,6 +191,23 @@ impl Plan {
 }
 
 impl Kernel {
+    /// Whether turns side by side compute with vectors of numbers of 16 bits.
+    fn computes_halves(&self) -> bool {
+        let numbered = (0..self.nodes.len()).map(|number| Node::numbered(number as u32));
+        let mut computed = numbered.filter_map(|node| match self.what(node) {
+            What::Compute(op, _) => Some((op, self.shape(node)?)),
+            _ => None,
+        });
+        computed.any(|(op, shape)| match shape {
+            Shape::Halves => true,
+            Shape::Line(_) => false,
+            _ => {
+                let wide = matches!(op, Op::Extend16 | Op::AddI16Wide | Op::SubI16Wide | Op::MulI16Wide);
+                wide || matches!(op, Op::EqI16 | Op::NeI16 | Op::LtI16 | Op::LeI16 | Op::GtI16 | Op::GeI16)
+            }
+        })
+    }
+
     pub(super) fn counted_on(&self, access: &Access, level: Level) -> Option<u32> {
         if access.level != level || access.width == sieben_model::address::Width::Bit && access.part.is_none() {
             return None;

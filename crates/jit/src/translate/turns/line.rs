@@ -184,10 +184,17 @@ impl Kernel {
         }
         loop {
             while let Some(node) = waiting.pop() {
-                if needed.insert(node)
-                    && let What::Compute(op, args) = self.what(node)
-                {
-                    waiting.extend(&args[..op.arity()]);
+                if !needed.insert(node) {
+                    continue;
+                }
+                match self.what(node) {
+                    What::Compute(op, args) => waiting.extend(&args[..op.arity()]),
+                    // What the inner loop makes of it may rest on what a turn of the outer one began with.
+                    What::After(cell) | What::Start(Level::Inner, cell) if level == Level::Outer => {
+                        let inner = self.inner.iter();
+                        waiting.extend(inner.flat_map(|inner| [inner.ends.get(&cell), inner.entry.get(&cell)]).flatten());
+                    }
+                    _ => {}
                 }
             }
             for (&cell, &end) in &self.turn(level).ends {
