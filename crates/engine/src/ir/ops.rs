@@ -73,6 +73,8 @@ macro_rules! ops {
             pub fn name(self) -> &'static str { match self { $(Self::$Variant => stringify!($name)),* } }
             /// How many arguments it takes.
             pub fn arity(self) -> usize { match self { $(Self::$Variant => [$(stringify!($arg)),*].len()),* } }
+            /// Whether its result may have more than 32 bits.
+            pub fn is_wide(self) -> bool { match self { $(Self::$Variant => matches!(stringify!($ret), "u64" | "i64" | "f64")),* } }
             /// What it computes, in one sentence.
             pub fn doc(self) -> &'static str { match self { $(Self::$Variant => concat!($($doc),*).trim_ascii()),* } }
 

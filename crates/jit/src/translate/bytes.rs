@@ -179,7 +179,9 @@ impl Translator<'_> {
         self.forget_word(address, width);
         let value = match self.force(value) {
             Val::Const(value) => Val::Const(value & 1),
-            value @ (Val::Int(_) | Val::Word(_) | Val::Real { .. }) => Val::Bit { value: self.bit(value), clean: false },
+            value @ (Val::Int(_) | Val::Word(_) | Val::Real { .. } | Val::Lreal { .. }) => {
+                Val::Bit { value: self.bit(value), clean: false }
+            }
             value => value,
         };
         let (piece, at) = self.piece_of(base, offset, number);

@@ -92,6 +92,12 @@ impl Translator<'_> {
                 let [old, new] = [old, new].map(|value| self.bit(value));
                 Val::Bit { value: self.b.ins().select(condition, old, new), clean: false }
             }
+            Width::QuadWord if [old, new].iter().any(|value| matches!(value, Val::Lreal { .. })) => {
+                let bits = [old, new].map(|value| self.word(value));
+                let reals = [old, new].map(|value| self.f64(value));
+                let real = self.b.ins().select(condition, reals[0], reals[1]);
+                Val::Lreal { real, bits: self.b.ins().select(condition, bits[0], bits[1]) }
+            }
             Width::QuadWord => {
                 let [old, new] = [old, new].map(|value| self.word(value));
                 Val::Word(self.b.ins().select(condition, old, new))

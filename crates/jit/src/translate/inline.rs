@@ -2,6 +2,7 @@
 //! its row in the table of operations over a grid of values.
 
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
+use cranelift_codegen::ir::immediates::Ieee32;
 use cranelift_codegen::ir::types::{F32, I16, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, InstructionData, MemFlagsData, Opcode, Value, ValueDef};
 use sieben_engine::ir::Op;
@@ -165,8 +166,8 @@ impl Translator<'_> {
             Op::DivF32 => { let (a, b) = (self.f32(a), self.f32(b)); let result = self.b.ins().fdiv(a, b); self.quiet(result) }
             Op::SqrF32 => { let a = self.f32(a); let result = self.b.ins().fmul(a, a); self.quiet(result) }
             // Through f64 and rounded, the root is the same: f64 has more than twice the digits.
-            Op::MinF32 => { let first = self.is_first(a, b, b); self.real_of_both(first, a, b) }
-            Op::MaxF32 => { let second = self.is_first(a, b, a); self.real_of_both(second, b, a) }
+            Op::MinF32 => { let (x, y) = (self.f32(a), self.f32(b)); let real = self.extreme_real(FloatCC::LessThan, [x, y], (y, x), is_f32(b)); self.quiet(real) }
+            Op::MaxF32 => { let (x, y) = (self.f32(a), self.f32(b)); let real = self.extreme_real(FloatCC::GreaterThan, [y, x], (x, y), is_f32(a)); self.quiet(real) }
             Op::SqrtF32 => { let a = self.f32(a); let result = self.b.ins().sqrt(a); self.quiet(result) }
             // A denormal value counts as 0, and no number as greater and less.
             Op::RealCc1 => { let a = self.f32(a); let least = self.b.ins().f32const(f32::MIN_POSITIVE); self.float_flag(FloatCC::UnorderedOrGreaterThanOrEqual, a, least) }
@@ -382,7 +383,7 @@ impl Translator<'_> {
         match value {
             Val::Const(value) => u32::try_from(value).is_ok(),
             Val::Int(_) | Val::Bit { .. } | Val::At { .. } | Val::Real { .. } => true,
-            Val::Word(_) | Val::Lazy(_) => false,
+            Val::Word(_) | Val::Lreal { .. } | Val::Lazy(_) => false,
         }
     }
 
@@ -458,6 +459,7 @@ impl Translator<'_> {
     pub(super) fn f32(&mut self, value: Val) -> Value {
         let value = match self.force(value) {
             Val::Real { real, .. } => return real,
+            Val::Const(bits) => return self.b.ins().f32const(Ieee32::with_bits(bits as u32)),
             value => self.int(value),
         };
         self.b.ins().bitcast(F32, MemFlagsData::new(), value)
@@ -471,19 +473,27 @@ impl Translator<'_> {
         Val::Real { real, bits: self.b.ins().select(none, nan, bits) }
     }
 
-    /// Whether the first of two REALs is less, or a third one is no number.
-    fn is_first(&mut self, a: Val, b: Val, number: Val) -> Value {
-        let [a, b, number] = [a, b, number].map(|real| self.f32(real));
-        let less = self.b.ins().fcmp(FloatCC::LessThan, a, b);
-        let none = self.b.ins().fcmp(FloatCC::Unordered, number, number);
-        self.b.ins().bor(less, none)
-    }
-
-    fn real_of_both(&mut self, condition: Value, a: Val, b: Val) -> Val {
-        let [a, b] = [a, b].map(|real| self.int(real));
-        let bits = self.b.ins().select(condition, a, b);
-        let real = self.b.ins().bitcast(F32, MemFlagsData::new(), bits);
-        self.quiet(real)
+    /// The first of two reals where it is less or greater than the second one, the second one otherwise; where a third one is no number, a
+    /// fourth one, unless it is known to be one.
+    pub(super) fn extreme_real(
+        &mut self,
+        condition: FloatCC,
+        [a, b]: [Value; 2],
+        (third, fourth): (Value, Value),
+        is_number: bool,
+    ) -> Value {
+        // The form that becomes one instruction.
+        let first = match condition {
+            FloatCC::GreaterThan => self.b.ins().fcmp(FloatCC::LessThan, b, a),
+            condition => self.b.ins().fcmp(condition, a, b),
+        };
+        let extreme = self.b.ins().select(first, a, b);
+        if is_number {
+            return extreme;
+        }
+        // Hardly ever, so that a jump costs less than a choice.
+        let none = self.b.ins().fcmp(FloatCC::Unordered, third, third);
+        self.b.ins().select(none, fourth, extreme)
     }
 
     fn merge(&mut self, high: Val, low: Val, mask: u32) -> Val {
@@ -574,4 +584,9 @@ impl Translator<'_> {
 pub(super) fn count(value: Val, most: u64) -> Option<i64> {
     let count = value.constant()? & 0xFF;
     (count <= most).then_some(count as i64)
+}
+
+/// Whether a REAL is known to be a number.
+fn is_f32(value: Val) -> bool {
+    value.constant().is_some_and(|bits| !f32::from_bits(bits as u32).is_nan())
 }

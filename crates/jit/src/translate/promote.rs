@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::mem::offset_of;
 use std::ops::Range;
 
-use cranelift_codegen::ir::types::{F32, I32, I64};
+use cranelift_codegen::ir::types::{F32, F64, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
 use cranelift_frontend::Variable;
 use sieben_engine::access::data_registers;
@@ -85,7 +85,7 @@ pub(super) struct Promoted {
     /// Whether they lie in a data block.
     in_data_block: bool,
     variable: Variable,
-    /// The same as a REAL, if the loop computes with it.
+    /// The same as a REAL or LREAL, if the loop computes with it.
     real: Option<Variable>,
     /// Whether the loop writes them.
     written: bool,
@@ -127,13 +127,17 @@ struct Candidate {
     in_data_block: bool,
     written: bool,
     weight: u64,
-    /// Whether the loop computes with it as a REAL.
+    /// Whether the loop computes with it as a REAL or LREAL.
     real: bool,
 }
 
-/// Whether an operation works on REALs as such; only the cost depends on it.
+/// Whether an operation works on REALs or LREALs as such; only the cost depends on it.
 fn computes_reals(op: Op) -> bool {
-    matches!(op, Op::AddF32 | Op::SubF32 | Op::MulF32 | Op::DivF32 | Op::SqrF32 | Op::LtF32 | Op::LeF32 | Op::GtF32 | Op::GeF32)
+    let reals =
+        matches!(op, Op::AddF32 | Op::SubF32 | Op::MulF32 | Op::DivF32 | Op::SqrF32 | Op::LtF32 | Op::LeF32 | Op::GtF32 | Op::GeF32);
+    let doubles =
+        matches!(op, Op::AddF64 | Op::SubF64 | Op::MulF64 | Op::DivF64 | Op::SqrtF64 | Op::LtF64 | Op::LeF64 | Op::GtF64 | Op::GeF64);
+    reals || doubles || matches!(op, Op::MinF32 | Op::MaxF32 | Op::MinF64 | Op::MaxF64)
 }
 
 impl Translator<'_> {
@@ -236,7 +240,11 @@ impl Translator<'_> {
         let &Candidate { width, in_data_block, written, real, .. } = candidate;
         // A block that becomes part of the loop may write what the loop itself only reads.
         let written = written || !it.calls_nothing;
-        let real = (real && width == Width::DoubleWord).then(|| self.b.declare_var(F32));
+        let real = match width {
+            Width::DoubleWord if real => Some(self.b.declare_var(F32)),
+            Width::QuadWord if real => Some(self.b.declare_var(F64)),
+            _ => None,
+        };
         let variable = self.b.declare_var(if width == Width::QuadWord { I64 } else { I32 });
         let promoted = Promoted { base, offset, width, in_data_block, variable, real, written, first: it.first, last: it.last };
         self.take(promoted);
@@ -259,7 +267,7 @@ impl Translator<'_> {
                     Inst::Load { place, width, .. } if self.constant_at(index, place, width).is_some() => continue,
                     Inst::Load { place, width, .. } => (place, width, false),
                     Inst::Store { place, width, .. } => (place, width, true),
-                    Inst::Compute { op: Op::I32ToF32, dst, .. } => {
+                    Inst::Compute { op: Op::I32ToF32 | Op::I32ToF64 | Op::I64ToF64, dst, .. } => {
                         results.insert(dst.0);
                         continue;
                     }
@@ -431,7 +439,11 @@ impl Translator<'_> {
             self.fixed.insert(value);
         }
         if let Some(real) = promoted.real {
-            return Some(Val::Real { real: self.b.use_var(real), bits: value });
+            let real = self.b.use_var(real);
+            return Some(match width {
+                Width::QuadWord => Val::Lreal { real, bits: value },
+                _ => Val::Real { real, bits: value },
+            });
         }
         Some(match (width, address.bit) {
             (Width::Bit, Bit::Number(number)) => Self::bit_value(value, number, false),
@@ -456,7 +468,7 @@ impl Translator<'_> {
     pub(super) fn write_promoted(&mut self, address: Address, width: Width, value: Val) -> bool {
         let Some(promoted) = self.promoted_at(address, width) else { return false };
         if let Some(variable) = promoted.real {
-            let real = self.f32(value);
+            let real = if width == Width::QuadWord { self.f64(value) } else { self.f32(value) };
             self.b.def_var(variable, real);
         }
         let value = match (width, address.bit) {
@@ -583,7 +595,8 @@ impl Translator<'_> {
         };
         self.b.def_var(promoted.variable, value);
         if let Some(variable) = promoted.real {
-            let real = self.b.ins().bitcast(F32, MemFlagsData::new(), value);
+            let ty = if promoted.width == Width::QuadWord { F64 } else { F32 };
+            let real = self.b.ins().bitcast(ty, MemFlagsData::new(), value);
             self.b.def_var(variable, real);
         }
     }

@@ -1,6 +1,7 @@
 //! Operations on numbers of every size as machine code: a second part of the list of `inline.rs`, under the same comparison.
 
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
+use cranelift_codegen::ir::immediates::Ieee64;
 use cranelift_codegen::ir::types::{F32, F64, I8, I16, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value};
 use sieben_engine::ir::Op;
@@ -167,8 +168,8 @@ impl Translator<'_> {
             Op::GtF64 => self.compare_f64(FloatCC::GreaterThan, a, b),
             Op::GeF64 => self.compare_f64(FloatCC::GreaterThanOrEqual, a, b),
 
-            Op::MinF64 => { let first = self.is_first_f64(a, b, b); self.lreal_of_both(first, a, b) }
-            Op::MaxF64 => { let second = self.is_first_f64(a, b, a); self.lreal_of_both(second, b, a) }
+            Op::MinF64 => { let (x, y) = (self.f64(a), self.f64(b)); let real = self.extreme_real(FloatCC::LessThan, [x, y], (y, x), is_f64(b)); self.quiet_f64(real) }
+            Op::MaxF64 => { let (x, y) = (self.f64(a), self.f64(b)); let real = self.extreme_real(FloatCC::GreaterThan, [y, x], (x, y), is_f64(a)); self.quiet_f64(real) }
             Op::RoundF32 => { let a = self.f32(a); let real = self.b.ins().nearest(a); self.quiet(real) }
             Op::CeilF32 => { let a = self.f32(a); let real = self.b.ins().ceil(a); self.quiet(real) }
             Op::FloorF32 => { let a = self.f32(a); let real = self.b.ins().floor(a); self.quiet(real) }
@@ -436,13 +437,17 @@ impl Translator<'_> {
         Val::Int(self.b.ins().bxor_imm_u(low, mask))
     }
 
-    fn f64(&mut self, value: Val) -> Value {
-        let value = self.word(value);
+    pub(super) fn f64(&mut self, value: Val) -> Value {
+        let value = match self.force(value) {
+            Val::Lreal { real, .. } => return real,
+            Val::Const(bits) => return self.b.ins().f64const(Ieee64::with_bits(bits)),
+            value => self.word(value),
+        };
         self.b.ins().bitcast(F64, MemFlagsData::new(), value)
     }
 
     fn bits_f64(&mut self, real: Value) -> Val {
-        Val::Word(self.b.ins().bitcast(I64, MemFlagsData::new(), real))
+        Val::Lreal { real, bits: self.b.ins().bitcast(I64, MemFlagsData::new(), real) }
     }
 
     fn bits_f32(&mut self, real: Value) -> Val {
@@ -457,26 +462,12 @@ impl Translator<'_> {
         Val::Bit { value: self.b.ins().ireduce(I32, both), clean: true }
     }
 
-    /// Whether the first of two LREALs is less, or a third one is no number.
-    fn is_first_f64(&mut self, a: Val, b: Val, number: Val) -> Value {
-        let [a, b, number] = [a, b, number].map(|real| self.f64(real));
-        let less = self.b.ins().fcmp(FloatCC::LessThan, a, b);
-        let none = self.b.ins().fcmp(FloatCC::Unordered, number, number);
-        self.b.ins().bor(less, none)
-    }
-
-    fn lreal_of_both(&mut self, condition: Value, a: Val, b: Val) -> Val {
-        let [a, b] = [a, b].map(|real| self.f64(real));
-        let real = self.b.ins().select(condition, a, b);
-        self.quiet_f64(real)
-    }
-
     /// The one NaN that the project shows.
-    fn quiet_f64(&mut self, real: Value) -> Val {
+    pub(super) fn quiet_f64(&mut self, real: Value) -> Val {
         let none = self.b.ins().fcmp(FloatCC::Unordered, real, real);
         let bits = self.b.ins().bitcast(I64, MemFlagsData::new(), real);
         let nan = self.b.ins().iconst(I64, f64::NAN.to_bits() as i64);
-        Val::Word(self.b.ins().select(none, nan, bits))
+        Val::Lreal { real, bits: self.b.ins().select(none, nan, bits) }
     }
 
     fn compare_f64(&mut self, condition: FloatCC, a: Val, b: Val) -> Val {
@@ -495,4 +486,9 @@ impl Translator<'_> {
         let value = self.b.ins().select(below, value, most_value);
         self.cut(if most <= 0xFF { 8 } else { 16 }, value)
     }
+}
+
+/// Whether an LREAL is known to be a number.
+fn is_f64(value: Val) -> bool {
+    value.constant().is_some_and(|bits| !f64::from_bits(bits).is_nan())
 }

@@ -6,6 +6,7 @@
 //! registers and budget are as if it had made them.
 
 use sieben_engine::ir::Op;
+use sieben_model::address::Width;
 
 use super::Translator;
 use super::loops::Loop;
@@ -17,6 +18,7 @@ mod held;
 mod kernel;
 mod left;
 mod line;
+mod quads;
 mod reader;
 mod vector;
 mod ways;
@@ -71,6 +73,9 @@ impl Translator<'_> {
             self.bits_at_once(&kernel, &bits, it);
         }
         let Some(plan) = Plan::of(kernel) else { return };
+        if plan.kernel.inner.is_some() && plan.lanes().is_empty() && self.inner_is_side_by_side(it) {
+            return;
+        }
         self.at_once.push((self.index, it.first, it.last));
         if let Some(sums) = bit_sums::read(&plan) {
             self.bit_sums_at_once(&plan, &sums, it);
@@ -79,6 +84,16 @@ impl Translator<'_> {
             Writing::write(self, &plan, it, lanes);
         }
         Writing::write(self, &plan, it, 1);
+    }
+}
+
+impl Translator<'_> {
+    /// Whether turns of the loop in a loop can be done side by side, which is then worth more than to do those of both at once.
+    fn inner_is_side_by_side(&mut self, it: &Loop) -> bool {
+        let inner = self.loops.iter().find(|inner| inner.first > it.first && inner.last <= it.last).cloned();
+        let kernel = inner.and_then(|inner| reader::read(self, &inner));
+        let plan = kernel.filter(|kernel| !kernel.repeats_itself()).and_then(Plan::of);
+        plan.is_some_and(|plan| !plan.lanes().is_empty())
     }
 }
 
@@ -113,13 +128,17 @@ impl Plan {
     fn lanes(&self) -> Vec<u32> {
         let kernel = &self.kernel;
         // A vector of numbers of 16 bits has eight.
-        let halves = kernel.accesses.iter().any(|access| access.width == sieben_model::address::Width::Word) || kernel.computes_halves();
+        let halves = kernel.accesses.iter().any(|access| access.width == Width::Word) || kernel.computes_halves();
         let least = if halves { 8 } else { 4 };
         if !self.side_by_side() {
             return Vec::new();
         }
+        // A vector has half as many numbers of 64 bits.
+        let quads = kernel.accesses.iter().any(|access| access.width == Width::QuadWord);
         match kernel.inner {
+            Some(_) if quads => vec![16, least],
             Some(_) => vec![SIDE_BY_SIDE_MAX, least],
+            None if quads => vec![least],
             None => vec![2 * least],
         }
     }
@@ -140,9 +159,11 @@ impl Plan {
         let fits = |node: Node, wanted: Shape| match (kernel.shape(node), wanted) {
             (Some(Shape::Line(_) | Shape::Halves), Shape::Halves) => true,
             (Some(Shape::Line(line)), Shape::Words) => line.bits == 32 || line.is_same(),
+            (Some(shape), Shape::Quads) => shape != Shape::Mask,
             (Some(Shape::Line(line)), _) => line.is_same(),
             (Some(Shape::Halves | Shape::Words | Shape::Reals), Shape::Words) => true,
             (Some(Shape::Words | Shape::Reals), Shape::Reals) => true,
+            (Some(Shape::Quads | Shape::Lreals), Shape::Lreals) => true,
             _ => false,
         };
         for (_, end, carried) in kernel.carried(Level::Outer) {
@@ -178,8 +199,9 @@ impl Plan {
                     let follows = matches!(kernel.shape(access.pointer), Some(Shape::Line(line)) if line.bits == 32
                         && line.step == access.width.bytes() * 8);
                     let form = match access.width {
-                        sieben_model::address::Width::Word => fits(value, Shape::Halves),
-                        sieben_model::address::Width::DoubleWord => fits(value, Shape::Words) || fits(value, Shape::Reals),
+                        Width::Word => fits(value, Shape::Halves),
+                        Width::DoubleWord => fits(value, Shape::Words) || fits(value, Shape::Reals),
+                        Width::QuadWord => fits(value, Shape::Quads),
                         _ => false,
                     };
                     follows && form && self.turns_write_apart(access)
@@ -209,7 +231,7 @@ impl Kernel {
     }
 
     pub(super) fn counted_on(&self, access: &Access, level: Level) -> Option<u32> {
-        if access.level != level || access.width == sieben_model::address::Width::Bit && access.part.is_none() {
+        if access.level != level || access.width == Width::Bit && access.part.is_none() {
             return None;
         }
         self.line(access.pointer, level).filter(|line| line.bits == 32 && line.step % 8 == 0).map(|line| line.step)

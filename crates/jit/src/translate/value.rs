@@ -21,6 +21,8 @@ pub(super) enum Val {
     At { value: Value, at: u8 },
     /// A REAL and its bits in 32. Where it is no number, the bits alone tell which one.
     Real { real: Value, bits: Value },
+    /// An LREAL and its bits in 64. Where it is no number, the bits alone tell which one.
+    Lreal { real: Value, bits: Value },
     /// An operation that is written where its result is needed first, if it ever is; by its number.
     Lazy(u32),
 }
@@ -132,7 +134,7 @@ impl Translator<'_> {
     pub(super) fn word(&mut self, value: Val) -> Value {
         match self.force(value) {
             Val::Const(value) => self.b.ins().iconst(I64, value as i64),
-            Val::Word(value) => value,
+            Val::Word(value) | Val::Lreal { bits: value, .. } => value,
             Val::Int(value) => self.b.ins().uextend(I64, value),
             Val::Real { bits, .. } => self.b.ins().uextend(I64, bits),
             value => {
@@ -146,7 +148,7 @@ impl Translator<'_> {
     pub(super) fn int(&mut self, value: Val) -> Value {
         match self.force(value) {
             Val::Const(value) => self.constant(value as u32),
-            Val::Word(value) => self.b.ins().ireduce(I32, value),
+            Val::Word(value) | Val::Lreal { bits: value, .. } => self.b.ins().ireduce(I32, value),
             Val::Int(value) => value,
             Val::Real { bits, .. } => bits,
             value => self.flag(value),
@@ -157,7 +159,7 @@ impl Translator<'_> {
     pub(super) fn bit(&mut self, value: Val) -> Value {
         match self.force(value) {
             Val::Const(value) => self.constant(value as u32 & 1),
-            Val::Word(value) => self.b.ins().ireduce(I32, value),
+            Val::Word(value) | Val::Lreal { bits: value, .. } => self.b.ins().ireduce(I32, value),
             Val::Int(value) | Val::Bit { value, .. } => value,
             Val::At { value, at } => self.moved(value, at, 0),
             Val::Real { bits, .. } => bits,

@@ -104,8 +104,9 @@ impl Translator<'_> {
         match (self.force(value), width) {
             (Val::Const(value), _) if bits < 64 => Val::Const(value & ((1 << bits) - 1)),
             (Val::Const(value), _) => Val::Const(value),
+            (value @ Val::Lreal { .. }, Width::QuadWord) => value,
             (value, Width::QuadWord) => Val::Word(self.word(value)),
-            (value @ (Val::Word(_) | Val::Bit { .. } | Val::At { .. }), Width::DoubleWord) => Val::Int(self.int(value)),
+            (value @ (Val::Word(_) | Val::Lreal { .. } | Val::Bit { .. } | Val::At { .. }), Width::DoubleWord) => Val::Int(self.int(value)),
             (value, Width::DoubleWord) => value,
             (value, _) => Val::Int(self.low_bits(value, width)),
         }

@@ -30,12 +30,12 @@ impl Held {
 
 impl Access {
     /// Whether another access goes to exactly the same variable.
-    fn is_same(&self, other: &Self) -> bool {
+    pub(super) fn is_same(&self, other: &Self) -> bool {
         (self.area, self.pointer, self.offset, self.width) == (other.area, other.pointer, other.offset, other.width)
     }
 
     /// Whether another access may go to some of the same bits.
-    fn may_meet(&self, other: &Self) -> bool {
+    pub(super) fn may_meet(&self, other: &Self) -> bool {
         if self.area == other.area && self.pointer == other.pointer {
             let bits = |access: &Self| if access.width == Width::Bit { 1 } else { access.width.bytes() * 8 };
             // Positions have 24 bits.
@@ -56,6 +56,15 @@ impl Reader<'_, '_> {
             None => self.hold(access, steps),
         };
         self.known_here(self.held.0[at].value)
+    }
+
+    /// What a variable at a computed address holds that is written again before anybody reads it.
+    pub(super) fn take_held(&mut self, access: Access, steps: &mut Vec<Step>) -> Node {
+        let value = self.read_at(access.clone(), steps);
+        for entry in self.held.0.iter_mut().filter(|entry| entry.access.is_same(&access)) {
+            entry.waits = false;
+        }
+        value
     }
 
     /// Writes a variable at a computed address on the ways that led here.

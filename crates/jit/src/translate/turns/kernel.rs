@@ -72,6 +72,11 @@ pub(super) enum Kept {
     },
     /// What turns have taken from the budget for blocks that not all of them enter.
     Budget,
+    /// A variable at a computed address that all turns of the inner loop share, by its number.
+    Element {
+        number: u16,
+        width: Width,
+    },
     /// The clock in milliseconds, which stands still while nobody is asked.
     Clock,
 }
@@ -183,7 +188,7 @@ impl Kernel {
         let cells = &self.cells;
         let is_live = |&Cell(cell): &Cell, live: u32| match cells[usize::from(cell)] {
             Kept::Register(register) => live & bit_of(register) != 0,
-            Kept::Memory { .. } | Kept::Budget | Kept::Clock => true,
+            Kept::Memory { .. } | Kept::Element { .. } | Kept::Budget | Kept::Clock => true,
         };
         self.lines.borrow_mut().clear();
         self.outer.ends.retain(|cell, _| is_live(cell, self.live));
@@ -295,7 +300,7 @@ impl Kernel {
     /// Cells with something that the loop may look at when it begins.
     pub(super) fn cells_at_start(&self) -> BTreeSet<Cell> {
         let starts = self.nodes.iter().filter_map(|what| match what {
-            What::Start(_, cell) => Some(*cell),
+            What::Start(_, cell) if !matches!(self.kept(*cell), Kept::Element { .. }) => Some(*cell),
             _ => None,
         });
         starts.chain(self.outer.ends.keys().copied()).collect()
@@ -327,7 +332,11 @@ impl Kernel {
         match self.what(node) {
             What::Constant(value) => value <= 0xFFFF,
             What::Start(_, cell) | What::After(cell) => {
-                matches!(self.kept(cell), Kept::Memory { width: Width::Bit | Width::Byte | Width::Word, .. })
+                matches!(
+                    self.kept(cell),
+                    Kept::Memory { width: Width::Bit | Width::Byte | Width::Word, .. }
+                        | Kept::Element { width: Width::Bit | Width::Byte | Width::Word, .. }
+                )
             }
             What::Read(access) => self.accesses[access].width.bytes() <= 2,
             What::Compute(Op::Select, [_, a, b, _]) => self.is_16_bits(a) && self.is_16_bits(b),
@@ -341,11 +350,12 @@ impl Kernel {
     pub(super) fn is_32_bits(&self, node: Node) -> bool {
         match self.what(node) {
             What::Constant(value) => u32::try_from(value).is_ok(),
-            What::Start(..) | What::After(_) | What::Read(_) => true,
+            What::Start(_, cell) | What::After(cell) => !self.kept(cell).is_wide(),
+            What::Read(access) => self.accesses[access].width != Width::QuadWord,
             What::Compute(op, [a, b, c, _]) => match op {
                 Op::Gate => self.is_32_bits(a),
                 Op::Select => self.is_32_bits(b) && self.is_32_bits(c),
-                _ => self.is_16_bits(node) || has_32_bits(op),
+                _ => !op.is_wide(),
             },
         }
     }
@@ -367,45 +377,10 @@ impl Kernel {
         use Op as O;
         let reals = matches!(op, O::EqF32 | O::NeF32 | O::LtF32 | O::LeF32 | O::GtF32 | O::GeF32 | O::DifferF32);
         let doubles = matches!(op, O::EqI32 | O::NeI32 | O::LtI32 | O::LeI32 | O::GtI32 | O::GeI32 | O::Equal | O::Differ);
-        reals || doubles || matches!(op, O::EqI16 | O::NeI16 | O::LtI16 | O::LeI16 | O::GtI16 | O::GeI16)
+        let lreals = matches!(op, O::EqF64 | O::LtF64 | O::LeF64 | O::GtF64 | O::GeF64 | O::DifferF64);
+        let quads = matches!(op, O::LtI64 | O::LeI64 | O::GtI64 | O::GeI64 | O::LeU64 | O::GtU64 | O::GeU64);
+        reals || doubles || lreals || quads || matches!(op, O::EqI16 | O::NeI16 | O::LtI16 | O::LeI16 | O::GtI16 | O::GeI16)
     }
-}
-
-/// Whether the result of an operation has at most 32 bits.
-fn has_32_bits(op: Op) -> bool {
-    matches!(
-        op,
-        Op::AddU32
-            | Op::SubU32
-            | Op::MulU32
-            | Op::AddI16Wide
-            | Op::SubI16Wide
-            | Op::MulI16Wide
-            | Op::MergeLow16
-            | Op::MergeLow8
-            | Op::Extend16
-            | Op::Low32
-            | Op::AndU32
-            | Op::OrU32
-            | Op::XorU32
-            | Op::Shl32
-            | Op::AddF32
-            | Op::SubF32
-            | Op::MulF32
-            | Op::DivF32
-            | Op::I32ToF32
-            | Op::I64ToF32
-            | Op::NegF32
-            | Op::AbsF32
-            | Op::MinF32
-            | Op::MaxF32
-            | Op::NegI32
-            | Op::AbsI32
-            | Op::MinI32
-            | Op::MaxI32
-            | Op::DivI32
-            | Op::RemI32
-    )
 }
 
 impl Kernel {
@@ -437,10 +412,15 @@ impl Kernel {
 }
 
 impl Kept {
+    /// Whether it holds 64 bits.
+    pub(super) fn is_wide(self) -> bool {
+        matches!(self, Self::Memory { width: Width::QuadWord, .. } | Self::Element { width: Width::QuadWord, .. })
+    }
+
     /// The bytes that a cell stands for, and which bit of them.
     fn bytes(self) -> Option<(Base, Range<i64>, Option<u8>)> {
         match self {
-            Self::Register(_) | Self::Budget | Self::Clock => None,
+            Self::Register(_) | Self::Element { .. } | Self::Budget | Self::Clock => None,
             Self::Memory { base, offset, width, bit } => {
                 let bit = (width == Width::Bit).then_some(bit);
                 Some((base, i64::from(offset)..i64::from(offset) + i64::from(width.bytes()), bit))

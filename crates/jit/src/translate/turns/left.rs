@@ -32,6 +32,8 @@ pub(super) struct Left {
     pub(super) cells: Vec<(Cell, Node)>,
     /// Values that wait on the stack.
     pub(super) waiting: Vec<Node>,
+    /// Those of them that have 64 bits.
+    wide: Vec<bool>,
 }
 
 impl Kernel {
@@ -43,14 +45,15 @@ impl Kernel {
         }
         for (cell, end, carried) in self.carried(Level::Outer) {
             // Other registers have forms of their own.
-            let is_number = matches!(self.kept(cell), Kept::Memory { width: Width::Byte | Width::Word | Width::DoubleWord, .. });
+            let is_number =
+                matches!(self.kept(cell), Kept::Memory { width: Width::Byte | Width::Word | Width::DoubleWord | Width::QuadWord, .. });
             if carried != Carried::Chain || !is_number {
                 continue;
             }
             let Some((conditions, value)) = self.written_where(cell, end) else { continue };
             match all.iter_mut().find(|left| left.conditions == conditions) {
                 Some(left) => left.cells.push((cell, value)),
-                None => all.push(Left { conditions, cells: vec![(cell, value)], waiting: Vec::new() }),
+                None => all.push(Left { conditions, cells: vec![(cell, value)], waiting: Vec::new(), wide: Vec::new() }),
             }
         }
         all.retain(|left| left.cells.len() >= CELLS_MIN);
@@ -64,6 +67,7 @@ impl Kernel {
                     left.waiting.insert(at, value);
                 }
             }
+            left.wide = left.waiting.iter().map(|&value| !self.is_32_bits(value)).collect();
         }
         all
     }
@@ -138,7 +142,7 @@ pub(super) struct Waiting {
 impl Waiting {
     /// Where a value waits.
     fn offset(at: usize) -> i32 {
-        8 + 4 * at as i32
+        8 + 8 * at as i32
     }
 }
 
@@ -167,7 +171,7 @@ impl Translator<'_> {
         let place = self.b.use_var(waiting.place);
         self.b.ins().store(TRUSTED, mark, place, 0);
         for (at, &value) in values.iter().enumerate() {
-            let value = self.int(value);
+            let value = if waiting.left.wide[at] { self.word(value) } else { self.int(value) };
             self.b.ins().store(TRUSTED, value, place, Waiting::offset(at));
         }
         let mut all = None;
@@ -193,7 +197,10 @@ impl Translator<'_> {
     pub(super) fn take_left(&mut self, waiting: &Waiting, value: Node) -> Option<Val> {
         let at = waiting.left.waiting.binary_search(&value).ok()?;
         let place = self.place_left(waiting);
-        Some(Val::Int(self.b.ins().load(I32, TRUSTED, place, Waiting::offset(at))))
+        Some(match waiting.left.wide[at] {
+            true => Val::Word(self.b.ins().load(I64, TRUSTED, place, Waiting::offset(at))),
+            false => Val::Int(self.b.ins().load(I32, TRUSTED, place, Waiting::offset(at))),
+        })
     }
 
     /// The place that the last turn wrote that wrote the cells.

@@ -38,6 +38,10 @@ pub(super) enum Shape {
     Words,
     /// REALs.
     Reals,
+    /// Numbers of 64 bits.
+    Quads,
+    /// LREALs.
+    Lreals,
     /// Bits, each as 32 that are all like it.
     Mask,
 }
@@ -136,6 +140,9 @@ impl Kernel {
         if self.is_start(end, level, cell) {
             return Some(Line::SAME);
         }
+        if self.kept(cell).is_wide() {
+            return None;
+        }
         let What::Compute(op, [a, b, ..]) = self.what(end) else { return None };
         let step =
             |own: Node, other: Node| if self.is_start(own, level, cell) { self.constant(other).map(|step| step as u32) } else { None };
@@ -230,6 +237,9 @@ impl Kernel {
     /// What is added to a cell in each turn, if nothing else looks at the cell.
     fn sum(&self, level: Level, cell: Cell, end: Node) -> Option<(Node, u32)> {
         let What::Compute(op @ (Op::AddU32 | Op::AddU16), [a, b, ..]) = self.what(end) else { return None };
+        if self.kept(cell).is_wide() {
+            return None;
+        }
         let added = match () {
             () if self.is_start(a, level, cell) => b,
             () if self.is_start(b, level, cell) => a,
@@ -312,16 +322,20 @@ impl Kernel {
                     _ => return None,
                 };
                 match access.width {
-                    Width::Byte | Width::Word | Width::DoubleWord if line.is_same() => Some(Shape::Line(Line::SAME)),
+                    Width::Byte | Width::Word | Width::DoubleWord | Width::QuadWord if line.is_same() => Some(Shape::Line(Line::SAME)),
                     Width::Word if line.step == 16 => Some(Shape::Halves),
                     Width::DoubleWord if line.step == 32 => Some(Shape::Words),
+                    Width::QuadWord if line.step == 64 => Some(Shape::Quads),
                     _ => None,
                 }
             }
             What::Compute(op, args) => {
                 let mut shapes = [Shape::Line(Line::SAME); 4];
                 for (shape, &arg) in shapes.iter_mut().zip(&args[..op.arity()]) {
-                    *shape = self.shape(arg)?;
+                    *shape = match self.shape(arg)? {
+                        Shape::Line(line) if line.is_same() && !self.is_32_bits(arg) => Shape::Quads,
+                        shape => shape,
+                    };
                 }
                 let divisor = (op.arity() == 2).then(|| self.constant(args[1])).flatten();
                 match op {
@@ -353,6 +367,8 @@ impl Kernel {
             What::Compute(Op::AddU16 | Op::SubU16 | Op::MulU16, _) => Shape::Halves,
             What::Compute(Op::AddU32 | Op::SubU32 | Op::MulU32, _) => Shape::Words,
             What::Compute(Op::AddF32 | Op::SubF32 | Op::MulF32, _) => Shape::Reals,
+            What::Compute(Op::AddU64 | Op::SubU64 | Op::MulU64, _) => Shape::Quads,
+            What::Compute(Op::AddF64 | Op::SubF64 | Op::MulF64, _) => Shape::Lreals,
             _ if self.rests_on(end, Level::Inner, cell) => return None,
             _ => return self.shape(end),
         };
@@ -376,8 +392,11 @@ fn shape_of_result(op: Op, args: &[Shape]) -> Option<Shape> {
     let words = |shape: &Shape| match shape {
         Shape::Line(line) => line.bits == 32 || line.is_same(),
         Shape::Halves | Shape::Words | Shape::Reals => true,
-        Shape::Mask => false,
+        Shape::Mask | Shape::Quads | Shape::Lreals => false,
     };
+    let quads = |shape: &Shape| *shape != Shape::Mask;
+    let wide = |shape: &Shape| matches!(shape, Shape::Quads | Shape::Lreals);
+    let lreals = |shape: &Shape| same(shape) || wide(shape);
     let reals = |shape: &Shape| same(shape) || matches!(shape, Shape::Words | Shape::Reals);
     let masks = |shape: &Shape| same(shape) || *shape == Shape::Mask;
     let all = |fits: &dyn Fn(&Shape) -> bool, shape: Shape| args.iter().all(fits).then_some(shape);
@@ -390,6 +409,19 @@ fn shape_of_result(op: Op, args: &[Shape]) -> Option<Shape> {
         O::AddI16Wide | O::SubI16Wide | O::MulI16Wide => all(&is_halves, Shape::Words),
         O::I32ToF32 => all(&words, Shape::Reals),
         O::AddF32 | O::SubF32 | O::MulF32 | O::DivF32 | O::SqrtF32 | O::MinF32 | O::MaxF32 => all(&reals, Shape::Reals),
+        O::AddU64 | O::SubU64 | O::MulU64 | O::AndU64 | O::OrU64 | O::XorU64 => all(&quads, Shape::Quads),
+        O::NotU64 => all(&quads, Shape::Quads),
+        O::NegF64 | O::AbsF64 => all(&lreals, Shape::Quads),
+        O::ExtendI32I64 if words(&args[0]) => Some(Shape::Quads),
+        O::I32ToF64 if words(&args[0]) => Some(Shape::Lreals),
+        O::F32ToF64 if reals(&args[0]) => Some(Shape::Lreals),
+        O::F64ToF32 if lreals(&args[0]) => Some(Shape::Reals),
+        O::AddF64 | O::SubF64 | O::MulF64 | O::DivF64 | O::SqrtF64 | O::MinF64 | O::MaxF64 => all(&lreals, Shape::Lreals),
+        O::EqF64 | O::LtF64 | O::LeF64 | O::GtF64 | O::GeF64 | O::DifferF64 => all(&lreals, Shape::Mask),
+        O::Equal | O::Differ | O::LtI64 | O::LeI64 | O::GtI64 | O::GeI64 if args.iter().any(wide) => all(&quads, Shape::Mask),
+        O::LtI64 | O::LeI64 | O::GtI64 | O::GeI64 => None,
+        O::Select if masks(&args[0]) && args[1..].iter().any(wide) && args[1..].iter().all(quads) => Some(Shape::Quads),
+        O::Gate if wide(&args[0]) && masks(&args[1]) => Some(Shape::Quads),
         O::EqI32 | O::NeI32 | O::LtI32 | O::LeI32 | O::GtI32 | O::GeI32 | O::Equal | O::Differ | O::Below => all(&words, Shape::Mask),
         O::EqI16 | O::NeI16 | O::LtI16 | O::LeI16 | O::GtI16 | O::GeI16 => all(&is_halves, Shape::Mask),
         O::EqF32 | O::NeF32 | O::LtF32 | O::LeF32 | O::GtF32 | O::GeF32 | O::DifferF32 => all(&reals, Shape::Mask),

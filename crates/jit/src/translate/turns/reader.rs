@@ -51,6 +51,7 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
         now: BTreeMap::new(),
         level: Level::Outer,
         written_inside: None,
+        elements: Vec::new(),
         temporaries: BTreeMap::new(),
         ways: Ways::always(),
         held: Held::default(),
@@ -122,6 +123,8 @@ pub(super) struct Reader<'t, 'a> {
     level: Level,
     /// What the inner loop writes, once that is known.
     written_inside: Option<BTreeSet<Cell>>,
+    /// Variables at computed addresses that all turns of the inner loop share.
+    elements: Vec<Access>,
     temporaries: BTreeMap<u8, Node>,
     /// The ways on which the running statement is reached.
     pub(super) ways: Ways,
@@ -185,10 +188,7 @@ impl Reader<'_, '_> {
                 if !self.ways.is_always() {
                     return None;
                 }
-                self.write_held(steps);
-                self.held.forget();
-                self.inner((inner, end))?;
-                steps.push(Step::Inner);
+                self.inner((inner, end), steps)?;
                 statement = end + 1;
                 continue;
             }
@@ -253,38 +253,106 @@ impl Reader<'_, '_> {
         (condition, holds)
     }
 
-    /// Reads the inner loop: once to see what it writes, and once more with what else is known.
-    fn inner(&mut self, statements: (u32, u32)) -> Option<()> {
-        let accesses = self.kernel.accesses.len();
-        let (blocks, unsure) = ((self.blocks, self.blocks_most), self.unsure.len());
+    /// Reads the inner loop: once to see what it writes, and once more with what else is known. Where its turns write variables at addresses
+    /// that are the same in all of them, it is read again with these as cells.
+    fn inner(&mut self, statements: (u32, u32), steps: &mut Vec<Step>) -> Option<()> {
+        let held = std::mem::take(&mut self.held);
+        let before = (self.kernel.accesses.len(), self.unsure.len(), self.ranges.clone());
+        let (blocks, read, chosen) = ((self.blocks, self.blocks_most), self.read, self.chosen);
         self.outer = std::mem::take(&mut self.now);
         self.level = Level::Inner;
-        let ranges = self.ranges.clone();
-        let written: BTreeSet<Cell> = self.turn(statements)?.ends.into_keys().collect();
-        // What is read then may be something else.
-        self.ranges = ranges;
-        self.kernel.accesses.truncate(accesses);
-        self.kernel.reads.truncate(accesses);
-        self.unsure.truncate(unsure);
+        let mut written: BTreeSet<Cell> = self.turn(statements)?.ends.into_keys().collect();
+        self.read_again(&before);
         self.written_inside = Some(written.clone());
         let mut turn = self.turn(statements)?;
+        if turn.ends.keys().eq(&written) {
+            self.elements = self.elements_of(before.0);
+        }
+        if !self.elements.is_empty() {
+            self.read_again(&before);
+            // It was read once already.
+            (self.read, self.chosen) = (read, chosen);
+            for number in 0..self.elements.len() {
+                let cell = self.element(number);
+                written.insert(cell);
+            }
+            self.written_inside = Some(written.clone());
+            turn = self.turn(statements)?;
+        }
         self.level = Level::Outer;
         self.now = std::mem::take(&mut self.outer);
+        self.held = held;
         (self.blocks, self.blocks_most) = blocks;
         // Each of its turns takes the same from the budget.
         if !turn.ends.keys().eq(written.iter()) || turn.blocks != turn.blocks_most {
             return None;
         }
+        let elements = std::mem::take(&mut self.elements);
         for cell in written {
-            let before = self.read_cell(cell);
+            let before = match self.kernel.kept(cell) {
+                Kept::Element { number, .. } => self.take_held(elements[usize::from(number)].clone(), steps),
+                _ => self.read_cell(cell),
+            };
             turn.entry.insert(cell, before);
         }
+        self.write_held(steps);
+        self.held.forget();
+        steps.push(Step::Inner);
         for &cell in turn.ends.keys() {
             let after = self.node(What::After(cell));
-            self.now.insert(cell, after);
+            match self.kernel.kept(cell) {
+                Kept::Element { number, .. } => self.write_at(elements[usize::from(number)].clone(), after, steps),
+                _ => drop(self.now.insert(cell, after)),
+            }
         }
         self.kernel.inner = Some(turn);
         Some(())
+    }
+
+    /// Forgets what a loop did when it was read before: what is read then may be something else.
+    fn read_again(&mut self, (accesses, unsure, ranges): &(usize, usize, HashMap<Node, Interval>)) {
+        self.ranges.clone_from(ranges);
+        self.kernel.accesses.truncate(*accesses);
+        self.kernel.reads.truncate(*accesses);
+        self.unsure.truncate(*unsure);
+    }
+
+    /// Variables that the turns of the inner loop write at addresses that are the same in all of them, and to which no other access goes,
+    /// of the accesses from a number on.
+    fn elements_of(&self, first: usize) -> Vec<Access> {
+        let accesses = &self.kernel.accesses[first..];
+        let mut elements: Vec<Access> = Vec::new();
+        for access in accesses.iter().filter(|access| access.value.is_some() && access.width != Width::Bit) {
+            let others_are_apart = accesses.iter().all(|other| access.is_same(other) && other.sure || !access.may_meet(other));
+            if self.is_fixed(access.pointer) && others_are_apart && !elements.iter().any(|known| known.is_same(access)) {
+                elements.push(Access { level: Level::Outer, value: None, ..access.clone() });
+            }
+        }
+        elements
+    }
+
+    /// Whether a value is the same in all turns of the inner loop.
+    fn is_fixed(&self, node: Node) -> bool {
+        match self.kernel.what(node) {
+            What::Constant(_) | What::Start(Level::Outer, _) => true,
+            What::Start(Level::Inner, _) | What::After(_) => false,
+            What::Read(access) => self.kernel.accesses[access].level == Level::Outer,
+            What::Compute(op, args) => args[..op.arity()].iter().all(|&arg| self.is_fixed(arg)),
+        }
+    }
+
+    fn element(&mut self, number: usize) -> Cell {
+        let width = self.elements[number].width;
+        self.cell(Kept::Element { number: number as u16, width })
+    }
+
+    /// The cell of a variable that the turns of the inner loop share.
+    fn element_at(&mut self, access: &Access) -> Option<Cell> {
+        if self.level == Level::Outer {
+            return None;
+        }
+        let number = self.elements.iter().position(|element| element.is_same(access))?;
+        Some(self.element(number))
     }
 
     /// Reads a block that becomes part of the loop.
@@ -607,7 +675,7 @@ impl Reader<'_, '_> {
         }
         let What::Compute(Op::Below, [number, limit, ..]) = self.kernel.what(condition) else { return None };
         let limit = u32::try_from(self.kernel.constant(limit)?).ok()?;
-        if self.level == Level::Inner || limit == 0 {
+        if self.level == Level::Inner || limit == 0 || !self.kernel.is_32_bits(number) {
             return None;
         }
         self.kernel.required.push((number, limit));
@@ -629,6 +697,7 @@ impl Reader<'_, '_> {
                 let one = self.constant(1);
                 return self.compute(Op::And, [value, one, value, value]);
             }
+            Width::QuadWord => return value,
             Width::Byte => Op::Low8,
             Width::Word => Op::Low16,
             _ => Op::Low32,
@@ -656,9 +725,6 @@ impl Reader<'_, '_> {
                 }
             }
         };
-        if width == Width::QuadWord {
-            return None;
-        }
         let (mut start, mut length) = self.area(area, write)?;
         let mut base = if area == Area::Local { Base::Local } else { Base::Arena };
         if let Place::Indirect { area: Area::InstanceData, .. } = place
@@ -690,7 +756,11 @@ impl Reader<'_, '_> {
         let whole = self.range(pointer, DEPTH_MAX);
         let is_part = always.is_some() && whole.zeros >= 3 && whole.unsigned(24).1 + i128::from(offset) < 1 << 24;
         let part = is_part.then_some(Part { bytes: (offset / 8) as i32, bit: (offset % 8) as u8 });
-        Some(Reached::Access(Access { level: self.level, area, pointer, offset, width, value: None, inside, sure, part }))
+        let access = Access { level: self.level, area, pointer, offset, width, value: None, inside, sure, part };
+        Some(match self.element_at(&access) {
+            Some(cell) => Reached::Cell(cell),
+            None => Reached::Access(access),
+        })
     }
 
     /// A pointer and an offset of 24 bits that lead to the same place as others: accesses at the same distance from each other in each turn
@@ -741,7 +811,7 @@ impl Reader<'_, '_> {
         };
         let (byte, bit) = ((position & CALLS_MASK) / 8, (position % 8) as u8);
         let inside = byte as usize + width.bytes() as usize <= bytes && (width == Width::Bit || bit == 0);
-        if !inside || width == Width::QuadWord {
+        if !inside {
             return None;
         }
         let offset = first + byte as i32;
@@ -878,6 +948,19 @@ impl Reader<'_, '_> {
                 Op::OrU64 => Op::OrU32,
                 _ => Op::XorU32,
             },
+            // An INT or a DINT on its way to an LREAL.
+            (Op::I64ToF64, What::Compute(Op::ExtendI32I64, of)) => {
+                args = of;
+                Op::I32ToF64
+            }
+            (Op::I64ToF64, What::Compute(Op::ExtendI16I64, of)) => {
+                args = [self.compute(Op::Extend16, of); 4];
+                Op::I32ToF64
+            }
+            (Op::I64ToF32, What::Compute(Op::ExtendI16I64, of)) => {
+                args = [self.compute(Op::Extend16, of); 4];
+                Op::I32ToF32
+            }
             // A DINT on its way to a REAL.
             (Op::I64ToF32, What::Compute(Op::ExtendI32I64, of)) => {
                 args = of;
@@ -1044,6 +1127,36 @@ fn is_cheap(op: Op, divisor: Option<u64>) -> bool {
             | O::I32ToF32
             | O::I64ToF32
             | O::ExtendI32I64
+            | O::ExtendI16I64
+            | O::I32ToF64
+            | O::I64ToF64
+            | O::NotU64
+            | O::AddF64
+            | O::SubF64
+            | O::MulF64
+            | O::DivF64
+            | O::NegF64
+            | O::AbsF64
+            | O::MinF64
+            | O::MaxF64
+            | O::F32ToF64
+            | O::F64ToF32
+            | O::F64ToI32
+            | O::RoundF64
+            | O::TruncF64
+            | O::MinF32
+            | O::MaxF32
+            | O::SqrtF32
+            | O::SqrtF64
+            | O::RoundF32
+            | O::TruncF32
+            | O::AbsI32
+            | O::AbsI16
+            | O::AddI16Wide
+            | O::SubI16Wide
+            | O::MulI16Wide
+            | O::Sar16
+            | O::Sar32
             | O::NotU32
             | O::NotU16
     );

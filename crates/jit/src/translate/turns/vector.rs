@@ -1,7 +1,7 @@
 //! Turns side by side: a value of each in the lanes of vectors of 128 bits.
 
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
-use cranelift_codegen::ir::types::{F32, F32X4, I8X16, I16, I16X8, I32, I32X4, I64};
+use cranelift_codegen::ir::types::{F32, F32X4, F64, F64X2, I8X16, I16, I16X8, I32, I32X4, I64, I64X2};
 use cranelift_codegen::ir::{ConstantData, Endianness, Immediate, InstBuilder, MemFlagsData, Type, Value};
 use sieben_engine::ir::Op;
 
@@ -26,8 +26,14 @@ pub(super) enum Lanes {
     Words(Vec<Value>),
     /// REALs. What is no number is written in its one form.
     Reals(Vec<Value>),
+    /// Numbers of 64 bits.
+    Quads(Vec<Value>),
+    /// LREALs. What is no number is written in its one form.
+    Lreals(Vec<Value>),
     /// Bits, each as 32 that are all like it.
     Mask(Vec<Value>),
+    /// Bits, each as 64 that are all like it.
+    LongMask(Vec<Value>),
 }
 
 impl Shape {
@@ -36,6 +42,8 @@ impl Shape {
         match self {
             Self::Halves => (I16X8, lanes / 8),
             Self::Reals => (F32X4, lanes / 4),
+            Self::Quads => (I64X2, lanes / 2),
+            Self::Lreals => (F64X2, lanes / 2),
             Self::Words | Self::Mask | Self::Line(_) => (I32X4, lanes / 4),
         }
     }
@@ -45,6 +53,8 @@ impl Shape {
         match self {
             Self::Halves => Lanes::Halves(vectors),
             Self::Reals => Lanes::Reals(vectors),
+            Self::Quads => Lanes::Quads(vectors),
+            Self::Lreals => Lanes::Lreals(vectors),
             Self::Mask => Lanes::Mask(vectors),
             Self::Words | Self::Line(_) => Lanes::Words(vectors),
         }
@@ -56,7 +66,7 @@ fn little() -> MemFlagsData {
 }
 
 impl Translator<'_> {
-    fn constant_vector(&mut self, ty: Type, bytes: Vec<u8>) -> Value {
+    pub(super) fn constant_vector(&mut self, ty: Type, bytes: Vec<u8>) -> Value {
         let constant = self.b.func.dfg.constants.insert(ConstantData::from(bytes));
         self.b.ins().vconst(ty, constant)
     }
@@ -78,7 +88,7 @@ impl Translator<'_> {
             Lanes::Halves(vectors) => return vectors.clone(),
             Lanes::One(first) => (*first, Line::SAME),
             Lanes::Line(first, line) => (*first, *line),
-            Lanes::Words(_) | Lanes::Reals(_) | Lanes::Mask(_) => unreachable!("the shapes were looked at"),
+            _ => unreachable!("the shapes were looked at"),
         };
         let first = self.int(first);
         let first = self.b.ins().ireduce(I16, first);
@@ -95,7 +105,7 @@ impl Translator<'_> {
             Lanes::Line(first, line) => (*first, *line),
             // What is no number has one form as bits.
             Lanes::Reals(reals) => return reals.clone().into_iter().map(|real| self.quiet_vector(real)).collect(),
-            Lanes::Mask(_) => unreachable!("the shapes were looked at"),
+            Lanes::Mask(_) | Lanes::LongMask(_) | Lanes::Quads(_) | Lanes::Lreals(_) => unreachable!("the shapes were looked at"),
         };
         let first = self.int(first);
         let all = self.b.ins().splat(I32X4, first);
@@ -119,9 +129,10 @@ impl Translator<'_> {
     }
 
     /// As masks.
-    fn masks(&mut self, value: &Lanes, lanes: u32) -> Vec<Value> {
+    pub(super) fn masks(&mut self, value: &Lanes, lanes: u32) -> Vec<Value> {
         let bit = match value {
             Lanes::Mask(vectors) => return vectors.clone(),
+            Lanes::LongMask(vectors) => return self.short_masks(vectors),
             Lanes::One(bit) => *bit,
             _ => unreachable!("the shapes were looked at"),
         };
@@ -157,9 +168,14 @@ impl Translator<'_> {
 
     /// The result of an operation in all lanes.
     pub(super) fn compute_lanes(&mut self, op: Op, shape: Shape, args: &[Lanes], lanes: u32) -> Lanes {
+        if let Some(result) = self.compute_quads(op, shape, args, lanes) {
+            return result;
+        }
         if let Some(vectors) = self.choose_lanes(op, shape, args, lanes) {
             return shape.of(vectors);
         }
+        let is_number = |arg: &Lanes| matches!(arg, Lanes::One(Val::Const(bits)) if !f32::from_bits(*bits as u32).is_nan());
+        let is_number: Vec<bool> = args.iter().map(is_number).collect();
         let pair = |this: &mut Self, of: &mut dyn FnMut(&mut Self, Value, Value) -> Value| -> Vec<Value> {
             let (a, b) = match shape {
                 Shape::Halves => (this.halves(&args[0], lanes), this.halves(&args[1], lanes)),
@@ -181,6 +197,15 @@ impl Translator<'_> {
             Op::MaxI16 | Op::MaxI32 => pair(self, &mut |this, a, b| this.b.ins().smax(a, b)),
             Op::MulF32 => pair(self, &mut |this, a, b| this.b.ins().fmul(a, b)),
             Op::DivF32 => pair(self, &mut |this, a, b| this.b.ins().fdiv(a, b)),
+            Op::Extend16 if matches!(args[0], Lanes::Line(..)) => {
+                let words = self.words(&args[0], lanes);
+                let mut extended = Vec::new();
+                for word in words {
+                    let moved = self.b.ins().ishl_imm_u(word, 16);
+                    extended.push(self.b.ins().sshr_imm_u(moved, 16));
+                }
+                extended
+            }
             Op::Extend16 => {
                 let halves = self.halves(&args[0], lanes);
                 self.widened(&halves, true)
@@ -206,18 +231,8 @@ impl Translator<'_> {
                 let reals = self.reals(&args[0], lanes);
                 reals.into_iter().map(|real| self.b.ins().sqrt(real)).collect()
             }
-            Op::MinF32 => pair(self, &mut |this, a, b| {
-                let no_number = this.b.ins().fcmp(FloatCC::Unordered, b, b);
-                let less = this.b.ins().fcmp(FloatCC::LessThan, a, b);
-                let first = this.b.ins().bor(no_number, less);
-                this.reals_of_both(first, a, b)
-            }),
-            Op::MaxF32 => pair(self, &mut |this, a, b| {
-                let no_number = this.b.ins().fcmp(FloatCC::Unordered, a, a);
-                let less = this.b.ins().fcmp(FloatCC::LessThan, a, b);
-                let second = this.b.ins().bor(no_number, less);
-                this.reals_of_both(second, b, a)
-            }),
+            Op::MinF32 => pair(self, &mut |this, a, b| this.extreme_vector(FloatCC::LessThan, [a, b], (b, a), is_number[1])),
+            Op::MaxF32 => pair(self, &mut |this, a, b| this.extreme_vector(FloatCC::GreaterThan, [b, a], (a, b), is_number[0])),
             Op::NegI32 => {
                 let words = self.words(&args[0], lanes);
                 words.into_iter().map(|word| self.b.ins().ineg(word)).collect()
@@ -236,13 +251,6 @@ impl Translator<'_> {
             _ => unreachable!("the shapes were looked at"),
         };
         shape.of(vectors)
-    }
-
-    /// One of two REALs.
-    fn reals_of_both(&mut self, condition: Value, a: Value, b: Value) -> Value {
-        let [a, b] = [a, b].map(|real| self.b.ins().bitcast(I32X4, little(), real));
-        let chosen = self.b.ins().bitselect(condition, a, b);
-        self.b.ins().bitcast(F32X4, little(), chosen)
     }
 
     /// Numbers of 32 bits shifted, or divided by a power of two.
@@ -384,6 +392,7 @@ impl Translator<'_> {
     pub(super) fn write_lanes(&mut self, address: Value, offset: i32, value: &Lanes, bytes: u8, lanes: u32) {
         let vectors = match (bytes, value) {
             (2, value) => self.halves(value, lanes),
+            (8, value) => self.quads(value, lanes),
             (_, Lanes::Reals(reals)) => reals.clone().into_iter().map(|real| self.quiet_vector(real)).collect(),
             (_, value) => self.words(value, lanes),
         };
@@ -413,6 +422,16 @@ impl Translator<'_> {
             }
             Lanes::Words(vectors) => Val::Int(self.b.ins().extractlane(vectors[vectors.len() - 1], 3)),
             Lanes::Mask(vectors) => Val::Bit { value: self.b.ins().extractlane(vectors[vectors.len() - 1], 3), clean: false },
+            Lanes::Quads(vectors) => Val::Word(self.b.ins().extractlane(vectors[vectors.len() - 1], 1)),
+            Lanes::LongMask(vectors) => {
+                let mask = self.b.ins().extractlane(vectors[vectors.len() - 1], 1);
+                Val::Bit { value: self.b.ins().ireduce(I32, mask), clean: false }
+            }
+            Lanes::Lreals(vectors) => {
+                let real = self.b.ins().extractlane(vectors[vectors.len() - 1], 1);
+                debug_assert_eq!(self.b.func.dfg.value_type(real), F64);
+                self.quiet_f64(real)
+            }
             Lanes::Reals(vectors) => {
                 let real = self.b.ins().extractlane(vectors[vectors.len() - 1], 3);
                 debug_assert_eq!(self.b.func.dfg.value_type(real), F32);

@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::{F32, I32, I64};
+use cranelift_codegen::ir::types::{F32, F64, I32, I64};
 use cranelift_codegen::ir::{self as clif, BlockArg, InstBuilder, MemFlagsData, Value};
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
@@ -49,6 +49,9 @@ enum Form {
     Bit,
     Int,
     Real,
+    /// 64 bits.
+    Quad,
+    Lreal,
     Lanes(Shape),
 }
 
@@ -391,6 +394,10 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         let made = self.t.turns_before(progress, mark, turns);
         let value = self.value_left(at, value, made);
         let before = self.before[&cell];
+        if self.kernel.kept(cell).is_wide() {
+            let (value, before) = (self.t.word(value), self.t.word(before));
+            return Some(Val::Word(self.t.b.ins().select(any, value, before)));
+        }
         let (value, before) = (self.t.int(value), self.t.int(before));
         Some(Val::Int(self.t.b.ins().select(any, value, before)))
     }
@@ -531,7 +538,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         if matches!(self.kernel.kept(cell), Kept::Memory { width: Width::Bit, .. }) {
             return Form::Bit;
         }
-        let real = |op: Op| matches!(op, Op::AddF32 | Op::SubF32 | Op::MulF32 | Op::DivF32);
+        let wide = self.kernel.kept(cell).is_wide();
+        let real = |op: Op| match wide {
+            true => matches!(op, Op::AddF64 | Op::SubF64 | Op::MulF64 | Op::DivF64),
+            false => matches!(op, Op::AddF32 | Op::SubF32 | Op::MulF32 | Op::DivF32),
+        };
         let is_real = matches!(self.kernel.what(end), What::Compute(op, _) if real(op));
         let others = needed.iter().any(|&node| match self.kernel.what(node) {
             What::Compute(op, args) => !real(op) && args[..op.arity()].iter().any(|&arg| self.kernel.is_start(arg, level, cell)),
@@ -539,7 +550,12 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         });
         let written = self.kernel.accesses.iter().filter_map(|access| access.value).any(|value| self.kernel.is_start(value, level, cell));
         let handed_on = self.kernel.all_ends().any(|end| self.kernel.is_start(end, level, cell));
-        if is_real && !others && !written && !handed_on { Form::Real } else { Form::Int }
+        match (is_real && !others && !written && !handed_on, wide) {
+            (true, false) => Form::Real,
+            (true, true) => Form::Lreal,
+            (false, false) => Form::Int,
+            (false, true) => Form::Quad,
+        }
     }
 
     fn count_of(&self, one: &Handed) -> usize {
@@ -616,6 +632,10 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             Form::Bit => all.push(self.t.flag(one(value))),
             Form::Int => all.push(self.t.int(one(value))),
             Form::Real => all.push(self.t.f32(one(value))),
+            Form::Quad => all.push(self.t.word(one(value))),
+            Form::Lreal => all.push(self.t.f64(one(value))),
+            Form::Lanes(Shape::Quads) => all.extend(self.t.quads(value, self.lanes)),
+            Form::Lanes(Shape::Lreals) => all.extend(self.t.lreals(value, self.lanes)),
             Form::Lanes(Shape::Halves) => all.extend(self.t.halves(value, self.lanes)),
             Form::Lanes(Shape::Reals) => all.extend(self.t.reals(value, self.lanes)),
             Form::Lanes(_) => all.extend(self.t.words(value, self.lanes)),
@@ -663,6 +683,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     let value = match form {
                         Form::Bit => Lanes::One(Val::Bit { value: own[0], clean: true }),
                         Form::Int => Lanes::One(Val::Int(own[0])),
+                        Form::Quad => Lanes::One(Val::Word(own[0])),
+                        Form::Lreal => {
+                            debug_assert_eq!(self.t.b.func.dfg.value_type(own[0]), F64);
+                            Lanes::One(self.t.quiet_f64(own[0]))
+                        }
                         Form::Real => {
                             let bits = self.t.b.ins().bitcast(I32, MemFlagsData::new(), own[0]);
                             debug_assert_eq!(self.t.b.func.dfg.value_type(own[0]), F32);
@@ -761,6 +786,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 return Lanes::One(self.t.compute_now(op, &firsts));
             }
             if let Some(line) = self.kernel.line(node, Level::Outer) {
+                if line.is_same() {
+                    return Lanes::One(self.t.compute_now(op, &firsts));
+                }
                 return Lanes::Line(self.t.compute_now(op, &firsts), line);
             }
         }
@@ -785,7 +813,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         match access.value {
             None => {
                 let value = match shape {
-                    Some(shape @ (Shape::Halves | Shape::Words)) if self.lanes > 1 => {
+                    Some(shape @ (Shape::Halves | Shape::Words | Shape::Quads)) if self.lanes > 1 => {
                         self.t.read_lanes(address.base, address.offset, shape, self.lanes)
                     }
                     _ => Lanes::One(self.t.read(address, access.width)),
@@ -870,6 +898,7 @@ impl Translator<'_> {
         match kernel.kept(cell) {
             Kept::Register(register) => self.register(register),
             Kept::Budget => Val::Const(0),
+            Kept::Element { .. } => unreachable!("it is read where the inner loop begins"),
             Kept::Clock => {
                 let now = self.clock_ms();
                 Val::Int(self.int(now))
@@ -889,7 +918,7 @@ impl Translator<'_> {
                 self.b.def_var(self.variables[register as usize], value);
             }
             // It goes into the budget behind the turns; nothing writes the clock.
-            Kept::Budget | Kept::Clock => {}
+            Kept::Budget | Kept::Clock | Kept::Element { .. } => {}
             Kept::Memory { base, offset, width, bit } => {
                 let base = self.address_of_base(base);
                 self.write_known(Address { base, offset, bit: Bit::Number(bit) }, width, value);
