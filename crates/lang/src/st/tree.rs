@@ -345,6 +345,14 @@ pub struct Call {
     pub span: Span,
 }
 
+impl Call {
+    /// A call that stands for itself: without EN, and nobody asks for a result.
+    pub(crate) fn plain(callee: Callee, arguments: Vec<Argument>, span: Span) -> Self {
+        let (enable, result, written_out) = (None, DataType::Void, None);
+        Self { callee, arguments, enable, result, clears_ok: false, of_library: false, written_out, span }
+    }
+}
+
 /// What is called.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The fields are named in the sentence of each variant.

@@ -570,16 +570,7 @@ fn in_order<const N: usize>(values: [Value; N]) -> Vec<Argument> {
 }
 
 fn call_of(block: BlockId, arguments: Vec<Argument>, span: Span) -> Statement {
-    let call = Call {
-        callee: Callee::Function(block),
-        arguments,
-        enable: None,
-        result: DataType::Void,
-        clears_ok: false,
-        of_library: false,
-        written_out: None,
-        span,
-    };
+    let call = Call::plain(Callee::Function(block), arguments, span);
     Statement { kind: StatementKind::Call(call), span }
 }
 

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use sieben_model::block::BlockId;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
-use sieben_model::types::DataType;
 
 use super::items::{Items, Program};
 use crate::scope::key;
@@ -52,16 +51,7 @@ fn add(generated: &mut BTreeMap<BlockId, Generated>, block: BlockId, program: &P
     let span = program.span;
     let instance = Place { base: Base::DataBlock(program.instance), offset: 0, indexes: Vec::new(), span };
     let callee = Callee::Instance { block: program.block, instance, dispatch: None };
-    let call = Call {
-        callee,
-        arguments: Vec::new(),
-        enable: None,
-        result: DataType::Void,
-        clears_ok: false,
-        of_library: false,
-        written_out: None,
-        span,
-    };
+    let call = Call::plain(callee, Vec::new(), span);
     let one = generated.entry(block).or_insert_with(|| Generated { body: Body::default(), interval_ms: None });
     one.body.statements.push(Statement { kind: StatementKind::Call(call), span });
 }

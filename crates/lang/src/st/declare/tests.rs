@@ -3,7 +3,6 @@
 use sieben_model::address::Area;
 use sieben_model::block::BlockId;
 use sieben_model::testing::{FIRST_TEST_BLOCK, Test, TestPlan};
-use sieben_model::types::DataType;
 
 use super::bodies::Bodies;
 use super::environment::Environment;
@@ -59,16 +58,7 @@ impl Environment<'_> {
             let span = part.source.name.span;
             let instance = Place { base: Base::DataBlock(part.instance), offset: 0, indexes: Vec::new(), span };
             let callee = Callee::Instance { block: part.block, instance, dispatch: None };
-            let call = Call {
-                callee,
-                arguments: Vec::new(),
-                enable: None,
-                result: DataType::Void,
-                clears_ok: false,
-                of_library: false,
-                written_out: None,
-                span,
-            };
+            let call = Call::plain(callee, Vec::new(), span);
             body.statements.push(Statement { kind: StatementKind::Call(call), span });
             bodies.calls.entry(id).or_default().insert(part.block);
         }
