@@ -351,6 +351,7 @@ impl<'a> Analysis<'a> {
     fn run(mut self) -> Option<Ranges> {
         let best = self.settle()?;
         if self.has_loops_in_loops() {
+            let origins = self.origins.clone();
             let heads = self.heads.iter().filter_map(|&head| Some((head, best[head as usize].clone()?)));
             self.holding = heads.collect();
             self.back.clear();
@@ -360,6 +361,8 @@ impl<'a> Analysis<'a> {
                 return Some(self.found);
             }
             self.found = Ranges::default();
+            // What is checked counts its values as they were counted when it was found.
+            self.origins = origins;
         }
         self.check(&best).then_some(self.found)
     }

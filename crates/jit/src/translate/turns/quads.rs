@@ -109,7 +109,7 @@ impl Translator<'_> {
         let is_wide = |value: &Lanes| match value {
             Lanes::Quads(_) | Lanes::Lreals(_) => true,
             Lanes::One(Val::Const(value)) => u32::try_from(*value).is_err(),
-            Lanes::One(Val::Word(_) | Val::Lreal { .. }) => true,
+            Lanes::One(Val::Word(_) | Val::Lazy(_) | Val::Lreal { .. }) => true,
             _ => false,
         };
         let any_wide = args.iter().any(is_wide);
