@@ -76,8 +76,8 @@ chapters! {
             "codesys: CTUD(CU: BOOL; CD: BOOL; RESET: BOOL; LOAD: BOOL; PV: WORD) → QU: BOOL; QD: BOOL; CV: WORD"
             "scl: CTUD(CU: BOOL; CD: BOOL; R: BOOL; LOAD: BOOL; PV: INT) → QU: BOOL; QD: BOOL; CV: INT";
         "iec_counter" "any counter" ["IEC_COUNTER" "IEC_SCOUNTER" "IEC_DCOUNTER" "IEC_USCOUNTER" "IEC_UCOUNTER" "IEC_UDCOUNTER"]
-            "counter.CTU(CU: BOOL; R: BOOL; PV: INT) → Q: BOOL; CV: INT" "counter.CTD(CD: BOOL; LD: BOOL; PV: INT) → Q: BOOL; CV: INT"
-            "counter.CTUD(CU: BOOL; CD: BOOL; R: BOOL; LD: BOOL; PV: INT) → QU: BOOL; QD: BOOL; CV: INT";
+            "tia: counter.CTU(CU: BOOL; R: BOOL; PV: INT) → Q: BOOL; CV: INT" "tia: counter.CTD(CD: BOOL; LD: BOOL; PV: INT) → Q: BOOL; CV: INT"
+            "tia: counter.CTUD(CU: BOOL; CD: BOOL; R: BOOL; LD: BOOL; PV: INT) → QU: BOOL; QD: BOOL; CV: INT";
         "s_cu" "S5 counter: up" ["S_CU" "Z_VORW"] "S_CU(C_NO: COUNTER; CU: BOOL; S: BOOL; PV: WORD; R: BOOL; CV => WORD; Q => BOOL): WORD";
         "s_cd" "S5 counter: down" ["S_CD" "Z_RUECK"] "S_CD(C_NO: COUNTER; CD: BOOL; S: BOOL; PV: WORD; R: BOOL; CV => WORD; Q => BOOL): WORD";
         "s_cud" "S5 counter: up and down" ["S_CUD" "ZAEHLER"] "S_CUD(C_NO: COUNTER; CU: BOOL; CD: BOOL; S: BOOL; PV: WORD; R: BOOL; CV => WORD; Q => BOOL): WORD";
@@ -298,7 +298,8 @@ fn known_at_once(names: &[&str], dialect: Dialect, options: &Options) -> Vec<boo
         let has = |found: &[(usize, Problem)], problem| found.contains(&(line, problem));
         // A word of the language is no name at all; some functions give no value; some conversions are not for every type.
         let is_word = has(&value, Problem::P6055);
-        let is_unknown = has(&value, Problem::P3008) && has(&statement, Problem::P3008);
+        let says_no = |problem| has(&value, problem) && has(&statement, problem);
+        let is_unknown = says_no(Problem::P3008) || says_no(Problem::P6323);
         let converts_nothing = source(names[line]).is_some() && has(&value, Problem::P4011);
         !is_word && !is_unknown && !converts_nothing
     };
