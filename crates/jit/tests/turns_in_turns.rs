@@ -55,8 +55,7 @@ fn compare(middle: &dyn Fn(&mut Builder)) {
     let expected = outcome(Interpreter::load(&program, &layout));
     for status in [StatusBits::All, StatusBits::Needed] {
         let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
-        let differ = got.arena.iter().zip(&expected.arena).position(|(got, expected)| got != expected);
-        assert_eq!(differ, None, "{status:?}");
+        got.assert_ends_as(&expected, &|| format!("{status:?}"));
     }
 }
 

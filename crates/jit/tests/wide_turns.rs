@@ -359,10 +359,7 @@ fn turns_with_wide_numbers_do_what_the_interpreter_does() {
         for status in [StatusBits::All, StatusBits::Needed] {
             let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
             let code = &program.code[&block].code;
-            assert_eq!(got.asked, expected.asked, "{seed} {status:?}\n{code}");
-            let differ = got.arena.iter().zip(&expected.arena).position(|(got, expected)| got != expected);
-            assert_eq!(differ, None, "{seed} {status:?}: memory differs\n{code}");
-            assert_eq!((got.exit, got.budget), (expected.exit.clone(), expected.budget), "{seed} {status:?}\n{code}");
+            got.assert_ends_as(&expected, &|| format!("{seed} {status:?}\n{code}"));
         }
         asked += expected.asked.len();
         finished += usize::from(expected.exit == Exit::Finished);

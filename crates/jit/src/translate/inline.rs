@@ -482,11 +482,7 @@ impl Translator<'_> {
         (third, fourth): (Value, Value),
         is_number: bool,
     ) -> Value {
-        // The form that becomes one instruction.
-        let first = match condition {
-            FloatCC::GreaterThan => self.b.ins().fcmp(FloatCC::LessThan, b, a),
-            condition => self.b.ins().fcmp(condition, a, b),
-        };
+        let first = self.is_extreme(condition, [a, b]);
         let extreme = self.b.ins().select(first, a, b);
         if is_number {
             return extreme;
@@ -494,6 +490,14 @@ impl Translator<'_> {
         // Hardly ever, so that a jump costs less than a choice.
         let none = self.b.ins().fcmp(FloatCC::Unordered, third, third);
         self.b.ins().select(none, fourth, extreme)
+    }
+
+    /// Whether the first of two reals is less or greater, in the form that becomes one instruction with the choice behind it.
+    pub(super) fn is_extreme(&mut self, condition: FloatCC, [a, b]: [Value; 2]) -> Value {
+        match condition {
+            FloatCC::GreaterThan => self.b.ins().fcmp(FloatCC::LessThan, b, a),
+            condition => self.b.ins().fcmp(condition, a, b),
+        }
     }
 
     fn merge(&mut self, high: Val, low: Val, mask: u32) -> Val {

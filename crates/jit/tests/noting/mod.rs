@@ -20,6 +20,17 @@ pub(crate) struct Outcome {
     pub(crate) budget: i64,
 }
 
+impl Outcome {
+    /// Both were asked the same, left the same memory and ended in the same way; registers are for the caller to compare, who knows which count.
+    pub(crate) fn assert_ends_as(&self, expected: &Self, what: &dyn Fn() -> String) {
+        assert_eq!(self.asked, expected.asked, "{}", what());
+        let differ = self.arena.iter().zip(&expected.arena).position(|(got, expected)| got != expected);
+        assert_eq!(differ, None, "memory differs: {}", what());
+        assert_eq!(self.arena.len(), expected.arena.len(), "{}", what());
+        assert_eq!((&self.exit, self.budget), (&expected.exit, expected.budget), "{}", what());
+    }
+}
+
 /// A Host that notes what it is asked and answers as a test says.
 pub(crate) struct Noting<'a> {
     asked: Vec<String>,

@@ -267,11 +267,7 @@ impl Translator<'_> {
         is_number: bool,
     ) -> Value {
         let ty = self.b.func.dfg.value_type(a);
-        // The form that becomes one instruction.
-        let first = match condition {
-            FloatCC::GreaterThan => self.b.ins().fcmp(FloatCC::LessThan, b, a),
-            condition => self.b.ins().fcmp(condition, a, b),
-        };
+        let first = self.is_extreme(condition, [a, b]);
         let first = self.b.ins().bitcast(ty, little(), first);
         let extreme = self.b.ins().bitselect(first, a, b);
         if is_number {
