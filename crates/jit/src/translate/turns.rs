@@ -113,6 +113,10 @@ impl Plan {
                 count.constant(counter, limit)?
             }
         };
+        // Only what is on a line can be looked at in front of the loop.
+        if !kernel.required.iter().all(|&(number, _)| kernel.line(number, Level::Outer).is_some_and(|line| line.bits == 32)) {
+            return None;
+        }
         let plan = Self { kernel, count, inner_turns };
         plan.can_be_written().then_some(plan)
     }

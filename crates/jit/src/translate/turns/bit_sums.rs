@@ -129,7 +129,7 @@ impl Translator<'_> {
     }
 
     /// A value of the first turn that rests on nothing that the loop reads.
-    fn value_in_front(&mut self, kernel: &Kernel, node: Node) -> Val {
+    pub(super) fn value_in_front(&mut self, kernel: &Kernel, node: Node) -> Val {
         match kernel.what(node) {
             What::Constant(value) => Val::Const(value),
             What::Start(_, cell) => self.cell_before(kernel, cell),

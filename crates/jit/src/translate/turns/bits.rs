@@ -15,6 +15,8 @@ use super::kernel::{Cell, Kernel, Level, Node, What};
 
 /// Bits that are written with one store.
 const BITS_OF_A_VECTOR: i64 = 128;
+/// Turns from which it pays to write whole bytes: at least one is written.
+const FILLED_MIN: i64 = 16;
 /// Turns from which it pays to go over the bytes once for each bit of a byte.
 const TURNS_MIN: i64 = 32;
 
@@ -25,24 +27,55 @@ enum Stride {
     Computed(Node),
 }
 
+/// What the variable that counts can hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Type {
+    bits: u32,
+    signed: bool,
+}
+
+impl Type {
+    fn most(self) -> i64 {
+        if self.signed { (1 << (self.bits - 1)) - 1 } else { (1 << self.bits) - 1 }
+    }
+}
+
 /// A loop that writes bits.
 #[derive(Debug)]
 pub(super) struct Bits {
     /// The variable that counts.
     counter: Cell,
+    of: Type,
     stride: Stride,
-    /// The last number with which another turn is made.
+    /// The last number with which another turn is made, or the one behind it.
     limit: Node,
+    inclusive: bool,
     pointer: Node,
     offset: u32,
     area: (Base, i32, u64),
     value: bool,
+    /// What else is the same behind each turn.
+    same: Vec<(Cell, u64)>,
+}
+
+/// The condition of another turn of a loop that counts up.
+struct Condition {
+    counted: Node,
+    limit: Node,
+    inclusive: bool,
+    of: Type,
 }
 
 /// What a loop does, if it only writes bits.
 pub(super) fn read(kernel: &Kernel) -> Option<Bits> {
-    let mut ends = kernel.outer.ends.iter();
-    let (Some((&counter, &end)), None, None) = (ends.next(), ends.next(), &kernel.inner) else { return None };
+    let (mut same, mut counted) = (Vec::new(), Vec::new());
+    for (&cell, &end) in &kernel.outer.ends {
+        match kernel.constant(end) {
+            Some(value) => same.push((cell, value)),
+            None => counted.push((cell, end)),
+        }
+    }
+    let (&[(counter, end)], None) = (counted.as_slice(), &kernel.inner) else { return None };
     let mut stores = kernel.accesses.iter().filter_map(|access| Some((access, access.value?)));
     let (Some((store, value)), None) = (stores.next(), stores.next()) else { return None };
     // A read that nobody needs may be an error.
@@ -50,48 +83,86 @@ pub(super) fn read(kernel: &Kernel) -> Option<Bits> {
         return None;
     }
     let value = kernel.constant(value)? & 1 != 0;
-    if store.width != Width::Bit || kernel.outer.blocks_most != 0 || !kernel.required.is_empty() {
+    if store.width != Width::Bit || kernel.outer.blocks_most != 0 {
         return None;
     }
     let start = |node: Node| kernel.is_start(node, Level::Outer, counter);
-    let What::Compute(Op::AddU32, [a, b, ..]) = kernel.what(end) else { return None };
-    let step = if start(a) { b } else { a };
-    if !start(a) && !start(b) || start(step) {
+    let What::Compute(op, [a, b, ..]) = kernel.what(end) else { return None };
+    let (own, step) = if start(a) { (a, b) } else { (b, a) };
+    if !start(own) || start(step) {
         return None;
     }
-    // The pointer is the counter and something that stays.
-    let stays = |node: Node| kernel.constant(node).is_some();
-    match kernel.what(store.pointer) {
-        What::Start(..) if start(store.pointer) => {}
-        What::Compute(Op::AddU32, [a, b, ..]) if start(a) && stays(b) || start(b) && stays(a) => {}
-        _ => return None,
-    }
-    let (stride, limit) = match (kernel.constant(step), kernel.what(kernel.outer.again)) {
-        (Some(1), What::Compute(Op::LeI32, [of, limit, ..])) if of == end => (Stride::One, limit),
-        // What is known of the numbers may have made the condition a short one.
-        (None, What::Compute(Op::LeI32, [of, limit, ..])) if of == end => (Stride::Computed(step), limit),
-        (None, What::Compute(Op::AndNot, [choice, overflow, ..])) => {
-            let What::Compute(Op::AddOverflowsI32, [a, b, ..]) = kernel.what(overflow) else { return None };
-            let What::Compute(Op::Select, [down, _, up, _]) = kernel.what(choice) else { return None };
-            let What::Compute(Op::LtI32, [of, zero, ..]) = kernel.what(down) else { return None };
-            let What::Compute(Op::LeI32, [compared, limit, ..]) = kernel.what(up) else { return None };
-            let same = start(a) && b == step && of == step && kernel.constant(zero) == Some(0) && compared == end;
-            if !same {
-                return None;
-            }
-            (Stride::Computed(step), limit)
-        }
-        _ => return None,
+    let fits = match op {
+        Op::AddU16 => kernel.is_16_bits(own),
+        _ => op == Op::AddU32 && kernel.is_32_bits(own),
     };
+    let Condition { counted, limit, inclusive, of } = condition(kernel, kernel.outer.again, own, step)?;
     let unchanged = |node: Node| match kernel.what(node) {
         What::Constant(_) => true,
         What::Start(Level::Outer, cell) => !kernel.outer.ends.contains_key(&cell),
         _ => false,
     };
-    if !unchanged(limit) || matches!(stride, Stride::Computed(step) if !unchanged(step)) {
+    let of_a_type = counted == end && of.bits == if op == Op::AddU16 { 16 } else { 32 };
+    if !fits || !of_a_type || !unchanged(limit) || !unchanged(step) || !of.signed && !kernel.is_32_bits(limit) {
         return None;
     }
-    Some(Bits { counter, stride, limit, pointer: store.pointer, offset: store.offset, area: store.area, value })
+    // Pointers, and numbers that have to stay below limits, are the counter and something that stays.
+    let follows = |node: Node| is_counter_and_more(kernel, node, own, of, &unchanged);
+    if !follows(store.pointer) || !kernel.required.iter().all(|&(number, _)| follows(number)) {
+        return None;
+    }
+    let stride = match kernel.constant(step) {
+        Some(1) => Stride::One,
+        _ => Stride::Computed(step),
+    };
+    let (pointer, offset, area) = (store.pointer, store.offset, store.area);
+    Some(Bits { counter, of, stride, limit, inclusive, pointer, offset, area, value, same })
+}
+
+/// The condition under which a loop goes on that counts up by a step, which is above 0, and does not leave its type.
+fn condition(kernel: &Kernel, node: Node, own: Node, step: Node) -> Option<Condition> {
+    let What::Compute(op, [a, b, c, _]) = kernel.what(node) else { return None };
+    let made = |counted: Node, limit: Node, inclusive: bool, bits: u32| {
+        Some(Condition { counted, limit, inclusive, of: Type { bits, signed: true } })
+    };
+    let unsigned = |counted: Node, limit: Node, inclusive: bool| {
+        let of = Type { bits: if kernel.is_16_bits(own) { 16 } else { 32 }, signed: false };
+        Some(Condition { counted, limit, inclusive, of })
+    };
+    match op {
+        Op::LeI32 => made(a, b, true, 32),
+        Op::LtI32 => made(a, b, false, 32),
+        Op::LeI16 => made(a, b, true, 16),
+        Op::LtI16 => made(a, b, false, 16),
+        Op::LeU64 => unsigned(a, b, true),
+        Op::GeU64 => unsigned(b, a, true),
+        Op::GtU64 => unsigned(b, a, false),
+        // A step that is a variable may be below 0, and may lead out of the type.
+        Op::AndNot => match kernel.what(b) {
+            What::Compute(Op::AddOverflowsI32 | Op::AddOverflowsI16, [of, by, ..]) if (of, by) == (own, step) => {
+                condition(kernel, a, own, step)
+            }
+            _ => None,
+        },
+        Op::Select => match kernel.what(a) {
+            What::Compute(Op::LtI32 | Op::LtI16, [of, zero, ..]) if of == step && kernel.constant(zero) == Some(0) => {
+                condition(kernel, c, own, step)
+            }
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Whether a number of 32 bits is that which the counter holds and something that no turn changes.
+fn is_counter_and_more(kernel: &Kernel, node: Node, own: Node, of: Type, unchanged: &dyn Fn(Node) -> bool) -> bool {
+    let is = |node: Node| is_counter_and_more(kernel, node, own, of, unchanged);
+    match kernel.what(node) {
+        What::Compute(Op::Extend16, [counter, ..]) => counter == own && of == Type { bits: 16, signed: true },
+        What::Compute(Op::AddU32, [a, b, ..]) => is(a) && unchanged(b) || is(b) && unchanged(a),
+        What::Compute(Op::SubU32, [a, b, ..]) => is(a) && unchanged(b),
+        _ => node == own && (of.bits == 32 || !of.signed),
+    }
 }
 
 impl Translator<'_> {
@@ -100,32 +171,19 @@ impl Translator<'_> {
         self.settle_bytes();
         let weight = i64::from(kernel.outer.weight);
         let counter = self.cell_before(kernel, bits.counter);
-        let pointer = match kernel.what(bits.pointer) {
-            What::Compute(op, [a, b, ..]) => {
-                let mut arg = |node: Node| self.unchanged_before(kernel, node, counter);
-                let args = [arg(a), arg(b)];
-                self.compute_now(op, &args)
-            }
-            _ => counter,
-        };
-        let limit = self.unchanged_before(kernel, bits.limit, counter);
+        let limit = self.value_in_front(kernel, bits.limit);
         let step = match bits.stride {
             Stride::One => Val::Const(1),
-            Stride::Computed(step) => self.unchanged_before(kernel, step, counter),
+            Stride::Computed(step) => self.value_in_front(kernel, step),
         };
-        let [first, limit, step] = [counter, limit, step].map(|value| {
-            let value = self.int(value);
-            self.b.ins().sextend(I64, value)
-        });
-        let pointer = self.int(pointer);
-        let moved = self.b.ins().iadd_imm_u(pointer, i64::from(bits.offset));
-        let position = self.b.ins().band_imm_u(moved, 0x00FF_FFFF);
-        let position = self.b.ins().uextend(I64, position);
+        let [first, limit, step] = [counter, limit, step].map(|value| self.number_of(bits.of, value));
+        let position = self.position_of_bits(kernel, bits);
         // A step that is not above 0 makes no turns here.
         let up = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThan, step, 0);
         let one = self.b.ins().iconst(I64, 1);
         let divisor = self.b.ins().select(up, step, one);
         let way = self.b.ins().isub(limit, first);
+        let way = if bits.inclusive { way } else { self.b.ins().iadd_imm_s(way, -1) };
         let steps = match bits.stride {
             Stride::One => way,
             Stride::Computed(_) => self.b.ins().sdiv(way, divisor),
@@ -134,10 +192,7 @@ impl Translator<'_> {
         let none = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, way, 0);
         let all = self.b.ins().select(none, one, steps);
         let turns = self.within_budget(all, weight);
-        let (turns, least) = match bits.stride {
-            Stride::One => (self.b.ins().band_imm_s(turns, -BITS_OF_A_VECTOR), BITS_OF_A_VECTOR),
-            Stride::Computed(_) => (turns, TURNS_MIN),
-        };
+        let least = if bits.stride == Stride::One { FILLED_MIN } else { TURNS_MIN };
         let enough = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, turns, least);
         let before = self.b.ins().iadd_imm_s(turns, -1);
         let distance = self.b.ins().imul(before, step);
@@ -145,12 +200,15 @@ impl Translator<'_> {
         let inside = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, last, (bits.area.2 * 8) as i64);
         // The counter stays inside its type.
         let end = self.b.ins().iadd(limit, step);
-        let fits = self.b.ins().icmp_imm_s(IntCC::SignedLessThanOrEqual, end, i64::from(i32::MAX));
+        let fits = self.b.ins().icmp_imm_s(IntCC::SignedLessThanOrEqual, end, bits.of.most());
         let mut guard = [up, inside, fits].into_iter().fold(enough, |all, one| self.b.ins().band(all, one));
-        if bits.stride == Stride::One {
-            let odd = self.b.ins().band_imm_u(position, 7);
-            let whole = self.b.ins().icmp_imm_u(IntCC::Equal, odd, 0);
-            guard = self.b.ins().band(guard, whole);
+        for &(number, limit) in &kernel.required {
+            let first = self.value_in_front(kernel, number);
+            let first = self.int(first);
+            let first = self.b.ins().uextend(I64, first);
+            let last = self.b.ins().iadd(first, distance);
+            let below = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, last, i64::from(limit));
+            guard = self.b.ins().band(guard, below);
         }
         let [enter, go_on, leave] = [self.b.create_block(), self.b.create_block(), self.b.create_block()];
         self.b.ins().brif(guard, enter, &[], go_on, &[]);
@@ -164,7 +222,11 @@ impl Translator<'_> {
         let way = self.b.ins().imul(turns, step);
         let counted = self.b.ins().iadd(first, way);
         let counted = self.b.ins().ireduce(I32, counted);
+        let counted = if bits.of.bits == 16 { self.b.ins().band_imm_u(counted, 0xFFFF) } else { counted };
         self.write_cell(kernel, bits.counter, Val::Int(counted));
+        for &(cell, value) in &bits.same {
+            self.write_cell(kernel, cell, Val::Const(value));
+        }
         self.settle_bytes();
         let taken = self.b.ins().imul_imm_s(turns, weight);
         let variable = self.budget();
@@ -179,26 +241,71 @@ impl Translator<'_> {
         self.forget_memory();
     }
 
-    /// What a cell that no turn changes, or the counter, holds in front of the loop.
-    fn unchanged_before(&mut self, kernel: &Kernel, node: Node, counter: Val) -> Val {
-        match kernel.what(node) {
-            What::Constant(value) => Val::Const(value),
-            What::Start(_, cell) if kernel.outer.ends.contains_key(&cell) => counter,
-            What::Start(_, cell) => self.cell_before(kernel, cell),
-            _ => unreachable!("it was looked at"),
+    /// A number as the loop compares it.
+    fn number_of(&mut self, of: Type, value: Val) -> Value {
+        match of {
+            Type { bits: 16, signed: true } => {
+                let value = self.i16(value);
+                self.b.ins().sextend(I64, value)
+            }
+            Type { signed, .. } => {
+                let value = self.int(value);
+                if signed { self.b.ins().sextend(I64, value) } else { self.b.ins().uextend(I64, value) }
+            }
         }
     }
 
-    /// Whole bytes, 16 at a time.
+    /// Where the bit of the first turn lies in its area.
+    fn position_of_bits(&mut self, kernel: &Kernel, bits: &Bits) -> Value {
+        let pointer = self.value_in_front(kernel, bits.pointer);
+        let pointer = self.int(pointer);
+        let moved = self.b.ins().iadd_imm_u(pointer, i64::from(bits.offset));
+        let position = self.b.ins().band_imm_u(moved, 0x00FF_FFFF);
+        self.b.ins().uextend(I64, position)
+    }
+
+    /// Part of the first and of the last byte, and between them whole bytes, 16 at a time.
     fn fill_bits(&mut self, bits: &Bits, base: Value, position: Value, turns: Value) {
+        let last = self.b.ins().iadd(position, turns);
+        let last = self.b.ins().iadd_imm_s(last, -1);
+        let [first_byte, last_byte] = [position, last].map(|bit| self.b.ins().ushr_imm_u(bit, 3));
+        let [first_bit, last_bit] = [position, last].map(|bit| {
+            let bit = self.b.ins().ireduce(I32, bit);
+            self.b.ins().band_imm_u(bit, 7)
+        });
+        let all = self.b.ins().iconst(I32, 0xFF);
+        let first_mask = self.b.ins().ishl(all, first_bit);
+        let above = self.b.ins().iconst(I32, 7);
+        let above = self.b.ins().isub(above, last_bit);
+        let last_mask = self.b.ins().ushr(all, above);
+        for (byte, mask) in [(first_byte, first_mask), (last_byte, last_mask)] {
+            let mask = self.b.ins().ireduce(I8, mask);
+            let address = self.b.ins().iadd(base, byte);
+            self.put_bits(bits, address, mask);
+        }
         let byte = self.b.ins().iconst(I8, if bits.value { 0xFF } else { 0 });
         let vector = self.b.ins().splat(I8X16, byte);
-        let first = self.b.ins().ushr_imm_u(position, 3);
-        let address = self.b.ins().iadd(base, first);
-        let count = self.b.ins().ushr_imm_u(turns, i64::from(BITS_OF_A_VECTOR.trailing_zeros()));
-        self.repeat(address, 16, count, |this, address| {
-            this.b.ins().store(data(), vector, address, bits.area.1);
-        });
+        let count = self.b.ins().isub(last_byte, first_byte);
+        let count = self.b.ins().iadd_imm_s(count, -1);
+        let vectors = self.b.ins().ushr_imm_u(count, i64::from(BITS_OF_A_VECTOR.trailing_zeros()) - 3);
+        let bytes = self.b.ins().band_imm_u(count, BITS_OF_A_VECTOR / 8 - 1);
+        let address = self.b.ins().iadd(base, first_byte);
+        let address = self.b.ins().iadd_imm_s(address, 1);
+        let way = self.b.ins().isub(count, bytes);
+        let behind = self.b.ins().iadd(address, way);
+        for (address, size, count, value) in [(address, BITS_OF_A_VECTOR / 8, vectors, vector), (behind, 1, bytes, byte)] {
+            let size = self.b.ins().iconst(I64, size);
+            self.repeat_if_any(address, size, count, |this, address| {
+                this.b.ins().store(data(), value, address, bits.area.1);
+            });
+        }
+    }
+
+    /// Writes the bits of a byte that a mask shows.
+    fn put_bits(&mut self, bits: &Bits, address: Value, mask: Value) {
+        let old = self.b.ins().load(I8, data(), address, bits.area.1);
+        let new = if bits.value { self.b.ins().bor(old, mask) } else { self.b.ins().band_not(old, mask) };
+        self.b.ins().store(data(), new, address, bits.area.1);
     }
 
     /// Once over the bytes for each of eight bits: behind eight turns the same bit follows, as many bytes later as the step has bits.
@@ -215,14 +322,9 @@ impl Translator<'_> {
         let one = self.b.ins().iconst(I32, 1);
         let mask = self.b.ins().ishl(one, bit);
         let mask = self.b.ins().ireduce(I8, mask);
-        let rest = self.b.ins().bnot(mask);
         let more = self.b.ins().iadd_imm_s(turns, 7);
         let count = self.b.ins().ushr_imm_u(more, 3);
-        let write = |this: &mut Self, address: Value| {
-            let old = this.b.ins().load(I8, data(), address, bits.area.1);
-            let new = if bits.value { this.b.ins().bor(old, mask) } else { this.b.ins().band(old, rest) };
-            this.b.ins().store(data(), new, address, bits.area.1);
-        };
+        let write = |this: &mut Self, address: Value| this.put_bits(bits, address, mask);
         // Four bits in each round, and those that are left.
         let [rounds, left] = [self.b.ins().ushr_imm_u(count, 2), self.b.ins().band_imm_u(count, 3)];
         let [double, four] = [self.b.ins().ishl_imm_u(step, 1), self.b.ins().ishl_imm_u(step, 2)];
@@ -256,11 +358,6 @@ impl Translator<'_> {
         self.b.ins().jump(behind, &[]);
         self.b.switch_to_block(behind);
         self.b.seal_block(behind);
-    }
-
-    fn repeat(&mut self, address: Value, step: i64, count: Value, body: impl FnOnce(&mut Self, Value)) {
-        let step = self.b.ins().iconst(I64, step);
-        self.repeat_by(address, step, count, body);
     }
 
     /// Does something at so many addresses, at least one.

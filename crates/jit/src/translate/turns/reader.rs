@@ -82,8 +82,7 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
     kernel.live = !(translator.dead_at(it.first) & translator.dead_at(it.last + 1));
     let live_inside = inside.map_or(!0, |(first, last)| !(translator.dead_at(first) & translator.dead_at(last + 1)));
     kernel.forget_dead(live_inside);
-    let on_lines = kernel.required.iter().all(|&(number, _)| kernel.line(number, Level::Outer).is_some_and(|line| line.bits == 32));
-    (on_lines && kernel.is_apart()).then_some(kernel)
+    kernel.is_apart().then_some(kernel)
 }
 
 /// Ranges of the variables in memory when a turn begins.
@@ -611,6 +610,11 @@ impl Reader<'_, '_> {
                         self.known_here(node)
                     }
                     Reached::Access(access) => self.read_at(access, steps),
+                };
+                // The same in every turn: a pointer that a caller handed on, for one.
+                let node = match self.translator.ranges.result(index) {
+                    Some((least, most)) if least == most => self.constant(u64::from(least)),
+                    _ => node,
                 };
                 self.note_range(index, node);
                 self.set(dst, node)
