@@ -5,6 +5,8 @@
 //! In front of the loop the number of turns is computed that can be done so. Where the loop as it stands goes on behind them, memory,
 //! registers and budget are as if it had made them.
 
+use std::collections::BTreeSet;
+
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
 
@@ -217,10 +219,16 @@ impl Plan {
 }
 
 impl Kernel {
-    /// Whether turns side by side compute with vectors of numbers of 16 bits.
+    /// Whether turns side by side compute with vectors of numbers of 16 bits. Whether another turn follows is not computed in them.
     fn computes_halves(&self) -> bool {
-        let numbered = (0..self.nodes.len()).map(|number| Node::numbered(number as u32));
-        let mut computed = numbered.filter_map(|node| match self.what(node) {
+        let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
+        let mut reached = BTreeSet::new();
+        self.all_ends().chain(of_accesses).for_each(|node| self.rests(node, &mut reached));
+        let adds_halves = |level: Level| self.carried(level).iter().any(|(.., carried)| matches!(carried, Carried::Sum { bits: 16, .. }));
+        if adds_halves(Level::Outer) || self.inner.is_some() && adds_halves(Level::Inner) {
+            return true;
+        }
+        let mut computed = reached.into_iter().filter_map(|node| match self.what(node) {
             What::Compute(op, _) => Some((op, self.shape(node)?)),
             _ => None,
         });
