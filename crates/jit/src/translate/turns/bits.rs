@@ -17,8 +17,10 @@ use super::kernel::{Cell, Kernel, Level, Node, What};
 const BITS_OF_A_VECTOR: i64 = 128;
 /// Turns from which it pays to write whole bytes: at least one is written.
 const FILLED_MIN: i64 = 16;
+/// Turns from which it pays to look how many there are.
+const CROSSED_MIN: i64 = 3;
 /// Turns from which it pays to go over the bytes once for each bit of a byte.
-const TURNS_MIN: i64 = 32;
+const PASSES_MIN: i64 = 40;
 
 /// How many bits one lies behind the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -186,13 +188,18 @@ impl Translator<'_> {
         let way = if bits.inclusive { way } else { self.b.ins().iadd_imm_s(way, -1) };
         let steps = match bits.stride {
             Stride::One => way,
-            Stride::Computed(_) => self.b.ins().sdiv(way, divisor),
+            // Where there is a way, both are above 0 and fit into 32 bits, in which a division takes half the time.
+            Stride::Computed(_) => {
+                let [way, divisor] = [way, divisor].map(|number| self.b.ins().ireduce(I32, number));
+                let steps = self.b.ins().udiv(way, divisor);
+                self.b.ins().uextend(I64, steps)
+            }
         };
         let steps = self.b.ins().iadd_imm_s(steps, 1);
         let none = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, way, 0);
         let all = self.b.ins().select(none, one, steps);
         let turns = self.within_budget(all, weight);
-        let least = if bits.stride == Stride::One { FILLED_MIN } else { TURNS_MIN };
+        let least = if bits.stride == Stride::One { FILLED_MIN } else { CROSSED_MIN };
         let enough = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, turns, least);
         let before = self.b.ins().iadd_imm_s(turns, -1);
         let distance = self.b.ins().imul(before, step);
@@ -217,7 +224,7 @@ impl Translator<'_> {
         let base = self.address_of_base(bits.area.0);
         match bits.stride {
             Stride::One => self.fill_bits(bits, base, position, turns),
-            Stride::Computed(_) => self.stride_bits(bits, base, position, step, turns),
+            Stride::Computed(_) => self.cross_out(bits, base, position, step, turns),
         }
         let way = self.b.ins().imul(turns, step);
         let counted = self.b.ins().iadd(first, way);
@@ -308,6 +315,37 @@ impl Translator<'_> {
         self.b.ins().store(data(), new, address, bits.area.1);
     }
 
+    /// Bits that lie so far from each other: few one after the other.
+    fn cross_out(&mut self, bits: &Bits, base: Value, position: Value, step: Value, turns: Value) {
+        let [many, few, behind] = [self.b.create_block(), self.b.create_block(), self.b.create_block()];
+        let pays = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, turns, PASSES_MIN);
+        self.b.ins().brif(pays, many, &[], few, &[]);
+        self.b.switch_to_block(many);
+        self.b.seal_block(many);
+        self.stride_bits(bits, base, position, step, turns);
+        self.b.ins().jump(behind, &[]);
+        self.b.switch_to_block(few);
+        self.b.seal_block(few);
+        self.repeat_by(position, step, turns, |this, position| {
+            let byte = this.b.ins().ushr_imm_u(position, 3);
+            let address = this.b.ins().iadd(base, byte);
+            let mask = this.mask_of(position);
+            this.put_bits(bits, address, mask);
+        });
+        self.b.ins().jump(behind, &[]);
+        self.b.switch_to_block(behind);
+        self.b.seal_block(behind);
+    }
+
+    /// The bit of a position, in its byte.
+    fn mask_of(&mut self, position: Value) -> Value {
+        let bit = self.b.ins().band_imm_u(position, 7);
+        let bit = self.b.ins().ireduce(I32, bit);
+        let one = self.b.ins().iconst(I32, 1);
+        let mask = self.b.ins().ishl(one, bit);
+        self.b.ins().ireduce(I8, mask)
+    }
+
     /// Once over the bytes for each of eight bits: behind eight turns the same bit follows, as many bytes later as the step has bits.
     fn stride_bits(&mut self, bits: &Bits, base: Value, position: Value, step: Value, turns: Value) {
         let [head, behind] = [self.b.create_block(), self.b.create_block()];
@@ -317,11 +355,7 @@ impl Translator<'_> {
         let [passes, position, turns] = [(); 3].map(|()| self.b.append_block_param(head, I64));
         let byte = self.b.ins().ushr_imm_u(position, 3);
         let address = self.b.ins().iadd(base, byte);
-        let bit = self.b.ins().band_imm_u(position, 7);
-        let bit = self.b.ins().ireduce(I32, bit);
-        let one = self.b.ins().iconst(I32, 1);
-        let mask = self.b.ins().ishl(one, bit);
-        let mask = self.b.ins().ireduce(I8, mask);
+        let mask = self.mask_of(position);
         let more = self.b.ins().iadd_imm_s(turns, 7);
         let count = self.b.ins().ushr_imm_u(more, 3);
         let write = |this: &mut Self, address: Value| this.put_bits(bits, address, mask);
@@ -360,7 +394,7 @@ impl Translator<'_> {
         self.b.seal_block(behind);
     }
 
-    /// Does something at so many addresses, at least one.
+    /// Does something at so many addresses or positions, at least one.
     fn repeat_by(&mut self, address: Value, step: Value, count: Value, body: impl FnOnce(&mut Self, Value)) {
         let [head, behind] = [self.b.create_block(), self.b.create_block()];
         self.b.ins().jump(head, &[BlockArg::Value(address), BlockArg::Value(count)]);
