@@ -32,7 +32,7 @@ use crate::interrupts::Interrupts;
 use crate::io::Rack;
 use crate::mode::{OperatingMode, Restart};
 use crate::organization_blocks::StartInformation;
-use crate::process_image::{Failures, Overrides};
+use crate::process_image::{Failures, Images, Overrides};
 use crate::retain::{Declarations, Keeper};
 use crate::settings::Settings;
 use crate::system;
@@ -79,6 +79,7 @@ pub struct Cpu {
     requests: Arc<Requests>,
     overrides: Overrides,
     forced: Forced,
+    images: Images,
     /// What the last cycle control point could not exchange.
     image_failures: Failures,
     system: system::State,
@@ -119,7 +120,7 @@ impl Cpu {
 
     /// A CPU in STOP with a program that others may run too.
     pub fn new(loaded: Loaded, rack: Rack, settings: Settings) -> Self {
-        let Loaded { cpu_type, program, layout, engine, declarations } = loaded;
+        let Loaded { cpu_type, program, layout, engine, declarations, image_writes } = loaded;
         let machine = Machine::new(layout);
         let registers = machine.registers.clone();
         let interrupts = Interrupts::new(|number| available(cpu_type, &*engine, number));
@@ -147,6 +148,7 @@ impl Cpu {
             requests: Arc::default(),
             overrides: Overrides::new(),
             forced: Forced::default(),
+            images: Images::new(image_writes),
             image_failures: Failures::new(),
             system: system::State::default(),
             interrupts,

@@ -14,6 +14,7 @@ use crate::diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 use crate::interrupts::{Again, Interrupts, Now, Request};
 use crate::io::Rack;
 use crate::organization_blocks::{self as ob, StartInformation};
+use crate::process_image::Images;
 use crate::settings::TimeSource;
 use crate::system;
 
@@ -180,6 +181,7 @@ pub(crate) struct CpuHost<'a> {
     pub(crate) slice: Option<Slice>,
     /// A test runs, outside of the cycle: nothing interrupts it.
     pub(crate) testing: bool,
+    pub(crate) images: &'a mut Images,
     /// Bytes of the arena that the last system function has written.
     pub(crate) written: Vec<std::ops::Range<usize>>,
 }
@@ -457,6 +459,7 @@ impl Host for CpuHost<'_> {
 
     fn system_function(&mut self, machine: &mut Machine, block: BlockId, first_parameter: usize) -> Reaction {
         self.written.clear();
+        self.images.changed();
         if !self.system.mocks.is_empty()
             && system::testing::system_function(&mut system::Call { machine, host: self, first: first_parameter }, block)
         {

@@ -170,6 +170,8 @@ pub struct Rack {
     /// What the CPU has put out; modules see 0 while outputs are disabled.
     outputs: Vec<u8>,
     enabled: bool,
+    /// Simulated modules, or what was put out, have changed by something else than an exchange of images.
+    changed: bool,
     /// What modules raised and the CPU has not seen yet.
     alarms: Vec<Interrupt>,
     /// A module had raised an interrupt when it was written to last.
@@ -229,11 +231,13 @@ impl Rack {
 
     /// The first module of this type, to change.
     pub fn module_mut<M: IoModule>(&mut self) -> Option<&mut M> {
+        self.changed = true;
         self.modules.iter_mut().find_map(|module| (&mut **module as &mut dyn Any).downcast_mut())
     }
 
     /// All modules of this type, to change, in the order they were plugged in.
     pub fn modules_mut<M: IoModule>(&mut self) -> impl Iterator<Item = &mut M> {
+        self.changed = true;
         self.modules.iter_mut().filter_map(|module| (&mut **module as &mut dyn Any).downcast_mut())
     }
 
@@ -342,6 +346,7 @@ impl Rack {
 
     fn put_input(&mut self, byte: u32, mask: u8, value: u8) -> bool {
         let Some(index) = owner(&self.input_owner, byte) else { return false };
+        self.changed = true;
         let module = &mut self.modules[usize::from(index)];
         let offset = byte - module.inputs().start;
         module.set_input(offset, mask, value)
@@ -396,7 +401,7 @@ impl Rack {
     /// From now on it is noted what the modules say, beginning with all input bytes that are not 0.
     pub fn listen(&mut self) {
         let mut inputs = vec![0; self.input_owner.len()];
-        self.get_image(&mut inputs);
+        self.get_image(&mut inputs, true);
         let mut listener = Listener::new(inputs.len());
         listener.bytes(self.now_us, 0, &inputs);
         self.listener = Some(listener);
@@ -441,6 +446,7 @@ impl Rack {
 
     /// Lets the module that answers for this input or output byte fail, or answer again; `false` if there is none that can.
     pub fn set_answering(&mut self, byte: u32, answers: bool) -> bool {
+        self.changed = true;
         let reading = self.ask(|rack| {
             let index = owner(&rack.input_owner, byte).or_else(|| owner(&rack.output_owner, byte));
             Reading::Could(index.is_some_and(|index| rack.modules[usize::from(index)].set_answering(answers)))
@@ -448,13 +454,22 @@ impl Rack {
         reading == Reading::Could(true)
     }
 
-    /// Process image of the outputs → modules. Returns the bytes of those that do not answer.
-    pub(crate) fn put_image(&mut self, image: &[u8]) -> Vec<Range<usize>> {
+    /// Whether simulated modules, or what was put out, have changed by something else than an exchange of images; tells it once.
+    pub(crate) fn take_changed(&mut self) -> bool {
+        std::mem::take(&mut self.changed)
+    }
+
+    /// Process image of the outputs → modules. Of the bytes of simulated modules only those that were `written` may be other ones than
+    /// were put out last. Returns the bytes of the modules that do not answer.
+    pub(crate) fn put_image(&mut self, image: &[u8], written: Range<usize>) -> Vec<Range<usize>> {
         for run in &self.output_runs {
-            let bytes = run.bytes.start..run.bytes.end.min(image.len());
+            let limits = if self.lively[run.module] { 0..image.len() } else { written.start..written.end.min(image.len()) };
+            let bytes = run.bytes.start.max(limits.start)..run.bytes.end.min(limits.end);
             if let Some(source) = image.get(bytes.clone()) {
                 self.outputs[bytes].copy_from_slice(source);
             }
+            let all = run.bytes.start.min(image.len())..run.bytes.end.min(image.len());
+            debug_assert!(self.outputs[all.clone()] == image[all], "an output was written by somebody who was not expected");
         }
         if !self.tape.is_on() {
             return self.hand_out(image);
@@ -483,8 +498,8 @@ impl Rack {
     }
 
     /// Modules → process image of the inputs. Bytes without a module keep their value; those of a module that does not answer are 0
-    /// and are returned.
-    pub(crate) fn get_image(&mut self, image: &mut [u8]) -> Vec<Range<usize>> {
+    /// and are returned. Those of simulated modules may stay as they are if neither the image nor these modules have `changed`.
+    pub(crate) fn get_image(&mut self, image: &mut [u8], changed: bool) -> Vec<Range<usize>> {
         match self.tape.play() {
             Some(Reading::Image { bytes, failed }) => {
                 let length = bytes.len().min(image.len());
@@ -496,6 +511,8 @@ impl Rack {
         }
         let length = image.len();
         let mut failed = Vec::new();
+        // Who listens or records wants to know of all.
+        let changed = changed || self.listener.is_some() || self.tape.is_on();
         for run in &self.input_runs {
             let bytes = run.bytes.start..run.bytes.end.min(length);
             let module = &self.modules[run.module];
@@ -510,6 +527,10 @@ impl Rack {
             }
             let Some(target) = image.get_mut(bytes.clone()) else { continue };
             if module.answers() {
+                if !changed && !self.lively[run.module] {
+                    debug_assert!(is_same(&**module, run.bytes.start, target), "an input was written by somebody who was not expected");
+                    continue;
+                }
                 module.read(run.bytes.start as u32 - module.inputs().start, target);
                 if let Some(listener) = &mut self.listener {
                     listener.bytes(self.now_us, bytes.start, target);
@@ -528,6 +549,7 @@ impl Rack {
 
     /// Forgets what was put out: modules see 0 until the program writes again.
     pub(crate) fn clear_outputs(&mut self) {
+        self.changed = true;
         self.outputs.fill(0);
     }
 
@@ -570,6 +592,7 @@ impl Rack {
             output_runs: Vec::new(),
             outputs: vec![0; size],
             enabled: false,
+            changed: true,
             alarms: Vec::new(),
             alarmed: false,
             tape: Tape::default(),
@@ -678,6 +701,7 @@ impl Rack {
             }
             None => self.tape.go_to(snapshot.tape),
         }
+        self.changed = true;
         self.alarmed = snapshot.alarmed;
         self.outputs.clone_from(&snapshot.outputs);
         self.enabled = snapshot.enabled;
@@ -694,6 +718,12 @@ const ALARMS_MAX: usize = 1024;
 
 fn is_simulated(module: &dyn IoModule) -> bool {
     (module as &dyn Any).is::<SimulatedModule>()
+}
+
+fn is_same(module: &dyn IoModule, start: usize, image: &[u8]) -> bool {
+    let mut values = vec![0; image.len()];
+    module.read(start as u32 - module.inputs().start, &mut values);
+    values == image
 }
 
 fn collect(alarms: &mut Vec<Interrupt>, module: &mut dyn IoModule) {

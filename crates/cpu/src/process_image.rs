@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::Arc;
 
-use sieben_engine::Machine;
+use sieben_engine::image_writes::ANYWHERE;
+use sieben_engine::{ImageWrites, Machine};
 use sieben_model::address::Area;
 
 use crate::io::Rack;
@@ -18,26 +20,47 @@ type Failure = (Area, u32, u32);
 /// All of them, inputs first.
 pub(crate) type Failures = Vec<Failure>;
 
-/// The cycle control point: process image of the outputs → modules, modules → process image of the inputs.
-///
-/// Outputs go first, so that what the program of the last scan (or OB 100) has written is out before inputs are read.
-pub(crate) fn exchange(machine: &mut Machine, rack: &mut Rack, overrides: &mut Overrides) -> Failures {
-    let outputs_failed = rack.put_image(machine.memory.area(Area::Output));
-    let inputs = machine.memory.area_mut(Area::Input);
-    let inputs_failed = rack.get_image(inputs);
-    if !overrides.is_empty() {
-        for (byte, (mask, value)) in std::mem::take(overrides) {
-            if let Some(input) = inputs.get_mut(byte as usize) {
-                *input = *input & !mask | value & mask;
+/// What may differ between the process images and the modules.
+pub(crate) struct Images {
+    /// What the program writes.
+    writes: Arc<ImageWrites>,
+    /// Somebody else may have written any byte of an image since the last exchange.
+    changed: bool,
+}
+
+impl Images {
+    pub(crate) fn new(writes: Arc<ImageWrites>) -> Self {
+        Self { writes, changed: true }
+    }
+
+    /// Not only instructions of the program have written an image: the next exchange is one of all bytes.
+    pub(crate) fn changed(&mut self) {
+        self.changed = true;
+    }
+
+    /// The cycle control point: process image of the outputs → modules, modules → process image of the inputs.
+    ///
+    /// Outputs go first, so that what the program of the last scan (or OB 100) has written is out before inputs are read.
+    pub(crate) fn exchange(&mut self, machine: &mut Machine, rack: &mut Rack, overrides: &mut Overrides) -> Failures {
+        let all = std::mem::take(&mut self.changed) | rack.take_changed();
+        let outputs_failed = rack.put_image(machine.memory.area(Area::Output), if all { ANYWHERE } else { self.writes.outputs.clone() });
+        let inputs = machine.memory.area_mut(Area::Input);
+        let inputs_failed = rack.get_image(inputs, all || !self.writes.inputs.is_empty());
+        if !overrides.is_empty() {
+            self.changed = true;
+            for (byte, (mask, value)) in std::mem::take(overrides) {
+                if let Some(input) = inputs.get_mut(byte as usize) {
+                    *input = *input & !mask | value & mask;
+                }
             }
         }
+        if inputs_failed.is_empty() && outputs_failed.is_empty() {
+            return Failures::new();
+        }
+        let of = |area, bytes: Range<usize>| (area, bytes.start as u32, bytes.len() as u32);
+        let outputs = outputs_failed.into_iter().map(|bytes| of(Area::Output, bytes));
+        inputs_failed.into_iter().map(|bytes| of(Area::Input, bytes)).chain(outputs).collect()
     }
-    if inputs_failed.is_empty() && outputs_failed.is_empty() {
-        return Failures::new();
-    }
-    let of = |area, bytes: Range<usize>| (area, bytes.start as u32, bytes.len() as u32);
-    let outputs = outputs_failed.into_iter().map(|bytes| of(Area::Output, bytes));
-    inputs_failed.into_iter().map(|bytes| of(Area::Input, bytes)).chain(outputs).collect()
 }
 
 /// What OB 85 learns about an exchange, compared with the failures before it.

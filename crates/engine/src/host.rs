@@ -4,7 +4,9 @@ use sieben_model::address::Width;
 use sieben_model::block::BlockId;
 
 use crate::fault::{Fault, Place};
+use crate::image_writes::ImageWrites;
 use crate::machine::{Machine, Registers};
+use crate::program::Program;
 use crate::tracer::Tracer;
 
 /// What a run works on.
@@ -113,6 +115,10 @@ pub trait Engine: Send + Sync {
     /// Bytes of machine code; 0 if the program is interpreted.
     fn code_bytes(&self) -> usize {
         0
+    }
+    /// Which bytes of the process images it writes while it runs this program.
+    fn image_writes(&self, program: &Program) -> ImageWrites {
+        ImageWrites::of(program)
     }
     /// A newer generation of the same code, which a CPU takes over between two scans. Every generation gives the same results, and goes
     /// on with frames that another one left.

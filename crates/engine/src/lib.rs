@@ -4,6 +4,7 @@
 pub mod access;
 pub mod fault;
 pub mod host;
+pub mod image_writes;
 pub mod interpreter;
 pub mod intrinsics;
 pub mod ir;
@@ -14,6 +15,7 @@ pub mod tracer;
 
 pub use fault::{Abort, Fault, Place as FaultPlace};
 pub use host::{Context, Engine, Entry, Exit, Host, Reaction, StopReason};
+pub use image_writes::ImageWrites;
 pub use interpreter::Interpreter;
 pub use machine::{Layout, Machine};
 pub use program::{CodeBlock, Program};

@@ -63,7 +63,12 @@ impl Station for Cpu {
                 counter.count = u16::try_from(value).ok().filter(|&count| count <= 999).ok_or(AccessError::Value)?;
                 Ok(())
             }
-            _ if self.machine.memory.write(operand, value) => Ok(()),
+            _ if self.machine.memory.write(operand, value) => {
+                if matches!(operand, Operand::Address(Address { area: Area::Output, .. })) {
+                    self.images.changed();
+                }
+                Ok(())
+            }
             _ => Err(self.why_not(operand)),
         }
     }
@@ -119,6 +124,7 @@ impl Cpu {
     pub fn modify_memory(&mut self, at: usize, bit: u8, width: Width, value: u64) -> bool {
         let inside = at.checked_add(width.bytes() as usize).is_some_and(|end| end <= self.machine.memory.arena.len());
         if inside {
+            self.images.changed();
             self.machine.memory.write_wide(at, bit & 7, width, value);
         }
         inside

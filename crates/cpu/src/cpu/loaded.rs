@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use sieben_engine::{Engine, Layout, Program};
+use sieben_engine::{Engine, ImageWrites, Layout, Program};
 use sieben_model::cpu_type::CpuType;
 
 use crate::retain::Declarations;
@@ -15,6 +15,7 @@ pub struct Loaded {
     pub(super) layout: Arc<Layout>,
     pub(super) engine: Arc<dyn Engine>,
     pub(super) declarations: Arc<Declarations>,
+    pub(super) image_writes: Arc<ImageWrites>,
 }
 
 impl Loaded {
@@ -23,7 +24,8 @@ impl Loaded {
         let layout = Arc::new(Layout::new(cpu_type, &program));
         let engine = load(&program, &layout);
         let declarations = Arc::new(Declarations::of(&program));
-        Self { cpu_type, program, layout, engine, declarations }
+        let image_writes = Arc::new(engine.image_writes(&program));
+        Self { cpu_type, program, layout, engine, declarations, image_writes }
     }
 
     /// Bytes of machine code that all its CPUs share; 0 if the program is interpreted.

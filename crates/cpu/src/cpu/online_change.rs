@@ -10,6 +10,7 @@ use sieben_model::address::Area;
 use super::{Cpu, Loaded, available};
 use crate::mode::OperatingMode;
 use crate::online_change::OnlineChange;
+use crate::process_image::Images;
 use crate::system;
 
 /// Why a program does not take over. The other one goes on unchanged.
@@ -54,11 +55,12 @@ impl Cpu {
             return Err(ChangeRefused::Running);
         }
         let change = self.plan_change(&new);
-        let Loaded { program, layout, engine, declarations, .. } = new;
+        let Loaded { program, layout, engine, declarations, image_writes, .. } = new;
         let old_program = std::mem::replace(&mut self.program, program);
         let old = std::mem::replace(&mut self.machine, Machine::new(layout));
         self.engine = engine;
         self.declarations = declarations;
+        self.images = Images::new(image_writes);
         self.keeper.forget();
         self.forget_other_load_memory(&old_program);
         self.load_data_blocks(|_| true);

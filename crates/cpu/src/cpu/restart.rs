@@ -65,6 +65,7 @@ impl Cpu {
     pub(super) fn clear(&mut self) {
         self.machine.frames.clear();
         self.machine.parameters.clear();
+        self.images.changed();
         if self.restart == Restart::Hot {
             return;
         }
@@ -87,6 +88,7 @@ impl Cpu {
 
     /// All memory as a program that was just loaded finds it; data blocks that the last one made are gone.
     pub(super) fn clear_work_memory(&mut self) {
+        self.images.changed();
         for area in [Area::Input, Area::Output, Area::BitMemory] {
             self.machine.memory.area_mut(area).fill(0);
         }

@@ -70,6 +70,7 @@ impl Cpu {
                 clock_set: std::mem::take(&mut clock_set),
                 slice: self.slice,
                 testing: self.testing,
+                images: &mut self.images,
                 written: Vec::new(),
             };
             if let Go::Enter(entry) = &go {

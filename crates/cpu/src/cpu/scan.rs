@@ -171,10 +171,12 @@ impl Cpu {
         let forces = !self.forced.is_empty();
         if forces {
             self.forced.put_outputs(&mut self.machine);
+            self.images.changed();
         }
-        let failures = process_image::exchange(&mut self.machine, &mut self.rack, &mut self.overrides);
+        let failures = self.images.exchange(&mut self.machine, &mut self.rack, &mut self.overrides);
         if forces {
             self.forced.put_inputs(&mut self.machine);
+            self.images.changed();
         }
         if !(failures.is_empty() && self.image_failures.is_empty()) {
             for error in process_image::errors(self.settings.image_errors, &self.image_failures, &failures) {

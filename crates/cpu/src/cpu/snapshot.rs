@@ -204,6 +204,7 @@ impl Cpu {
     pub fn go_back_to(&mut self, snapshot: &Snapshot) {
         assert!(*self.machine.memory.layout == *snapshot.machine.layout, "a snapshot is taken back by the program that it was made with");
         self.machine = snapshot.machine.machine();
+        self.images.changed();
         snapshot.state.put(self);
         self.rack.go_back_to(&snapshot.rack);
         self.keeper.forget();

@@ -55,6 +55,7 @@ impl Cpu {
     fn run_test(&mut self, go: Go, mut tracer: Option<&mut dyn Tracer>) -> TestStep {
         let inputs = self.machine.memory.area(Area::Input).to_vec();
         let now = self.now_us;
+        self.images.changed();
         self.watchdog = Watchdog::new(false, now, u64::MAX, SLICE_POINTS);
         self.testing = true;
         let outcome = self.run(go, &mut || now, again(&mut tracer));

@@ -14,6 +14,7 @@ use crate::host::{Requests, Time, Watchdog};
 use crate::interrupts::Interrupts;
 use crate::io::Rack;
 use crate::organization_blocks::StartInformation;
+use crate::process_image::Images;
 use crate::settings::TimeSource;
 
 /// Bytes of each data block: room for the largest instance.
@@ -102,6 +103,7 @@ pub(super) fn with_host(cpu_type: &'static CpuType, memory: &[u8], parameters: &
     let mut watchdog = Watchdog::default();
     let mut state = State::default();
     let mut interrupts = Interrupts::new(|number| cpu_type.has_organization_block(number));
+    let mut images = Images::new(Arc::default());
     let mut host = CpuHost {
         cpu_type,
         engine: &*engine,
@@ -119,6 +121,7 @@ pub(super) fn with_host(cpu_type: &'static CpuType, memory: &[u8], parameters: &
         clock_set: false,
         slice: None,
         testing: false,
+        images: &mut images,
         written: Vec::new(),
     };
     check(&mut Call { machine: &mut machine, host: &mut host, first: 0 });

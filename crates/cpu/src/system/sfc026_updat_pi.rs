@@ -12,7 +12,7 @@ const PARAMETERS: &[Parameter] = &[input("PART", DataType::Byte), ret_val(), out
 
 fn run(call: &mut Call<'_, '_>) -> Answer {
     call.partition()?;
-    let failed = call.host.rack.get_image(call.machine.memory.area_mut(Area::Input));
+    let failed = call.host.rack.get_image(call.machine.memory.area_mut(Area::Input), true);
     call.wrote(call.machine.memory.layout.inputs.clone());
     call.exchanged(&failed)
 }

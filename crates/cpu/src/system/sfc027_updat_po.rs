@@ -1,5 +1,6 @@
 //! SFC 27 UPDAT_PO: writes the process image of the outputs now.
 
+use sieben_engine::image_writes::ANYWHERE;
 use sieben_model::address::Area;
 use sieben_model::types::DataType;
 
@@ -12,6 +13,6 @@ const PARAMETERS: &[Parameter] = &[input("PART", DataType::Byte), ret_val(), out
 
 fn run(call: &mut Call<'_, '_>) -> Answer {
     call.partition()?;
-    let failed = call.host.rack.put_image(call.machine.memory.area(Area::Output));
+    let failed = call.host.rack.put_image(call.machine.memory.area(Area::Output), ANYWHERE);
     call.exchanged(&failed)
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use sieben_cpu::{Cpu, Rack, Settings};
 use sieben_engine::machine::{Frame, Origin, Registers};
-use sieben_engine::{Context, Engine, Entry, Exit, Fault, FaultPlace, Program, Reaction};
+use sieben_engine::{Context, Engine, Entry, Exit, Fault, FaultPlace, ImageWrites, Program, Reaction};
 use sieben_model::address::{Address, Operand, Width};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::cpu_type::CpuType;
@@ -187,6 +187,9 @@ impl Engine for Script {
     }
     fn go_on(&self, context: &mut Context<'_>) -> Exit {
         self.go(context)
+    }
+    fn image_writes(&self, _: &Program) -> ImageWrites {
+        ImageWrites::anywhere()
     }
     fn has_block(&self, block: BlockId) -> bool {
         self.0.contains_key(&block)
