@@ -20,6 +20,7 @@ mod noting;
 
 /// Programs that are compared.
 const PROGRAMS: u64 = 150;
+const HANDING_PROGRAMS: u64 = 300;
 /// Questions after which the Host stops a run.
 const QUESTIONS_MAX: usize = 60;
 /// Function blocks of a program; each may call those behind it.
@@ -27,10 +28,15 @@ const BLOCKS: u16 = 4;
 /// The function block with the array.
 const LOOPS: u16 = BLOCKS + 1;
 /// Bytes of the data block with the instances.
-const DATA_BYTES: u64 = 48;
+const DATA_BYTES: u64 = 60;
+/// Where an instance has the number of a data block, and the pointer for which that counts.
+const NUMBER: u32 = 8 * 12;
+const POINTER: u32 = 8 * 14;
 /// Bytes of bit memory that programs use.
 const BYTES: u64 = 8;
 const LOCAL_BYTES: u32 = 24;
+/// Where loops over instances count.
+const COUNTERS: [u32; 3] = [54, 56, 40];
 /// Where the present instance is saved over calls.
 const SAVED: Place = Place::Fixed { area: Area::Local, position: 8 * 20 };
 
@@ -42,6 +48,14 @@ fn width(dice: &mut Dice) -> Width {
 fn place(b: &mut Builder, dice: &mut Dice, width: Width, own: bool) -> Place {
     let bit = if width == Width::Bit { dice.roll(8) as u32 } else { 0 };
     match dice.roll(10) {
+        // What the caller has handed on.
+        0 if own => {
+            let instance = |offset: u32| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset };
+            let number = b.load(instance(NUMBER), Width::Word, OnFault::SkipStatement);
+            let pointer = b.load(instance(POINTER), Width::DoubleWord, OnFault::SkipStatement);
+            b.push(Inst::Open { register: DataRegister::Shared, number });
+            Place::Crossing { pointer, offset: 8 * dice.roll(3) as u32 + bit }
+        }
         0..=4 => {
             let byte = dice.roll(if own { 8 } else { DATA_BYTES - 3 }) as u32;
             Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 8 * byte + bit }
@@ -197,11 +211,124 @@ fn begin(b: &mut Builder) {
     b.push(Inst::Call { callee: Callee::Block(BlockId::fb(LOOPS)), parameters: 0 });
 }
 
+/// Writes a pointer to an instance, with the number of its data block: to a place that is known, or to an element.
+fn hand_on(b: &mut Builder, dice: &mut Dice, index: (Place, Width), instance: Var) {
+    let place = |offset: u32| Place::Indirect { area: Area::InstanceData, pointer: instance, offset };
+    let number = b.constant(dice.of(&[1, 1, 1, 1, 1, 1, 0, 9]));
+    let area = dice.of(&[0x84, 0x84, 0x84, 0x84, 0x84, 0x83, 0x87, 0x85]);
+    let mut pointer = b.constant(area << 24 | 8 * dice.of(&[0, 4, 12, 14, 38, 40, 44, 50, 52, 53, 55]));
+    if dice.roll(3) == 0 {
+        let number = b.load(index.0, index.1, OnFault::SkipStatement);
+        let step = b.constant(dice.of(&[8, 16, 64]));
+        let by = b.compute(Op::MulU32, &[number, step]);
+        pointer = b.compute(Op::AddU32, &[pointer, by]);
+    }
+    b.store(place(NUMBER), Width::Word, number);
+    b.store(place(POINTER), Width::DoubleWord, pointer);
+}
+
+/// A loop over three instances that are handed pointers, and whose index is used in front of the call and behind it.
+fn hands_on(b: &mut Builder, dice: &mut Dice) {
+    let counter = dice.of(&[
+        Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 8 * COUNTERS[0] },
+        Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 8 * COUNTERS[1] },
+        Place::Fixed { area: Area::BitMemory, position: 8 * 5 },
+        Place::Fixed { area: Area::Local, position: 8 * 2 },
+    ]);
+    b.begin_statement();
+    let first = b.constant(0);
+    b.store(counter, Width::Word, first);
+    for _ in 0..1 + dice.roll(2) {
+        b.begin_statement();
+        // It is known to be that without memory which the called block may write.
+        b.set(Register::Ar2, 0x8400_0000);
+        let instance = |b: &mut Builder| {
+            let (number, count) = (b.load(counter, Width::Word, OnFault::SkipStatement), b.constant(3));
+            let inside = b.compute(Op::Below, &[number, count]);
+            b.push(Inst::Require { condition: inside, code: NOTED | 0x22, register: number });
+            let (number, step) = (b.compute(Op::Gate, &[number, inside]), b.constant(8 * 18));
+            let by = b.compute(Op::MulU32, &[number, step]);
+            b.compute(Op::AddU32, &[Register::Ar2.into(), by])
+        };
+        let to = instance(b);
+        hand_on(b, dice, (counter, Width::Word), to);
+        if dice.roll(3) == 0 {
+            let (to, width) = (instance(b), dice.of(&[Width::Byte, Width::Word]));
+            let value = b.constant(dice.roll(0x100));
+            b.store(Place::Indirect { area: Area::InstanceData, pointer: to, offset: 8 * dice.roll(14) as u32 }, width, value);
+        }
+        let of = instance(b);
+        b.copy(Register::Ar2, of);
+        call(b, dice, 1);
+        if dice.roll(2) == 0 {
+            b.begin_statement();
+            b.set(Register::Ar2, 0x8400_0000);
+            let of = instance(b);
+            let value = b.load(counter, Width::Byte, OnFault::SkipStatement);
+            b.store(Place::Indirect { area: Area::InstanceData, pointer: of, offset: 8 * dice.roll(12) as u32 }, Width::Byte, value);
+        }
+    }
+    b.begin_statement();
+    b.set(Register::Ar2, 0x8400_0000);
+    let (value, one) = (b.load(counter, Width::Word, OnFault::SkipStatement), b.constant(1));
+    let next = b.compute(Op::AddU16, &[value, one]);
+    b.store(counter, Width::Word, next);
+    let limit = b.constant(2);
+    let goes_on = b.compute(Op::LeI16, &[next, limit]);
+    b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+}
+
+/// A function block that works with what it was handed.
+fn takes(b: &mut Builder, dice: &mut Dice) {
+    let instance = |offset: u32| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset };
+    let mut statement = 0;
+    for _ in 0..1 + dice.roll(4) {
+        if dice.roll(4) == 0 {
+            b.begin_statement();
+            let condition = b.load(instance(dice.roll(64) as u32), Width::Bit, OnFault::SkipStatement);
+            b.push(Inst::Branch { condition, to: Target(statement + 2) });
+            statement += 1;
+        }
+        b.begin_statement();
+        statement += 1;
+        let width = dice.of(&[Width::Bit, Width::Byte, Width::Word, Width::DoubleWord]);
+        let bit = if width == Width::Bit { dice.roll(8) as u32 } else { 0 };
+        let place = |b: &mut Builder, dice: &mut Dice| match dice.roll(20) {
+            0 => instance(8 * dice.of(&[11, 12, 14, 16]) + bit),
+            1 => Place::Fixed { area: Area::BitMemory, position: 8 * dice.roll(BYTES) as u32 + bit },
+            2..=8 => instance(8 * dice.roll(9) as u32 + bit),
+            _ => {
+                let number = b.load(instance(NUMBER), Width::Word, OnFault::SkipStatement);
+                let pointer = b.load(instance(POINTER), Width::DoubleWord, OnFault::SkipStatement);
+                b.push(Inst::Open { register: DataRegister::Shared, number });
+                Place::Crossing { pointer, offset: 8 * dice.roll(3) as u32 + bit }
+            }
+        };
+        let from = place(b, dice);
+        let value = b.load(from, width, OnFault::SkipStatement);
+        let other = b.constant(dice.of(&[0, 1, 3]));
+        let value = if width == Width::Bit { b.compute(Op::Xor, &[value, other]) } else { b.compute(Op::AddU32, &[value, other]) };
+        let to = place(b, dice);
+        if dice.roll(4) == 0 {
+            // Perhaps where its own pointer goes, or that of another one.
+            let position = b.constant(8 * u64::from(dice.of(&COUNTERS)));
+            let to = if dice.roll(8) == 0 { instance(POINTER + 16) } else { to };
+            b.store(to, Width::Word, position);
+        } else {
+            b.store(to, width, value);
+        }
+    }
+    // Where the last jump goes.
+    b.begin_statement();
+    let value = b.load(instance(0), Width::Byte, OnFault::SkipStatement);
+    b.store(instance(8), Width::Byte, value);
+}
+
 /// Loops over instances.
 fn loops(b: &mut Builder, dice: &mut Dice) {
     let mut statements = 0;
     for _ in 0..1 + dice.roll(2) {
-        let position = 8 * dice.of(&[40, 42, 44]);
+        let position = 8 * COUNTERS[dice.roll(3) as usize];
         let place = dice.of(&[
             Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: position },
             Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: position },
@@ -209,7 +336,7 @@ fn loops(b: &mut Builder, dice: &mut Dice) {
             Place::Fixed { area: Area::Local, position: 8 * 2 },
         ]);
         let index = (place, dice.of(&[Width::Word, Width::DoubleWord, Width::Byte]));
-        let step = 8 * dice.of(&[4, 6, 8, 9]);
+        let step = 8 * dice.of(&[4, 8, 9, 18, 18]);
         b.begin_statement();
         let first = b.constant(dice.roll(2));
         b.store(index.0, index.1, first);
@@ -235,6 +362,9 @@ fn loops(b: &mut Builder, dice: &mut Dice) {
                     let width = width(dice);
                     let value = read(b, dice, width, false);
                     b.store(Place::Indirect { area: Area::InstanceData, pointer, offset }, width, value);
+                    if dice.roll(3) != 0 {
+                        hand_on(b, dice, index, pointer);
+                    }
                     b.store(SAVED, Width::DoubleWord, Register::Ar2);
                     b.copy(Register::Ar2, pointer);
                     call(b, dice, 1);
@@ -266,11 +396,12 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
     machine.budget = dice.of(&[0, 1, 2, 5, 10, 40]);
     machine.clock_us += dice.of(&[0, 0, 10_000, 50_000]);
     for _ in 0..dice.of(&[0, 0, 1, 1, 3]) {
-        let value = dice.of(&[0, 1, 2, 3, 7, 0x80, 0xFF]);
+        let value = dice.of(&[0, 1, 2, 3, 7, 0x80, 0xFF, 0xB0, 0xC0]);
         if dice.roll(3) != 0 {
             let range = machine.memory.layout.data_blocks[&1].clone();
             // Mostly what the loops count with.
-            let byte = if dice.roll(3) == 0 { dice.roll(DATA_BYTES) } else { 40 + dice.roll(6) };
+            let near = dice.of(&[40, 54, 54, u64::from(NUMBER / 8), u64::from(NUMBER / 8) + 18, u64::from(POINTER / 8)]);
+            let byte = if dice.roll(3) == 0 { dice.roll(DATA_BYTES) } else { near + dice.roll(6) };
             machine.memory.arena[range.start + byte as usize] = value;
         } else {
             machine.memory.area_mut(Area::BitMemory)[dice.roll(BYTES) as usize] = value;
@@ -281,20 +412,35 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
 
 #[test]
 fn instances_called_in_loops_do_the_same_on_all_engines() {
+    compare(PROGRAMS, &|number, seed| {
+        Box::new(move |b: &mut Builder| match number {
+            0 => begin(b),
+            LOOPS => loops(b, &mut Dice(seed * 100)),
+            number => block(b, &mut Dice(seed * 100 + u64::from(number)), number),
+        })
+    });
+}
+
+#[test]
+fn pointers_that_are_handed_to_instances_lead_to_the_same_places_on_all_engines() {
+    compare(HANDING_PROGRAMS, &|number, seed| {
+        Box::new(move |b: &mut Builder| match number {
+            0 => begin(b),
+            LOOPS => hands_on(b, &mut Dice(seed * 100)),
+            number => takes(b, &mut Dice(seed * 100 + u64::from(number))),
+        })
+    });
+}
+
+/// Compares what programs do on all engines. `build` writes a block of a program.
+fn compare(programs: u64, build: &dyn Fn(u16, u64) -> Box<dyn Fn(&mut Builder)>) {
     let (mut asked, mut finished) = (0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in 0..programs {
         let blocks: Vec<_> = (0..=LOOPS).collect();
-        let build = |number: u16| {
-            move |b: &mut Builder| match number {
-                0 => begin(b),
-                LOOPS => loops(b, &mut Dice(seed * 100)),
-                number => block(b, &mut Dice(seed * 100 + u64::from(number)), number),
-            }
-        };
-        let builders: Vec<_> = blocks.iter().map(|&number| build(number)).collect();
+        let builders: Vec<_> = blocks.iter().map(|&number| build(number, seed)).collect();
         let id = |number: u16| if number == 0 { BlockId::ob(1) } else { BlockId::fb(number) };
-        let part = |(&number, build)| (id(number), LOCAL_BYTES, build as &dyn Fn(&mut Builder));
-        let parts: Vec<_> = blocks.iter().zip(&builders).map(part).collect();
+        let parts: Vec<_> =
+            blocks.iter().zip(&builders).map(|(&number, build)| (id(number), LOCAL_BYTES, &**build as &dyn Fn(&mut Builder))).collect();
         let program = program(&parts);
         let mut layout = layout(&program);
         layout.data_blocks.insert(1, layout.size - 64..layout.size - 64 + DATA_BYTES as usize);

@@ -33,6 +33,37 @@ pub(super) struct Effects {
     pub(super) blocks: Vec<u16>,
     /// Access through parameters.
     pub(super) given: Vec<Given>,
+    /// Access through pointers to which parameters or the instance have another pointer, each with the number of a data block: a
+    /// structure or an array as VAR_IN_OUT. The block writes to none of them itself.
+    pub(super) pointed: Vec<Pointed>,
+}
+
+/// Where a block finds a number that its caller wrote there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Source {
+    /// In its instance, so many bits behind AR2.
+    Instance(u32),
+    /// Where a parameter points, and so many bits behind that.
+    Given(u16, u32),
+}
+
+/// Access through a pointer that the block was given in memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Pointed {
+    /// The data block that is open then, if the block opened one.
+    pub(super) number: Option<Source>,
+    pub(super) pointer: Source,
+    /// Bits behind the pointer.
+    pub(super) offset: u32,
+    pub(super) width: Width,
+    pub(super) writes: bool,
+}
+
+impl Pointed {
+    /// Where the block reads what it needs to know.
+    pub(super) fn sources(&self) -> impl Iterator<Item = (Source, Width)> {
+        self.number.map(|number| (number, Width::Word)).into_iter().chain([(self.pointer, Width::DoubleWord)])
+    }
 }
 
 /// Access through a parameter.
@@ -50,7 +81,16 @@ pub(super) struct Given {
 enum Held {
     Constant(u64),
     Parameter(u16),
+    /// What was read from there, in so many bits.
+    Read(Source, Width),
     Other,
+}
+
+/// The data block that a statement has opened.
+#[derive(Clone, Copy)]
+enum Opened {
+    Number(u16),
+    Read(Source),
 }
 
 /// The effects of all blocks that may become part of others; `None` = nothing is told of that block.
@@ -90,10 +130,11 @@ impl Search<'_> {
         let (code, pointers) = (&self.blocks[index].code, &self.pointers[index]);
         let mut effects = Effects::default();
         let mut opens = false;
+        let mut written: Vec<Range<i64>> = Vec::new();
         for statement in 0..code.statement_count() {
             let mut held: BTreeMap<u8, Held> = BTreeMap::new();
             let mut passed: Vec<Held> = Vec::new();
-            let mut opened: Option<u16> = None;
+            let mut opened: Option<Opened> = None;
             let mut instance = pointers.at(statement as u32);
             for (at, inst) in (code.statements[statement]..).zip(code.statement(statement)) {
                 let of = |var: Var| held.get(&var.0).copied().unwrap_or(Held::Other);
@@ -104,24 +145,49 @@ impl Search<'_> {
                     Inst::Parameter { index, .. } => result = Held::Parameter(index),
                     Inst::Load { on_fault: OnFault::DeliverZero, place, .. } if !self.is_own(index, place) => return None,
                     Inst::Load { place, width, .. } => match place {
-                        Place::Crossing { pointer, offset } => effects.access_given(of(pointer), offset, width, false)?,
-                        Place::Fixed { area, .. } | Place::Indirect { area, .. } => drop(self.has(area).then_some(())?),
+                        Place::Crossing { pointer, offset } => {
+                            result = effects.access_through(of(pointer), offset, width, false, opened)?;
+                        }
+                        Place::Fixed { area, .. } => drop(self.has(area).then_some(())?),
+                        Place::Indirect { area, pointer, offset } => {
+                            self.has(area).then_some(())?;
+                            if area == Area::InstanceData
+                                && pointer.register() == Some(Register::Ar2)
+                                && let Some(added) = instance
+                            {
+                                result = Held::Read(Source::Instance(added.wrapping_add(offset)), width);
+                            }
+                        }
                     },
                     Inst::Store { place, width, .. } => match place {
-                        Place::Crossing { pointer, offset } => effects.access_given(of(pointer), offset, width, true)?,
+                        Place::Crossing { pointer, offset } => {
+                            effects.access_through(of(pointer), offset, width, true, opened)?;
+                        }
                         Place::Indirect { area: Area::InstanceData, pointer, offset } if pointer.register() == Some(Register::Ar2) => {
                             effects.write_instance(instance, offset, width);
+                            written.push(instance_range(instance, offset, width));
                         }
-                        Place::Fixed { area, .. } | Place::Indirect { area, .. } => self.write_area(&mut effects, area, opened)?,
+                        Place::Fixed { area, .. } | Place::Indirect { area, .. } => {
+                            if area == Area::InstanceData {
+                                written.push(ANYWHERE);
+                            }
+                            self.write_area(&mut effects, area, opened)?;
+                        }
                     },
-                    Inst::Open { register, number } => {
-                        let Held::Constant(number) = of(number) else { return None };
-                        let number = (number & 0xFFFF) as u16;
-                        if register != DataRegister::Shared || number != 0 && !self.layout.data_blocks.contains_key(&number) {
-                            return None;
-                        }
-                        opened = Some(number);
+                    Inst::Open { register, .. } if register != DataRegister::Shared => return None,
+                    Inst::Open { number, .. } => {
                         opens = true;
+                        opened = Some(match of(number) {
+                            Held::Constant(number) => {
+                                let number = (number & 0xFFFF) as u16;
+                                if number != 0 && !self.layout.data_blocks.contains_key(&number) {
+                                    return None;
+                                }
+                                Opened::Number(number)
+                            }
+                            Held::Read(source, Width::Word) => Opened::Read(source),
+                            _ => return None,
+                        });
                     }
                     Inst::PassParameter { src } => passed.push(of(src)),
                     Inst::Call { callee: Callee::Block(id), parameters } => {
@@ -129,6 +195,10 @@ impl Search<'_> {
                         let given = passed.split_off(passed.len().checked_sub(usize::from(parameters))?);
                         let inner = self.of_block(callee)?;
                         effects.add_call(&inner, &given, instance)?;
+                        written.extend(inner.instance.iter().map(|range| match instance {
+                            Some(added) => range.start + i64::from(added as i32)..range.end + i64::from(added as i32),
+                            None => ANYWHERE,
+                        }));
                         // The registers of data blocks are restored, and AR2 mostly.
                         opened = None;
                         held.clear();
@@ -159,8 +229,18 @@ impl Search<'_> {
                 }
             }
         }
-        // What a parameter names in a data block is counted from the one that is open.
-        (!opens || effects.given.is_empty()).then_some(effects)
+        // What a parameter names in a data block is counted from the one that is open. Pointers in memory are what the caller wrote there
+        // only if the block does not write there, neither by its parameters.
+        let is_written = |(source, width): (Source, Width)| match source {
+            Source::Instance(offset) => {
+                let own = i64::from(offset as i32)..i64::from(offset as i32) + i64::from(width.bits());
+                written.iter().any(|range| own.start < range.end && range.start < own.end)
+            }
+            Source::Given(..) => false,
+        };
+        let kept = !effects.pointed.iter().flat_map(Pointed::sources).any(is_written);
+        let is_plain = !opens || effects.given.is_empty() || !effects.pointed.is_empty();
+        (is_plain && kept).then_some(effects)
     }
 
     /// Whether a place is in the local data of a block, whatever happens.
@@ -173,11 +253,14 @@ impl Search<'_> {
         matches!(area, Area::Local | Area::SharedData | Area::InstanceData) || self.layout.area(area).is_some()
     }
 
-    fn write_area(&self, effects: &mut Effects, area: Area, opened: Option<u16>) -> Option<()> {
+    fn write_area(&self, effects: &mut Effects, area: Area, opened: Option<Opened>) -> Option<()> {
         match area {
             Area::Local => {}
             Area::InstanceData => effects.instance = Some(ANYWHERE),
-            Area::SharedData => effects.blocks.push(opened?),
+            Area::SharedData => match opened? {
+                Opened::Number(number) => effects.blocks.push(number),
+                Opened::Read(_) => return None,
+            },
             _ if self.has(area) => effects.areas.push(area),
             _ => return None,
         }
@@ -185,16 +268,20 @@ impl Search<'_> {
     }
 }
 
+/// Bits of an instance, from where AR2 points when the block is called.
+fn instance_range(added: Option<u32>, offset: u32, width: Width) -> Range<i64> {
+    match added {
+        Some(added) => {
+            let first = i64::from(added as i32) + i64::from(offset);
+            first..first + i64::from(width.bits())
+        }
+        None => ANYWHERE,
+    }
+}
+
 impl Effects {
     fn write_instance(&mut self, added: Option<u32>, offset: u32, width: Width) {
-        let range = match added {
-            Some(added) => {
-                let first = i64::from(added as i32) + i64::from(offset);
-                first..first + i64::from(width.bits())
-            }
-            None => ANYWHERE,
-        };
-        self.add_instance(&range);
+        self.add_instance(&instance_range(added, offset, width));
     }
 
     fn add_instance(&mut self, range: &Range<i64>) {
@@ -204,17 +291,37 @@ impl Effects {
         });
     }
 
-    fn access_given(&mut self, pointer: Held, offset: u32, width: Width, writes: bool) -> Option<()> {
-        let Held::Parameter(parameter) = pointer else { return None };
-        let given = Given { parameter, offset, width, writes };
-        if !self.given.contains(&given) {
-            self.given.push(given);
+    /// Access through a pointer that a parameter or the instance has; what it reads.
+    fn access_through(&mut self, pointer: Held, offset: u32, width: Width, writes: bool, opened: Option<Opened>) -> Option<Held> {
+        match pointer {
+            Held::Parameter(parameter) => {
+                let given = Given { parameter, offset, width, writes };
+                if !self.given.contains(&given) {
+                    self.given.push(given);
+                }
+                Some(Held::Read(Source::Given(parameter, offset), width))
+            }
+            Held::Read(pointer, Width::DoubleWord) => {
+                let number = match opened {
+                    Some(Opened::Read(number)) => Some(number),
+                    Some(Opened::Number(_)) => return None,
+                    None => None,
+                };
+                let pointed = Pointed { number, pointer, offset, width, writes };
+                if !self.pointed.contains(&pointed) {
+                    self.pointed.push(pointed);
+                }
+                Some(Held::Other)
+            }
+            _ => None,
         }
-        Some(())
     }
 
     /// Adds what a called block does.
     fn add_call(&mut self, inner: &Self, given: &[Held], added: Option<u32>) -> Option<()> {
+        if !inner.pointed.is_empty() {
+            return None;
+        }
         self.areas.extend(&inner.areas);
         self.blocks.extend(&inner.blocks);
         match (&inner.instance, added) {
@@ -236,7 +343,7 @@ impl Effects {
                     Area::InstanceData | Area::SharedData if !access.writes => {}
                     _ => return None,
                 },
-                Held::Parameter(_) | Held::Other => return None,
+                Held::Parameter(_) | Held::Read(..) | Held::Other => return None,
             }
         }
         Some(())

@@ -133,6 +133,8 @@ pub(super) struct Outer {
     loops: Vec<Loop>,
     promoted: Vec<Promoted>,
     ranges: Ranges,
+    /// Pointers in the instance of the called block.
+    elements: Vec<Fact>,
     passed: Vec<Val>,
     given: Vec<Val>,
     restored: [Val; RESTORED.len()],
@@ -145,13 +147,13 @@ pub(super) struct Outer {
 
 impl Outer {
     /// What the code behind the call relies on.
-    pub(super) fn facts_over_call(&self) -> &[Fact] {
-        self.ranges.facts_over_call(self.inst)
+    pub(super) fn facts_over_call(&self) -> impl Iterator<Item = &Fact> {
+        self.ranges.facts_over_call(self.inst).iter().chain(&self.elements)
     }
 
     /// What is known in front of the call.
-    pub(super) fn facts_at_call(&self) -> &[Fact] {
-        self.ranges.facts_at_call(self.inst)
+    pub(super) fn facts_at_call(&self) -> impl Iterator<Item = &Fact> {
+        self.ranges.facts_at_call(self.inst).iter().chain(&self.elements)
     }
 
     /// Whether the call is in a loop.
@@ -243,6 +245,7 @@ impl Translator<'_> {
             loops: std::mem::replace(&mut self.loops, loops::find(&self.blocks[code].code)),
             promoted,
             ranges: std::mem::take(&mut self.ranges),
+            elements: Vec::new(),
             passed: std::mem::take(&mut self.passed),
             given: std::mem::replace(&mut self.given, given),
             restored,
@@ -256,6 +259,7 @@ impl Translator<'_> {
         self.instance = instance;
         self.written = self.written_in_block();
         self.in_range = self.instance_in_range(at_call);
+        self.know_elements();
         self.statement = 0;
         for to in loop_heads(&self.native().code) {
             self.expect_way_back(to);
@@ -281,6 +285,21 @@ impl Translator<'_> {
         }
         if written & bit_of(Register::Ar2) != 0 && self.pointers[code].kept {
             self.set_register(Register::Ar2, instance);
+        }
+    }
+
+    /// Notes what is known of the instance of the block that begins now.
+    fn know_elements(&mut self) {
+        let Some(Outer { ranges, inst, .. }) = self.outer.last() else { return };
+        let elements = ranges.elements(*inst).to_vec();
+        if elements.is_empty() {
+            return;
+        }
+        let (base, first) = self.instance_base();
+        let fact = |(offset, width, range)| Fact { cell: (base, first + (offset / 8) as i32, width), range };
+        let facts = elements.into_iter().map(fact).collect();
+        if let Some(outer) = self.outer.last_mut() {
+            outer.elements = facts;
         }
     }
 

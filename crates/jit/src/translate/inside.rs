@@ -42,7 +42,7 @@ impl Translator<'_> {
     /// Looks at the ranges of the values of the present block, whose known registers and parameters are current.
     pub(super) fn find_ranges(&mut self) -> Ranges {
         let caller = |position: u32, width: Width| self.way_to_caller(position, width);
-        let facts = self.outer.last().map_or(Vec::new(), |outer| outer.facts_at_call().to_vec());
+        let facts = self.outer.last().map_or(Vec::new(), |outer| outer.facts_at_call().copied().collect());
         let relative = self.relative_instance();
         let ranges = self.ranges_of(self.words.constants(), facts, &caller, relative.as_ref());
         self.pinned.extend(ranges.opened());
@@ -105,7 +105,8 @@ impl Translator<'_> {
     /// What a load finds, if that is known to be a constant.
     pub(super) fn constant_at(&self, index: u32, place: Place, width: Width) -> Option<u64> {
         let (value, _) = self.ranges.result(index).filter(|(least, most)| least == most)?;
-        let is_there = self.ranges.pointed(index).is_some() || self.constant_address(place, width).is_some();
+        let in_instance = || self.ranges.is_relative() && self.instance_address(place, width, false).is_some();
+        let is_there = self.ranges.pointed(index).is_some() || self.constant_address(place, width).is_some() || in_instance();
         is_there.then_some(u64::from(value))
     }
 
@@ -357,7 +358,7 @@ impl Translator<'_> {
 
     /// What the code relies on from a statement on, if that can have changed while somebody was asked.
     pub(super) fn relies_on_memory(&self, statement: u32) -> bool {
-        let over_calls = |outer: &Outer| !outer.facts_over_call().is_empty();
+        let over_calls = |outer: &Outer| outer.facts_over_call().next().is_some();
         !self.ranges.facts(statement).is_empty() || self.look.is_some() || self.outer.iter().any(over_calls)
     }
 

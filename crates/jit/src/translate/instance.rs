@@ -123,6 +123,28 @@ impl Translator<'_> {
         Some((Base::Computed(*self.computed.get(&instance.address)?), instance.bytes))
     }
 
+    /// Where the instance of the block that begins now lies. It is known to be there.
+    pub(super) fn instance_base(&mut self) -> (Base, i32) {
+        if let Some((base, _)) = self.instance_area() {
+            return (base, 0);
+        }
+        let pointer = self.register(Register::Ar2);
+        if let (Some(pointer), Some([_, base, _])) = (pointer.constant(), self.instance_block())
+            && let Ok(first) = i32::try_from(base + (pointer & 0x00FF_FFFF) / 8)
+        {
+            return (Base::Arena, first);
+        }
+        let (pointer, start) = (self.word(pointer), self.register(Register::DiBase));
+        let start = self.word(start);
+        let position = self.b.ins().band_imm_u(pointer, 0x00FF_FFFF);
+        let byte = self.b.ins().ushr_imm_u(position, 3);
+        let start = self.b.ins().iadd(self.arena, start);
+        let address = self.b.ins().iadd(start, byte);
+        let computed = Computed { address, least: 0, most: self.layout.size as i64 };
+        self.computed.insert(address, computed);
+        (Base::Computed(computed), 0)
+    }
+
     /// Number, base and length of the open instance data block, if they are constants.
     fn instance_block(&self) -> Option<[u64; 3]> {
         let mut block = [0; 3];

@@ -16,6 +16,7 @@ use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
+use sieben_model::block::BlockId;
 
 use super::loops::Loop;
 use super::memory::{Address, Bit, moved};
@@ -213,6 +214,10 @@ impl Translator<'_> {
                 Place::Crossing { pointer, .. } => given.contains(&pointer.0),
             };
             match *inst {
+                // What it reaches by its pointers is known.
+                Inst::Call { callee: Callee::Block(id), .. } if !inlined && self.reads_pointers(id) => {
+                    (self.find)(id).is_some_and(|called| self.inlines(called as usize))
+                }
                 Inst::Call { callee: Callee::Block(id), .. } => (self.find)(id).is_some_and(|called| {
                     let block = &self.blocks[called as usize].code;
                     let statements = || (0..block.statement_count()).map(|statement| block.statement(statement));
@@ -234,6 +239,12 @@ impl Translator<'_> {
                 _ => true,
             }
         })
+    }
+
+    /// Whether a block reads and writes by pointers that its caller wrote to memory.
+    fn reads_pointers(&self, id: BlockId) -> bool {
+        let effects = (self.find)(id).and_then(|code| self.effects[code as usize].as_ref());
+        effects.is_some_and(|effects| !effects.pointed.is_empty())
     }
 
     fn keep(&mut self, base: Base, offset: i32, candidate: &Candidate, it: &Loop) {

@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::Layout;
-use sieben_engine::ir::{Code, Inst, Place};
+use sieben_engine::ir::{Code, Inst, Op, Place};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
@@ -79,6 +79,8 @@ pub(super) struct Ranges {
     at_calls: FxHashMap<u32, Vec<Fact>>,
     /// What the code behind a call relies on while the called block runs, which becomes part of this one, by the call.
     over_calls: FxHashMap<u32, Vec<Fact>>,
+    /// Pointers in the instance of the block that is called, by the call: bits behind AR2, where the code behind the call relies on them.
+    elements: FxHashMap<u32, Vec<(u32, Width, Interval)>>,
     /// Ranges of AR2 at calls.
     instances: FxHashMap<u32, Interval>,
     /// Whether places in the instance are counted from where it begins.
@@ -148,6 +150,11 @@ impl Ranges {
         self.at_calls.get(&inst).map_or(&[], Vec::as_slice)
     }
 
+    /// Numbers in the instance of the block that is called, which nobody writes while it runs: bits behind AR2, width, range.
+    pub(super) fn elements(&self, inst: u32) -> &[(u32, Width, Interval)] {
+        self.elements.get(&inst).map_or(&[], Vec::as_slice)
+    }
+
     /// The range of AR2 at a call.
     pub(super) fn instance(&self, inst: u32) -> Option<Interval> {
         self.instances.get(&inst).copied()
@@ -214,6 +221,21 @@ enum Origin {
 struct State {
     registers: BTreeMap<u8, Known>,
     cells: BTreeMap<Cell, Known>,
+    /// What the running statement stored in the instance of a block that it calls.
+    elements: Vec<Element>,
+}
+
+/// A number in an instance, and where it is.
+#[derive(Clone, Debug)]
+struct Element {
+    /// The data block, the pointer from which the place is counted, and the bits behind that.
+    block: Bytes,
+    pointer: Same,
+    offset: u32,
+    width: Width,
+    /// The bytes where it may lie.
+    bytes: Bytes,
+    known: Known,
 }
 
 /// What an access reaches.
@@ -273,9 +295,49 @@ struct Analysis<'a> {
     at_heads: BTreeMap<u32, State>,
     /// Variables that are at a head what they were in front of the loop, as the running pass sees it.
     unchanged: BTreeMap<u32, BTreeSet<Cell>>,
+    /// Those on which what is known at heads relies.
+    taken_as_unchanged: BTreeMap<u32, BTreeSet<Cell>>,
     /// What is known to hold at heads whatever a pass finds.
     holding: BTreeMap<u32, State>,
+    /// What the running statement has computed: the same operation of the same values again is the same value.
+    computed: FxHashMap<(Op, [Same; 3]), u32>,
+    /// Whether the running statement calls a block that becomes part of this one and has parameters of whom pointers are in its instance.
+    passes_elements: bool,
     found: Ranges,
+}
+
+/// What makes values the same ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Same {
+    Constant(u64),
+    Number(u32),
+}
+
+impl Same {
+    fn of(known: Known) -> Self {
+        known.range.exact().map_or(Self::Number(known.number), Self::Constant)
+    }
+}
+
+impl Element {
+    /// The bits behind another pointer, if it is known how far that is away.
+    fn behind(&self, pointer: Same) -> Option<u32> {
+        match (self.pointer, pointer) {
+            (Same::Constant(own), Same::Constant(other)) => Some(self.offset.wrapping_add(own as u32).wrapping_sub(other as u32)),
+            (own, other) => (own == other).then_some(self.offset),
+        }
+    }
+
+    /// Whether another one, counted from the same place, has none of its bits.
+    fn is_apart_from(&self, other: &Self) -> bool {
+        let distance = other.behind(self.pointer).map(|offset| i64::from(offset.wrapping_sub(self.offset) as i32));
+        self.block == other.block
+            && distance.is_some_and(|distance| {
+                let apart = distance >= i64::from(self.width.bits()) || -distance >= i64::from(other.width.bits());
+                // A position has 24 bits.
+                apart && distance.abs() < 1 << 23
+            })
+    }
 }
 
 /// Looks at a block. Nothing is known where that would not pay.
@@ -304,7 +366,10 @@ pub(super) fn find(code: &Code, around: &Surroundings<'_>) -> Ranges {
         back: BTreeMap::new(),
         at_heads: BTreeMap::new(),
         unchanged: BTreeMap::new(),
+        taken_as_unchanged: BTreeMap::new(),
         holding: BTreeMap::new(),
+        computed: FxHashMap::default(),
+        passes_elements: false,
         found: Ranges::default(),
     };
     let mut found = analysis.run().unwrap_or_default();
@@ -324,6 +389,13 @@ impl State {
             let start = i64::from(offset);
             !other.may_share(&(start..start + i64::from(width.bytes())), base, bytes)
         });
+        self.elements.retain(|element| !element.bytes.0.may_share(&element.bytes.1, base, bytes));
+    }
+
+    /// Forgets all variables.
+    fn forget_memory(&mut self) {
+        self.cells.clear();
+        self.elements.clear();
     }
 
     /// What is known of variables in memory.
@@ -351,7 +423,7 @@ impl<'a> Analysis<'a> {
     fn run(mut self) -> Option<Ranges> {
         let best = self.settle()?;
         if self.has_loops_in_loops() {
-            let origins = self.origins.clone();
+            let counted = (self.origins.clone(), self.taken_as_unchanged.clone());
             let heads = self.heads.iter().filter_map(|&head| Some((head, best[head as usize].clone()?)));
             self.holding = heads.collect();
             self.back.clear();
@@ -362,7 +434,7 @@ impl<'a> Analysis<'a> {
             }
             self.found = Ranges::default();
             // What is checked counts its values as they were counted when it was found.
-            self.origins = origins;
+            (self.origins, self.taken_as_unchanged) = counted;
         }
         self.check(&best).then_some(self.found)
     }
@@ -413,6 +485,7 @@ impl<'a> Analysis<'a> {
         let back = std::mem::take(&mut self.back);
         let unchanged = std::mem::take(&mut self.unchanged);
         self.at_heads.clear();
+        self.taken_as_unchanged.clear();
         let mut states = vec![None; self.arriving.len()];
         let first = self.beginning();
         self.arrive(0, &first, None);
@@ -420,15 +493,7 @@ impl<'a> Analysis<'a> {
             let mut state = self.arriving[statement as usize].take();
             if let Some(again) = back.get(&statement) {
                 state = Some(match state {
-                    Some(state) => {
-                        let mut joined = self.joined(&state, again);
-                        for cell in unchanged.get(&statement).into_iter().flatten().filter(|_| narrows) {
-                            if let Some(in_front) = state.cells.get(cell) {
-                                joined.cells.insert(*cell, self.value(in_front.range));
-                            }
-                        }
-                        joined
-                    }
+                    Some(state) => self.joined_at_head(statement, [&state, again], unchanged.get(&statement), narrows),
                     None => self.renumbered(again),
                 });
             }
@@ -456,6 +521,8 @@ impl<'a> Analysis<'a> {
     fn check(&mut self, states: &[Option<State>]) -> bool {
         self.arriving.iter_mut().for_each(|state| *state = None);
         self.back.clear();
+        self.unchanged.clear();
+        self.at_heads = self.heads.iter().filter_map(|&head| Some((head, states[head as usize].clone()?))).collect();
         let first = self.beginning();
         self.arrive(0, &first, None);
         for (statement, state) in states.iter().enumerate() {
@@ -477,7 +544,9 @@ impl<'a> Analysis<'a> {
                 return false;
             }
         }
-        true
+        let unchanged = std::mem::take(&mut self.unchanged);
+        let is_so = |(head, cells): (&u32, &BTreeSet<Cell>)| unchanged.get(head).is_none_or(|found| cells.is_subset(found));
+        self.taken_as_unchanged.iter().all(is_so)
     }
 
     /// What is known where the block begins.
@@ -539,9 +608,35 @@ impl<'a> Analysis<'a> {
         state
     }
 
+    /// What is known at the head of a loop. What came from behind it was counted in the pass before: a number that is the same here and
+    /// there says nothing, and a variable holds what it held in front of the loop only if no way back changes it.
+    fn joined_at_head(&mut self, head: u32, [in_front, again]: [&State; 2], unchanged: Option<&BTreeSet<Cell>>, narrows: bool) -> State {
+        let mut state = State::default();
+        let mut taken = BTreeSet::new();
+        for (&register, known) in &in_front.registers {
+            if let Some(other) = again.registers.get(&register) {
+                state.registers.insert(register, self.value(known.range.joined(&other.range)));
+            }
+        }
+        for (cell, known) in &in_front.cells {
+            let is_unchanged = unchanged.is_some_and(|cells| cells.contains(cell));
+            let joined = match again.cells.get(cell) {
+                _ if is_unchanged && narrows => known.range,
+                Some(other) => known.range.joined(&other.range),
+                None => continue,
+            };
+            let number = if is_unchanged { known.number } else { self.value(joined).number };
+            taken.extend(is_unchanged.then_some(*cell));
+            state.cells.insert(*cell, Known { range: joined, number });
+        }
+        self.taken_as_unchanged.insert(head, taken);
+        state
+    }
+
     /// Notes what is known on a way to a statement.
     fn arrive(&mut self, to: u32, state: &State, from: Option<u32>) {
         let mut state = state.clone();
+        state.elements.clear();
         if let Some(pointer) = (self.around.instance[0])(to) {
             let known = self.value(Interval::constant(pointer));
             state.registers.insert(Register::Ar2 as u8, known);

@@ -7,7 +7,7 @@ use sieben_engine::ir::{DataRegister, OnFault, Op, Place, Var};
 use sieben_model::address::{Area, Width};
 
 use super::interval::{self, Interval};
-use super::{Analysis, Known, Reach, Span, State};
+use super::{Analysis, Element, Known, Reach, Same, Span, State};
 use crate::translate::memory::moved;
 use crate::translate::promote::Base;
 
@@ -136,16 +136,47 @@ impl Analysis<'_> {
             Reach::Anything => {
                 *fails = true;
                 // Somebody may be asked in the middle of the statement.
-                state.cells.clear();
+                state.forget_memory();
             }
         }
         if *fails && on_fault == OnFault::DeliverZero {
-            state.cells.clear();
+            state.forget_memory();
         }
         self.value(any)
     }
 
+    /// What is known of the instance of a block that the statement calls, if a store writes there.
+    fn element(&mut self, state: &State, pointer: Known, (place, width): (Place, Width), reach: &Reach, value: Known) -> Option<Element> {
+        let Place::Indirect { area: Area::InstanceData, offset, .. } = place else { return None };
+        let fits = value.range.bits <= width.bits() || value.range.exact().is_some_and(|value| value < 1 << width.bits());
+        if !self.passes_elements || !matches!(width, Width::Word | Width::DoubleWord) || !fits {
+            return None;
+        }
+        let bytes = reach.bytes(width.bytes())?;
+        let (base, start, length, _) = self.area(state, Area::InstanceData)?;
+        Some(Element { block: (base, start..start + length), pointer: Same::of(pointer), offset, width, bytes, known: value })
+    }
+
     pub(super) fn store(
+        &mut self,
+        state: &mut State,
+        reach: Reach,
+        (place, width): (Place, Width),
+        [pointer, value]: [Known; 2],
+        fails: &mut bool,
+        notes: Option<u32>,
+    ) {
+        let element = self.element(state, pointer, (place, width), &reach, value);
+        let before = std::mem::take(&mut state.elements);
+        let is_apart = |other: &Element| element.as_ref().is_some_and(|new| new.is_apart_from(other));
+        let (apart, others) = before.into_iter().partition(is_apart);
+        state.elements = others;
+        self.store_at(state, reach, (place, width), value, fails, notes);
+        state.elements.extend::<Vec<Element>>(apart);
+        state.elements.extend(element);
+    }
+
+    fn store_at(
         &mut self,
         state: &mut State,
         reach: Reach,
@@ -186,7 +217,7 @@ impl Analysis<'_> {
             }
             Reach::Anything => {
                 *fails = true;
-                state.cells.clear();
+                state.forget_memory();
             }
         }
     }

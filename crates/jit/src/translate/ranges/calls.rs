@@ -3,10 +3,10 @@
 use sieben_engine::access::pointed_area;
 use sieben_engine::ir::Inst;
 use sieben_engine::machine::{CALLS_SHIFT, Register};
-use sieben_model::address::Area;
+use sieben_model::address::{Area, Width};
 
-use super::{Analysis, Known, State};
-use crate::translate::effects::{Effects, Given};
+use super::{Analysis, Element, Interval, Known, Same, State};
+use crate::translate::effects::{Effects, Given, Pointed, Source};
 use crate::translate::promote::Base;
 
 /// Bits that a pointer may count.
@@ -23,18 +23,23 @@ impl Analysis<'_> {
     pub(super) fn call(&mut self, index: u32, inst: &Inst, state: &mut State, passed: &mut Vec<Known>, notes: bool) {
         let Inst::Call { parameters, .. } = *inst else { return };
         let given = passed.split_off(passed.len().saturating_sub(usize::from(parameters)));
-        let ar2 = state.registers.get(&(Register::Ar2 as u8)).map(|known| known.range);
+        let ar2 = state.registers.get(&(Register::Ar2 as u8)).copied();
         if notes && let Some(ar2) = ar2 {
-            self.found.instances.insert(index, ar2);
+            self.found.instances.insert(index, ar2.range);
         }
         if notes {
             self.found.at_calls.insert(index, state.facts());
         }
         let around = self.around;
         let effects = (around.called)(inst).and_then(|code| around.effects[code].as_ref());
-        let kept = effects.is_some_and(|effects| self.forget_effects(effects, state, &given).is_some());
+        let elements = effects.and_then(|effects| self.forget_effects(effects, state, &given, ar2));
+        let kept = elements.is_some();
         if !kept {
-            state.cells.clear();
+            state.forget_memory();
+        }
+        state.elements.clear();
+        if let Some(elements) = elements.filter(|elements| notes && !elements.is_empty()) {
+            self.found.elements.insert(index, elements);
         }
         let written = (self.around.written)(inst);
         state.registers.retain(|&register, _| written & (1 << register) == 0);
@@ -43,16 +48,38 @@ impl Analysis<'_> {
         }
     }
 
-    /// Forgets what a called block may write; `None` = it may be anything.
-    fn forget_effects(&self, effects: &Effects, state: &mut State, given: &[Known]) -> Option<()> {
+    /// Whether a statement calls a block that reads pointers in its instance.
+    pub(super) fn passes_elements(&self, insts: &[Inst]) -> bool {
+        let reads_pointers = |effects: &Effects| effects.pointed.iter().any(|pointed| matches!(pointed.pointer, Source::Instance(_)));
+        self.around.relative.is_none()
+            && insts.iter().any(|inst| {
+                let called = if matches!(inst, Inst::Call { .. }) { (self.around.called)(inst) } else { None };
+                called.and_then(|code| self.around.effects[code].as_ref()).is_some_and(reads_pointers)
+            })
+    }
+
+    /// Forgets what a called block may write; `None` = it may be anything. What is known of the pointers in its instance by which it does.
+    fn forget_effects(
+        &mut self,
+        effects: &Effects,
+        state: &mut State,
+        given: &[Known],
+        ar2: Option<Known>,
+    ) -> Option<Vec<(u32, Width, Interval)>> {
+        let mut before: Vec<(Source, Width, Known)> = Vec::new();
+        for (source, width) in effects.pointed.iter().flat_map(Pointed::sources) {
+            before.push((source, width, self.source(state, (source, width), given, ar2)?));
+        }
         if let Some(touched) = &effects.instance {
             let (_, start, length, _) = self.area(state, Area::InstanceData)?;
-            let pointer = state.registers.get(&(Register::Ar2 as u8))?.range;
-            let (least, most) = pointer.unsigned(24);
+            let (least, most) = ar2?.range.unsigned(24);
             let (first, end) = (least as i64 + touched.start, most as i64 + touched.end);
             // A position may turn over.
             let bytes = if first < 0 || end > POSITIONS { start..start + length } else { start + first / 8..start + bytes_before(end) };
+            // A block does not write to the pointers that it reads.
+            let elements = std::mem::take(&mut state.elements);
             state.forget(Base::Arena, &bytes);
+            state.elements = elements;
         }
         for &area in &effects.areas {
             let range = self.around.layout.area(area)?;
@@ -62,11 +89,89 @@ impl Analysis<'_> {
             let range = self.around.layout.data_blocks.get(number)?;
             state.forget(Base::Arena, &(range.start as i64..range.end as i64));
         }
-        effects.given.iter().try_for_each(|access| self.forget_given(access, state, given))
+        let opens = !effects.pointed.is_empty();
+        effects.given.iter().try_for_each(|access| self.forget_given(access, state, given, opens))?;
+        let of = |source: Source| before.iter().find(|(other, ..)| *other == source).map(|&(.., known)| known.range);
+        for access in &effects.pointed {
+            let number = access.number.map(|number| of(number)?.exact());
+            self.forget_pointed(access, state, number.flatten(), of(access.pointer)?)?;
+        }
+        // By none of them it may write to the pointers.
+        let mut elements = Vec::new();
+        for (source, width, known) in before {
+            let now = self.source(state, (source, width), given, ar2)?;
+            if now.number != known.number {
+                return None;
+            }
+            let Source::Instance(offset) = source else { continue };
+            if !elements.contains(&(offset, width, known.range)) {
+                elements.push((offset, width, known.range));
+            }
+        }
+        Some(elements)
+    }
+
+    /// What is known of a number that a called block reads.
+    fn source(&self, state: &State, (source, width): (Source, Width), given: &[Known], ar2: Option<Known>) -> Option<Known> {
+        match source {
+            Source::Instance(offset) => {
+                let (base, start, length, _) = self.area(state, Area::InstanceData)?;
+                let block = (base, start..start + length);
+                let is_it = |element: &&Element| {
+                    element.block == block && element.width == width && ar2.and_then(|ar2| element.behind(Same::of(ar2))) == Some(offset)
+                };
+                let pointer = ar2?.range;
+                let end = pointer.unsigned(24).1 as i64 + i64::from(offset) + i64::from(width.bits());
+                let inside = pointer.zeros >= 3 && offset % 8 == 0 && end <= 8 * length;
+                state.elements.iter().find(is_it).filter(|_| inside).map(|element| element.known)
+            }
+            Source::Given(parameter, offset) => {
+                let pointer = given.get(usize::from(parameter))?.range.exact()?;
+                let is_own = pointed_area(pointer, false) == Ok(Area::CallerLocal) && (pointer & 0x00FF_FFFF) >> CALLS_SHIFT == 0;
+                let position = (pointer & 0x00FF_FFFF) as i64 + i64::from(offset);
+                let (first, bytes) = self.around.local;
+                let inside = position % 8 == 0 && position / 8 + i64::from(width.bytes()) <= i64::from(bytes);
+                let offset = i32::try_from(i64::from(first) + position / 8).ok()?;
+                state.cells.get(&(Base::Local, offset, width)).filter(|_| is_own && inside).copied()
+            }
+        }
+    }
+
+    /// Forgets what a called block may write by a pointer that it reads.
+    fn forget_pointed(&mut self, access: &Pointed, state: &mut State, number: Option<u64>, pointer: Interval) -> Option<()> {
+        let (least, most) = pointer.unsigned(64);
+        if least >> 24 != most >> 24 || least >> 32 != 0 {
+            return None;
+        }
+        let (base, start, length) = match pointed_area(least as u64, access.writes).ok()? {
+            Area::SharedData => {
+                let number = u16::try_from(number?).ok().filter(|&number| number != 0)?;
+                let range = self.around.layout.data_blocks.get(&number)?;
+                self.found.opened.insert(number);
+                (Base::Arena, range.start as i64, range.len() as i64)
+            }
+            Area::CallerLocal if (most & 0x00FF_FFFF) >> CALLS_SHIFT == 0 => {
+                let (start, length) = self.around.local;
+                (Base::Local, i64::from(start), i64::from(length))
+            }
+            area @ (Area::Input | Area::Output | Area::BitMemory) => {
+                let range = self.around.layout.area(area)?;
+                (Base::Arena, range.start as i64, range.len() as i64)
+            }
+            _ => return None,
+        };
+        if access.writes {
+            let position = |pointer: i128| (pointer & 0x00FF_FFFF) as i64 + i64::from(access.offset);
+            let end = position(most) + i64::from(access.width.bits());
+            // A position may turn over.
+            let bytes = if end > POSITIONS { 0..length } else { position(least) / 8..bytes_before(end) };
+            state.forget(base, &(start + bytes.start..start + bytes.end));
+        }
+        Some(())
     }
 
     /// Forgets what a called block may write by a pointer that it was given.
-    fn forget_given(&self, access: &Given, state: &mut State, given: &[Known]) -> Option<()> {
+    fn forget_given(&self, access: &Given, state: &mut State, given: &[Known], opens: bool) -> Option<()> {
         let (least, most) = given.get(usize::from(access.parameter)).map_or((0, 0), |known| known.range.unsigned(64));
         if least >> 24 != most >> 24 {
             return None;
@@ -74,6 +179,8 @@ impl Analysis<'_> {
         let area = pointed_area(least as u64, access.writes).ok()?;
         match area {
             Area::PeripheralInput | Area::PeripheralOutput => return None,
+            // Counted from the data block that is open then.
+            Area::SharedData if opens => return None,
             // The local data of this block; what lies further out may be anywhere.
             Area::CallerLocal if (most & 0x00FF_FFFF) >> CALLS_SHIFT != 0 => return None,
             _ if !access.writes => return Some(()),

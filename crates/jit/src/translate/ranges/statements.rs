@@ -8,7 +8,7 @@ use sieben_engine::ir::{Inst, Op, Place, Target, TextAction, TextRoom, Var};
 use sieben_engine::machine::Register;
 
 use super::interval::{self, Interval, Number, comparison};
-use super::{Analysis, Known, Origin, Reach, Span, State};
+use super::{Analysis, Known, Origin, Reach, Same, Span, State};
 use crate::jit::end;
 
 /// How many origins of a value are looked at when something is found out about it.
@@ -20,6 +20,8 @@ impl Analysis<'_> {
         let code = self.code;
         let first = code.statements[statement as usize];
         let registers = state.registers.clone();
+        self.computed.clear();
+        self.passes_elements = self.passes_elements(code.statement(statement as usize));
         let mut temporaries: BTreeMap<u8, Known> = BTreeMap::new();
         let mut passed = Vec::new();
         let mut ended = false;
@@ -43,7 +45,11 @@ impl Analysis<'_> {
                     let value = self.get(&state, &temporaries, src);
                     let role = notes.then_some((index, true));
                     let reach = self.reach(&state, &temporaries, place, Span::Width(width), true, role);
-                    self.store(&mut state, reach, (place, width), value, &mut fails, notes.then_some(index));
+                    let pointer = match place {
+                        Place::Indirect { pointer, .. } => self.get(&state, &temporaries, pointer),
+                        _ => value,
+                    };
+                    self.store(&mut state, reach, (place, width), [pointer, value], &mut fails, notes.then_some(index));
                 }
                 Inst::Move { from, to, bytes } => {
                     let read = self.reach(&state, &temporaries, from, Span::Bytes(bytes), false, None).bytes(bytes);
@@ -56,7 +62,7 @@ impl Analysis<'_> {
                     match write {
                         Reach::Cell(base, offset) => state.forget(base, &(i64::from(offset)..i64::from(offset) + i64::from(bytes))),
                         Reach::Inside(base, range) | Reach::Bytes(base, range) => state.forget(base, &range),
-                        Reach::Anything => state.cells.clear(),
+                        Reach::Anything => state.forget_memory(),
                     }
                 }
                 Inst::Text { action, dst, to, to_room, from, from_room, .. } => {
@@ -73,7 +79,7 @@ impl Analysis<'_> {
                         _ if inside => {}
                         _ => {
                             fails = true;
-                            state.cells.clear();
+                            state.forget_memory();
                         }
                     }
                     if notes && inside {
@@ -182,7 +188,7 @@ impl Analysis<'_> {
 
     /// A statement that failed counts as NOP: its registers are as before, but for what it called.
     pub(super) fn arrive_failed(&mut self, statement: u32, registers: &BTreeMap<u8, Known>, state: &State) {
-        let before = State { registers: registers.clone(), cells: state.cells.clone() };
+        let before = State { registers: registers.clone(), cells: state.cells.clone(), elements: Vec::new() };
         // Behind a call that failed other registers may have changed too.
         let failed = self.joined(&before, state);
         self.arrive(statement + 1, &failed, Some(statement));
@@ -199,7 +205,7 @@ impl Analysis<'_> {
         }
     }
 
-    pub(super) fn compute(&mut self, op: Op, [a, b, c, _]: [Known; 4]) -> Known {
+    pub(super) fn compute(&mut self, op: Op, [a, b, c, d]: [Known; 4]) -> Known {
         let exact = |known: Known| known.range.exact().map(|value| value & 1 != 0);
         let is_bit = |known: Known| known.range.unsigned(64).1 <= 1;
         match op {
@@ -215,7 +221,13 @@ impl Analysis<'_> {
             Op::And if exact(a) == Some(true) && is_bit(b) => return b,
             Op::MulU32 if a.range.exact() == Some(1) && b.range.bits <= 32 => return b,
             Op::MulU32 if b.range.exact() == Some(1) && a.range.bits <= 32 => return a,
+            Op::AddU32 if b.range.exact() == Some(0) && a.range.bits <= 32 => return a,
             _ => {}
+        }
+        let words = [a, b, c, d].map(|known| known.range.exact());
+        if words[..op.arity()].iter().all(Option::is_some) {
+            let value = Op::eval(op, words.map(Option::unwrap_or_default));
+            return self.value(Interval::constant(value));
         }
         let mut range = interval::result(op, [a.range, b.range, c.range]);
         if op == Op::Gate
@@ -245,7 +257,15 @@ impl Analysis<'_> {
                 None => Origin::Other,
             },
         };
-        self.value_from(range, origin)
+        let known = self.value_from(range, origin);
+        if op.arity() > 3 || !self.passes_elements {
+            return known;
+        }
+        let mut same = [Same::Constant(0); 3];
+        for (same, arg) in same.iter_mut().zip([a, b, c]).take(op.arity()) {
+            *same = Same::of(arg);
+        }
+        Known { range, number: *self.computed.entry((op, same)).or_insert(known.number) }
     }
 
     /// What a branch that was taken, or not, tells about the values that were compared.
