@@ -216,7 +216,7 @@ fn hand_on(b: &mut Builder, dice: &mut Dice, index: (Place, Width), instance: Va
     let place = |offset: u32| Place::Indirect { area: Area::InstanceData, pointer: instance, offset };
     let number = b.constant(dice.of(&[1, 1, 1, 1, 1, 1, 0, 9]));
     let area = dice.of(&[0x84, 0x84, 0x84, 0x84, 0x84, 0x83, 0x87, 0x85]);
-    let mut pointer = b.constant(area << 24 | 8 * dice.of(&[0, 4, 12, 14, 38, 40, 44, 50, 52, 53, 55]));
+    let mut pointer = b.constant((area << 24) | (8 * dice.of(&[0, 4, 12, 14, 38, 40, 44, 50, 52, 53, 55])));
     if dice.roll(3) == 0 {
         let number = b.load(index.0, index.1, OnFault::SkipStatement);
         let step = b.constant(dice.of(&[8, 16, 64]));
@@ -432,8 +432,11 @@ fn pointers_that_are_handed_to_instances_lead_to_the_same_places_on_all_engines(
     });
 }
 
+/// Writes a block.
+type Build = Box<dyn Fn(&mut Builder)>;
+
 /// Compares what programs do on all engines. `build` writes a block of a program.
-fn compare(programs: u64, build: &dyn Fn(u16, u64) -> Box<dyn Fn(&mut Builder)>) {
+fn compare(programs: u64, build: &dyn Fn(u16, u64) -> Build) {
     let (mut asked, mut finished) = (0, 0);
     for seed in 0..programs {
         let blocks: Vec<_> = (0..=LOOPS).collect();
