@@ -9,6 +9,7 @@ pub mod interpreter;
 pub mod intrinsics;
 pub mod ir;
 pub mod machine;
+pub mod numbers_in_texts;
 pub mod program;
 pub mod texts;
 pub mod tracer;

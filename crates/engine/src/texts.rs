@@ -9,6 +9,10 @@ use crate::access::{File, Target, bytes_far, locate_far};
 use crate::fault::Fault;
 use crate::ir::{Place, TextAction, TextRoom};
 use crate::machine::Machine;
+use crate::numbers_in_texts::{CHARACTERS_MAX, Characters, read};
+
+/// Bytes of a number that was read from a text.
+const NUMBER_BYTES: usize = TextRoom::NUMBER.bytes() as usize;
 
 /// A text and how many of its characters count.
 #[derive(Clone, Copy, Debug)]
@@ -89,9 +93,10 @@ pub fn find(
             inside(to, there + count, true)?;
             target
         }
-        TextAction::Unsigned | TextAction::Signed | TextAction::SignedAlways => {
+        TextAction::Number => Found { start: start(machine, file, local, to.place, NUMBER_BYTES as u32, true)?, room: to.room },
+        _ => {
             let target = text(to, true)?;
-            let count = Decimal::of(action, word).characters().len().min(target.most(arena));
+            let count = Characters::of(action, word).as_bytes().len().min(target.most(arena));
             inside(to, count, true)?;
             target
         }
@@ -115,7 +120,7 @@ fn find_whole(
     let both = |to: Found, from: Found| Some(Both { to, from });
     match action {
         TextAction::Length => text(from, false).and_then(|from| both(from, from)),
-        TextAction::Unsigned | TextAction::Signed | TextAction::SignedAlways => target(true).and_then(|to| both(to, to)),
+        _ if action.takes_number() => target(true).and_then(|to| both(to, to)),
         _ => both(target(action.writes())?, text(from, false)?),
     }
 }
@@ -154,10 +159,22 @@ impl Both {
                 to.put(arena, behind, from, piece);
                 count as u64
             }
-            TextAction::Unsigned | TextAction::Signed | TextAction::SignedAlways => {
-                let digits = Decimal::of(action, word);
-                to.write(arena, digits.characters());
-                digits.characters().len() as u64
+            TextAction::Number => {
+                let (number, good) = match from.room.wide {
+                    false => read(from.bytes(arena), word),
+                    true => {
+                        let narrow = |character| u8::try_from(character).unwrap_or(b'?');
+                        let characters: Vec<u8> = from.characters(arena).map(narrow).take(CHARACTERS_MAX).collect();
+                        read(&characters, word)
+                    }
+                };
+                arena[to.start..to.start + NUMBER_BYTES].copy_from_slice(&number.to_be_bytes());
+                good.into()
+            }
+            _ => {
+                let characters = Characters::of(action, word);
+                to.write(arena, characters.as_bytes());
+                characters.as_bytes().len() as u64
             }
         }
     }
@@ -274,51 +291,6 @@ impl Piece {
         let first = usize::try_from(self.first).unwrap_or(0).min(length);
         let count = usize::try_from(self.count).unwrap_or(0).min(length - first);
         first..first + count
-    }
-}
-
-/// A number as text: at most a sign and 20 digits, at the end of its bytes.
-struct Decimal {
-    bytes: [u8; Self::BYTES],
-    first: usize,
-}
-
-impl Decimal {
-    /// A sign and the digits of 2^64 - 1.
-    const BYTES: usize = 21;
-
-    /// As an instruction writes it.
-    fn of(action: TextAction, number: u64) -> Self {
-        let negative = action != TextAction::Unsigned && (number as i64) < 0;
-        let mut rest = if negative { (number as i64).unsigned_abs() } else { number };
-        let mut it = Self { bytes: [0; Self::BYTES], first: Self::BYTES };
-        // Two digits at a time: the divisions, each of which waits for the one before, are what takes time.
-        while rest >= 100 {
-            let two = (rest % 100) as u8;
-            rest /= 100;
-            it.push(b'0' + two % 10);
-            it.push(b'0' + two / 10);
-        }
-        let two = rest as u8;
-        it.push(b'0' + two % 10);
-        if two >= 10 {
-            it.push(b'0' + two / 10);
-        }
-        match action {
-            _ if negative => it.push(b'-'),
-            TextAction::SignedAlways => it.push(b'+'),
-            _ => {}
-        }
-        it
-    }
-
-    fn push(&mut self, character: u8) {
-        self.first -= 1;
-        self.bytes[self.first] = character;
-    }
-
-    fn characters(&self) -> &[u8] {
-        &self.bytes[self.first..]
     }
 }
 

@@ -8,7 +8,7 @@ use dice::Dice;
 use noting::{layout, program, run};
 use sieben_engine::fault::NOTED;
 use sieben_engine::intrinsics::Intrinsic;
-use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, TextAction, TextRoom, Var};
 use sieben_engine::machine::Register;
 use sieben_engine::{Engine, Entry, Exit, FaultPlace, Interpreter, Machine, Reaction, StopReason};
 use sieben_jit::{Jit, StatusBits};
@@ -96,6 +96,28 @@ fn assignment(b: &mut Builder, dice: &mut Dice, own: bool) {
     b.store(to, width, value);
 }
 
+/// A statement with two texts, of which most lie in the instance.
+fn text(b: &mut Builder, dice: &mut Dice) {
+    b.begin_statement();
+    let action = dice.of(&TextAction::ALL);
+    let any = |dice: &mut Dice| match dice.roll(4) {
+        0 => (Place::Fixed { area: Area::Local, position: 8 * dice.roll(8) as u32 }, dice.of(&[1, 3, 6])),
+        1 => (Place::Fixed { area: Area::BitMemory, position: 8 * dice.roll(BYTES) as u32 }, dice.of(&[0, 1, 4])),
+        _ => {
+            let offset = 8 * dice.roll(8) as u32;
+            (Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset }, dice.of(&[1, 4, 6, 16, 21]))
+        }
+    };
+    let ((to, to_most), (from, from_most)) = (any(dice), any(dice));
+    let room = |most: u8| TextRoom::narrow(most);
+    let to_room = if action == TextAction::Number { TextRoom::NUMBER } else { room(to_most) };
+    let first = b.constant(dice.of(&[0, 1, 2, 0x0D00, 0x3F80_0000, 0xFFFF_FFFF]));
+    let count = b.constant(dice.of(&[0, 1, 2, 20]));
+    let dst = b.temporary();
+    b.push(Inst::Text { action, dst, to, to_room, from, from_room: room(from_most), piece: [first, count] });
+    b.store(Place::Fixed { area: Area::BitMemory, position: 0 }, Width::Word, dst);
+}
+
 /// A jump over some assignments; how many statements that are.
 fn jump(b: &mut Builder, dice: &mut Dice, own: bool, statement: u32) -> u32 {
     b.begin_statement();
@@ -165,6 +187,10 @@ fn block(b: &mut Builder, dice: &mut Dice, number: u16) {
         match dice.roll(7) {
             0 | 1 => statements += jump(b, dice, true, statements),
             3 => statements += own_loop(b, dice, statements),
+            4 => {
+                text(b, dice);
+                statements += 1;
+            }
             2 if number < BLOCKS => {
                 b.begin_statement();
                 b.store(SAVED, Width::DoubleWord, Register::Ar2);

@@ -173,6 +173,7 @@ fn text(b: &mut Builder, dice: &mut Dice, from: Array, index: Variable, sum: Var
     let (action, maxima) = (dice.of(&TextAction::ALL), [0, 1, 4, 6, 12]);
     let mut room = || TextRoom { characters_max: dice.of(&maxima), wide: dice.roll(3) == 0 };
     let (to_room, from_room) = (room(), room());
+    let to_room = if action == TextAction::Number { TextRoom::NUMBER } else { to_room };
     b.push(Inst::Text { action, dst, to, to_room, from, from_room, piece: [first, count] });
     b.store(sum.place, sum.width, dst);
 }

@@ -108,6 +108,9 @@ pub struct TextRoom {
 }
 
 impl TextRoom {
+    /// The eight bytes of a number that was read from a text.
+    pub const NUMBER: Self = Self::narrow(6);
+
     /// A STRING.
     #[must_use]
     pub const fn narrow(characters_max: u8) -> Self {
@@ -175,11 +178,20 @@ pub enum TextAction {
     Signed,
     /// The same, with a sign in front of every number.
     SignedAlways,
+    /// The same for a REAL: as few digits as bring it back, always with a point.
+    Real,
+    /// The same for an LREAL.
+    LongReal,
+    /// The same for a REAL as the S7 library writes it, always fourteen characters; none if it is no number.
+    RealS7,
+    /// Writes the number that the characters of `from` spell to the eight bytes at `to`, which are no text: in the width of its type, and
+    /// 0 behind it. The first of `piece` is a [`NumberForm`](crate::numbers_in_texts::NumberForm). The result is 1 if they spell one of that type.
+    Number,
 }
 
 impl TextAction {
     /// All of them, in their order.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 13] = [
         Self::Assign,
         Self::Compare,
         Self::Length,
@@ -189,19 +201,23 @@ impl TextAction {
         Self::Unsigned,
         Self::Signed,
         Self::SignedAlways,
+        Self::Real,
+        Self::LongReal,
+        Self::RealS7,
+        Self::Number,
     ];
 
     /// Whether it writes to `to`.
     pub fn writes(self) -> bool {
-        matches!(self, Self::Assign | Self::Piece | Self::Append) || self.takes_number()
+        matches!(self, Self::Assign | Self::Piece | Self::Append | Self::Number) || self.takes_number()
     }
     /// Whether it takes a piece, or a number in its place.
     pub fn takes_piece(self) -> bool {
-        matches!(self, Self::Piece | Self::Append) || self.takes_number()
+        matches!(self, Self::Piece | Self::Append | Self::Number) || self.takes_number()
     }
     /// Whether it takes a number.
     pub fn takes_number(self) -> bool {
-        matches!(self, Self::Unsigned | Self::Signed | Self::SignedAlways)
+        matches!(self, Self::Unsigned | Self::Signed | Self::SignedAlways | Self::Real | Self::LongReal | Self::RealS7)
     }
     /// What it takes, in one word: a number, or the first character of a piece in the low half and how many in the high half.
     pub fn word(self, piece: [u64; 2]) -> u64 {

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::code::{Code, Inst, OnFault, Place, Target, Var};
+use super::code::{Code, Inst, OnFault, Place, Target, TextAction, TextRoom, Var};
 use crate::fault::NOTED;
 use crate::machine::Register;
 
@@ -23,6 +23,7 @@ pub struct Violation {
 /// * a temporary is written before it is read, in the same statement, and not across a call;
 /// * behind a load that delivers 0 only its result is still readable;
 /// * no register is changed before an instruction that may make the statement count as NOP;
+/// * a number that is read from a text goes to eight bytes;
 /// * the block ends with a return.
 ///
 /// # Errors
@@ -44,6 +45,9 @@ pub fn verify(code: &Code) -> Result<(), Violation> {
             }
             if reads(inst).any(|var| var.register().is_none() && !written.contains(&var)) {
                 return broken("a temporary is written before it is read");
+            }
+            if matches!(inst, Inst::Text { action: TextAction::Number, to_room, .. } if *to_room != TextRoom::NUMBER) {
+                return broken("a number that is read from a text has eight bytes");
             }
             // The parameter code of a CALL changes registers between its parts, as on the real CPU.
             let skips = match inst {

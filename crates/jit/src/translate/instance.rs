@@ -184,15 +184,21 @@ impl Translator<'_> {
 
     /// The address of a variable of the instance, without its bit, if the variable is known to be there.
     pub(super) fn instance_address(&self, place: Place, width: Width, writes: bool) -> Option<(Base, i32)> {
+        let Place::Indirect { offset, .. } = place else { return None };
+        let fits = width == Width::Bit || offset % 8 == 0;
+        fits.then(|| self.instance_bytes(place, width.bytes(), writes)).flatten()
+    }
+
+    /// The address of so many bytes of the instance, if they are known to be there.
+    pub(super) fn instance_bytes(&self, place: Place, bytes: u32, writes: bool) -> Option<(Base, i32)> {
         let Place::Indirect { area: Area::InstanceData, pointer, offset } = place else { return None };
         let instance = self.in_range?;
-        let (byte, bit) = (u64::from(offset / 8), offset % 8);
+        let byte = u64::from(offset / 8);
         let there = pointer.register() == Some(Register::Ar2)
             && self.current[Register::Ar2 as usize] == Some(instance.pointer)
             && self.instance_block() == Some(instance.block)
             && (instance.written || !writes)
-            && (width == Width::Bit || bit == 0)
-            && byte + u64::from(width.bytes()) <= instance.bytes;
+            && byte + u64::from(bytes) <= instance.bytes;
         let computed = *self.computed.get(&instance.address)?;
         there.then_some((Base::Computed(computed), i32::try_from(byte).ok()?))
     }

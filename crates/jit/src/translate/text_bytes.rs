@@ -4,7 +4,7 @@
 //! them a text keeps what it has. Longer ones are left to Rust code, which takes little time for each byte.
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::{I8X16, I16, I32, I64};
+use cranelift_codegen::ir::types::{I8, I8X16, I16, I32, I64};
 use cranelift_codegen::ir::{Block, BlockArg, InstBuilder, Type, Value};
 use sieben_engine::ir::verify::{reads, writes};
 use sieben_engine::ir::{Inst, Op, TextAction, Var};
@@ -62,6 +62,7 @@ impl Translator<'_> {
         }
         match action {
             TextAction::Assign | TextAction::Piece | TextAction::Append => Some(self.put(action, to, from, piece)),
+            TextAction::Find if to.room.characters_max >= I8X16.bytes() as u16 => Some(self.find_one(to, from)),
             TextAction::Compare if self.only_equality_counts(index, dst) => Some(self.differ(to, from)),
             _ => None,
         }
@@ -172,6 +173,50 @@ impl Translator<'_> {
         self.b.ins().istore8(data(), byte, to.base, to.offset);
         self.b.ins().jump(done, &[]);
         self.go_on_in(done);
+    }
+
+    /// Where one character stands in a text; several are looked for by Rust code.
+    fn find_one(&mut self, to: &Whole, from: &Whole) -> Value {
+        let [length, count] = [to, from].map(|text| self.text_length(text));
+        let [several, one, look, found, next, done] = [(); 6].map(|()| self.b.create_block());
+        let at = self.b.append_block_param(look, I32);
+        let result = self.b.append_block_param(done, I32);
+        let is_one = self.b.ins().icmp_imm_u(IntCC::Equal, count, 1);
+        self.b.ins().brif(is_one, one, &[], several, &[]);
+        self.go_on_in(several);
+        let nothing = self.b.ins().iconst(I64, 0);
+        let place = self.call_for_texts(TextAction::Find, to, from, nothing);
+        self.b.ins().jump(done, &[BlockArg::Value(place)]);
+        self.go_on_in(one);
+        let [all, wanted] = [to, from].map(|text| Address { offset: text.address.offset + text.room.head() as i32, ..text.address });
+        let wanted = self.b.ins().load(I8, data(), wanted.base, wanted.offset);
+        let wanted = self.b.ins().splat(I8X16, wanted);
+        let zero = self.constant(0);
+        self.b.ins().jump(look, &[BlockArg::Value(zero)]);
+        self.b.switch_to_block(look);
+        // The last ones that there is room for: those before are looked at twice, and the character is not among them.
+        let last = self.constant(u32::from(to.room.characters_max) - I8X16.bytes());
+        let first = self.fewer(at, last);
+        let skipped = self.b.ins().uextend(I64, first);
+        let base = self.b.ins().iadd(all.base, skipped);
+        let characters = self.b.ins().load(I8X16, data(), base, all.offset);
+        let same = self.b.ins().icmp(IntCC::Equal, characters, wanted);
+        let bits = self.b.ins().vhigh_bits(I32, same);
+        self.b.ins().brif(bits, found, &[], next, &[]);
+        self.go_on_in(found);
+        let place = self.b.ins().ctz(bits);
+        let place = self.b.ins().iadd(place, first);
+        let counts = self.b.ins().icmp(IntCC::UnsignedLessThan, place, length);
+        let place = self.b.ins().iadd_imm_u(place, 1);
+        let place = self.b.ins().select(counts, place, zero);
+        self.b.ins().jump(done, &[BlockArg::Value(place)]);
+        self.go_on_in(next);
+        let at = self.b.ins().iadd_imm_u(at, i64::from(I8X16.bytes()));
+        let more = self.b.ins().icmp(IntCC::UnsignedLessThan, at, length);
+        self.b.ins().brif(more, look, &[BlockArg::Value(at)], done, &[BlockArg::Value(zero)]);
+        self.b.seal_block(look);
+        self.go_on_in(done);
+        result
     }
 
     /// 0 if two texts have the same characters, else another number.

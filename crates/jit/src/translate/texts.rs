@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use cranelift_codegen::ir::InstBuilder;
 use cranelift_codegen::ir::types::{I32, I64};
+use cranelift_codegen::ir::{InstBuilder, Value};
 use sieben_engine::ir::{Inst, Place, TextAction, TextRoom, Var};
 use sieben_model::address::Area;
 
@@ -62,12 +62,8 @@ impl Translator<'_> {
         let result = match self.text_written_out((action, &target, &source, piece), (index, dst)) {
             Some(result) => result,
             None => {
-                let kind = self.b.ins().iconst(I64, text_kind(action, target.room, source.room) as i64);
-                let [from, to] = [source.address, target.address].map(|address| self.arena_byte(address));
                 let piece = self.piece(action, piece);
-                let function = self.functions.get(self.module, Outside::Question(Question::Text));
-                let result = self.call(function, &[self.run, kind, from, to, piece]);
-                self.b.ins().ireduce(I32, result)
+                self.call_for_texts(action, &target, &source, piece)
             }
         };
         if action.writes() {
@@ -75,6 +71,15 @@ impl Translator<'_> {
             self.forget_words_in(&target.touched);
         }
         Some(Val::Int(result))
+    }
+
+    /// The result of a call of Rust code.
+    pub(super) fn call_for_texts(&mut self, action: TextAction, to: &Whole, from: &Whole, piece: Value) -> Value {
+        let kind = self.b.ins().iconst(I64, text_kind(action, to.room, from.room) as i64);
+        let [from, to] = [from.address, to.address].map(|address| self.arena_byte(address));
+        let function = self.functions.get(self.module, Outside::Question(Question::Text));
+        let result = self.call(function, &[self.run, kind, from, to, piece]);
+        self.b.ins().ireduce(I32, result)
     }
 
     /// A text that is known to lie inside its area.
@@ -88,7 +93,7 @@ impl Translator<'_> {
     }
 
     /// The piece in one word.
-    fn piece(&mut self, action: TextAction, piece: [Var; 2]) -> cranelift_codegen::ir::Value {
+    fn piece(&mut self, action: TextAction, piece: [Var; 2]) -> Value {
         if !action.takes_piece() {
             return self.b.ins().iconst(I64, 0);
         }
@@ -109,7 +114,7 @@ impl Translator<'_> {
     }
 
     /// The arena byte of an address.
-    pub(super) fn arena_byte(&mut self, Address { base, offset, .. }: Address) -> cranelift_codegen::ir::Value {
+    pub(super) fn arena_byte(&mut self, Address { base, offset, .. }: Address) -> Value {
         if base == self.arena {
             return self.b.ins().iconst(I64, i64::from(offset));
         }
@@ -125,6 +130,11 @@ impl Translator<'_> {
         let (area, position) = match place {
             Place::Fixed { area, position } => (area, position),
             Place::Indirect { area, pointer, offset } => {
+                if offset % 8 == 0
+                    && let Some((base, offset)) = self.instance_bytes(place, room.bytes(), write)
+                {
+                    return Some((base, Address { base: self.address_of_base(base), offset, bit: Bit::Number(0) }));
+                }
                 let pointer = self.get(pointer);
                 (area, moved(self.force(pointer).constant()?, offset))
             }

@@ -247,7 +247,7 @@ impl Checker<'_> {
                     return self.not_built(span, "this function");
                 };
                 let Some(interface) = self.interface(block, call.callee.span) else { return Typed::Poison };
-                let written_out = TextFunction::of(&provided, name).filter(|_| self.names.is_of_library(block));
+                let written_out = TextFunction::of(&provided, name, self.dialect).filter(|_| self.names.is_of_library(block));
                 let order = order_of(&resolved.parameters, call);
                 let mut arguments: Vec<Option<(Typed, Span)>> = arguments.into_iter().map(Some).collect();
                 let mut texts = order.into_iter().filter_map(|index| arguments.get_mut(index).and_then(Option::take));
@@ -276,7 +276,7 @@ impl Checker<'_> {
                     return self.not_built(span, "this function");
                 };
                 let Some(interface) = self.interface(block, call.callee.span) else { return Typed::Poison };
-                let written_out = TextFunction::of(&provided, name).filter(|_| self.names.is_of_library(block));
+                let written_out = TextFunction::of(&provided, name, self.dialect).filter(|_| self.names.is_of_library(block));
                 self.block_function((block, written_out), &interface, call, arguments, span)
             }
         }

@@ -287,7 +287,7 @@ impl Checker<'_> {
             return Some(Typed::Scalar { value, data_type: DataType::Int });
         }
         let provided = standard::library::function(base, self.dialect)?;
-        let function = TextFunction { wide: true, ..TextFunction::of(&provided, base)? };
+        let function = TextFunction { wide: true, ..TextFunction::of(&provided, base, self.dialect)? };
         let block = self.names.provided(&provided)?;
         let interface = self.interface(block, call.callee.span)?;
         let formals: Vec<Variable> = interface.parameters().filter(|formal| formal.section == Section::Input).cloned().collect();

@@ -2,6 +2,7 @@
 
 use sieben_engine::ir::{Inst, Op, TextAction as Action, Var};
 use sieben_engine::machine::Register;
+use sieben_engine::numbers_in_texts::{NumberForm, NumberKind, Spelling};
 use sieben_model::address::{Area, Width};
 use sieben_model::types::{DataType, STRING_LENGTH_MAX};
 
@@ -64,6 +65,11 @@ impl Lowering<'_> {
             self.set_br(None);
             return Some(false);
         }
+        if function.action == TextAction::Number {
+            let good = self.number(function, number_kind(&call.result)?, &texts[0]);
+            self.set_br(good);
+            return Some(false);
+        }
         let begins = target.and_then(|target| begins_in(function, target, &texts));
         let (to, room) = match (target, begins) {
             (Some((place, room)), Some(_)) => (self.freeze(place), room),
@@ -73,7 +79,8 @@ impl Lowering<'_> {
             }
         };
         if function.arity().0 == 0 {
-            self.digits(function, &numbers, (&to, room));
+            let good = self.digits(function, &numbers, (&to, room));
+            self.set_br(good);
             self.result = begins.is_none().then_some(to.offset);
             return Some(begins.is_some());
         }
@@ -258,10 +265,34 @@ impl Lowering<'_> {
         self.compute(Op::AddU32, &[first, second])
     }
 
-    /// Writes the digits of a number.
-    fn digits(&mut self, function: TextFunction, numbers: &[Value], (to, room): (&Place, TextRoom)) {
+    /// Reads a number from a text to hidden local data; whether it is one, if anybody asks.
+    fn number(&mut self, function: TextFunction, kind: NumberKind, (text, room): &Ready) -> Option<Var> {
+        let spelling = match function.manner {
+            Manner::S7 => Spelling::S7,
+            Manner::Codesys => Spelling::Beginning,
+            Manner::Iec | Manner::Tia => Spelling::Literal,
+        };
+        let form = self.constant(NumberForm { spelling, kind }.word());
+        let zero = self.constant(0);
+        let to = self.hidden_bytes(TextRoom::NUMBER.bytes());
+        let good = self.text_instruction(Action::Number, (&to, TextRoom::NUMBER), (text, *room), Some([form, zero]));
+        self.release(form);
+        self.release(zero);
+        self.result = Some(to.offset);
+        if spelling == Spelling::Beginning {
+            self.release(good);
+            return None;
+        }
+        Some(good)
+    }
+
+    /// Writes the characters of a number; whether it has some, if that is not sure.
+    fn digits(&mut self, function: TextFunction, numbers: &[Value], (to, room): (&Place, TextRoom)) -> Option<Var> {
         let action = match (function.action, function.manner) {
             (TextAction::Unsigned, _) => Action::Unsigned,
+            (TextAction::Real, Manner::S7) => Action::RealS7,
+            (TextAction::Real, _) => Action::Real,
+            (TextAction::LongReal, _) => Action::LongReal,
             (_, Manner::S7) => Action::SignedAlways,
             _ => Action::Signed,
         };
@@ -272,9 +303,13 @@ impl Lowering<'_> {
             _ => number,
         };
         let length = self.text_instruction(action, (to, room), (to, room), Some([number, number]));
-        self.release(length);
         self.release(number);
-        self.set_br(None);
+        if action == Action::RealS7 {
+            let least = self.constant(1);
+            return Some(self.compute(Op::GeI32, &[length, least]));
+        }
+        self.release(length);
+        None
     }
 
     /// BR is what the block would leave there; `None` = 1.
@@ -407,8 +442,8 @@ impl Lowering<'_> {
                 ];
                 (parts, reports.then_some(good))
             }
-            TextAction::Find => unreachable!("it makes no text"),
-            TextAction::Unsigned | TextAction::Signed => unreachable!("it has no text"),
+            TextAction::Find | TextAction::Number => unreachable!("it makes no text"),
+            TextAction::Unsigned | TextAction::Signed | TextAction::Real | TextAction::LongReal => unreachable!("it has no text"),
         }
     }
 }
@@ -486,12 +521,34 @@ fn extent(place: &Place, room: TextRoom) -> Option<(u64, u64)> {
 fn is_usual(function: TextFunction, call: &Call) -> bool {
     let texts = call.arguments.iter().filter(|argument| matches!(argument, Argument::Text { .. })).count();
     let numbers = call.arguments.iter().filter(|argument| matches!(argument, Argument::Value { .. })).count();
-    let result = match function.action {
-        TextAction::Find => DataType::Int,
-        _ if function.wide => DataType::WideString(STRING_LENGTH_MAX.into()),
-        _ => DataType::String(STRING_LENGTH_MAX),
+    let is_result = match function.action {
+        TextAction::Find => call.result == DataType::Int,
+        TextAction::Number => number_kind(&call.result).is_some(),
+        _ if function.wide => call.result == DataType::WideString(STRING_LENGTH_MAX.into()),
+        _ => call.result == DataType::String(STRING_LENGTH_MAX),
     };
-    (texts, numbers) == function.arity() && call.arguments.len() == texts + numbers && call.result == result
+    (texts, numbers) == function.arity() && call.arguments.len() == texts + numbers && is_result
+}
+
+/// What a text becomes.
+fn number_kind(data_type: &DataType) -> Option<NumberKind> {
+    Some(match data_type {
+        DataType::SmallInt => NumberKind::I8,
+        DataType::Int => NumberKind::I16,
+        DataType::DoubleInt => NumberKind::I32,
+        DataType::LongInt => NumberKind::I64,
+        DataType::UnsignedSmallInt => NumberKind::U8,
+        DataType::UnsignedInt => NumberKind::U16,
+        DataType::UnsignedDoubleInt => NumberKind::U32,
+        DataType::UnsignedLongInt => NumberKind::U64,
+        DataType::Byte => NumberKind::Bits8,
+        DataType::Word => NumberKind::Bits16,
+        DataType::DoubleWord => NumberKind::Bits32,
+        DataType::LongWord => NumberKind::Bits64,
+        DataType::Real => NumberKind::F32,
+        DataType::LongReal => NumberKind::F64,
+        _ => return None,
+    })
 }
 
 /// Whether a target is known to share no byte with a text, wherever the program runs.

@@ -5,6 +5,7 @@
 use sieben_model::types::STRING_LENGTH_MAX;
 
 use super::Provided;
+use crate::st::dialect::Dialect;
 use crate::st::tree::TextRoom;
 
 /// A function of texts.
@@ -34,6 +35,12 @@ pub enum TextAction {
     Unsigned,
     /// The digits of a number with its sign: `-` in front of a negative one; of the S7 library `+` in front of the others.
     Signed,
+    /// The characters of a REAL; of the S7 library with an exponent.
+    Real,
+    /// The characters of an LREAL.
+    LongReal,
+    /// The number that a text spells.
+    Number,
 }
 
 /// Whose function it is.
@@ -74,11 +81,32 @@ const BLOCKS: &[(&str, TextAction, Manner)] = &[
     ("DI_STRNG", TextAction::Signed, Manner::S7),
     ("LINT_TO_STRING", TextAction::Signed, Manner::Iec),
     ("ULINT_TO_STRING", TextAction::Unsigned, Manner::Iec),
+    ("TIA_LINT_TO_STRING", TextAction::Signed, Manner::S7),
+    ("R_STRNG", TextAction::Real, Manner::S7),
+    ("REAL_TO_STRING", TextAction::Real, Manner::Iec),
+    ("LREAL_TO_STRING", TextAction::LongReal, Manner::Iec),
+    ("STRNG_I", TextAction::Number, Manner::S7),
+    ("STRNG_DI", TextAction::Number, Manner::S7),
+    ("STRNG_R", TextAction::Number, Manner::S7),
+    ("STRING_TO_SINT", TextAction::Number, Manner::Iec),
+    ("STRING_TO_INT", TextAction::Number, Manner::Iec),
+    ("STRING_TO_DINT", TextAction::Number, Manner::Iec),
+    ("STRING_TO_USINT", TextAction::Number, Manner::Iec),
+    ("STRING_TO_UINT", TextAction::Number, Manner::Iec),
+    ("STRING_TO_UDINT", TextAction::Number, Manner::Iec),
+    ("STRING_TO_ULINT", TextAction::Number, Manner::Iec),
+    ("STRING_TO_LINT", TextAction::Number, Manner::Iec),
+    ("STRING_TO_BYTE", TextAction::Number, Manner::Iec),
+    ("STRING_TO_WORD", TextAction::Number, Manner::Iec),
+    ("STRING_TO_DWORD", TextAction::Number, Manner::Iec),
+    ("STRING_TO_LWORD", TextAction::Number, Manner::Iec),
+    ("STRING_TO_REAL", TextAction::Number, Manner::Iec),
+    ("STRING_TO_LREAL", TextAction::Number, Manner::Iec),
 ];
 
 impl TextFunction {
     /// What a block of the library does, if callers write it out. Who names a block that has another name than its function calls it.
-    pub fn of(provided: &Provided, called: &str) -> Option<Self> {
+    pub fn of(provided: &Provided, called: &str, dialect: Dialect) -> Option<Self> {
         let name = match provided {
             Provided::Library(block) => block.name,
             Provided::Source { name, .. } => name,
@@ -87,7 +115,12 @@ impl TextFunction {
         // The blocks of conversions have the names of functions.
         let function = Self::of_block(name)?;
         let by_its_name = matches!(provided, Provided::Source { .. }) && name.eq_ignore_ascii_case(called);
-        (!by_its_name || function.arity().0 == 0).then_some(function)
+        let manner = match function.action {
+            // Blocks with the same name read texts in both manners.
+            TextAction::Number if dialect.base() == Dialect::Codesys => Manner::Codesys,
+            _ => function.manner,
+        };
+        (!by_its_name || function.converts()).then_some(Self { manner, ..function })
     }
 
     /// What the block with this name does, if callers write it out.
@@ -109,12 +142,18 @@ impl TextFunction {
             TextAction::Concat | TextAction::Find => (2, 0),
             TextAction::Insert => (2, 1),
             TextAction::Replace => (2, 2),
-            TextAction::Unsigned | TextAction::Signed => (0, 1),
+            TextAction::Unsigned | TextAction::Signed | TextAction::Real | TextAction::LongReal => (0, 1),
+            TextAction::Number => (1, 0),
         }
+    }
+
+    /// Whether it makes a text of a number, or a number of a text.
+    pub fn converts(self) -> bool {
+        self.arity().0 == 0 || self.action == TextAction::Number
     }
 
     /// Whether it makes one piece of its text, or of a number: everything is read before anything is written.
     pub fn makes_one_piece(self) -> bool {
-        matches!(self.action, TextAction::Left | TextAction::Right | TextAction::Mid | TextAction::Unsigned | TextAction::Signed)
+        matches!(self.action, TextAction::Left | TextAction::Right | TextAction::Mid) || self.arity().0 == 0
     }
 }
