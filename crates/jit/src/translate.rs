@@ -48,6 +48,7 @@ mod open;
 mod outside;
 mod program;
 mod promote;
+mod quotients;
 mod ranges;
 mod shifts;
 mod sized;

@@ -320,24 +320,37 @@ impl Translator<'_> {
         if let (Size::Unsigned(64), true) = (size, self.is_32_bits(a) && self.is_32_bits(b)) {
             return self.quotient(Size::Unsigned(32), a, b);
         }
+        if let (Size::Signed(16 | 32), Some(divisor)) = (size, b.constant()) {
+            let (a, range) = self.in_range(bits, a);
+            if let Some(quotient) = self.quotient_by(a, divisor_of(divisor, bits), range) {
+                return self.cut(bits, quotient);
+            }
+        }
         if let (Size::Signed(32), Some(divisor @ 4..=0x7FFF_FFFF)) = (size, b.constant())
             && divisor.is_power_of_two()
         {
             return Val::Int(self.shifted_quotient(a, divisor));
         }
+        if let Size::Signed(32 | 64) = size {
+            return self.quotient_of_any(bits, a, b);
+        }
         let (a, b, zero) = self.division(size, a, b);
         let result = match size {
             Size::Unsigned(_) => self.b.ins().udiv(a, b),
-            Size::Signed(8 | 16) => self.b.ins().sdiv(a, b),
-            // The least number by −1 has no quotient for the machine.
-            Size::Signed(_) => {
-                let negated = self.b.ins().ineg(a);
-                let (minus, divisor) = self.unless_minus_one(b);
-                let quotient = self.b.ins().sdiv(a, divisor);
-                self.b.ins().select(minus, negated, quotient)
-            }
+            Size::Signed(_) => self.b.ins().sdiv(a, b),
         };
         self.zero_if(zero, bits, result)
+    }
+
+    /// A quotient by a number that may be 0 or −1. By 0 it is 0, and the least number by −1, which has none for the machine, is itself:
+    /// both are what multiplication gives.
+    fn quotient_of_any(&mut self, bits: u32, a: Val, b: Val) -> Val {
+        let (a, b) = (self.signed(bits, a), self.signed(bits, b));
+        let (special, divisor) = self.divides(b);
+        let quotient = self.b.ins().sdiv(a, divisor);
+        let product = self.b.ins().imul(a, b);
+        let result = self.b.ins().select(special, product, quotient);
+        self.cut(bits, result)
     }
 
     /// A DINT divided by a power of two, towards 0.
@@ -354,25 +367,34 @@ impl Translator<'_> {
         if let (Size::Unsigned(64), true) = (size, self.is_32_bits(a) && self.is_32_bits(b)) {
             return self.rest(Size::Unsigned(32), a, b);
         }
+        if let (Size::Signed(16 | 32), Some(divisor)) = (size, b.constant()) {
+            let (a, range) = self.in_range(bits, a);
+            if let Some(rest) = self.rest_by(a, divisor_of(divisor, bits), range) {
+                return self.cut(bits, rest);
+            }
+        }
+        if let Size::Signed(32 | 64) = size {
+            // By 0 nothing remains, as by 1 and by −1.
+            let (a, b) = (self.signed(bits, a), self.signed(bits, b));
+            let (_, divisor) = self.divides(b);
+            let rest = self.b.ins().srem(a, divisor);
+            return self.cut(bits, rest);
+        }
         let (a, b, zero) = self.division(size, a, b);
         let result = match size {
             Size::Unsigned(_) => self.b.ins().urem(a, b),
-            Size::Signed(8 | 16) => self.b.ins().srem(a, b),
-            // By 1 and by −1 nothing remains.
-            Size::Signed(_) => {
-                let (_, divisor) = self.unless_minus_one(b);
-                self.b.ins().srem(a, divisor)
-            }
+            Size::Signed(_) => self.b.ins().srem(a, b),
         };
         self.zero_if(zero, bits, result)
     }
 
-    /// Whether a divisor is −1, and a divisor that never is.
-    fn unless_minus_one(&mut self, divisor: Value) -> (Value, Value) {
-        let minus = self.b.ins().icmp_imm_s(IntCC::Equal, divisor, -1);
+    /// Whether a divisor is 0 or −1, and a divisor that never is.
+    fn divides(&mut self, divisor: Value) -> (Value, Value) {
+        let above = self.b.ins().iadd_imm_s(divisor, 1);
+        let special = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, above, 1);
         let ty = self.b.func.dfg.value_type(divisor);
         let one = self.b.ins().iconst(ty, 1);
-        (minus, self.b.ins().select(minus, one, divisor))
+        (special, self.b.ins().select(special, one, divisor))
     }
 
     fn zero_if(&mut self, condition: Value, bits: u32, result: Value) -> Val {
@@ -491,4 +513,9 @@ impl Translator<'_> {
 /// Whether an LREAL is known to be a number.
 fn is_f64(value: Val) -> bool {
     value.constant().is_some_and(|bits| !f64::from_bits(bits).is_nan())
+}
+
+/// A constant divisor without sign: negative ones are greater than all that have one.
+fn divisor_of(divisor: u64, bits: u32) -> u32 {
+    if bits == 16 { i32::from(divisor as u16 as i16) as u32 } else { divisor as u32 }
 }

@@ -22,6 +22,7 @@ mod left;
 mod line;
 mod quads;
 mod reader;
+mod signs;
 mod vector;
 mod ways;
 mod write;
@@ -82,8 +83,14 @@ impl Translator<'_> {
         if let Some(sums) = bit_sums::read(&plan) {
             self.bit_sums_at_once(&plan, &sums, it);
         }
-        for lanes in plan.lanes() {
+        let lanes = plan.lanes();
+        for &lanes in &lanes {
             Writing::write(self, &plan, it, lanes);
+        }
+        if lanes.is_empty()
+            && let Some(kernel) = plan.kernel.without_signs()
+        {
+            Writing::write(self, &Plan { kernel, count: plan.count, inner_turns: plan.inner_turns }, it, 1);
         }
         Writing::write(self, &plan, it, 1);
     }

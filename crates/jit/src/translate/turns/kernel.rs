@@ -141,7 +141,7 @@ pub(super) struct Turn {
 }
 
 /// What is known of a loop.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Kernel {
     pub(super) nodes: Vec<What>,
     pub(super) cells: Vec<Kept>,
@@ -152,6 +152,8 @@ pub(super) struct Kernel {
     pub(super) inner: Option<Turn>,
     /// Numbers on lines that have to be below limits in all turns.
     pub(super) required: Vec<(Node, u32)>,
+    /// Least and greatest value of numbers that are divided by constants and never negative.
+    pub(super) bounds: BTreeMap<Node, (u32, u32)>,
     /// Data blocks that turns open, which are taken to be as they were loaded.
     pub(super) opened: BTreeSet<u16>,
     /// Registers that somebody needs behind the loop.
@@ -176,6 +178,7 @@ impl Kernel {
             outer,
             inner: None,
             required: Vec::new(),
+            bounds: BTreeMap::new(),
             opened: BTreeSet::new(),
             live: !0,
             lines: RefCell::default(),

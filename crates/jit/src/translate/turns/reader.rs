@@ -1034,8 +1034,13 @@ impl Reader<'_, '_> {
             }
             // What is never negative is divided by a power of two as if it had no sign.
             Op::DivI32 | Op::RemI32 => {
-                let divisor = self.kernel.constant(b).filter(|&divisor| divisor.is_power_of_two() && divisor < 1 << 31)?;
-                if self.range(a, DEPTH_MAX).signed(32).0 < 0 || !self.kernel.is_32_bits(a) {
+                let divisor = self.kernel.constant(b).filter(|&divisor| divisor < 1 << 31)?;
+                let (least, most) = self.range(a, DEPTH_MAX).signed(32);
+                if least < 0 || !self.kernel.is_32_bits(a) {
+                    return None;
+                }
+                if !divisor.is_power_of_two() {
+                    self.kernel.bounds.insert(a, (least as u32, most as u32));
                     return None;
                 }
                 let (op, by) = if op == Op::DivI32 { (Op::Shr32, divisor.trailing_zeros().into()) } else { (Op::AndU32, divisor - 1) };

@@ -783,6 +783,12 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             .collect();
         if let Some(firsts) = firsts {
             if args.iter().all(|arg| matches!(arg, Lanes::One(_))) {
+                if let What::Compute(_, [number, ..]) = self.kernel.what(node)
+                    && let Some(&bounds) = self.kernel.bounds.get(&number)
+                    && let Val::Int(value) = firsts[0]
+                {
+                    self.t.bounds.insert(value, bounds);
+                }
                 return Lanes::One(self.t.compute_now(op, &firsts));
             }
             if let Some(line) = self.kernel.line(node, Level::Outer) {

@@ -1,0 +1,111 @@
+//! Division of whole numbers by constants, as a multiplication and a shift: the quotient is the upper part of a product with a number a
+//! little greater than the reciprocal. How much greater it may be depends on the numbers that are divided, so that those of which a small
+//! range is known take a short factor.
+
+use cranelift_codegen::ir::types::{I32, I64};
+use cranelift_codegen::ir::{InstBuilder, Value};
+
+use super::Translator;
+use super::value::Val;
+
+/// The upper part of a product.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Product {
+    factor: i64,
+    shift: u32,
+    /// Whether the product has more than 32 bits.
+    wide: bool,
+}
+
+impl Product {
+    /// What gives the quotients of all numbers in a range by a divisor of two or more, where those of negative numbers come out one too
+    /// small; `None` if the products have more than 64 bits.
+    fn of(divisor: u32, (least, most): (i64, i64)) -> Option<Self> {
+        let divisor = i128::from(divisor);
+        let reach = i128::from(most.max(least.wrapping_neg()).max(1));
+        // With a factor that is e / divisor greater than the exact one, a number n comes out n * e / divisor / 2^shift too great, which
+        // must be less than one divisor-th.
+        let exact_enough = |shift: &u32| ((1_i128 << shift) / divisor + 1) * divisor - (1 << shift);
+        let shift = (0..63).find(|shift| exact_enough(shift) * reach < 1 << shift)?;
+        let factor = (1_i128 << shift) / divisor + 1;
+        let product = factor * reach;
+        (product <= i128::from(i64::MAX)).then_some(Self {
+            factor: factor as i64,
+            shift,
+            wide: shift > 31 || product > i128::from(i32::MAX),
+        })
+    }
+}
+
+impl Translator<'_> {
+    /// The quotient of a number in 32 bits and a constant, cut towards 0, if it is known how to compute it without a division.
+    pub(super) fn quotient_by(&mut self, a: Value, divisor: u32, range: (i64, i64)) -> Option<Value> {
+        let never_negative = range.0 >= 0;
+        if !self.options.optimize || divisor < 2 || divisor > i32::MAX as u32 {
+            return None;
+        }
+        if divisor.is_power_of_two() {
+            return never_negative.then(|| self.b.ins().ushr_imm_u(a, i64::from(divisor.trailing_zeros())));
+        }
+        let Product { factor, shift, wide } = Product::of(divisor, range)?;
+        let quotient = if wide {
+            let a = if never_negative { self.b.ins().uextend(I64, a) } else { self.b.ins().sextend(I64, a) };
+            let product = self.b.ins().imul_imm_s(a, factor);
+            let quotient = self.b.ins().sshr_imm_u(product, i64::from(shift));
+            self.b.ins().ireduce(I32, quotient)
+        } else {
+            let product = self.b.ins().imul_imm_s(a, factor);
+            self.b.ins().sshr_imm_u(product, i64::from(shift))
+        };
+        if never_negative {
+            return Some(quotient);
+        }
+        let negative = self.b.ins().ushr_imm_u(a, 31);
+        Some(self.b.ins().iadd(quotient, negative))
+    }
+
+    /// What remains of a number in 32 bits, on the same terms.
+    pub(super) fn rest_by(&mut self, a: Value, divisor: u32, range: (i64, i64)) -> Option<Value> {
+        if self.options.optimize && divisor.is_power_of_two() && range.0 >= 0 {
+            return Some(self.b.ins().band_imm_u(a, i64::from(divisor) - 1));
+        }
+        let quotient = self.quotient_by(a, divisor, range)?;
+        let whole = self.b.ins().imul_imm_u(quotient, i64::from(divisor));
+        Some(self.b.ins().isub(a, whole))
+    }
+
+    /// A number with sign in 32 bits, and the range in which it is known to be.
+    pub(super) fn in_range(&mut self, bits: u32, value: Val) -> (Value, (i64, i64)) {
+        let whole = self.int(value);
+        let greatest = (1_i64 << (bits - 1)) - 1;
+        match self.bounds.get(&whole) {
+            Some(&(least, most)) if i64::from(most) <= greatest => (whole, (i64::from(least), i64::from(most))),
+            _ => (self.signed(bits, value), (-greatest - 1, greatest)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of each range the numbers at its ends and around multiples of the divisor, where a quotient that is not exact shows.
+    #[test]
+    fn products_are_exact() {
+        let ranges = [(0, 1), (0, 199), (-200, 200), (-32768, 32767), (0, 32767), (0, i64::from(i32::MAX)), (i64::from(i32::MIN), i64::from(i32::MAX))];
+        let divisors = (3..2000).chain([9_999, 10_000, 32_767, 32_769, 65_535, 65_537, 1_000_000, 0x2AAA_AAAB, 0x4000_0001, 0x7FFF_FFFE, 0x7FFF_FFFF]);
+        for divisor in divisors.filter(|divisor: &u32| !divisor.is_power_of_two()) {
+            for (least, most) in ranges {
+                let product = Product::of(divisor, (least, most)).expect("numbers of 32 bits");
+                let d = i64::from(divisor);
+                let multiples = [least / d, least / d + 1, -1, 0, 1, most / d - 1, most / d, most / d / 2];
+                let around = multiples.into_iter().flat_map(|times| (-2..=2).map(move |more| times * d + more));
+                for number in around.chain([least, least + 1, most - 1, most]).filter(|number| (least..=most).contains(number)) {
+                    let whole = number.checked_mul(product.factor).expect("64 bits");
+                    assert!(product.wide || i32::try_from(whole).is_ok(), "{number} / {divisor}: {product:?}");
+                    assert_eq!((whole >> product.shift) + i64::from(number < 0), number / d, "{number} / {divisor}: {product:?}");
+                }
+            }
+        }
+    }
+}
