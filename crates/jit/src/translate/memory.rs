@@ -426,25 +426,7 @@ impl Translator<'_> {
         match width {
             Width::Bit => {
                 let old = self.b.ins().uload8(I32, data(), base, offset);
-                let value = self.force(value);
-                let new = match (value, bit) {
-                    (Val::Const(value), Bit::Number(bit)) if value & 1 != 0 => self.b.ins().bor_imm_u(old, 1 << bit),
-                    (Val::Const(_), Bit::Number(bit)) => self.b.ins().band_imm_u(old, i64::from(!(1u8 << bit))),
-                    (value, Bit::Number(bit)) => {
-                        let cleared = self.b.ins().band_imm_u(old, i64::from(!(1u8 << bit)));
-                        let flag = self.flag(value);
-                        let moved = if bit == 0 { flag } else { self.b.ins().ishl_imm_u(flag, i64::from(bit)) };
-                        self.b.ins().bor(cleared, moved)
-                    }
-                    (value, Bit::Computed(bit)) => {
-                        let one = self.b.ins().iconst(I32, 1);
-                        let mask = self.b.ins().ishl(one, bit);
-                        let cleared = self.b.ins().band_not(old, mask);
-                        let flag = self.flag(value);
-                        let moved = self.b.ins().ishl(flag, bit);
-                        self.b.ins().bor(cleared, moved)
-                    }
-                };
+                let new = self.with_bit(old, bit, value);
                 self.b.ins().istore8(data(), new, base, offset);
             }
             Width::Byte => {
@@ -478,6 +460,29 @@ impl Translator<'_> {
                 let value = self.word(value);
                 let quad = self.b.ins().bswap(value);
                 self.b.ins().store(data(), quad, base, offset);
+            }
+        }
+    }
+
+    /// A byte with one of its bits written anew.
+    pub(super) fn with_bit(&mut self, old: Value, bit: Bit, value: Val) -> Value {
+        let value = self.force(value);
+        match (value, bit) {
+            (Val::Const(value), Bit::Number(bit)) if value & 1 != 0 => self.b.ins().bor_imm_u(old, 1 << bit),
+            (Val::Const(_), Bit::Number(bit)) => self.b.ins().band_imm_u(old, i64::from(!(1u8 << bit))),
+            (value, Bit::Number(bit)) => {
+                let cleared = self.b.ins().band_imm_u(old, i64::from(!(1u8 << bit)));
+                let flag = self.flag(value);
+                let moved = if bit == 0 { flag } else { self.b.ins().ishl_imm_u(flag, i64::from(bit)) };
+                self.b.ins().bor(cleared, moved)
+            }
+            (value, Bit::Computed(bit)) => {
+                let one = self.b.ins().iconst(I32, 1);
+                let mask = self.b.ins().ishl(one, bit);
+                let cleared = self.b.ins().band_not(old, mask);
+                let flag = self.flag(value);
+                let moved = self.b.ins().ishl(flag, bit);
+                self.b.ins().bor(cleared, moved)
             }
         }
     }

@@ -9,7 +9,7 @@ use sieben_engine::ir::Op;
 use sieben_model::address::Width;
 
 use super::super::loops::Loop;
-use super::super::memory::{Address, Bit};
+use super::super::memory::{Address, Bit, data};
 use super::super::promote::Base;
 use super::super::value::Val;
 use super::super::{Translator, is_bit};
@@ -30,6 +30,8 @@ struct Scope {
     starts: HashMap<Cell, Lanes>,
     /// Addresses that are counted on, by their pointers and offsets.
     addresses: HashMap<(Base, Node, u32), Value>,
+    /// Bytes of which one bit was read or written, by their addresses and accesses to them.
+    bytes: Vec<(Value, i32, usize, Value)>,
 }
 
 /// What a loop hands from turn to turn, and how.
@@ -329,6 +331,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     let turns = self.t.turns_constant(self.plan.inner_turns);
                     self.inner = Scope::default();
                     self.turns(Level::Inner, turns);
+                    self.outer.bytes.clear();
                 }
             }
             self.leave(level, progress, false);
@@ -822,7 +825,13 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     Some(shape @ (Shape::Halves | Shape::Words | Shape::Quads)) if self.lanes > 1 => {
                         self.t.read_lanes(address.base, address.offset, shape, self.lanes)
                     }
-                    _ => Lanes::One(self.t.read(address, access.width)),
+                    _ => Lanes::One(match (access.width, address.bit) {
+                        (Width::Bit, Bit::Number(bit)) => {
+                            let byte = self.byte(number, address, level);
+                            Translator::bit_value(byte, bit, false)
+                        }
+                        _ => self.t.read(address, access.width),
+                    }),
                 };
                 let node = self.kernel.read_of(number);
                 self.scope(level).values.insert(node, value);
@@ -832,10 +841,46 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 if self.lanes > 1 {
                     self.t.write_lanes(address.base, address.offset, &value, access.width.bytes() as u8, self.lanes);
                 } else if let Lanes::One(value) = value {
-                    self.t.write(address, access.width, value);
+                    let new = (access.width == Width::Bit && matches!(address.bit, Bit::Number(_))).then(|| {
+                        let old = self.byte(number, address, level);
+                        self.t.with_bit(old, address.bit, value)
+                    });
+                    match new {
+                        Some(new) => drop(self.t.b.ins().istore8(data(), new, address.base, address.offset)),
+                        None => self.t.write(address, access.width, value),
+                    }
+                    self.forget_bytes(number, address, level);
+                    if let Some(new) = new {
+                        self.scope(level).bytes.push((address.base, address.offset, number, new));
+                    }
                 }
             }
         }
+    }
+
+    /// The byte with the bit to which an access goes.
+    fn byte(&mut self, number: usize, Address { base, offset, .. }: Address, level: Level) -> Value {
+        let bytes = &self.scope(level).bytes;
+        if let Some(&(.., byte)) = bytes.iter().find(|&&(known, at, ..)| (known, at) == (base, offset)) {
+            return byte;
+        }
+        let byte = self.t.b.ins().uload8(I32, data(), base, offset);
+        self.scope(level).bytes.push((base, offset, number, byte));
+        byte
+    }
+
+    /// Forgets the bytes that an access may have written.
+    fn forget_bytes(&mut self, number: usize, Address { base, offset, .. }: Address, level: Level) {
+        let accesses = &self.kernel.accesses;
+        let written = offset..offset + accesses[number].width.bytes() as i32;
+        let (area, touched) = accesses[number].bytes();
+        self.scope(level).bytes.retain(|&(other, at, access, _)| {
+            if other == base {
+                return !written.contains(&at);
+            }
+            let (other_area, others) = accesses[access].bytes();
+            !area.may_share(&touched, other_area, &others)
+        });
     }
 
     /// Writes what cells hold behind the turns.
