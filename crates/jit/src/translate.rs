@@ -202,6 +202,8 @@ struct Translator<'a> {
     ranges: Ranges,
     /// Ranges of values in the running statement.
     bounds: FxHashMap<Value, (u32, u32)>,
+    /// Quotients and rests that are sums in machine code: their ranges are known, those of what they are made of do not count.
+    divided: FxHashSet<Value>,
     /// Values in the running statement that the smallest loop around it does not change.
     fixed: FxHashSet<Value>,
     /// What loops write, by their block and first statement.
@@ -311,6 +313,7 @@ impl<'a> Translator<'a> {
             promoted: Vec::new(),
             ranges: Ranges::default(),
             bounds: FxHashMap::default(),
+            divided: FxHashSet::default(),
             fixed: FxHashSet::default(),
             writes: FxHashMap::default(),
             verifying: FxHashMap::default(),

@@ -196,6 +196,7 @@ impl Translator<'_> {
         let ValueDef::Result(inst, 0) = dfg.value_def(value) else { return self.term(value, times, sum) };
         if depth == DEPTH_MAX
             || sum.of_instance == Some(value)
+            || self.divided.contains(&value)
             || self.bounds.contains_key(&value)
                 && !matches!(dfg.insts[inst].opcode(), Opcode::Iadd | Opcode::Isub | Opcode::Ishl | Opcode::Imul | Opcode::Iconst)
         {

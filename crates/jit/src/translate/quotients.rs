@@ -40,6 +40,12 @@ impl Product {
 impl Translator<'_> {
     /// The quotient of a number in 32 bits and a constant, cut towards 0, if it is known how to compute it without a division.
     pub(super) fn quotient_by(&mut self, a: Value, divisor: u32, range: (i64, i64)) -> Option<Value> {
+        let quotient = self.multiplied(a, divisor, range)?;
+        self.divided.insert(quotient);
+        Some(quotient)
+    }
+
+    fn multiplied(&mut self, a: Value, divisor: u32, range: (i64, i64)) -> Option<Value> {
         let never_negative = range.0 >= 0;
         if !self.options.optimize || divisor < 2 || divisor > i32::MAX as u32 {
             return None;
@@ -71,7 +77,9 @@ impl Translator<'_> {
         }
         let quotient = self.quotient_by(a, divisor, range)?;
         let whole = self.b.ins().imul_imm_u(quotient, i64::from(divisor));
-        Some(self.b.ins().isub(a, whole))
+        let rest = self.b.ins().isub(a, whole);
+        self.divided.insert(rest);
+        Some(rest)
     }
 
     /// A number with sign in 32 bits, and the range in which it is known to be.
@@ -92,8 +100,17 @@ mod tests {
     /// Of each range the numbers at its ends and around multiples of the divisor, where a quotient that is not exact shows.
     #[test]
     fn products_are_exact() {
-        let ranges = [(0, 1), (0, 199), (-200, 200), (-32768, 32767), (0, 32767), (0, i64::from(i32::MAX)), (i64::from(i32::MIN), i64::from(i32::MAX))];
-        let divisors = (3..2000).chain([9_999, 10_000, 32_767, 32_769, 65_535, 65_537, 1_000_000, 0x2AAA_AAAB, 0x4000_0001, 0x7FFF_FFFE, 0x7FFF_FFFF]);
+        let ranges = [
+            (0, 1),
+            (0, 199),
+            (-200, 200),
+            (-32768, 32767),
+            (0, 32767),
+            (0, i64::from(i32::MAX)),
+            (i64::from(i32::MIN), i64::from(i32::MAX)),
+        ];
+        let divisors =
+            (3..2000).chain([9_999, 10_000, 32_767, 32_769, 65_535, 65_537, 1_000_000, 0x2AAA_AAAB, 0x4000_0001, 0x7FFF_FFFE, 0x7FFF_FFFF]);
         for divisor in divisors.filter(|divisor: &u32| !divisor.is_power_of_two()) {
             for (least, most) in ranges {
                 let product = Product::of(divisor, (least, most)).expect("numbers of 32 bits");

@@ -13,6 +13,7 @@ use sieben_model::address::Width;
 use super::Translator;
 use super::loops::Loop;
 
+mod bit_choices;
 mod bit_sums;
 mod bits;
 mod count;

@@ -15,7 +15,7 @@ use super::super::promote::Base;
 use super::line::{Line, Shape};
 
 /// A value, by its number in the kernel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Node(u32);
 
 impl Node {
@@ -124,7 +124,7 @@ pub(super) enum Step {
 }
 
 /// What a turn does.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Turn {
     pub(super) steps: Vec<Step>,
     /// Cells that it writes, and what they hold at its end.
@@ -168,14 +168,12 @@ const SIZE_MAX: u64 = 1_000;
 
 impl Kernel {
     pub(super) fn empty() -> Self {
-        let outer =
-            Turn { steps: Vec::new(), ends: BTreeMap::new(), entry: BTreeMap::new(), again: Node(0), weight: 0, blocks: 0, blocks_most: 0 };
         Self {
             nodes: Vec::new(),
             cells: Vec::new(),
             accesses: Vec::new(),
             reads: Vec::new(),
-            outer,
+            outer: Turn::default(),
             inner: None,
             required: Vec::new(),
             bounds: BTreeMap::new(),
@@ -251,7 +249,15 @@ impl Kernel {
     /// a loop such numbers are written as often as they occur.
     pub(super) fn repeats_itself(&self) -> bool {
         let mut sizes: Vec<Option<u64>> = Vec::with_capacity(self.nodes.len());
-        let size_of = |sizes: &[Option<u64>], Node(node): Node| sizes.get(node as usize).copied().flatten();
+        let known = |sizes: &[Option<u64>], Node(node): Node| sizes.get(node as usize).copied().flatten();
+        let size_of = |sizes: &[Option<u64>], node: Node| match self.what(node) {
+            // A condition that was made of two behind all others.
+            What::Compute(op, args) if node.0 as usize >= sizes.len() => {
+                let parts = args[..op.arity()].iter().map(|&arg| known(sizes, arg));
+                parts.sum::<Option<u64>>().map(|parts| parts + 1)
+            }
+            _ => known(sizes, node),
+        };
         for what in &self.nodes {
             let size = match *what {
                 What::Constant(_) | What::Start(Level::Outer, _) => Some(1),

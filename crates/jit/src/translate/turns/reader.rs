@@ -78,6 +78,7 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
     reader.kernel.outer = outer?;
     reader.choose_pointers()?;
     let mut kernel = reader.kernel;
+    kernel.shorten_choices();
     kernel.forget_unread();
     kernel.live = !(translator.dead_at(it.first) & translator.dead_at(it.last + 1));
     let live_inside = inside.map_or(!0, |(first, last)| !(translator.dead_at(first) & translator.dead_at(last + 1)));

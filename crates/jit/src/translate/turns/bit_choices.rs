@@ -1,0 +1,154 @@
+//! Choices between bits as operations on bits, and choices in one another that end with the same value as one: jumps that turns do without
+//! leave a choice for each variable behind each of them, and most of what a timer writes is 0 or 1 on one side.
+
+use std::collections::BTreeMap;
+
+use sieben_engine::ir::Op;
+
+use super::kernel::{Kernel, Node, What};
+
+/// Values of a loop of which choices are looked at.
+const NODES_MAX: usize = 2_000;
+
+impl Kernel {
+    /// Writes choices in their shortest form. Values rest on those in front of them, so that one pass finds all.
+    pub(super) fn shorten_choices(&mut self) {
+        let count = self.nodes.len();
+        if count > NODES_MAX {
+            return;
+        }
+        for number in 0..count {
+            let node = Node::numbered(number as u32);
+            let What::Compute(op, mut args) = self.what(node) else { continue };
+            args[..op.arity()].iter_mut().for_each(|arg| *arg = self.without_copies(*arg));
+            self.nodes[number] = What::Compute(op, args);
+            let shorter = match op {
+                Op::Select if args[..3].iter().all(|&arg| self.is_bit(arg)) => Some(self.choice_of_bits(args)),
+                // What counts bits adds 1 or 0.
+                Op::Gate if self.constant(args[0]).is_none() && args[..2].iter().all(|&arg| self.is_bit(arg)) => {
+                    Some(self.both(args[0], args[1]))
+                }
+                Op::And if args[..2].iter().all(|&arg| self.is_bit(arg)) => Some(self.both(args[0], args[1])),
+                Op::Or if args[..2].iter().all(|&arg| self.is_bit(arg)) => Some(self.either(args[0], args[1])),
+                Op::AndNot if args[..2].iter().all(|&arg| self.is_bit(arg)) => Some(self.first_alone(args[0], args[1])),
+                _ => None,
+            };
+            if let Some(shorter) = shorter {
+                self.nodes[number] = shorter;
+            }
+        }
+        self.join_choices();
+        let mut all = std::mem::take(&mut self.outer);
+        let mut inner = self.inner.take();
+        for turn in [Some(&mut all), inner.as_mut()].into_iter().flatten() {
+            let values = turn.ends.values_mut().chain(turn.entry.values_mut()).chain([&mut turn.again]);
+            values.for_each(|value| *value = self.without_copies(*value));
+        }
+        (self.outer, self.inner) = (all, inner);
+        for at in 0..self.accesses.len() {
+            self.accesses[at].pointer = self.without_copies(self.accesses[at].pointer);
+            self.accesses[at].value = self.accesses[at].value.map(|value| self.without_copies(value));
+        }
+    }
+
+    fn without_copies(&self, node: Node) -> Node {
+        match self.what(node) {
+            What::Compute(Op::Copy, [of, ..]) => of,
+            _ => node,
+        }
+    }
+
+    /// A choice between bits; its parts are bits, too.
+    fn choice_of_bits(&self, args: [Node; 4]) -> What {
+        let [condition, a, b, _] = args;
+        let (first, second) = (self.constant(a), self.constant(b));
+        match self.constant(condition) {
+            Some(condition) => copy(if condition != 0 { a } else { b }),
+            None if a == b => copy(a),
+            None if a == condition || first == Some(1) => self.either(condition, b),
+            None if b == condition || second == Some(0) => self.both(condition, a),
+            None if first == Some(0) => self.first_alone(b, condition),
+            None => What::Compute(Op::Select, args),
+        }
+    }
+
+    fn both(&self, a: Node, b: Node) -> What {
+        match (self.constant(a), self.constant(b)) {
+            (Some(0), _) | (_, Some(0)) => What::Constant(0),
+            (Some(_), _) => copy(b),
+            (_, Some(_)) => copy(a),
+            _ if a == b => copy(a),
+            _ => What::Compute(Op::And, [a, b, a, a]),
+        }
+    }
+
+    fn either(&self, a: Node, b: Node) -> What {
+        match (self.constant(a), self.constant(b)) {
+            (Some(1), _) | (_, Some(1)) => What::Constant(1),
+            (Some(_), _) => copy(b),
+            (_, Some(_)) => copy(a),
+            _ if a == b => copy(a),
+            _ => What::Compute(Op::Or, [a, b, a, a]),
+        }
+    }
+
+    /// One bit without another one.
+    fn first_alone(&self, a: Node, b: Node) -> What {
+        match (self.constant(a), self.constant(b)) {
+            (Some(0), _) | (_, Some(1)) => What::Constant(0),
+            (_, Some(_)) => copy(a),
+            (Some(_), _) => What::Compute(Op::Not, [b; 4]),
+            _ if a == b => What::Constant(0),
+            _ => What::Compute(Op::AndNot, [a, b, a, a]),
+        }
+    }
+
+    /// Makes one choice of a choice between another one and a value that this one has, too, where several variables share the condition
+    /// that is made of both.
+    fn join_choices(&mut self) {
+        let count = self.nodes.len();
+        let mut conditions: BTreeMap<(bool, Node, Node), usize> = BTreeMap::new();
+        let choices = (0..count).filter_map(|number| self.two_choices(Node::numbered(number as u32)));
+        choices.for_each(|(condition, ..)| *conditions.entry(condition).or_default() += 1);
+        for number in 0..count {
+            if let Some((condition, chosen, other)) = self.two_choices(Node::numbered(number as u32))
+                && conditions.get(&condition).is_some_and(|&count| count > 1)
+            {
+                let (holds, outer, inner) = condition;
+                let both = self.conjunction(if holds { Op::And } else { Op::AndNot }, outer, inner);
+                self.nodes[number] = What::Compute(Op::Select, [both, chosen, other, both]);
+            }
+        }
+    }
+
+    /// Such a choice: whether the inner condition holds, with the outer one, where the first value is chosen, and both values. What a
+    /// cell held stays the last choice, by which turns are known that write it.
+    fn two_choices(&self, node: Node) -> Option<((bool, Node, Node), Node, Node)> {
+        let What::Compute(Op::Select, [condition, a, b, _]) = self.what(node) else { return None };
+        let What::Compute(Op::Select, [inner, x, y, _]) = self.what(a) else { return None };
+        let bits = self.is_bit(condition) && self.is_bit(inner) && !self.is_bit(node);
+        if !bits || matches!(self.what(b), What::Start(..)) {
+            return None;
+        }
+        match () {
+            () if y == b => Some(((true, condition, inner), x, b)),
+            () if x == b => Some(((false, condition, inner), y, b)),
+            () => None,
+        }
+    }
+
+    /// A condition made of two, the same value wherever it is needed.
+    fn conjunction(&mut self, op: Op, a: Node, b: Node) -> Node {
+        let what = What::Compute(op, [a, b, a, a]);
+        let known = self.nodes.iter().position(|&other| other == what);
+        let number = known.unwrap_or_else(|| {
+            self.nodes.push(what);
+            self.nodes.len() - 1
+        });
+        Node::numbered(number as u32)
+    }
+}
+
+fn copy(node: Node) -> What {
+    What::Compute(Op::Copy, [node; 4])
+}
