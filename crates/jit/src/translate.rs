@@ -819,13 +819,18 @@ impl<'a> Translator<'a> {
         let waits = used.iter().all(|arg| arg.constant().is_none())
             || compares(op) && used.iter().any(|arg| arg.constant().is_none())
             || used.iter().any(is_lazy);
-        if spared && self.options.inline && waits {
+        // What a bracket leaves in OR and BR is mostly known and costs nothing.
+        let of_bracket = matches!(op, Op::NestingOr | Op::NestingBr);
+        if spared && self.options.inline && waits && !of_bracket {
             return self.later(op, args);
         }
         if self.options.inline
             && let Some(value) = self.nesting(op, used)
         {
             return value;
+        }
+        if spared && self.options.inline && waits {
+            return self.later(op, args);
         }
         // Whether a REAL overflowed is a question for Rust code, and nearly always nobody wants to know.
         if self.options.inline && matches!(op, Op::RealOverflow | Op::RealProductOverflow | Op::RealExpOverflow) {

@@ -53,7 +53,9 @@ impl Translator<'_> {
             }
             Op::NestingOr => {
                 let Top { or, fc, function, .. } = self.top(stack)?;
-                Some(if function >> 1 == 0 { self.and(or, fc) } else { Val::Const(0) })
+                let never = function >> 1 != 0 || [or, fc].iter().any(|it| it.constant().is_some_and(|bit| bit & 1 == 0));
+                let both = [or, fc, Val::Const(0), Val::Const(0)];
+                Some(if never { Val::Const(0) } else { self.later(Op::And, both) })
             }
             Op::NestingBr => Some(self.top(stack)?.br),
             _ => None,

@@ -87,9 +87,11 @@ impl Translator<'_> {
     }
 
     fn depth(&self, value: Val) -> u8 {
-        match value {
-            Val::Lazy(number) if self.lazies[number as usize].written.is_none() => self.lazies[number as usize].depth,
-            _ => 0,
+        let Val::Lazy(number) = value else { return 0 };
+        match self.lazies[number as usize] {
+            Lazy { written: Some((None, _)), .. } => 0,
+            // What one cold block has written all others write again.
+            Lazy { depth, .. } => depth,
         }
     }
 
