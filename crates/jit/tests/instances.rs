@@ -641,3 +641,65 @@ fn an_element_that_is_the_index_of_others_is_written_on_all_engines() {
         }
     }
 }
+
+#[test]
+fn a_block_that_changes_a_pointer_in_its_instance_writes_where_that_goes_now() {
+    let own = |offset: u32| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset };
+    let index = own(8 * COUNTERS[0]);
+    let element = |b: &mut Builder| {
+        let (number, step) = (b.load(index, Width::Word, OnFault::SkipStatement), b.constant(8 * 18));
+        let by = b.compute(Op::MulU32, &[number, step]);
+        b.compute(Op::AddU32, &[Register::Ar2.into(), by])
+    };
+    let main = |b: &mut Builder| {
+        b.begin_statement();
+        let first = b.constant(0);
+        b.store(index, Width::Word, first);
+        b.begin_statement();
+        b.set(Register::Ar2, 0x8400_0000);
+        let to = element(b);
+        let (number, pointer) = (b.constant(1), b.constant(0x8400_0000));
+        b.store(Place::Indirect { area: Area::InstanceData, pointer: to, offset: NUMBER }, Width::Word, number);
+        b.store(Place::Indirect { area: Area::InstanceData, pointer: to, offset: POINTER }, Width::DoubleWord, pointer);
+        let of = element(b);
+        b.copy(Register::Ar2, of);
+        b.push(Inst::Call { callee: Callee::Block(BlockId::fb(1)), parameters: 0 });
+        b.begin_statement();
+        b.set(Register::Ar2, 0x8400_0000);
+        let to = element(b);
+        let value = b.load(index, Width::Byte, OnFault::SkipStatement);
+        b.store(Place::Indirect { area: Area::InstanceData, pointer: to, offset: 16 }, Width::Byte, value);
+        b.begin_statement();
+        b.set(Register::Ar2, 0x8400_0000);
+        let (value, one) = (b.load(index, Width::Word, OnFault::SkipStatement), b.constant(1));
+        let next = b.compute(Op::AddU16, &[value, one]);
+        b.store(index, Width::Word, next);
+        let limit = b.constant(2);
+        let goes_on = b.compute(Op::LeI16, &[next, limit]);
+        b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+    };
+    // The lower half of the pointer, and then 16#7F where it goes: the upper half of the index.
+    let changes = |b: &mut Builder| {
+        b.begin_statement();
+        let position = b.constant(8 * u64::from(COUNTERS[0]));
+        b.store(own(POINTER + 16), Width::Word, position);
+        b.begin_statement();
+        let number = b.load(own(NUMBER), Width::Word, OnFault::SkipStatement);
+        let pointer = b.load(own(POINTER), Width::DoubleWord, OnFault::SkipStatement);
+        b.push(Inst::Open { register: DataRegister::Shared, number });
+        let value = b.constant(0x7F);
+        b.store(Place::Crossing { pointer, offset: 0 }, Width::Byte, value);
+    };
+    let program =
+        program(&[(BlockId::ob(1), LOCAL_BYTES, &begin), (BlockId::fb(LOOPS), LOCAL_BYTES, &main), (BlockId::fb(1), 0, &changes)]);
+    let mut layout = layout(&program);
+    layout.data_blocks.insert(1, layout.size - 64..layout.size - 64 + DATA_BYTES as usize);
+    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+    let outcome =
+        |engine: Arc<dyn Engine>| run(engine.as_ref(), &layout, &entry, &|machine| machine.budget = 100, &|_, _, _| Reaction::Continue);
+    let expected = outcome(Interpreter::load(&program, &layout));
+    for status in [StatusBits::All, StatusBits::Needed] {
+        let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
+        got.assert_ends_as(&expected, &|| format!("{status:?}"));
+    }
+}
