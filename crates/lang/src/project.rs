@@ -413,7 +413,9 @@ fn attempt(
     compiled.program.names = environment.program_names(&mut diagnostics);
     let has_main = blocks.contains_key(&BlockId::ob(1)) || compiled.program.code.contains_key(&BlockId::ob(1)) || bodies.failed;
     let nothing = files.is_empty() && st.is_empty();
-    if !nothing && !has_main {
+    // Tasks of a CONFIGURATION may all have intervals.
+    let configured = items.configurations.iter().any(|(configuration, _)| !configuration.resources.is_empty());
+    if !nothing && !has_main && !configured {
         let stl = found.first().map(|found| found.block.name.span());
         let place = stl.or_else(|| items.code.values().next().map(|code| code.block.name.span)).unwrap_or_default();
         diagnostics.push(Diagnostic::new(Problem::P3013, place, "there is no OB 1, so nothing runs in the cycle"));

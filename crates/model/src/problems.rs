@@ -216,7 +216,6 @@ problems! {
     P6127 Error "an address or a view that a variable cannot have" "Use an address of the width of the type, or a view that is not longer than its variable.";
     P6130 Error "a task that the CPU cannot run" "Write an interval of 1 ms to 60 s, or none for the cycle.";
     P6132 Error "an instance where nothing is kept" "Declare it under VAR of a FUNCTION_BLOCK or PROGRAM, or under VAR_GLOBAL.";
-    P6199 Error "a declaration that cannot be compiled yet" "Write it another way; the message says what is missing.";
 
     // 62xx statements of ST
     P6200 Error "a value of another type" "Convert it with a function such as `INT_TO_REAL`, or declare the variable with the type of the value.";
@@ -288,6 +287,10 @@ problems! {
     P6321 Error "a timer or a counter of which no call says what it is" "Write the instruction behind it: `t.TON(IN := …, PT := …)`.";
     P6322 Error "a conversion that does not exist" "Convert to a type that the message or `sieben explain T_CONV` names, or in two steps.";
     P6323 Error "a function of the system that does not exist here" "Do without it, as the message shows.";
+    P6324 Error "a VARIANT whose type is not known" "Declare the parameter as VARIANT, or use a variable of the type that is meant.";
+    P6325 Error "a type that is used like a value" "Compare it with another type: `TypeOf(v) = INT`.";
+    P6326 Warning "a STRING that is longer than those of the S7" "Mind that characters beyond the 254th are cut off, or declare STRING(254).";
+    P6327 Error "arguments of an instance that its FB_Init does not take" "Give what FB_Init declares, as constants or variables.";
 
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";

@@ -150,6 +150,11 @@ impl<'a> Types<'a> {
         structure
     }
 
+    /// Whether the interface of a block is being laid out.
+    pub(crate) fn is_begun(&self, block: BlockId) -> bool {
+        matches!(self.interfaces.get(&block), Some(State::InProgress))
+    }
+
     /// The interface of a code block or system block; `None` if it does not exist (nothing is reported) or cannot be laid out.
     pub(crate) fn interface(&mut self, id: BlockId, span: Span) -> Option<BlockInterface> {
         match self.interfaces.get(&id) {

@@ -233,7 +233,8 @@ constructs! {
     PeekPoke "PEEK and POKE"                                       Reject Reject Reject Accept "use an address";
     CaseOfBits "CASE of a bit string"                              Accept Accept Reject Accept "convert it with a function such as `WORD_TO_INT`";
     Recursion "a function that calls itself"                       Reject Note   Note   Note   "write a loop";
-    ForeignInternal "an internal variable of another instance"     Reject Reject Note   Note   "make it an output";
+    ForeignInternal "an internal variable of another instance"     Reject Accept Note   Note   "make it an output";
+    WrittenInternal "a write to an internal variable of another instance" Reject Reject Accept Accept "make it an input";
     WrittenInput "a write to an own input"                         Reject Note   Note   Note   "copy it to a variable first";
     WrittenControl "a write to the control variable of a FOR"      Note   Accept Note   Accept "write a WHILE loop";
     BareList "the values of an array without `[ ]`"                Reject Accept Accept Accept "write `[ … ]` around them";

@@ -16,6 +16,7 @@ pub mod parser;
 pub mod standard;
 pub mod syntax;
 pub mod tree;
+mod variants;
 
 pub use dialect::Dialect;
 pub use format::format;

@@ -17,6 +17,7 @@ use super::{Checker, literals};
 use crate::library;
 use crate::scope::nearest;
 use crate::st::ast::{self, Direction, Expression, ExpressionKind, MemberKind, Name, Quoting};
+use crate::st::declare::{initial, starting};
 use crate::st::dialect::Construct;
 use crate::st::dtl;
 use crate::st::open_arrays::{is_bound, is_open};
@@ -25,9 +26,13 @@ use crate::st::standard::operators::{Beyond, Rounding, convert as steps};
 use crate::st::tree::{
     Argument, Base, Call, Callee, Dispatch, Place, Scalar, Statement, StatementKind, Text, TextFunction, Value, ValueKind, room_of,
 };
+use crate::st::variants::is_told;
 
 /// The output of system functions that is their result.
 const RET_VAL: &str = "RET_VAL";
+
+/// What the name of a parameter of the library ends with whose place belongs to another instruction with the same memory.
+const OF_ANOTHER: &str = "_FREE";
 
 /// What an expression in front of brackets calls.
 pub(super) enum Called {
@@ -108,6 +113,15 @@ impl Checker<'_> {
                 Called::Standard(name.clone())
             }
             Some(Entity::Block(block)) => self.called_block(block, name.span),
+            // A variable may be called like a standard function; brackets behind it mean that one.
+            Some(Entity::Variable(variable))
+                if name.quoting == Quoting::Bare
+                    && (Kind::of(&variable.data_type).is_some_and(|kind| kind.class != Class::Reference)
+                        || room_of(&variable.data_type).is_some())
+                    && standard::catalogue::page(&name.text).is_some() =>
+            {
+                Called::Standard(name.clone())
+            }
             Some(Entity::Variable(variable)) => {
                 let target = Target {
                     place: Place { base: variable.base, offset: variable.offset, indexes: Vec::new(), span: name.span },
@@ -259,7 +273,8 @@ impl Checker<'_> {
                     return Called::Nothing;
                 }
                 let message = format!("`{}` has neither an instance nor an instruction `{}` to call", target.name, name.text);
-                self.report(Problem::P6217, name.span, message).help = Some("Actions of other blocks cannot be called yet.".to_owned());
+                self.report(Problem::P6217, name.span, message).help =
+                    Some("Correct the name; an action of a block with VAR_TEMP is called inside that block only.".to_owned());
                 Called::Nothing
             }
             Reached::Other(Typed::Poison) => Called::Nothing,
@@ -540,6 +555,9 @@ impl Checker<'_> {
     ) -> Option<(Call, Vec<Statement>)> {
         let function = callee.is_function();
         let mut all = Arguments::new(interface);
+        if self.names.is_of_library(callee.block()) {
+            all.formals.retain(|formal| !formal.name.ends_with(OF_ANOTHER));
+        }
         let mut sound = true;
         let by_position = call.arguments.iter().filter(|argument| argument.name.is_none()).count();
         if by_position > 0 {
@@ -689,7 +707,12 @@ impl Checker<'_> {
         // A pointer goes in, whatever the block does with what it points to.
         let pointer = matches!(formal.data_type, DataType::Pointer | DataType::Any);
         match formal.section {
-            Section::Output if !pointer => self.output(formal, value, all),
+            _ if pointer => {
+                let typed = self.expression_for(value, &formal.data_type);
+                let sound = self.input(formal, typed, value.span, &mut all.arguments, &mut all.before);
+                sound && self.tell(all.interface, formal, value, &mut all.arguments)
+            }
+            Section::Output => self.output(formal, value, all),
             Section::InOut => self.in_out(formal, value, all),
             _ => {
                 let typed = self.expression_for(value, &formal.data_type);
@@ -899,6 +922,38 @@ impl Checker<'_> {
         true
     }
 
+    /// A text, an array or a structure that a call of a function leaves out: what its declaration says.
+    fn initial_argument(&mut self, formal: &Variable, all: &mut Arguments<'_>, span: Span) {
+        let parameter = formal.offset;
+        let text = match &formal.data_type {
+            DataType::String(_) => {
+                let image = initial::bytes(&formal.data_type, &formal.initial);
+                Text::Constant(image[2..].iter().copied().take(usize::from(image[1])).collect())
+            }
+            DataType::WideString(_) => {
+                let image = initial::bytes(&formal.data_type, &formal.initial);
+                let units: Vec<u16> = image.chunks_exact(2).map(|unit| u16::from_be_bytes([unit[0], unit[1]])).collect();
+                Text::WideConstant(units[2..].iter().copied().take(usize::from(units[1])).collect())
+            }
+            DataType::Struct(_) | DataType::Array { .. } | DataType::DateAndTime => {
+                let image = initial::bytes(&formal.data_type, &formal.initial);
+                if image.iter().all(|&byte| byte == 0) {
+                    return;
+                }
+                let place = self.temporary_place(u32::try_from(image.len()).unwrap_or(u32::MAX), span);
+                let (name, role, data_type) = (formal.name.clone(), Role::Temp, formal.data_type.clone());
+                let variable =
+                    names::Variable { name, role, data_type: data_type.clone(), base: place.base.clone(), offset: place.offset, span };
+                all.before.extend(starting(&variable, &formal.initial, span));
+                return all.arguments.push(Argument::Aggregate { parameter, source: place, data_type });
+            }
+            _ => return,
+        };
+        if let Some(room) = room_of(&formal.data_type).filter(|_| text.room().characters_max > 0) {
+            all.arguments.push(Argument::Text { parameter, text, room });
+        }
+    }
+
     /// What a call leaves out: an initial value, nothing, or an error.
     fn omitted(&mut self, callee: &Callee, call: &ast::Call, all: &mut Arguments<'_>, span: Span) -> bool {
         let function = callee.is_function();
@@ -910,7 +965,7 @@ impl Checker<'_> {
         let by_position = function && call.arguments.iter().any(|argument| argument.name.is_none() && !is_flow(argument));
         let mut missing = Vec::new();
         let mut inputs = true;
-        for formal in &all.formals {
+        for formal in all.formals.clone() {
             let given = all.given.iter().any(|(name, _)| name.eq_ignore_ascii_case(&formal.name));
             if given || formal.section == Section::Output && formal.name.eq_ignore_ascii_case(RET_VAL) {
                 continue;
@@ -926,6 +981,8 @@ impl Checker<'_> {
                     {
                         let value = Value { kind: ValueKind::Constant(bits), scalar: kind.scalar(self.dialect), span };
                         all.arguments.push(Argument::Value { parameter: formal.offset, value });
+                    } else if Kind::of(&formal.data_type).is_none() {
+                        self.initial_argument(formal, all, span);
                     }
                     if needs_inputs || by_position && !self.names.has_initial(callee.block(), &formal.name) {
                         missing.push(format!("`{}`", formal.name));
@@ -965,7 +1022,8 @@ pub(super) struct Arguments<'a> {
 
 impl<'a> Arguments<'a> {
     fn new(interface: &'a Interface) -> Self {
-        let is_formal = |variable: &&Variable| variable.section != Section::Return && !is_bound(interface, variable);
+        let is_formal =
+            |variable: &&Variable| variable.section != Section::Return && !is_bound(interface, variable) && !is_told(interface, variable);
         let mut formals: Vec<&Variable> = interface.parameters().filter(is_formal).collect();
         // The interface has its sections in order; arguments by position follow the source. Blocks without one keep their order.
         formals.sort_by_key(|variable| variable.span.start);

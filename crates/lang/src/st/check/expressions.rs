@@ -7,6 +7,7 @@ use sieben_model::types::DataType;
 
 use super::literals::{self, Misfit};
 use super::places::Reached;
+use super::pointers::{is_address, is_pointer};
 use super::typed::Typed;
 use super::types::{Class, Implicit, Kind, common, implicit};
 use super::{Checker, operators};
@@ -233,6 +234,7 @@ impl Checker<'_> {
         };
         let literal = match typed {
             Typed::Poison => return None,
+            Typed::Integer { value: 0, .. } if kind.class == Class::Reference && self.counts_with_pointers() => LiteralKind::Null,
             Typed::Integer { value, radix } => LiteralKind::Integer { value, radix },
             Typed::Real { value, single } => LiteralKind::Real { value, single },
             Typed::Text(Text::Constant(text)) if kind.class == Class::Character => LiteralKind::Characters(text),
@@ -245,7 +247,9 @@ impl Checker<'_> {
                 return None;
             }
         };
-        if let DataType::Enumeration(_) = wanted {
+        if let DataType::Enumeration(_) = wanted
+            && !(self.counts_with_pointers() && matches!(literal, LiteralKind::Integer { .. }))
+        {
             let message = format!("a value of {} is wanted here, and a number is none", self.words(wanted));
             self.report(Problem::P6200, span, message);
             return None;
@@ -302,9 +306,12 @@ impl Checker<'_> {
         }
         let allowed = match (from, wanted) {
             (DataType::Enumeration(_), DataType::Enumeration(_)) => Implicit::No,
+            (_, DataType::Enumeration(_)) if self.counts_with_pointers() && source.is_integer() => Implicit::Yes,
             (DataType::Enumeration(_), _) if self.dialect.switches().integer_bits_min > 8 => implicit(source, target, self.dialect),
             (DataType::Enumeration(_), _) | (_, DataType::Enumeration(_)) => Implicit::No,
             (DataType::Reference(a), DataType::Reference(b)) if same_type(&a.target, &b.target) => Implicit::Yes,
+            // An address is one of whatever the pointer wants to see there.
+            (a, b) if is_pointer(a) && (is_pointer(b) || is_address(b)) || is_address(a) && is_pointer(b) => Implicit::Yes,
             (DataType::Reference(_), _) | (_, DataType::Reference(_)) => Implicit::No,
             _ => implicit(source, target, self.dialect),
         };
@@ -352,7 +359,10 @@ impl Checker<'_> {
         };
         let meant = part_of_time(from).zip(part_of_time(wanted)).is_none_or(|(a, b)| a == b);
         let function = function.filter(|_| meant);
-        let help = function.filter(exists).map(|function| format!("Convert it with `{function}`."));
+        let mut help = function.filter(exists).map(|function| format!("Convert it with `{function}`."));
+        if is_pointer(from) && help.is_none() {
+            help = Some("An address has 64 bits here: keep it in a POINTER TO, or in a variable of type LWORD or __XWORD.".to_owned());
+        }
         let diagnostic = self.report(Problem::P6200, span, message);
         if help.is_some() {
             diagnostic.help = help;
@@ -441,6 +451,9 @@ impl Checker<'_> {
 
     fn binary(&mut self, operator: BinaryOperator, sign: Span, left: &Expression, right: &Expression) -> Typed {
         let span = left.span.to(right.span);
+        if self.asks_for_type(left).or_else(|| self.asks_for_type(right)).is_some() {
+            return self.compared_types(operator, left, right).unwrap_or(Typed::Poison);
+        }
         let (a, b) = self.both(left, right);
         if a == Typed::Poison || b == Typed::Poison {
             return Typed::Poison;
@@ -621,6 +634,11 @@ impl Checker<'_> {
                 return of_bool(super::texts::compared(op, a, b, left.to(right)));
             }
         }
+        let (a, b) = (self.zero_as_null(a, &b), b);
+        let (a, b) = (a.clone(), self.zero_as_null(b, &a));
+        if let Some(value) = self.pointers_compared(operator, &a, &b, left.to(right)) {
+            return of_bool(value);
+        }
         if a == Typed::Null || b == Typed::Null {
             let (value, data_type) = match if a == Typed::Null { self.scalar(b, right) } else { self.scalar(a, left) } {
                 Some(found) => found,
@@ -710,6 +728,9 @@ impl Checker<'_> {
     ) -> Typed {
         if let Some(folded) = self.fold(operator, sign, &a, &b) {
             return folded;
+        }
+        if let Some(pointer) = self.pointer_sum(operator, (&a, left), (&b, right)) {
+            return pointer;
         }
         let kind_of = |typed: &Typed| match typed {
             Typed::Scalar { data_type, .. } => Kind::of(data_type),

@@ -42,10 +42,20 @@ impl Checker<'_> {
             "T_ADD" | "T_SUB" | "T_DIFF" => self.sum(&upper, call, false, span),
             "COUNTOFELEMENTS" => self.count_of_elements(call, span),
             "MAX_LEN" => self.max_len(call, span),
+            "RUNTIME" => self.runtime(call, span),
+            "ATH" | "HTA" => self.hexadecimal(&upper, call, span).map(|(before, call)| self.result_of(call, before, span)),
+            "IS_ARRAY" | "IS_NULL" | "NOT_NULL" => self.variant_question(&upper, call, span),
+            "TYPEOF" | "TYPEOFELEMENTS" => {
+                self.look_at(&call.arguments);
+                self.report(Problem::P6325, span, "a type is no value: it is compared with another type").help =
+                    Some(format!("Write `IF {}(v) = INT THEN` or `CASE {}(v) OF`.", name.text, name.text));
+                None
+            }
             "MOVE_BLK_VARIANT" => self.move_variant(call, span).map(|(statements, place)| delivered(statements, place, span)),
             "SERIALIZE" => self.serialize(call, span).map(|(statements, place)| delivered(statements, place, span)),
             "DESERIALIZE" => self.deserialize(call, span).map(|(statements, place)| delivered(statements, place, span)),
-            "DEMUX" | "S_MOVE" | "STRG_VAL" | "VAL_STRG" | "SCATTER" | "GATHER" | "RESET_TIMER" | "PRESET_TIMER" => {
+            "DEMUX" | "S_MOVE" | "STRG_VAL" | "VAL_STRG" | "SCATTER" | "GATHER" | "SCATTER_BLK" | "GATHER_BLK" | "VARIANTGET"
+            | "VARIANTPUT" | "RESET_TIMER" | "PRESET_TIMER" => {
                 self.look_at(&call.arguments);
                 self.report(Problem::P6218, span, format!("`{upper}` has no result")).help =
                     Some("Call it in a statement of its own.".to_owned());
@@ -65,6 +75,13 @@ impl Checker<'_> {
             "VAL_STRG" => self.value_in_text(call, span),
             "SCATTER" => self.scatter(call, span),
             "GATHER" => self.gather(call, span),
+            "SCATTER_BLK" | "GATHER_BLK" => self.scattered_block(name, call, span),
+            "ATH" | "HTA" => self.hexadecimal(name, call, span).map(|(mut before, call)| {
+                before.push(Statement { kind: StatementKind::Call(call), span });
+                StatementKind::Block(before)
+            }),
+            "VARIANTGET" => self.variant_get(call, span),
+            "VARIANTPUT" => self.variant_put(call, span),
             "RESET_TIMER" => self.reset_timer(call, span),
             "PRESET_TIMER" => self.preset_timer(call, span),
             "MOVE_BLK_VARIANT" => self.move_variant(call, span).map(|(statements, _)| StatementKind::Block(statements)),
@@ -72,6 +89,21 @@ impl Checker<'_> {
             "DESERIALIZE" => self.deserialize(call, span).map(|(statements, _)| StatementKind::Block(statements)),
             _ => return None,
         })
+    }
+
+    /// The seconds since the call before with the same variable.
+    fn runtime(&mut self, call: &ast::Call, span: Span) -> Option<Typed> {
+        let given = self.named("RUNTIME", call, &["MEM"], span)?;
+        let target = self.target(given[0])?;
+        if target.data_type != DataType::LongReal {
+            let message = format!("`RUNTIME` keeps the time in an LREAL, and `{}` is {}", target.name, self.words(&target.data_type));
+            self.report(Problem::P4011, given[0].span, message);
+            return None;
+        }
+        let block = self.of_library("TIA_RUNTIME")?;
+        let interface = self.interface(block, span)?;
+        let (call, before) = self.arguments(Callee::Function(block), &interface, call, span)?;
+        Some(self.result_of(call, before, span))
     }
 
     /// RD_SYS_T and its like: a system function whose result says whether it went well.
@@ -141,6 +173,10 @@ impl Checker<'_> {
             self.report(Problem::P6219, span, "`CountOfElements` takes one array");
             return None;
         };
+        if self.is_variant_parameter(array) {
+            let described = self.described("CountOfElements", array)?;
+            return Some(Typed::Scalar { value: described.count, data_type: DataType::UnsignedDoubleInt });
+        }
         let target = self.whole_array("CountOfElements", array)?;
         let DataType::Array { bounds, .. } = &target.data_type else { return None };
         let mut all = number(1, Scalar::I64, span);
@@ -278,9 +314,23 @@ impl Checker<'_> {
         const NAME: &str = "MOVE_BLK_VARIANT";
         let given = self.named(NAME, call, &["SRC", "COUNT", "SRC_INDEX", "DEST_INDEX", "DEST"], span)?;
         self.target(given[4])?;
-        let [source, target] =
-            [(given[0], given[2]), (given[4], given[3])].map(|(array, index)| self.counted_part(NAME, array, index, span));
-        let (source, target) = (source?, target?);
+        let [source, target] = match [given[0], given[4]].map(|array| self.is_variant_parameter(array)) {
+            [false, false] => [self.counted_part(NAME, given[0], given[2], span)?, self.counted_part(NAME, given[4], given[3], span)?],
+            [true, false] => {
+                let target = self.counted_part(NAME, given[4], given[3], span)?;
+                [self.variant_part(NAME, given[0], given[2], &target.element, span)?, target]
+            }
+            [false, true] => {
+                let source = self.counted_part(NAME, given[0], given[2], span)?;
+                let target = self.variant_part(NAME, given[4], given[3], &source.element, span)?;
+                [source, target]
+            }
+            [true, true] => {
+                self.report(Problem::P6324, span, "of two VARIANTs nobody knows here how long an element is").help =
+                    Some("Ask with TypeOfElements which type it is, and give an array of that type as one of them.".to_owned());
+                return None;
+            }
+        };
         let mut statements = Vec::new();
         let moved = self.moved_elements(NAME, source, target, given[1], given[4].span, &mut statements, span)?;
         let place = self.temporary_place(2, span);
@@ -309,9 +359,16 @@ impl Checker<'_> {
         }
         let element = (**element).clone();
         let (index, _) = self.index_value(index)?;
-        let low = convert(self.bound(&array, 1, End::Low, span)?, Scalar::I64);
-        let first = two(Operation::Add, convert(index, Scalar::I64), low, span);
-        Some(Part { array, element, first })
+        let bounds = self.both_bounds(&array, span)?;
+        let first = two(Operation::Add, convert(index, Scalar::I64), bounds[0].clone(), span);
+        Some(Part { place: array.place, element, first, bounds })
+    }
+
+    /// The same of a VARIANT, if it is an array of such elements.
+    fn variant_part(&mut self, function: &str, variant: &Expression, index: &Expression, element: &DataType, span: Span) -> Option<Part> {
+        let described = self.described(function, variant)?;
+        let (index, _) = self.index_value(index)?;
+        Some(self.part_of_variant(&described, element, convert(index, Scalar::I64), span))
     }
 
     /// The bytes of a variable to a place in an array of bytes.

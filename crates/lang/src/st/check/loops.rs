@@ -151,6 +151,9 @@ impl Checker<'_> {
 
     /// CASE.
     pub(super) fn case(&mut self, selector: &Expression, arms: &[CaseArm], otherwise: &[ast::Statement]) -> Option<StatementKind> {
+        if self.asks_for_type(selector).is_some() {
+            return self.case_of_type(selector, arms, otherwise);
+        }
         let typed = self.expression(selector);
         let found = match typed {
             Typed::Text(text) => return self.case_of_text(text, selector, arms, otherwise),

@@ -105,6 +105,13 @@ impl Checker<'_> {
         Some(self.entity(entity, &Name { span, ..name.clone() }))
     }
 
+    /// `SUPER^.x`: a variable that the block has from its base.
+    pub(super) fn field_of_base(&mut self, name: &Name, span: Span) -> Option<Reached> {
+        let base = self.names.objects().get(self.names.this()?)?.base?;
+        self.names.instance(base)?.field(&name.text)?;
+        self.field_of_this(name, span)
+    }
+
     /// Whether a variable that the block has from another one may be used in it; else that is said.
     pub(super) fn may_see(&mut self, entity: &Entity, name: &Name) -> bool {
         let (Entity::Variable(variable), Some(this)) = (entity, self.names.this()) else { return true };

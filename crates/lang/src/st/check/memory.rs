@@ -41,10 +41,13 @@ enum Somewhere {
 
 /// A part of an array: its elements from one on.
 pub(super) struct Part {
-    pub(super) array: Target,
+    /// Where the array lies.
+    pub(super) place: Place,
     pub(super) element: DataType,
     /// The first element, as I64.
     pub(super) first: Value,
+    /// The first and the last index of the array, as I64.
+    pub(super) bounds: [Value; 2],
 }
 
 /// Elements that go from one array to another one.
@@ -324,7 +327,7 @@ impl Checker<'_> {
     }
 
     /// An element of an array as the first of several.
-    fn part(&mut self, function: &str, expression: &Expression) -> Option<Part> {
+    pub(super) fn part(&mut self, function: &str, expression: &Expression) -> Option<Part> {
         let span = expression.span;
         let (inner, index) = match &expression.kind {
             ExpressionKind::Index(inner, indexes) if indexes.len() == 1 => (&**inner, &indexes[0]),
@@ -353,13 +356,13 @@ impl Checker<'_> {
             }
         };
         let (first, _) = self.index_value(index)?;
-        Some(Part { array, element, first: convert(first, Scalar::I64) })
+        let bounds = self.both_bounds(&array, span)?;
+        Some(Part { place: array.place, element, first: convert(first, Scalar::I64), bounds })
     }
 
     /// Where the part begins, and whether so many elements from there on are in the array.
     fn elements(&mut self, part: Part, count: &Value, statements: &mut Vec<Statement>, span: Span) -> Option<(Place, Value)> {
-        let [low, high] = [self.bound(&part.array, 1, End::Low, span)?, self.bound(&part.array, 1, End::High, span)?];
-        let [low, high] = [low, high].map(|value| convert(value, Scalar::I64));
+        let [low, high] = part.bounds;
         let (keep, first) = self.kept(part.first);
         statements.push(keep);
         let above = two(Operation::GreaterEqual, first.clone(), low.clone(), span);
@@ -367,10 +370,16 @@ impl Checker<'_> {
         let end = two(Operation::Add, high, number(1, Scalar::I64, span), span);
         let below = two(Operation::LessEqual, behind, end, span);
         let inside = compute(Op::And, vec![above, below], Scalar::Bool, span);
-        let mut place = part.array.place;
+        let mut place = part.place;
         let value = two(Operation::Subtract, first, low, span);
         place.indexes.push(Index { value, low: 0, count: 0, step: element_step(&part.element), check: Bounds::None });
         Some((place, inside))
+    }
+
+    /// The first and the last index of an array of one dimension, as I64.
+    pub(super) fn both_bounds(&mut self, array: &Target, span: Span) -> Option<[Value; 2]> {
+        let [low, high] = [self.bound(array, 1, End::Low, span)?, self.bound(array, 1, End::High, span)?];
+        Some([low, high].map(|value| convert(value, Scalar::I64)))
     }
 
     fn count(&mut self, expression: &Expression, statements: &mut Vec<Statement>) -> Option<Value> {

@@ -1,6 +1,8 @@
 //! Statements → typed tree: names, types, conversions, calls, and what is wrong with them.
 
+mod as_bytes;
 mod calls;
+pub mod construct;
 mod expressions;
 mod functions;
 mod instructions;
@@ -14,6 +16,7 @@ pub mod names;
 mod open_arrays;
 mod operators;
 pub(crate) mod places;
+mod pointers;
 mod queries;
 mod ranges;
 mod s5;
@@ -24,6 +27,7 @@ mod timers;
 mod typed;
 mod types;
 mod usage;
+mod variants;
 pub(crate) mod walk;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};

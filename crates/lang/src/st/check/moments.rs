@@ -11,7 +11,7 @@ use super::expressions::same_type;
 use super::places::Reached;
 use super::statements::moment;
 use super::typed::Typed;
-use super::types::{Class, Kind};
+use super::types::{Class, Implicit, Kind, implicit};
 use crate::st::ast::{self, BinaryOperator, Expression, ExpressionKind, Name, Quoting};
 use crate::st::dialect::Construct;
 use crate::st::dtl;
@@ -201,6 +201,9 @@ impl Checker<'_> {
     /// A call of T_CONV and its like as the call of the conversion that the wanted type asks for; `None` for anything else, and `Some(None)`
     /// where there is no such conversion, which is said.
     pub(super) fn by_target(&mut self, expression: &Expression, wanted: &DataType) -> Option<Option<Expression>> {
+        if let Some(truncated) = self.truncated(expression, wanted) {
+            return Some(Some(truncated));
+        }
         if !self.has_memory_functions() || *wanted == DataType::Void {
             return None;
         }
@@ -280,6 +283,18 @@ impl Checker<'_> {
                 standard::GivenKind::Unknown => None,
             },
         }
+    }
+
+    /// TRUNC of the standard delivers any integer: that of the place where it goes.
+    fn truncated(&mut self, expression: &Expression, wanted: &DataType) -> Option<Expression> {
+        let ExpressionKind::Call(call) = &expression.kind else { return None };
+        let ExpressionKind::Name(name) = &call.callee.kind else { return None };
+        let narrow = Kind::of(wanted).filter(|kind| kind.is_integer() && *wanted != DataType::DoubleInt)?;
+        let strict = !self.dialect.switches().numbered_blocks && implicit(Kind::DINT, narrow, self.dialect) == Implicit::No;
+        if !name.is("TRUNC") || !strict || !matches!(self.quietly(|checker| checker.called(&call.callee)), Called::Standard(_)) {
+            return None;
+        }
+        Some(renamed(name, format!("TRUNC_{}", wanted.base().word()?), call, expression.span))
     }
 
     /// T_CONV and its like where nothing says what their result is.

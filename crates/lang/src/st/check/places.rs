@@ -18,6 +18,7 @@ use crate::scope::nearest;
 use crate::st::ast::{self, Expression, ExpressionKind, LiteralKind, Name, Position, Quoting};
 use crate::st::dialect::{AddressUnit, Construct, IndexFault};
 use crate::st::open_arrays::is_open;
+use crate::st::standard;
 use crate::st::tree::{Base, Bounds, Index, Place, Scalar, Statement, Text, Value, ValueKind};
 
 /// What a path leads to.
@@ -62,12 +63,18 @@ impl Checker<'_> {
         match reached {
             Reached::Target(target) => match &target.data_type {
                 DataType::Reference(reference) if reference.kind == ReferenceKind::Reference => {
-                    let data_type = reference.target.clone();
+                    let data_type = self.finished(&reference.target);
                     let pointer = Value { kind: ValueKind::Load(target.place.clone()), scalar: Scalar::U64, span };
                     Reached::Target(Target { place: referred(pointer, span), data_type, through: Through::Reference, ..target })
                 }
                 _ => Reached::Target(Target { place: Place { span, ..target.place.clone() }, ..target }),
             },
+            // What a function delivers has no name.
+            Reached::Other(Typed::Scalar { value, data_type: DataType::Reference(reference) })
+                if reference.kind == ReferenceKind::Reference =>
+            {
+                Reached::Target(self.behind_result(value, &reference.target, span))
+            }
             other => other,
         }
     }
@@ -113,7 +120,10 @@ impl Checker<'_> {
             Some(entity) => self.entity(entity, name),
             None => match self.flag(name).or_else(|| self.own_property(name, name.span)) {
                 Some(value) => Reached::Other(value),
-                None => self.unknown(name),
+                None => match standard::type_of_word(&name.text, self.dialect).filter(|_| name.quoting == Quoting::Bare) {
+                    Some(data_type) => Reached::Other(Typed::Type(data_type)),
+                    None => self.unknown(name),
+                },
             },
         }
     }
@@ -264,7 +274,10 @@ impl Checker<'_> {
             return found;
         }
         if is_super(base) {
-            return Reached::Other(self.super_property(name, span));
+            return match self.field_of_base(name, span) {
+                Some(found) => found,
+                None => Reached::Other(self.super_property(name, span)),
+            };
         }
         let reached = self.reach(base);
         if let Some(property) = self.property_in(&reached, name, span) {
@@ -367,6 +380,12 @@ impl Checker<'_> {
             }
             return POISON;
         };
+        // An instance of the own block has no secrets.
+        let own = |this: BlockId| matches!(&target.data_type, DataType::Instance { block, .. } if self.names.objects().is_a(this, *block));
+        let through = match through {
+            Through::InstanceInternal if self.names.this().is_some_and(own) => Through::Part,
+            other => other,
+        };
         if through == Through::InstanceInternal && !self.names.knows_instances() && !self.judge(Construct::ForeignInternal, name.span) {
             return POISON;
         }
@@ -462,7 +481,7 @@ impl Checker<'_> {
                     Typed::Scalar { value, data_type: DataType::Reference(reference) } => {
                         return Reached::Target(Target {
                             place: referred(value, span),
-                            data_type: reference.target.clone(),
+                            data_type: self.finished(&reference.target),
                             role: Role::Global,
                             name: format!("{name}^"),
                             through: Through::Reference,
@@ -471,6 +490,11 @@ impl Checker<'_> {
                     other => other,
                 }
             }
+            Reached::Other(Typed::Scalar { value, data_type: DataType::Reference(reference) })
+                if matches!(reference.kind, ReferenceKind::RefTo | ReferenceKind::Pointer) =>
+            {
+                return Reached::Target(self.behind_result(value, &reference.target, span));
+            }
             Reached::Other(typed) => typed,
         };
         if typed != Typed::Poison {
@@ -478,6 +502,32 @@ impl Checker<'_> {
             self.report(Problem::P6228, span, format!("{what} is no reference and cannot be followed with `^`"));
         }
         POISON
+    }
+
+    /// What a reference refers to: of a structure or a block that points to itself only the name is known to the reference.
+    pub(super) fn finished(&self, data_type: &DataType) -> DataType {
+        match data_type {
+            DataType::Instance { block, structure } if structure.fields.is_empty() => {
+                let structure = self.names.instance(*block).unwrap_or_else(|| structure.clone());
+                DataType::Instance { block: *block, structure }
+            }
+            DataType::Struct(structure) if structure.fields.is_empty() => {
+                let name = structure.name.as_deref().unwrap_or_default();
+                let within = format!("{}{name}", self.names.namespace());
+                let path: Vec<&str> = within.split('.').collect();
+                match self.names.global(name).or_else(|| self.names.qualified(&path)) {
+                    Some(Entity::Type(whole)) => whole,
+                    _ => data_type.clone(),
+                }
+            }
+            other => other.clone(),
+        }
+    }
+
+    /// What a reference leads to that a function delivers.
+    fn behind_result(&self, pointer: Value, data_type: &DataType, span: Span) -> Target {
+        let (place, data_type, name) = (referred(pointer, span), self.finished(data_type), "the result".to_owned());
+        Target { place, data_type, role: Role::Global, name, through: Through::Reference }
     }
 
     /// `a[i, j]`, `a[i][j]`: as many indexes as the array has dimensions, then those of its elements.
@@ -535,7 +585,7 @@ impl Checker<'_> {
                 }
                 DataType::Reference(reference) if reference.kind == ReferenceKind::Pointer => {
                     rest = &rest[1..];
-                    let element = reference.target.clone();
+                    let element = self.finished(&reference.target);
                     let step = element_step(&element);
                     let pointer = Value { kind: ValueKind::Load(target.place.clone()), scalar: Scalar::U64, span: first.span };
                     let Some((value, _)) = self.index_value(first) else { return POISON };
@@ -850,7 +900,7 @@ fn word(number: u16, span: Span) -> Value {
 }
 
 /// Bits from one element to the next.
-pub(super) fn element_step(element: &DataType) -> u32 {
+pub(crate) fn element_step(element: &DataType) -> u32 {
     if *element == DataType::Bool { 1 } else { u32::try_from(element.bits()).unwrap_or(u32::MAX) }
 }
 

@@ -27,31 +27,18 @@ const ABSENT: &[(&str, &str)] = &[
     ("TEST_AND_SET", "Write `old := x; x := TRUE`, or use SEMA."),
 ];
 
-const VARIANT: &str = "Types are known where a program is written here: declare the parameter with its type.";
 const ERRORS: &str = "Read ENO behind what may fail, or load OB 121 and read its start information.";
 
 /// The same of tia.
 const ABSENT_OF_TIA: &[(&str, &str)] = &[
-    ("TypeOf", VARIANT),
-    ("TypeOfElements", VARIANT),
-    ("TypeOfDB", VARIANT),
-    ("IS_ARRAY", VARIANT),
-    ("IS_NULL", VARIANT),
-    ("NOT_NULL", VARIANT),
-    ("VariantGet", VARIANT),
-    ("VariantPut", VARIANT),
+    ("TypeOfDB", "Give the data block itself as VARIANT and ask TypeOf."),
     ("GET_ERROR", ERRORS),
     ("GET_ERR_ID", ERRORS),
-    ("ATH", "Take the characters one by one with Strg_TO_Chars and make numbers of them."),
-    ("HTA", "Make the characters of the digits one by one; WORD_TO_STRING writes 16#FF."),
     ("JOIN", "Join the texts with CONCAT."),
     ("SPLIT", "Look for the separator with FIND and take the parts with MID."),
-    ("RUNTIME", "Time stands still inside a scan: read RD_SYS_T in two scans, or measure with `sieben bench`."),
     ("GetSymbolName", "Write the name as a text."),
     ("GetInstanceName", "Write the name as a text."),
     ("GetInstancePath", "Write the name as a text."),
-    ("SCATTER_BLK", "Call SCATTER in a FOR loop, once for each element."),
-    ("GATHER_BLK", "Call GATHER in a FOR loop, once for each element."),
 ];
 
 impl Checker<'_> {

@@ -194,7 +194,7 @@ impl Checker<'_> {
                 Some(super::names::Entity::Variable(variable)) => match &variable.data_type {
                     DataType::Reference(reference) if reference.kind == ReferenceKind::Reference => {
                         let place = Place { base: variable.base.clone(), offset: variable.offset, indexes: Vec::new(), span: target.span };
-                        Some((place, reference.target.clone()))
+                        Some((place, self.finished(&reference.target)))
                     }
                     _ => None,
                 },
@@ -207,7 +207,11 @@ impl Checker<'_> {
             return None;
         };
         let source = self.target(value)?;
-        if !same_type(&source.data_type, &data_type) {
+        let extends = match (&source.data_type, &data_type) {
+            (DataType::Instance { block, .. }, DataType::Instance { block: base, .. }) => self.names.objects().is_a(*block, *base),
+            _ => false,
+        };
+        if !extends && !same_type(&source.data_type, &data_type) {
             self.no_conversion(&source.data_type, &data_type, value.span);
             return None;
         }
@@ -268,6 +272,11 @@ impl Checker<'_> {
             (_, Through::InstanceOutput) if !self.dialect.is_test() => {
                 let message = format!("`{name}` is an output, and only the block itself writes it");
                 self.report(Problem::P6204, span, message);
+                false
+            }
+            (_, Through::InstanceInternal)
+                if !self.names.knows_instances() && !self.dialect.is_test() && !self.judge(Construct::WrittenInternal, span) =>
+            {
                 false
             }
             (Role::Input, _) => self.judge(Construct::WrittenInput, span),

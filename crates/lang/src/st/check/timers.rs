@@ -50,8 +50,8 @@ impl Checker<'_> {
     pub(super) fn memory_instruction(&mut self, block: BlockId, name: &Name) -> Option<BlockId> {
         let memory = self.memory(block)?;
         let instruction = memory.instructions.iter().find(|instruction| name.is(instruction))?;
-        // CTD has its output at another place than the counters that count up.
-        let family = if *instruction == "CTD" { "IEC_" } else { "" };
+        // Counters have one layout here, which is none of those that they have by themselves.
+        let family = if memory.instructions == COUNTERS { "IEC_" } else { "" };
         self.of_library(&format!("{family}{instruction}{}", memory.suffix))
     }
 

@@ -14,6 +14,7 @@ use sieben_model::testing::TestPlan;
 
 use super::access::operand;
 use super::ast;
+use super::constructors::Beginning;
 use super::environment::{Environment, starting};
 use super::items::Code;
 use super::programs::Generated;
@@ -65,14 +66,19 @@ impl Environment<'_> {
             true => self.configured(exists, &mut bodies),
             false => organization_blocks(self.items, exists, &mut bodies.diagnostics),
         };
-        self.restarts(cpu, exists, &mut generated, &mut bodies.diagnostics);
+        let beginning = self.beginning(&mut bodies);
+        self.restarts(cpu, exists, &beginning, &mut generated, &mut bodies.diagnostics);
         for (id, generated) in generated {
             let Some(block) = lay_out(id, Vec::new()) else { continue };
             let calls = generated.body.statements.iter().filter_map(|statement| match &statement.kind {
                 crate::st::tree::StatementKind::Call(call) => Some(call.callee.block()),
                 _ => None,
             });
-            bodies.calls.entry(id).or_insert_with(|| calls.collect());
+            let mut calls: BTreeSet<BlockId> = calls.collect();
+            if [WARM_RESTART, COLD_RESTART].contains(&id.number) {
+                calls.extend(&beginning.called);
+            }
+            bodies.calls.entry(id).or_insert(calls);
             bodies.code.insert(id, lower(id, &block.interface, &generated.body, &|block| self.interface_of(block)));
             bodies.typed.insert(id, TypedBlock { interface: block.interface, body: generated.body });
             bodies.intervals.extend(generated.interval_ms.map(|interval| (id.number, interval)));
@@ -86,19 +92,26 @@ impl Environment<'_> {
         &self,
         cpu: &CpuType,
         exists: &dyn Fn(BlockId) -> bool,
+        beginning: &Beginning,
         generated: &mut BTreeMap<BlockId, Generated>,
         diagnostics: &mut Vec<Diagnostic>,
     ) {
         for (restart, keeps) in [(WARM_RESTART, true), (COLD_RESTART, false)] {
             let id = BlockId::ob(restart);
             let mut written = self.located.iter().filter(|one| !(keeps && one.retain)).peekable();
-            let Some(first) = written.peek().map(|one| one.variable.span) else { continue };
+            let begins = (!beginning.body.statements.is_empty()).then_some(beginning.span);
+            let Some(first) = written.peek().map(|one| one.variable.span).or(begins) else { continue };
             if !cpu.has_organization_block(restart) {
                 continue;
             }
             if exists(id) {
-                let message = format!("`{id}` exists already; it cannot also write initial values of variables with an address");
-                let help = "Assign the values there, and leave the initial values away.";
+                let (message, help) = match written.peek() {
+                    Some(_) => (
+                        format!("`{id}` exists already; it cannot also write initial values of variables with an address"),
+                        "Assign the values there, and leave the initial values away.",
+                    ),
+                    None => (format!("`{id}` exists already; it cannot also call FB_Init"), "Leave the organization block away."),
+                };
                 diagnostics.push(Diagnostic::new(Problem::P3002, first, message).help(help));
                 continue;
             }
@@ -106,6 +119,8 @@ impl Environment<'_> {
             for Located { variable, initial, .. } in written {
                 one.body.statements.extend(starting(variable, initial, variable.span));
             }
+            one.body.statements.extend(beginning.body.statements.iter().cloned());
+            one.body.local_size = one.body.local_size.max(beginning.body.local_size);
         }
     }
 

@@ -102,6 +102,11 @@ impl<'a> Environment<'a> {
         self.demands.borrow().iter().chain(&self.items.demands).copied().collect()
     }
 
+    /// The fields of a data block.
+    pub(super) fn structure_of(&self, number: u16) -> Option<Arc<Structure>> {
+        self.data.get(&number).map(|layout| Arc::clone(&layout.structure))
+    }
+
     fn type_entity(&self, wanted: &str) -> Option<Entity> {
         self.named.get(wanted).map(|named| Entity::Type(named.data_type.clone()))
     }
@@ -196,6 +201,13 @@ impl Names for BlockNames<'_, '_> {
         let wanted = key(name);
         if let Some(entity) = environment.globals.get(&wanted) {
             return Some(entity.clone());
+        }
+        // In a CONFIGURATION the name is that of the instance: `PROGRAM hall : Hall`.
+        if self.space == OUTSIDE
+            && environment.is_configured()
+            && let Some(program) = environment.items.programs.iter().find(|one| key(&one.name) == wanted)
+        {
+            return Some(Entity::Block(BlockId::db(program.instance)));
         }
         if let Some(block) = environment.items.block_in(self.space, name) {
             return Some(Entity::Block(block));
@@ -407,7 +419,7 @@ impl<'e, 'a> BlockNames<'e, 'a> {
 }
 
 /// Statements that give a variable its initial value.
-pub(super) fn starting(variable: &Variable, initial: &[Value], span: Span) -> Vec<Statement> {
+pub(crate) fn starting(variable: &Variable, initial: &[Value], span: Span) -> Vec<Statement> {
     match starting_statement(variable, initial, span) {
         Some(statement) => vec![statement],
         None => starting_bytes(variable, initial, span),

@@ -26,6 +26,7 @@ use crate::st::check::walk;
 use crate::st::objects::TYPE_NUMBER;
 use crate::st::open_arrays::bound_names;
 use crate::st::tree::{Base, Local};
+use crate::st::variants::{Told, is_variant, told_name};
 
 /// Where the variables of a section lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -470,8 +471,8 @@ impl<'a> Sections<'_, 'a> {
                     self.resolver.report(Problem::P6127, *span, message);
                     self.resolver.names.insert(key(&name.text), unknown(name));
                 }
-                Some(ast::Location::Path(path)) => {
-                    self.resolver.not_built(path.span, "AT with a part of a variable");
+                // VAR_ACCESS, which is told to be none of a block.
+                Some(ast::Location::Path(_)) => {
                     self.resolver.names.insert(key(&name.text), unknown(name));
                 }
                 Some(ast::Location::Address(address))
@@ -528,13 +529,17 @@ impl<'a> Sections<'_, 'a> {
                     }
                 }
                 None => {
-                    // The caller tells the bounds of an ARRAY[*].
-                    for bound in bound_names(&name.text, &data_type) {
+                    // The caller tells the bounds of an ARRAY[*], and what a VARIANT is.
+                    let bounds = bound_names(&name.text, &data_type).into_iter().map(|bound| (bound, DataType::DoubleInt));
+                    let is_parameter = matches!(store, Store::Interface(Section::Input | Section::Output | Section::InOut));
+                    let variant = is_parameter && is_variant(&declaration.data_type) && self.resolver.has_variants();
+                    let told = Told::BOTH.into_iter().filter(|_| variant).map(|told| (told_name(&name.text, told), told.data_type()));
+                    for (name_inside, data_type) in bounds.chain(told) {
                         self.pending.push(Pending {
-                            name: bound,
+                            name: name_inside,
                             store: Store::Interface(Section::Input),
                             role: Role::Input,
-                            data_type: DataType::DoubleInt,
+                            data_type,
                             initial: Vec::new(),
                             comment: String::new(),
                             span: name.span,

@@ -4,8 +4,8 @@
 //! `F.P.SET`. An INTERFACE becomes a block that has methods without statements.
 
 use crate::st::ast::{
-    Accessor, Block, BlockKind, Declaration, DeclaredName, File, Interface, Item, Member, MemberKind, Method, Name, Property, Quoting,
-    SectionKind, VarSection,
+    Accessor, Action, Block, BlockKind, Declaration, DeclaredName, File, Interface, Item, Member, MemberKind, Method, Name, Property,
+    Quoting, SectionKind, VarSection,
 };
 
 /// The file with its methods and properties behind the blocks that they belong to.
@@ -58,6 +58,7 @@ fn owner(mut block: Block, expanded: &mut Vec<Item>) {
     for property in properties {
         of_property(property, &block, &mut members);
     }
+    members.extend(of_actions(&block));
     expanded.push(Item::Block(Box::new(block)));
     expanded.extend(members.into_iter().map(|member| Item::Block(Box::new(member))));
 }
@@ -93,6 +94,19 @@ fn of_method(method: Method, owner: &Block, kept: Vec<(Name, String)>) -> Block 
     let Method { modifiers, attributes, result, mut sections, body, end, span, .. } = method;
     sections.retain(|section| section.kind != SectionKind::Instance);
     Block { member, modifiers, attributes, result, sections, body, end, ..Block::empty(BlockKind::Method, name, span) }
+}
+
+/// Actions as methods, for calls from outside: `inst.Reset();`. What uses VAR_TEMP of the block has no method.
+fn of_actions(block: &Block) -> Vec<Block> {
+    if block.kind != BlockKind::FunctionBlock || block.sections.iter().any(|section| section.kind == SectionKind::Temp) {
+        return Vec::new();
+    }
+    let method = |action: &Action| {
+        let (name, member) = member(block, &action.name, MemberKind::Method, Vec::new());
+        let end = action.span;
+        Block { member, body: action.body.clone(), end, ..Block::empty(BlockKind::Method, name, action.span) }
+    };
+    block.actions.iter().map(method).collect()
 }
 
 fn of_property(property: Property, owner: &Block, members: &mut Vec<Block>) {

@@ -6,6 +6,7 @@ use sieben_model::interface::Interface;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 
+use super::constructors::FB_INIT;
 use super::environment::Environment;
 use crate::scope::key;
 use crate::st::ast::{Access, BlockKind, MemberKind};
@@ -129,7 +130,10 @@ impl Environment<'_> {
                 diagnostics.push(Diagnostic::new(Problem::P6283, member.span, message).related(other.span, "asked for here"));
             }
             let (Some(own), Some(asked)) = (self.interface_of(member.function), self.interface_of(other.function)) else { continue };
-            if let Some(why) = difference(&own, &asked) {
+            // FB_Init of a block that extends another one may take more.
+            if !member.name.eq_ignore_ascii_case(FB_INIT)
+                && let Some(why) = difference(&own, &asked)
+            {
                 let message = format!("{} differs from that of `{}`: {why}", shown(member), self.shown(other.of));
                 let help = "Give both the same parameters in the same order, with the same types, and the same result.";
                 diagnostics

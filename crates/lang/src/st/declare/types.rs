@@ -23,6 +23,7 @@ use crate::st::dtl;
 use crate::st::open_arrays::OPEN;
 use crate::st::standard::Provided;
 use crate::st::standard::library::block_type;
+use crate::st::variants;
 
 /// Dimensions that an array may have.
 const DIMENSIONS_MAX: usize = 16;
@@ -70,6 +71,13 @@ pub(super) struct Resolver<'t, 'a> {
     pub(super) open_arrays: bool,
 }
 
+/// Words of codesys for what is as wide as a pointer.
+const POINTER_SIZED: &[(&str, DataType)] =
+    &[("__XWORD", DataType::LongWord), ("__UXINT", DataType::UnsignedLongInt), ("__XINT", DataType::LongInt)];
+
+/// The longest STRING that is taken as one of 254 characters.
+const LONG_STRING_MAX: i128 = 65_535;
+
 impl<'t, 'a> Resolver<'t, 'a> {
     pub(super) fn new(types: &'t mut Types<'a>, items: &'a Items<'a>, dialect: Dialect) -> Self {
         Self { types, items, dialect, space: NOWHERE, names: HashMap::new(), constant_declarations: HashMap::new(), open_arrays: false }
@@ -113,8 +121,13 @@ impl<'t, 'a> Resolver<'t, 'a> {
             // Words of the S7 that elsewhere are names like others.
             Some(data_type) if data_type.is_number() && !self.dialect.switches().numbered_blocks => return None,
             Some(data_type) => data_type,
+            None if self.dialect.judge(Construct::PointerTo) != Judgement::Reject
+                && let Some((_, data_type)) = POINTER_SIZED.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)) =>
+            {
+                data_type.clone()
+            }
             None if word.eq_ignore_ascii_case("BIT") => DataType::Bool,
-            None if word.eq_ignore_ascii_case("VARIANT") => DataType::Any,
+            None if word.eq_ignore_ascii_case(variants::WORD) => DataType::Any,
             None if word.eq_ignore_ascii_case(dtl::WORD) && self.dialect.judge(Construct::PeekPoke) == Judgement::Accept => {
                 dtl::data_type()
             }
@@ -122,6 +135,11 @@ impl<'t, 'a> Resolver<'t, 'a> {
             None => return None,
         };
         Some(data_type)
+    }
+
+    /// Whether a VARIANT is more than an ANY.
+    pub(super) fn has_variants(&self) -> bool {
+        self.dialect.judge(Construct::PeekPoke) == Judgement::Accept
     }
 
     fn string_length(&self) -> u8 {
@@ -162,6 +180,12 @@ impl<'t, 'a> Resolver<'t, 'a> {
                     None => i128::from(self.string_length()),
                 };
                 let limit = if *wide { 16_382 } else { i128::from(STRING_LENGTH_MAX) };
+                // Where strings are longer by nature, those of programs often have room for 255.
+                if !*wide && (limit + 1..=LONG_STRING_MAX).contains(&length) && !self.dialect.switches().numbered_blocks {
+                    let message = format!("this STRING has room for {limit} characters here, not for {length}");
+                    self.report(Problem::P6326, span, message);
+                    return plain(DataType::String(STRING_LENGTH_MAX));
+                }
                 if !(0..=limit).contains(&length) {
                     let message = format!("a {} has 0 to {limit} characters, not {length}", if *wide { "WSTRING" } else { "STRING" });
                     self.report(Problem::P4004, span, message);
@@ -203,9 +227,16 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 }
                 plain(data_type)
             }
-            TypeKind::Constructed { .. } => {
-                self.not_built(span, "an instance with arguments for FB_init");
-                None
+            // What is given to FB_Init, the restart calls it with.
+            TypeKind::Constructed { block, .. } => {
+                let named = self.named(block)?;
+                if !matches!(named.data_type, DataType::Instance { .. }) {
+                    let message =
+                        format!("{} is no function block, and only these take arguments here", self.dialect.type_words(&named.data_type));
+                    self.report(Problem::P3015, span, message);
+                    return None;
+                }
+                Some((named.data_type.clone(), named.initial.clone()))
             }
             TypeKind::Reference(target) => self.reference(target, ReferenceKind::RefTo),
             TypeKind::Pointer(target) => self.reference(target, ReferenceKind::Pointer),
@@ -228,13 +259,29 @@ impl<'t, 'a> Resolver<'t, 'a> {
         }
     }
 
-    pub(super) fn not_built(&mut self, span: Span, what: &str) {
-        self.report(Problem::P6199, span, format!("{what} cannot be compiled yet"));
+    fn reference(&mut self, target: &TypeSpec, kind: ReferenceKind) -> Option<(DataType, Vec<Value>)> {
+        let target = match &target.kind {
+            TypeKind::Named(path) if let Some(unfinished) = self.unfinished(path) => unfinished,
+            _ => self.data_type(target)?,
+        };
+        Some((DataType::Reference(Arc::new(Reference { target, kind })), Vec::new()))
     }
 
-    fn reference(&mut self, target: &TypeSpec, kind: ReferenceKind) -> Option<(DataType, Vec<Value>)> {
-        let target = self.data_type(target)?;
-        Some((DataType::Reference(Arc::new(Reference { target, kind })), Vec::new()))
+    /// A structure or a function block that is being declared, by its name alone: what points to it may be a part of it.
+    fn unfinished(&self, path: &ast::Path) -> Option<DataType> {
+        let words: Vec<&str> = path.names.iter().map(|name| name.text.as_str()).collect();
+        let full_name = words.join(".");
+        let spellings = self.items.spellings(self.space, &full_name);
+        if let Some(full) = spellings.iter().find(|full| self.items.types.contains_key(*full)) {
+            let found = self.items.types.get(full)?;
+            let is_structure = matches!(found.declaration.data_type.kind, TypeKind::Struct { .. } | TypeKind::Union(_));
+            let begun = matches!(self.types.st_known.named.get(full), Some(State::InProgress));
+            let structure = Structure { name: Some(found.declaration.name.text.clone()), ..Structure::default() };
+            return (is_structure && begun).then(|| DataType::Struct(Arc::new(structure)));
+        }
+        let block = self.items.block_in(self.space, &full_name)?;
+        (block.kind == BlockKind::FunctionBlock && self.types.is_begun(block))
+            .then(|| DataType::Instance { block, structure: Arc::new(Structure::default()) })
     }
 
     /// The type of a name: a word, a block by number, a type or a function block of the project, a symbol.

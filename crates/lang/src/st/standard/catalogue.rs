@@ -109,6 +109,7 @@ chapters! {
         "rol" "rotating" ["ROL" "ROR"] "ROL(IN: ANY_BIT; N: ANY_INT): ANY_BIT" "ROR(IN: ANY_BIT; N: ANY_INT): ANY_BIT";
         "swap" "bytes in the other order" ["SWAP" "TO_BIG_ENDIAN" "FROM_BIG_ENDIAN" "TO_LITTLE_ENDIAN" "FROM_LITTLE_ENDIAN"] "SWAP(IN: WORD): WORD" "TO_LITTLE_ENDIAN(IN: WORD): WORD";
         "byte_to_gray" "Gray code" ["BYTE_TO_GRAY" "WORD_TO_GRAY" "DWORD_TO_GRAY" "GRAY_TO_BYTE" "GRAY_TO_WORD" "GRAY_TO_DWORD"] "BYTE_TO_GRAY(X: BYTE): BYTE" "GRAY_TO_BYTE(X: BYTE): BYTE";
+        "hexinascii" "hexadecimal digits and characters in numbers" ["BYTE_TO_HEXINASCII" "HEXINASCII_TO_BYTE" "WORD_AS_STRING"] "BYTE_TO_HEXinASCII(B: BYTE): WORD" "HEXinASCII_TO_BYTE(W: WORD): BYTE" "WORD_AS_STRING(W: WORD): STRING";
         "extract" "single bits" ["EXTRACT" "PUTBIT" "PACK" "UNPACK"] "EXTRACT(X: DWORD; N: BYTE): BOOL" "PUTBIT(X: DWORD; N: BYTE; B: BOOL): DWORD"
             "PACK(B0: BOOL; B1: BOOL; B2: BOOL; B3: BOOL; B4: BOOL; B5: BOOL; B6: BOOL; B7: BOOL): BYTE"
             "UNPACK(B: BYTE) → B0: BOOL; B1: BOOL; B2: BOOL; B3: BOOL; B4: BOOL; B5: BOOL; B6: BOOL; B7: BOOL";
@@ -156,6 +157,7 @@ chapters! {
         "max_len" "room for characters" ["MAX_LEN" "S_MOVE"] "MAX_LEN(text): DINT" "S_MOVE(IN: STRING; OUT => STRING)";
         "strg_to_chars" "characters one by one" ["STRG_TO_CHARS" "CHARS_TO_STRG"] "Strg_TO_Chars(text; first; count; array)" "Chars_TO_Strg(array; first; count; text)";
         "strg_val" "numbers at a place of a text" ["STRG_VAL" "VAL_STRG"] "STRG_VAL(text; format; first; number)" "VAL_STRG(number; size; decimals; format; first; text)";
+        "ath" "hexadecimal digits" ["ATH" "HTA"] "ATH(text; count; bytes): WORD" "HTA(bytes; count; text): WORD";
         "find" "where a text begins" ["FIND" "WFIND"] "iec scl tia: FIND(IN1: STRING; IN2: STRING): INT" "codesys: FIND(STR1: STRING; STR2: STRING): INT";
     }
     "Times and dates" false {
@@ -171,6 +173,7 @@ chapters! {
             "DTL_TO_LDT(IN: DTL): LDT" "DTL_TO_DATE(IN: DTL): DATE" "DTL_TO_TOD(IN: DTL): TOD" "DTL_TO_LTOD(IN: DTL): LTOD";
         "t_conv" "as what is wanted" ["T_CONV" "T_COMBINE" "S_CONV"] "T_CONV(value): type of the target" "T_COMBINE(date; time of day): type of the target" "S_CONV(value): type of the target";
         "rd_sys_t" "the clock of the CPU" ["RD_SYS_T" "RD_LOC_T" "WR_SYS_T" "WR_LOC_T"] "RD_SYS_T(variable): INT" "WR_SYS_T(variable): INT";
+        "runtime" "seconds since the last call" ["RUNTIME"] "RUNTIME(variable): LREAL";
         "day_of_week" "Sunday to Saturday" ["DAY_OF_WEEK"] "DAY_OF_WEEK(IN: DATE): INT";
     }
     "Arrays and memory" false {
@@ -179,8 +182,10 @@ chapters! {
             "PEEK(area: BYTE; dbNumber: DINT; byteOffset: DINT): BYTE" "PEEK_WORD(area: BYTE; dbNumber: DINT; byteOffset: DINT): WORD" "PEEK_BOOL(area: BYTE; dbNumber: DINT; byteOffset: DINT; bitOffset: INT): BOOL" "POKE(area: BYTE; dbNumber: DINT; byteOffset: DINT; value: WORD)";
         "countofelements" "how many elements" ["COUNTOFELEMENTS"] "CountOfElements(array): UDINT";
         "move_blk_variant" "elements from array to array" ["MOVE_BLK_VARIANT"] "MOVE_BLK_VARIANT(array; count; index; index; array): INT";
+        "typeof" "what a VARIANT is" ["TYPEOF" "TYPEOFELEMENTS" "IS_ARRAY" "IS_NULL" "NOT_NULL"] "TypeOf(variant) = type" "TypeOfElements(variant) = type" "IS_ARRAY(variant): BOOL" "IS_NULL(variant): BOOL" "NOT_NULL(variant): BOOL";
+        "variantget" "the value of a VARIANT" ["VARIANTGET" "VARIANTPUT"] "VariantGet(variant; variable)" "VariantPut(variable; variant)";
         "serialize" "variables as bytes" ["SERIALIZE" "DESERIALIZE"] "Serialize(variable; array of bytes; position): INT" "Deserialize(array of bytes; variable; position): INT";
-        "scatter" "bits and arrays of BOOL" ["SCATTER" "GATHER"] "SCATTER(bits; array of BOOL)" "GATHER(array of BOOL; bits)";
+        "scatter" "bits and arrays of BOOL" ["SCATTER" "GATHER" "SCATTER_BLK" "GATHER_BLK"] "SCATTER(bits; array of BOOL)" "GATHER(array of BOOL; bits)" "SCATTER_BLK(element; count; element of BOOL)" "GATHER_BLK(element of BOOL; count; element)";
         "move_blk" "parts of arrays" ["MOVE_BLK" "UMOVE_BLK" "FILL_BLK" "UFILL_BLK"] "MOVE_BLK(element; count; target element)" "FILL_BLK(value; count; target element)";
     }
     "Names, sizes and numbers" false {

@@ -6,6 +6,7 @@ use super::operators::{is_real, is_signed, limits};
 use crate::st::dialect::{Calendar, Construct, Dialect, Judgement};
 use crate::st::standard::{Given, GivenKind};
 use crate::st::tree::Scalar;
+use crate::st::tree::room_of;
 
 /// What values of an elementary type are for the operations of the engine; `None` for types that are no scalars.
 pub(crate) fn scalar_of(data_type: &DataType, dialect: Dialect) -> Option<Scalar> {
@@ -38,6 +39,12 @@ pub(crate) fn named(word: &str, dialect: Dialect) -> Option<DataType> {
         (Calendar::Long, DataType::DateAndTime) => DataType::LongDateAndTime,
         (_, data_type) => data_type,
     })
+}
+
+/// The type of one value or a text that a word names by itself: `INT`, `STRING`.
+pub(crate) fn type_of_word(word: &str, dialect: Dialect) -> Option<DataType> {
+    named(word, dialect)
+        .filter(|found| found.is_elementary() || found.is_long() || *found == DataType::DateAndTime || room_of(found).is_some())
 }
 
 /// Types that a parameter takes.

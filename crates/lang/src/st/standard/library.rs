@@ -46,8 +46,12 @@ sources! {
     "rtc.st" Iec                        [1 0 0 0]: RTC;
     "rtc_codesys.st" Codesys            [0 1 0 0]: RTC;
     "counters.st" Iec                   [1 0 0 1]: CTU CTD CTUD;
-    "iec_counters.st" Iec               [0 0 0 1]: IEC_COUNTER IEC_CTD_INT IEC_SCOUNTER IEC_CTD_SINT IEC_DCOUNTER IEC_CTD_DINT
-                                                   IEC_USCOUNTER IEC_CTD_USINT IEC_UCOUNTER IEC_CTD_UINT IEC_UDCOUNTER IEC_CTD_UDINT;
+    "iec_counters.st" Iec               [0 0 0 1]: IEC_COUNTER IEC_CTU_INT IEC_CTD_INT IEC_CTUD_INT
+                                                   IEC_SCOUNTER IEC_CTU_SINT IEC_CTD_SINT IEC_CTUD_SINT
+                                                   IEC_DCOUNTER IEC_CTU_DINT IEC_CTD_DINT IEC_CTUD_DINT
+                                                   IEC_USCOUNTER IEC_CTU_USINT IEC_CTD_USINT IEC_CTUD_USINT
+                                                   IEC_UCOUNTER IEC_CTU_UINT IEC_CTD_UINT IEC_CTUD_UINT
+                                                   IEC_UDCOUNTER IEC_CTU_UDINT IEC_CTD_UDINT IEC_CTUD_UDINT;
     "counters_sint.st" Iec              [0 0 0 1]: CTU_SINT CTD_SINT CTUD_SINT;
     "counters_int.st" Iec               [1 0 0 1]: CTU_INT CTD_INT CTUD_INT;
     "counters_dint.st" Iec              [1 0 0 1]: CTU_DINT CTD_DINT CTUD_DINT;
@@ -84,9 +88,12 @@ sources! {
                                                    TIA_READ_DTL TIA_READ_LDT TIA_WRITE_DTL TIA_WRITE_LDT;
     "long_to_string_tia.st" Iec         [0 0 0 1]: TIA_LINT_TO_STRING;
     "values_in_texts.st" Iec            [0 0 0 1]: TIA_STRG_VAL TIA_VAL_STRG;
+    "hexadecimal.st" Iec                [0 0 0 1]: TIA_ATH TIA_HTA TIA_SCATTER TIA_GATHER;
+    "runtime.st" Iec                    [0 0 0 1]: TIA_RUNTIME;
     "characters.st" Iec                 [0 0 0 1]: Strg_TO_Chars Chars_TO_Strg;
     "counters_codesys_long.st" Codesys  [0 1 0 0]: LCTU LCTD LCTUD;
-    "util_codes.st" Codesys             [0 1 0 0]: BYTE_TO_GRAY WORD_TO_GRAY DWORD_TO_GRAY GRAY_TO_BYTE GRAY_TO_WORD GRAY_TO_DWORD;
+    "util_codes.st" Codesys             [0 1 0 0]: BYTE_TO_GRAY WORD_TO_GRAY DWORD_TO_GRAY GRAY_TO_BYTE GRAY_TO_WORD GRAY_TO_DWORD
+                                                   BYTE_TO_HEXinASCII HEXinASCII_TO_BYTE WORD_AS_STRING;
     "times_from_text.st" Iec            [1 1 0 0]: CAPITALS_IN_TEXT CHAR_IN_TEXT VALUE_IN_TEXT DIGITS_IN_TEXT DURATION_IN_TEXT DAYS_IN_TEXT MOMENT_IN_TEXT STRING_TO_LTIME STRING_TO_DATE STRING_TO_LTOD STRING_TO_TOD STRING_TO_DT;
     "time_from_text.st" Iec             [1 0 0 0]: STRING_TO_TIME;
     "time_from_text_codesys.st" Codesys [0 1 0 0]: STRING_TO_TIME;

@@ -28,6 +28,7 @@ use super::dialect::Dialect;
 use super::tree::{Place, Scalar, Value};
 use crate::library::LibraryBlock;
 use call::Call;
+pub(crate) use generic::type_of_word;
 use operators::Operation;
 
 /// An argument of a call as far as it decides what the function is.

@@ -1,0 +1,110 @@
+//! Pointers of codesys as numbers: sums, differences, comparisons with 0 and with each other.
+
+use sieben_engine::ir::Op;
+use sieben_model::source::Span;
+use sieben_model::types::{DataType, ReferenceKind};
+
+use super::Checker;
+use super::memory::{number, two};
+use super::operators::convert;
+use super::typed::Typed;
+use super::types::{Class, Kind};
+use crate::st::ast::BinaryOperator;
+use crate::st::dialect::{Construct, Judgement};
+use crate::st::standard::build::compute;
+use crate::st::standard::operators::Operation;
+use crate::st::tree::{Scalar, Value};
+
+/// Bits from one byte to the next in a pointer.
+const BYTE: i64 = 8;
+
+impl Checker<'_> {
+    /// Whether pointers are numbers that can be counted with.
+    pub(super) fn counts_with_pointers(&self) -> bool {
+        self.dialect.judge(Construct::PointerTo) != Judgement::Reject
+    }
+
+    /// 0 beside a reference is NULL.
+    pub(super) fn zero_as_null(&self, a: Typed, b: &Typed) -> Typed {
+        let beside = matches!(b, Typed::Scalar { data_type: DataType::Reference(_), .. });
+        match a {
+            Typed::Integer { value: 0, .. } if beside && self.counts_with_pointers() => Typed::Null,
+            other => other,
+        }
+    }
+
+    /// `p + 4`, `p - 4`, in bytes, and `p - q`; `None` if this is none of them.
+    pub(super) fn pointer_sum(&self, operator: BinaryOperator, (a, left): (&Typed, Span), (b, right): (&Typed, Span)) -> Option<Typed> {
+        if !self.counts_with_pointers() {
+            return None;
+        }
+        let span = left.to(right);
+        let shifted = |operation: Operation, pointer: Value, bytes: Value, data_type: &DataType| {
+            let bits = two(Operation::Multiply, bytes, number(BYTE, Scalar::I64, span), span);
+            let sum = two(operation, Value { scalar: Scalar::I64, ..pointer }, bits, span);
+            Typed::Scalar { value: Value { scalar: Scalar::U64, ..sum }, data_type: data_type.clone() }
+        };
+        match (operator, a, b) {
+            (BinaryOperator::Subtract, Typed::Scalar { value: x, data_type: p }, Typed::Scalar { value: y, data_type: q })
+                if is_pointer(p) && is_pointer(q) =>
+            {
+                let [x, y] = [x, y].map(|value| Value { scalar: Scalar::I64, ..value.clone() });
+                let bits = two(Operation::Subtract, x, y, span);
+                let bytes = two(Operation::Divide, bits, number(BYTE, Scalar::I64, span), span);
+                Some(Typed::Scalar { value: convert(bytes, Scalar::I32), data_type: DataType::DoubleInt })
+            }
+            (BinaryOperator::Add | BinaryOperator::Subtract, Typed::Scalar { value, data_type }, other) if is_pointer(data_type) => {
+                let bytes = as_bytes(other, right)?;
+                let operation = if operator == BinaryOperator::Add { Operation::Add } else { Operation::Subtract };
+                Some(shifted(operation, value.clone(), bytes, data_type))
+            }
+            (BinaryOperator::Add, other, Typed::Scalar { value, data_type }) if is_pointer(data_type) => {
+                let bytes = as_bytes(other, left)?;
+                Some(shifted(Operation::Add, value.clone(), bytes, data_type))
+            }
+            _ => None,
+        }
+    }
+
+    /// Pointers in one order or another, whatever they point to.
+    pub(super) fn pointers_compared(&self, operator: BinaryOperator, a: &Typed, b: &Typed, span: Span) -> Option<Value> {
+        let (Typed::Scalar { value: x, data_type: p }, Typed::Scalar { value: y, data_type: q }) = (a, b) else { return None };
+        if !is_pointer(p) || !is_pointer(q) || !self.counts_with_pointers() {
+            return None;
+        }
+        let (x, y) = (x.clone(), y.clone());
+        // The number of a data block is above all bytes: in one of them the one that comes first is less.
+        Some(match operator {
+            BinaryOperator::Equal => compute(Op::Equal, vec![x, y], Scalar::Bool, span),
+            BinaryOperator::NotEqual => compute(Op::Differ, vec![x, y], Scalar::Bool, span),
+            BinaryOperator::Less => two(Operation::Less, x, y, span),
+            BinaryOperator::LessEqual => two(Operation::LessEqual, x, y, span),
+            BinaryOperator::Greater => two(Operation::Greater, x, y, span),
+            BinaryOperator::GreaterEqual => two(Operation::GreaterEqual, x, y, span),
+            _ => return None,
+        })
+    }
+}
+
+/// Whether a type is POINTER TO something.
+pub(super) fn is_pointer(data_type: &DataType) -> bool {
+    matches!(data_type, DataType::Reference(reference) if reference.kind == ReferenceKind::Pointer)
+}
+
+/// Whether a type is as wide as an address.
+pub(super) fn is_address(data_type: &DataType) -> bool {
+    matches!(data_type, DataType::LongWord | DataType::UnsignedLongInt)
+}
+
+/// A whole number as I64.
+fn as_bytes(typed: &Typed, span: Span) -> Option<Value> {
+    match typed {
+        Typed::Integer { value, .. } => Some(number(i64::try_from(*value).ok()?, Scalar::I64, span)),
+        Typed::Scalar { value, data_type } => {
+            let kind = Kind::of(data_type)?;
+            let whole = kind.is_integer() || kind.class == Class::Bits && kind.bits > 1;
+            whole.then(|| convert(value.clone(), Scalar::I64))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,179 @@
+//! FB_Init of codesys: the organization blocks of a restart call it for every instance that lasts.
+
+use std::collections::BTreeSet;
+
+use sieben_model::block::BlockId;
+use sieben_model::source::Span;
+use sieben_model::types::{DataType, Structure};
+
+use super::bodies::Bodies;
+use super::environment::{BlockNames, Environment};
+use super::types::holds_instance;
+use super::{Declared, ast};
+use crate::scope::key;
+use crate::st::ast::{MemberKind, TypeKind, VarSection};
+use crate::st::check::Block;
+use crate::st::check::construct::{Begun, construct};
+use crate::st::check::names::Names;
+use crate::st::check::places::element_step;
+use crate::st::dialect::{Construct, Dialect, Judgement};
+use crate::st::tree::{Base, Body, Place};
+
+/// The method.
+pub(super) const FB_INIT: &str = "FB_Init";
+/// Instances of an array that are begun one by one; FB_Init of more than these is not called.
+const ELEMENTS_MAX: u64 = 10_000;
+
+/// What is done before the first cycle.
+#[derive(Default)]
+pub(super) struct Beginning {
+    pub(super) body: Body,
+    pub(super) called: BTreeSet<BlockId>,
+    /// The first declaration with an FB_Init.
+    pub(super) span: Span,
+}
+
+/// Where the walk is: an instance, or a list of global variables.
+struct Within<'w, 'a> {
+    place: Place,
+    structure: &'w Structure,
+    sections: Vec<&'a VarSection>,
+    /// The function block whose instance it is.
+    owner: Option<BlockId>,
+    dialect: Dialect,
+}
+
+impl<'a> Environment<'a> {
+    /// The calls of FB_Init, those of inner instances first.
+    pub(super) fn beginning(&self, bodies: &mut Bodies) -> Beginning {
+        let mut beginning = Beginning::default();
+        let has_any = self.items.objects.iter().any(|(block, _)| self.initializer(block).is_some());
+        let constructed =
+            |section: &&VarSection| section.declarations.iter().any(|one| matches!(one.data_type.kind, TypeKind::Constructed { .. }));
+        let sections = self.items.code.values().flat_map(|code| &code.block.sections);
+        if !has_any && !sections.chain(self.items.lists.iter().map(|list| list.section)).any(|section| constructed(&section)) {
+            return beginning;
+        }
+        for list in &self.items.lists {
+            let Some(structure) = self.structure_of(list.number) else { continue };
+            let place = Place { base: Base::DataBlock(list.number), offset: 0, indexes: Vec::new(), span: list.section.span };
+            let within = Within { place, structure: &structure, sections: vec![list.section], owner: None, dialect: list.dialect };
+            self.begin_inside(&within, &mut beginning, bodies);
+        }
+        for program in &self.items.programs {
+            let place = Place { base: Base::DataBlock(program.instance), offset: 0, indexes: Vec::new(), span: program.span };
+            self.begin(program.block, &place, None, &[], program.span, &mut beginning, bodies);
+        }
+        beginning
+    }
+
+    /// The FB_Init that a block itself declares.
+    fn initializer(&self, block: BlockId) -> Option<BlockId> {
+        let object = self.items.objects.get(block)?;
+        let method = object.members.get(&(key(FB_INIT), MemberKind::Method))?;
+        (object.dialect.judge(Construct::PointerTo) != Judgement::Reject && !method.is_abstract).then_some(method.function)
+    }
+
+    /// One instance: what is in it, then the instance itself.
+    #[allow(clippy::too_many_arguments)] // An instance, and what its declaration says.
+    fn begin(
+        &self,
+        block: BlockId,
+        place: &Place,
+        within: Option<&Within<'_, 'a>>,
+        arguments: &[ast::Argument],
+        span: Span,
+        beginning: &mut Beginning,
+        bodies: &mut Bodies,
+    ) {
+        let mut line = vec![block];
+        while let Some(base) = line.last().and_then(|&last| self.items.objects.get(last)?.base)
+            && !line.contains(&base)
+        {
+            line.push(base);
+        }
+        line.reverse();
+        let codes = line.iter().filter_map(|one| self.items.code.get(one));
+        let sections: Vec<&VarSection> = codes.flat_map(|code| &code.block.sections).collect();
+        if let (Some(code), Some(names)) =
+            (self.items.code.get(&block), self.items.code.get(&block).and_then(|code| self.names(block, code.dialect)))
+            && let Some(structure) = names.instance(block)
+        {
+            let inside = Within { place: place.clone(), structure: &structure, sections, owner: Some(block), dialect: code.dialect };
+            self.begin_inside(&inside, beginning, bodies);
+        }
+        let initializers: Vec<BlockId> = line.iter().filter_map(|&one| self.initializer(one)).collect();
+        let Some(&last) = initializers.last() else {
+            if let Some(first) = arguments.first() {
+                let message =
+                    format!("`{}` has no FB_Init that takes arguments", self.items.names.get(&block).cloned().unwrap_or_default());
+                let problem = sieben_model::problems::Problem::P6327;
+                bodies.failed = true;
+                bodies.diagnostics.push(sieben_model::diagnostic::Diagnostic::new(problem, first.span, message));
+            }
+            return;
+        };
+        for function in initializers {
+            // What FB_Init of a base does not take is for the one that extends it.
+            let takes = |argument: &&ast::Argument| {
+                let Some(name) = &argument.name else { return true };
+                function == last
+                    || self.interface_of(function).is_some_and(|interface| interface.parameters().any(|formal| name.is(&formal.name)))
+            };
+            let arguments: Vec<ast::Argument> = arguments.iter().filter(takes).cloned().collect();
+            let owner = within.and_then(|within| within.owner.map(|_| within.place.clone()));
+            let begun = Begun { function, instance: place.clone(), owner, arguments: &arguments, span };
+            let dialect = within.map_or_else(Dialect::default, |within| within.dialect);
+            let checked_as = Block { id: BlockId::ob(100), dialect, body: &[], labels: &[], actions: &[], result: None, end: span };
+            let nothing = Declared::default();
+            let mut checked = match within.and_then(|within| self.names(within.owner?, dialect)) {
+                Some(names) => construct(&checked_as, &names, &begun),
+                None => construct(&checked_as, &BlockNames::outside(self, &nothing, checked_as.id, dialect), &begun),
+            };
+            bodies.diagnostics.append(&mut checked.diagnostics);
+            bodies.failed |= checked.body.is_none();
+            let Some(mut body) = checked.body else { continue };
+            if beginning.body.statements.is_empty() {
+                beginning.span = span;
+            }
+            beginning.called.append(&mut checked.called);
+            beginning.body.local_size = beginning.body.local_size.max(body.local_size);
+            beginning.body.statements.append(&mut body.statements);
+        }
+    }
+
+    /// The instances among the variables of an instance or a list.
+    fn begin_inside(&self, within: &Within<'_, 'a>, beginning: &mut Beginning, bodies: &mut Bodies) {
+        for field in &within.structure.fields {
+            let (element, count) = match &field.data_type {
+                DataType::Array { bounds, element } => {
+                    (&**element, bounds.iter().map(|(low, high)| (i64::from(*high) - i64::from(*low) + 1).max(0) as u64).product())
+                }
+                other => (other, 1),
+            };
+            if !holds_instance(element) || count > ELEMENTS_MAX {
+                continue;
+            }
+            let declared = within.sections.iter().flat_map(|section| &section.declarations);
+            let declaration = declared.into_iter().find(|one| one.names.iter().any(|declared| declared.name.is(&field.name)));
+            // Fields of structures are instances without arguments.
+            let arguments: &[ast::Argument] = match declaration.map(|declaration| &declaration.data_type.kind) {
+                Some(TypeKind::Constructed { arguments, .. }) => arguments,
+                _ => &[],
+            };
+            let span = declaration.map_or(within.place.span, |declaration| declaration.span);
+            for index in 0..count {
+                let offset = within.place.offset + field.offset + (index as u32).saturating_mul(element_step(element));
+                let place = Place { offset, span, ..within.place.clone() };
+                match element {
+                    DataType::Instance { block, .. } => self.begin(*block, &place, Some(within), arguments, span, beginning, bodies),
+                    DataType::Struct(structure) => {
+                        let inside = Within { place, structure, sections: Vec::new(), ..*within };
+                        self.begin_inside(&inside, beginning, bodies);
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+}
