@@ -4,6 +4,7 @@ use sieben_model::block::BlockId;
 use sieben_model::interface::Section;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
+use sieben_model::types::DataType;
 
 use super::names::Names;
 use super::{Block, Checked, Checker};
@@ -41,6 +42,12 @@ impl Checker<'_> {
     fn construct(&mut self, begun: &Begun<'_>) -> Option<Statement> {
         let span = begun.span;
         let interface = self.interface(begun.function, span)?;
+        let begins = interface.parameters().filter(|formal| formal.section == Section::Input).take(OF_THE_SYSTEM);
+        if begins.filter(|formal| formal.data_type == DataType::Bool).count() < OF_THE_SYSTEM {
+            // Said once, of the method, and not of every instance.
+            self.failed = true;
+            return None;
+        }
         let inputs: Vec<String> = interface.parameters().map(|formal| formal.name.clone()).collect();
         let of_inputs = interface.parameters().filter(|formal| formal.section == Section::Input).skip(OF_THE_SYSTEM);
         let given = |name: &str| begun.arguments.iter().any(|argument| argument.name.as_ref().is_none_or(|given| given.is(name)));

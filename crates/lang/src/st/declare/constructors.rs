@@ -3,6 +3,9 @@
 use std::collections::BTreeSet;
 
 use sieben_model::block::BlockId;
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::interface::Section;
+use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::{DataType, Structure};
 
@@ -51,6 +54,7 @@ impl<'a> Environment<'a> {
         let constructed =
             |section: &&VarSection| section.declarations.iter().any(|one| matches!(one.data_type.kind, TypeKind::Constructed { .. }));
         let sections = self.items.code.values().flat_map(|code| &code.block.sections);
+        self.misdeclared(bodies);
         if !has_any && !sections.chain(self.items.lists.iter().map(|list| list.section)).any(|section| constructed(&section)) {
             return beginning;
         }
@@ -65,6 +69,24 @@ impl<'a> Environment<'a> {
             self.begin(program.block, &place, None, &[], program.span, &mut beginning, bodies);
         }
         beginning
+    }
+
+    /// Says which FB_Init does not begin with the two inputs that every one has; that of a broken declaration is told there.
+    fn misdeclared(&self, bodies: &mut Bodies) {
+        for (block, _) in self.items.objects.iter() {
+            let Some(function) = self.initializer(block) else { continue };
+            let Some(interface) = self.interface_of(function).filter(|_| self.declared(function).is_some_and(|found| !found.broken)) else {
+                continue;
+            };
+            let inputs = interface.parameters().filter(|formal| formal.section == Section::Input).take(2);
+            let Some(code) = self.items.code.get(&function) else { continue };
+            if inputs.filter(|formal| formal.data_type == DataType::Bool).count() < 2 {
+                let help = "Write `VAR_INPUT bInitRetains : BOOL; bInCopyCode : BOOL; END_VAR`, then the inputs of your own.";
+                let message = "FB_Init begins with two inputs of the system, both BOOL";
+                bodies.failed = true;
+                bodies.diagnostics.push(Diagnostic::new(Problem::P6327, code.block.name.span, message).help(help));
+            }
+        }
     }
 
     /// The FB_Init that a block itself declares.
@@ -107,9 +129,8 @@ impl<'a> Environment<'a> {
             if let Some(first) = arguments.first() {
                 let message =
                     format!("`{}` has no FB_Init that takes arguments", self.items.names.get(&block).cloned().unwrap_or_default());
-                let problem = sieben_model::problems::Problem::P6327;
                 bodies.failed = true;
-                bodies.diagnostics.push(sieben_model::diagnostic::Diagnostic::new(problem, first.span, message));
+                bodies.diagnostics.push(Diagnostic::new(Problem::P6327, first.span, message));
             }
             return;
         };

@@ -109,7 +109,7 @@ chapters! {
         "rol" "rotating" ["ROL" "ROR"] "ROL(IN: ANY_BIT; N: ANY_INT): ANY_BIT" "ROR(IN: ANY_BIT; N: ANY_INT): ANY_BIT";
         "swap" "bytes in the other order" ["SWAP" "TO_BIG_ENDIAN" "FROM_BIG_ENDIAN" "TO_LITTLE_ENDIAN" "FROM_LITTLE_ENDIAN"] "SWAP(IN: WORD): WORD" "TO_LITTLE_ENDIAN(IN: WORD): WORD";
         "byte_to_gray" "Gray code" ["BYTE_TO_GRAY" "WORD_TO_GRAY" "DWORD_TO_GRAY" "GRAY_TO_BYTE" "GRAY_TO_WORD" "GRAY_TO_DWORD"] "BYTE_TO_GRAY(X: BYTE): BYTE" "GRAY_TO_BYTE(X: BYTE): BYTE";
-        "hexinascii" "hexadecimal digits and characters in numbers" ["BYTE_TO_HEXINASCII" "HEXINASCII_TO_BYTE" "WORD_AS_STRING"] "BYTE_TO_HEXinASCII(B: BYTE): WORD" "HEXinASCII_TO_BYTE(W: WORD): BYTE" "WORD_AS_STRING(W: WORD): STRING";
+        "hexinascii" "digits and characters as numbers" ["BYTE_TO_HEXINASCII" "HEXINASCII_TO_BYTE" "WORD_AS_STRING"] "BYTE_TO_HEXinASCII(B: BYTE): WORD" "HEXinASCII_TO_BYTE(W: WORD): BYTE" "WORD_AS_STRING(W: WORD): STRING";
         "extract" "single bits" ["EXTRACT" "PUTBIT" "PACK" "UNPACK"] "EXTRACT(X: DWORD; N: BYTE): BOOL" "PUTBIT(X: DWORD; N: BYTE; B: BOOL): DWORD"
             "PACK(B0: BOOL; B1: BOOL; B2: BOOL; B3: BOOL; B4: BOOL; B5: BOOL; B6: BOOL; B7: BOOL): BYTE"
             "UNPACK(B: BYTE) → B0: BOOL; B1: BOOL; B2: BOOL; B3: BOOL; B4: BOOL; B5: BOOL; B6: BOOL; B7: BOOL";
