@@ -5,10 +5,9 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{program, run};
+use noting::{all_engines_agree, program, run};
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
-use sieben_engine::{Entry, Exit, Interpreter, Machine, Reaction, StopReason};
-use sieben_jit::{Jit, StatusBits};
+use sieben_engine::{Entry, Exit, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
@@ -226,15 +225,7 @@ fn bits_that_loops_fill_and_cross_out_are_those_of_the_interpreter() {
             };
             run(engine.as_ref(), &layout, &entry, &prepare, &answer)
         };
-        let expected = outcome(Interpreter::load(&program, &layout));
-        for status in [StatusBits::All, StatusBits::Needed] {
-            let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
-            let code = &program.code[&block].code;
-            got.assert_ends_as(&expected, &|| format!("{seed} {status:?}\n{code}"));
-            if status == StatusBits::All {
-                assert_eq!(got.registers, expected.registers, "{seed}\n{code}");
-            }
-        }
+        let expected = all_engines_agree((&program, &layout), true, &outcome, &|| format!("{seed}\n{}", program.code[&block].code));
         asked += expected.asked.len();
         finished += usize::from(expected.exit == Exit::Finished);
         changed += usize::from(expected.asked.len() < 3 && expected.exit == Exit::Finished);

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{layout, program, run};
+use noting::{all_engines_agree, layout, program, run};
 use sieben_engine::fault::NOTED;
 use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, TextAction, TextRoom, Var};
@@ -565,11 +565,7 @@ fn an_index_that_is_changed_while_an_instance_runs_is_looked_at_again() {
             };
             run(engine.as_ref(), &layout, &entry, &|_| {}, &answer)
         };
-        let expected = outcome(Interpreter::load(&program, &layout));
-        for status in [StatusBits::All, StatusBits::Needed] {
-            let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
-            got.assert_ends_as(&expected, &|| format!("{which} {status:?}"));
-        }
+        all_engines_agree((&program, &layout), false, &outcome, &|| which.to_string());
     }
 }
 
@@ -634,11 +630,7 @@ fn an_element_that_is_the_index_of_others_is_written_on_all_engines() {
             };
             run(engine.as_ref(), &layout, &entry, &prepare, &|_, _, _| Reaction::Continue)
         };
-        let expected = outcome(Interpreter::load(&program, &layout));
-        for status in [StatusBits::All, StatusBits::Needed] {
-            let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
-            got.assert_ends_as(&expected, &|| format!("{element} {status:?}"));
-        }
+        all_engines_agree((&program, &layout), false, &outcome, &|| format!("element {element}"));
     }
 }
 
@@ -697,9 +689,5 @@ fn a_block_that_changes_a_pointer_in_its_instance_writes_where_that_goes_now() {
     let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
     let outcome =
         |engine: Arc<dyn Engine>| run(engine.as_ref(), &layout, &entry, &|machine| machine.budget = 100, &|_, _, _| Reaction::Continue);
-    let expected = outcome(Interpreter::load(&program, &layout));
-    for status in [StatusBits::All, StatusBits::Needed] {
-        let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
-        got.assert_ends_as(&expected, &|| format!("{status:?}"));
-    }
+    all_engines_agree((&program, &layout), false, &outcome, &|| String::new());
 }

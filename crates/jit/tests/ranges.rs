@@ -5,11 +5,10 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{layout, program, run};
+use noting::{all_engines_agree, layout, program, run};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, TextAction, TextRoom, Var};
-use sieben_engine::{Entry, Exit, FaultPlace, Interpreter, Machine, Reaction, StopReason};
-use sieben_jit::{Jit, StatusBits};
+use sieben_engine::{Entry, Exit, FaultPlace, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
@@ -330,12 +329,7 @@ fn loops_whose_variables_somebody_changes_do_the_same_on_all_engines() {
             let answer = |machine: &mut Machine, what: &str, asked: usize| meddle(machine, what, &mut dice.borrow_mut(), asked);
             run(engine.as_ref(), &layout, &entry, &prepare, &answer)
         };
-        let expected = outcome(Interpreter::load(&program, &layout));
-        for status in [StatusBits::All, StatusBits::Needed] {
-            let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
-            let code = &program.code[&block].code;
-            got.assert_ends_as(&expected, &|| format!("{seed} {status:?}\n{code}"));
-        }
+        let expected = all_engines_agree((&program, &layout), false, &outcome, &|| format!("{seed}\n{}", program.code[&block].code));
         asked += expected.asked.len();
         finished += usize::from(expected.exit == Exit::Finished);
     }

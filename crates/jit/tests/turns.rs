@@ -5,12 +5,11 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{program, run};
+use noting::{all_engines_agree, program, run};
 use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
-use sieben_engine::{Entry, Exit, FaultPlace, Interpreter, Layout, Machine, Reaction, StopReason};
-use sieben_jit::{Jit, StatusBits};
+use sieben_engine::{Entry, Exit, FaultPlace, Layout, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
@@ -918,15 +917,7 @@ fn turns_that_nobody_looks_at_do_what_the_interpreter_does() {
             let answer = |machine: &mut Machine, _: &str, asked: usize| meddle(machine, &mut dice.borrow_mut(), asked);
             run(engine.as_ref(), &layout, &entry, &prepare, &answer)
         };
-        let expected = outcome(Interpreter::load(&program, &layout));
-        for status in [StatusBits::All, StatusBits::Needed] {
-            let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
-            let code = &program.code[&block].code;
-            got.assert_ends_as(&expected, &|| format!("{seed} {status:?}\n{code}"));
-            if status == StatusBits::All {
-                assert_eq!(got.registers, expected.registers, "{seed}\n{code}");
-            }
-        }
+        let expected = all_engines_agree((&program, &layout), true, &outcome, &|| format!("{seed}\n{}", program.code[&block].code));
         asked += expected.asked.len();
         finished += usize::from(expected.exit == Exit::Finished);
     }

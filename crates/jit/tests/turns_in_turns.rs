@@ -2,10 +2,9 @@
 
 use std::sync::Arc;
 
-use noting::{program, run};
+use noting::{all_engines_agree, program, run};
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target};
-use sieben_engine::{Entry, Interpreter, Machine, Reaction, StopReason};
-use sieben_jit::{Jit, StatusBits};
+use sieben_engine::{Entry, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
@@ -52,11 +51,7 @@ fn compare(middle: &dyn Fn(&mut Builder)) {
     let prepare = |machine: &mut Machine| machine.budget = 100_000;
     let answer = |_: &mut Machine, _: &str, _: usize| Reaction::Stop(StopReason { event: 0x4562, place: None });
     let outcome = |engine: Arc<dyn sieben_engine::Engine>| run(engine.as_ref(), &layout, &entry, &prepare, &answer);
-    let expected = outcome(Interpreter::load(&program, &layout));
-    for status in [StatusBits::All, StatusBits::Needed] {
-        let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
-        got.assert_ends_as(&expected, &|| format!("{status:?}"));
-    }
+    all_engines_agree((&program, &layout), false, &outcome, &|| String::new());
 }
 
 #[test]

@@ -5,11 +5,10 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{program, run};
+use noting::{all_engines_agree, program, run};
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
-use sieben_engine::{Entry, Exit, FaultPlace, Interpreter, Layout, Machine, Reaction, StopReason};
-use sieben_jit::{Jit, StatusBits};
+use sieben_engine::{Entry, Exit, FaultPlace, Layout, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
@@ -355,12 +354,7 @@ fn turns_with_wide_numbers_do_what_the_interpreter_does() {
             };
             run(engine.as_ref(), &layout, &entry, &prepare, &answer)
         };
-        let expected = outcome(Interpreter::load(&program, &layout));
-        for status in [StatusBits::All, StatusBits::Needed] {
-            let got = outcome(Jit::compiled(&program, &layout, status).expect("machine code"));
-            let code = &program.code[&block].code;
-            got.assert_ends_as(&expected, &|| format!("{seed} {status:?}\n{code}"));
-        }
+        let expected = all_engines_agree((&program, &layout), false, &outcome, &|| format!("{seed}\n{}", program.code[&block].code));
         asked += expected.asked.len();
         finished += usize::from(expected.exit == Exit::Finished);
     }

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use sieben_engine::ir::Builder;
 use sieben_engine::machine::Registers;
-use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Layout, Machine, Program, Reaction};
+use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Interpreter, Layout, Machine, Program, Reaction};
+use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::Width;
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
@@ -93,4 +94,24 @@ pub(crate) fn run(engine: &dyn Engine, layout: &Layout, entry: &Entry, prepare: 
     let mut host = Noting { asked: Vec::new(), answer };
     let exit = engine.run(&mut Context { machine: &mut machine, host: &mut host, tracer: None }, entry);
     Outcome { asked: host.asked, exit, arena: machine.memory.arena, registers: machine.registers, budget: machine.budget }
+}
+
+/// Runs a program in the interpreter and as machine code, with all status bits and with those that are needed: all have to end alike, with
+/// all status bits in their `registers` too if these count. What the interpreter left.
+#[allow(dead_code)] // Not every test that shares this file compares programs alone.
+pub(crate) fn all_engines_agree(
+    (program, layout): (&Program, &Layout),
+    registers: bool,
+    outcome: &dyn Fn(Arc<dyn Engine>) -> Outcome,
+    what: &dyn Fn() -> String,
+) -> Outcome {
+    let expected = outcome(Interpreter::load(program, layout));
+    for status in [StatusBits::All, StatusBits::Needed] {
+        let got = outcome(Jit::compiled(program, layout, status).expect("machine code"));
+        got.assert_ends_as(&expected, &|| format!("{status:?} {}", what()));
+        if registers && status == StatusBits::All {
+            assert_eq!(got.registers, expected.registers, "{}", what());
+        }
+    }
+    expected
 }

@@ -66,11 +66,7 @@ impl Checker<'_> {
                 before.push(Statement { kind: StatementKind::AssignString { target: place.clone(), room, source: text }, span });
                 return Some((bytes_at(place, room.bytes(), span), true));
             }
-            Reached::Other(other) => {
-                let what = self.what(&other);
-                self.report(Problem::P4011, span, format!("`{function}` takes a variable here, not {what}"));
-                return None;
-            }
+            Reached::Other(other) => return self.is_no_variable(function, &other, span),
         };
         if !self.is_whole(&target) {
             return None;

@@ -387,17 +387,20 @@ impl Checker<'_> {
         self.in_bytes("Deserialize", (given[0], given[2]), target, false, span)
     }
 
+    /// Says that a function takes a variable where something else stands.
+    pub(super) fn is_no_variable<T>(&mut self, function: &str, other: &Typed, span: Span) -> Option<T> {
+        let what = self.what(other);
+        self.report(Problem::P4011, span, format!("`{function}` takes a variable here, not {what}"));
+        None
+    }
+
     /// A variable of whole bytes.
     fn bytes_of(&mut self, function: &str, expression: &Expression) -> Option<Target> {
         let span = expression.span;
         let target = match self.reach(expression) {
             Reached::Target(target) => target,
             Reached::Other(Typed::Poison) => return None,
-            Reached::Other(other) => {
-                let what = self.what(&other);
-                self.report(Problem::P4011, span, format!("`{function}` takes a variable here, not {what}"));
-                return None;
-            }
+            Reached::Other(other) => return self.is_no_variable(function, &other, span),
         };
         if !self.is_whole(&target) {
             return None;

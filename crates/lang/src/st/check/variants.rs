@@ -186,11 +186,7 @@ impl Checker<'_> {
         let source = match self.reach(given[0]) {
             Reached::Target(source) => source,
             Reached::Other(Typed::Poison) => return None,
-            Reached::Other(other) => {
-                let what = self.what(&other);
-                self.report(Problem::P4011, given[0].span, format!("`VariantPut` takes a variable here, not {what}"));
-                return None;
-            }
+            Reached::Other(other) => return self.is_no_variable("VariantPut", &other, given[0].span),
         };
         self.moved_if_same("VariantPut", (&target, given[1].span), (source, given[0].span), false, span)
     }
