@@ -4,9 +4,11 @@
 use std::fmt::Write as _;
 use std::sync::Arc;
 
-use sieben_cpu::{Cpu, OperatingMode, Rack, Restart, Settings};
+use program::compile_sources;
+use sieben_cpu::{Cpu, DiagnosticEntry, OperatingMode, Rack, Restart, Settings};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
 use sieben_jit::{Jit, StatusBits};
+use sieben_lang::st::dialect::Dialect;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::mnemonics::Mnemonics;
 
@@ -163,4 +165,43 @@ fn what_a_loop_keeps_in_registers_is_in_memory_when_somebody_looks() {
         faults += u64::from(expected.machine().memory.area(sieben_model::address::Area::BitMemory)[70] > 0);
     }
     assert!(faults > PROGRAMS / 5 && ran > PROGRAMS, "{faults} programs with faults, {ran} scans to their end");
+}
+
+#[test]
+fn an_element_that_nobody_needs_is_looked_for_and_noted() {
+    // In each third scan the index that the array `t` has is outside of `a`.
+    let text = "FUNCTION_BLOCK Reader
+VAR t, a, b, c : ARRAY[0..99] OF DINT; i, y, scans : DINT; END_VAR
+scans := scans + 1;
+IF scans MOD 3 = 0 THEN t[50] := 200; ELSE t[50] := 7; END_IF;
+FOR i := 0 TO 99 DO
+  y := a[t[i]];
+  y := b[i];
+  c[i] := y;
+END_FOR;
+END_FUNCTION_BLOCK
+PROGRAM Main
+VAR reader : Reader; END_VAR
+reader();
+END_PROGRAM
+";
+    let cpu_type = CpuType::by_name("315-2PN/DP").expect("a CPU type");
+    let compiled = compile_sources(&[("reader.st", text)], None, Some(Dialect::Iec), cpu_type).expect("the program compiles");
+    let program = Arc::new(compiled.program);
+    let noted = |engine: fn(&Program, &Layout) -> Arc<dyn Engine>| {
+        let mut cpu = load(&program, engine);
+        for scan in 0..9 {
+            cpu.scan(scan * 10_000);
+        }
+        cpu.diagnostic_buffer().entries().map(DiagnosticEntry::event).collect::<Vec<u16>>()
+    };
+    let expected = noted(Interpreter::load);
+    assert_eq!(expected.iter().filter(|&&event| event == 0x2522).count(), 3);
+    for status in [StatusBits::All, StatusBits::Needed] {
+        let found = match status {
+            StatusBits::All => noted(|program, layout| Jit::compiled(program, layout, StatusBits::All).expect("machine code")),
+            StatusBits::Needed => noted(|program, layout| Jit::compiled(program, layout, StatusBits::Needed).expect("machine code")),
+        };
+        assert_eq!(found, expected, "{status:?}");
+    }
 }

@@ -195,6 +195,11 @@ impl Search<'_> {
                         let given = passed.split_off(passed.len().checked_sub(usize::from(parameters))?);
                         let inner = self.of_block(callee)?;
                         effects.add_call(&inner, &given, instance)?;
+                        let is_own =
+                            |held: &Held| matches!(*held, Held::Constant(pointer) if pointed_area(pointer, true) == Ok(Area::InstanceData));
+                        if given.iter().any(is_own) {
+                            written.push(ANYWHERE);
+                        }
                         written.extend(inner.instance.iter().map(|range| match instance {
                             Some(added) => range.start + i64::from(added as i32)..range.end + i64::from(added as i32),
                             None => ANYWHERE,

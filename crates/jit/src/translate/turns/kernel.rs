@@ -207,6 +207,8 @@ impl Kernel {
         let conditions = [Some(self.outer.again), self.inner.as_ref().map(|inner| inner.again)];
         let mut waiting: Vec<Node> = self.outer.ends.values().copied().chain(self.all_ends()).chain(of_accesses).collect();
         waiting.extend(conditions.into_iter().flatten());
+        // What has to be below a limit is looked at though nobody needs the element.
+        waiting.extend(self.required.iter().map(|&(number, _)| number));
         while let Some(node) = waiting.pop() {
             if needed.insert(node) {
                 match self.what(node) {
