@@ -144,6 +144,16 @@ fn call(b: &mut Builder, dice: &mut Dice, first: u16) {
     b.push(Inst::Call { callee: Callee::Block(BlockId::fb(number)), parameters: 2 });
 }
 
+/// The end of a loop: its counter is one more, and the loop goes on at a statement unless the counter is above a limit.
+fn count_on(b: &mut Builder, (counter, width): (Place, Width), limit: u64, to: Target) {
+    let (value, one) = (b.load(counter, width, OnFault::SkipStatement), b.constant(1));
+    let next = b.compute(Op::AddU16, &[value, one]);
+    b.store(counter, width, next);
+    let limit = b.constant(limit);
+    let goes_on = b.compute(Op::LeI16, &[next, limit]);
+    b.push(Inst::Branch { condition: goes_on, to });
+}
+
 /// A loop of an instance over its own variables, of which some are elements; how many statements that are.
 fn own_loop(b: &mut Builder, dice: &mut Dice, first: u32) -> u32 {
     let (at, width) = (8 * dice.roll(8) as u32, dice.of(&[Width::Word, Width::Byte]));
@@ -171,12 +181,7 @@ fn own_loop(b: &mut Builder, dice: &mut Dice, first: u32) -> u32 {
         statements += 1;
     }
     b.begin_statement();
-    let (value, one) = (b.load(index, width, OnFault::SkipStatement), b.constant(1));
-    let next = b.compute(Op::AddU16, &[value, one]);
-    b.store(index, width, next);
-    let limit = b.constant(dice.of(&[1, 2, 3]));
-    let goes_on = b.compute(Op::LeI16, &[next, limit]);
-    b.push(Inst::Branch { condition: goes_on, to: Target(first + 1) });
+    count_on(b, (index, width), dice.of(&[1, 2, 3]), Target(first + 1));
     statements + 1
 }
 
@@ -296,12 +301,7 @@ fn hands_on(b: &mut Builder, dice: &mut Dice) {
     }
     b.begin_statement();
     b.set(Register::Ar2, 0x8400_0000);
-    let (value, one) = (b.load(counter, Width::Word, OnFault::SkipStatement), b.constant(1));
-    let next = b.compute(Op::AddU16, &[value, one]);
-    b.store(counter, Width::Word, next);
-    let limit = b.constant(2);
-    let goes_on = b.compute(Op::LeI16, &[next, limit]);
-    b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+    count_on(b, (counter, Width::Word), 2, Target(1));
 }
 
 /// A function block that works with what it was handed.
@@ -533,12 +533,7 @@ fn an_index_that_is_changed_while_an_instance_runs_is_looked_at_again() {
         let pointer = b.compute(Op::AddU32, &[Register::Ar2.into(), by]);
         b.store(Place::Indirect { area: Area::InstanceData, pointer, offset: 16 }, Width::Word, number);
         b.begin_statement();
-        let (value, one) = (b.load(index, Width::Word, OnFault::SkipStatement), b.constant(1));
-        let next = b.compute(Op::AddU16, &[value, one]);
-        b.store(index, Width::Word, next);
-        let limit = b.constant(3);
-        let goes_on = b.compute(Op::LeI16, &[next, limit]);
-        b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+        count_on(b, (index, Width::Word), 3, Target(1));
     };
     let counts = |b: &mut Builder| {
         b.begin_statement();
@@ -590,12 +585,7 @@ fn an_element_that_is_the_index_of_others_is_written_on_all_engines() {
         let saved = b.load(SAVED, Width::DoubleWord, OnFault::SkipStatement);
         b.copy(Register::Ar2, saved);
         b.begin_statement();
-        let (value, one) = (b.load(index, Width::Word, OnFault::SkipStatement), b.constant(1));
-        let next = b.compute(Op::AddU16, &[value, one]);
-        b.store(index, Width::Word, next);
-        let limit = b.constant(3);
-        let goes_on = b.compute(Op::LeI16, &[next, limit]);
-        b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+        count_on(b, (index, Width::Word), 3, Target(1));
     };
     // Byte 0 is the index of a read; the byte to which byte 2 counts is written in between: this one, another one, one of another instance.
     let counts = |b: &mut Builder| {
@@ -663,12 +653,7 @@ fn a_block_that_changes_a_pointer_in_its_instance_writes_where_that_goes_now() {
         b.store(Place::Indirect { area: Area::InstanceData, pointer: to, offset: 16 }, Width::Byte, value);
         b.begin_statement();
         b.set(Register::Ar2, 0x8400_0000);
-        let (value, one) = (b.load(index, Width::Word, OnFault::SkipStatement), b.constant(1));
-        let next = b.compute(Op::AddU16, &[value, one]);
-        b.store(index, Width::Word, next);
-        let limit = b.constant(2);
-        let goes_on = b.compute(Op::LeI16, &[next, limit]);
-        b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+        count_on(b, (index, Width::Word), 2, Target(1));
     };
     // The lower half of the pointer, and then 16#7F where it goes: the upper half of the index.
     let changes = |b: &mut Builder| {
