@@ -112,7 +112,7 @@ fn spell_date(days: u64) -> String {
 
 /// Days from 1970-01-01 to a date of the calendar; `None` before 1970, after 9999, and for days that do not exist.
 pub fn days_of_date(year: u32, month: u32, day: u32) -> Option<u64> {
-    if !(1970..=9999).contains(&year) || !(1..=12).contains(&month) || day < 1 || day > super::days_of_month(year, month) {
+    if !(1970..=9999).contains(&year) || !(1..=12).contains(&month) || day < 1 || day > super::calendar::days_of_month(year, month) {
         return None;
     }
     // Days from 0000-03-01, with years that begin in March.
