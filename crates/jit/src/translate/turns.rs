@@ -24,6 +24,7 @@ mod line;
 mod quads;
 mod reader;
 mod signs;
+mod simplest;
 mod vector;
 mod ways;
 mod write;
