@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use dice::Dice;
 use noting::{layout, program, run};
-use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, TextAction, TextRoom, Var};
 use sieben_engine::{Engine, Entry, Exit, FaultPlace, Interpreter, Machine, Reaction, StopReason};
 use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::{Area, Width};
@@ -118,8 +118,9 @@ impl Block<'_> {
                 _ => Place::Fixed { area: Area::Local, position: 8 * byte + bit },
             }
         };
-        match self.dice.roll(16) {
+        match self.dice.roll(20) {
             0..=1 => self.make_pointer(),
+            16..=19 => self.text(),
             // Hands a pointer on, as it is: number and pointer are read and written.
             2 => {
                 let at = self.dice.of(&POINTERS);
@@ -166,6 +167,44 @@ impl Block<'_> {
                 self.b.store(to, width, value);
             }
         }
+    }
+
+    /// Something that is done with texts, of which at least one is behind a pointer that a parameter points to. Some say themselves how long
+    /// they are.
+    fn text(&mut self) {
+        self.begin();
+        let far = self.far();
+        let other = match self.dice.roll(3) {
+            0 => self.far(),
+            1 => Place::Fixed { area: Area::BitMemory, position: 8 * self.dice.roll(BYTES) as u32 },
+            _ => local(OTHERS + self.dice.roll(8) as u32),
+        };
+        let (from, to) = if self.dice.roll(2) == 0 { (far, other) } else { (other, far) };
+        let action = self.dice.of(&TextAction::ALL);
+        let mut room = || TextRoom { characters_max: self.dice.of(&[0, 0, 0, 1, 3, 6]), wide: self.dice.roll(8) == 0 };
+        let (to_room, from_room) = (room(), room());
+        let to_room = if action == TextAction::Number { TextRoom::NUMBER } else { to_room };
+        let piece = [self.dice.of(&[0, 0, 1, 3]), self.dice.of(&[0, 1, 2, 0x7FFF_FFFF])].map(|number| self.b.constant(number));
+        let dst = self.b.temporary();
+        self.b.push(Inst::Text { action, dst, to, to_room, from, from_room, piece });
+        self.b.store(local(OTHERS + 8), Width::Byte, dst);
+    }
+
+    /// A text behind the pointer to which a parameter points, with the number of its data block.
+    fn far(&mut self) -> Place {
+        let pointer = self.b.temporary();
+        self.b.push(Inst::Parameter { dst: pointer, index: self.dice.roll(2) as u16 });
+        let number = self.load(Place::Crossing { pointer, offset: 0 }, Width::Word);
+        let mut to = self.load(Place::Crossing { pointer, offset: 16 }, Width::DoubleWord);
+        if self.dice.roll(4) == 0 {
+            let (index, eight) = (self.load(local(COUNTERS[0]), Width::Byte), self.b.constant(8));
+            let index = self.b.compute(Op::MulU32, &[index, eight]);
+            to = self.b.compute(Op::AddU32, &[to, index]);
+        }
+        let half = self.b.constant(32);
+        let number = self.b.compute(Op::Shl64, &[number, half]);
+        let pointer = self.b.compute(Op::OrU64, &[number, to]);
+        Place::Crossing { pointer, offset: self.dice.of(&[0, 0, 0, 8]) }
     }
 
     fn call(&mut self) {

@@ -63,7 +63,7 @@ pub(super) struct Ranges {
     inside: FxHashMap<u32, (Base, Range<i64>)>,
     /// Moves of bytes that stay inside their areas: what they may read and what they may write.
     moves: FxHashMap<u32, [(Base, Range<i64>); 2]>,
-    /// Text instructions whose texts stay inside their areas: the bytes in which `from` and `to` lie.
+    /// Text instructions whose texts begin inside their areas: the bytes in which `from` and `to` lie, as far as they are there.
     texts: FxHashMap<u32, [Option<Bytes>; 2]>,
     /// Conditions that always hold.
     met: FxHashSet<u32>,
@@ -110,7 +110,8 @@ impl Ranges {
         self.moves.get(&inst).cloned()
     }
 
-    /// The bytes in which a text of an instruction lies, `from` or `to`, if they are known to be inside their area.
+    /// The bytes in which a text of an instruction lies, `from` or `to`, if they are known to be inside their area. A text that says itself
+    /// how long it is may be longer than these bytes if they are fewer than it can have.
     pub(super) fn text(&self, inst: u32, is_to: bool) -> Option<(Base, Range<i64>)> {
         self.texts.get(&inst)?[usize::from(is_to)].clone()
     }

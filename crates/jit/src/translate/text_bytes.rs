@@ -31,8 +31,13 @@ impl Translator<'_> {
                 self.b.ins().uextend(I32, word)
             }
         };
-        let most = self.constant(text.room.characters_max.into());
+        let most = self.room(text);
         self.fewer(length, most)
+    }
+
+    /// How many characters there is room for.
+    fn room(&mut self, text: &Whole) -> Value {
+        text.most.unwrap_or_else(|| self.constant(text.room.characters_max.into()))
     }
 
     /// The smaller one of two counts.
@@ -61,6 +66,11 @@ impl Translator<'_> {
             return None;
         }
         match action {
+            TextAction::Assign if from.empty => {
+                let (room, none) = (self.room(to), self.constant(0));
+                self.store_lengths(to, room, none);
+                Some(none)
+            }
             TextAction::Assign | TextAction::Piece | TextAction::Append => Some(self.put(action, to, from, piece)),
             TextAction::Find if to.room.characters_max >= I8X16.bytes() as u16 => Some(self.find_one(to, from)),
             TextAction::Compare if self.only_equality_counts(index, dst) => Some(self.differ(to, from)),
@@ -98,14 +108,15 @@ impl Translator<'_> {
                 (first, count)
             }
         };
-        let room = self.constant(most);
+        let room = self.room(to);
+        let fits = most_read <= most && to.most.is_none();
         let put = match behind {
             Some(behind) => {
                 let room = self.b.ins().isub(room, behind);
                 self.fewer(count, room)
             }
-            None if most_read > most => self.fewer(count, room),
-            None => count,
+            None if fits => count,
+            None => self.fewer(count, room),
         };
         let [source, target] = [(from, first), (to, behind)].map(|(text, skipped)| {
             let Address { base, offset, .. } = text.address;
@@ -120,17 +131,22 @@ impl Translator<'_> {
         });
         self.copy_characters(source, target, (put, most.min(most_read)));
         let end = behind.map_or(put, |behind| self.b.ins().iadd(behind, put));
-        let Address { base, offset, .. } = to.address;
-        self.b.ins().istore8(data(), room, base, offset);
-        self.b.ins().istore8(data(), end, base, offset + 1);
+        self.store_lengths(to, room, end);
         match action {
-            TextAction::Assign if most_read <= most => self.constant(0),
+            TextAction::Assign if fits => self.constant(0),
             TextAction::Assign => {
                 let cut = self.b.ins().icmp(IntCC::UnsignedLessThan, put, length);
                 self.b.ins().uextend(I32, cut)
             }
             _ => count,
         }
+    }
+
+    /// Writes both lengths of a text.
+    fn store_lengths(&mut self, text: &Whole, most: Value, length: Value) {
+        let Address { base, offset, .. } = text.address;
+        self.b.ins().istore8(data(), most, base, offset);
+        self.b.ins().istore8(data(), length, base, offset + 1);
     }
 
     /// Copies so many bytes, of which there are no more than the number behind.

@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
+use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I32, I64};
-use cranelift_codegen::ir::{InstBuilder, Value};
+use cranelift_codegen::ir::{Block, BlockArg, InstBuilder, Value};
 use sieben_engine::ir::{Inst, Place, TextAction, TextRoom, Var};
-use sieben_model::address::Area;
+use sieben_model::address::{Area, Width};
 
-use super::memory::{Address, Bit, moved};
+use super::memory::{Address, Bit, data, moved};
 use super::outside::Outside;
 use super::promote::Base;
 use super::value::Val;
@@ -15,7 +16,7 @@ use super::{After, Translator};
 use crate::ask::{Question, text_kind};
 
 /// Bits of a pointer in front of the number of a data block.
-const NUMBER_SHIFT: u32 = 32;
+pub(super) const NUMBER_SHIFT: u32 = 32;
 
 /// A text that is known to lie inside its area, and to be accessible there.
 #[derive(Clone)]
@@ -23,7 +24,19 @@ pub(super) struct Whole {
     pub(super) address: Address,
     /// The bytes that it may lie in.
     touched: (Base, Range<i64>),
+    /// No more characters than these count.
     pub(super) room: TextRoom,
+    /// How many there is room for, if only the text itself says so.
+    pub(super) most: Option<Value>,
+    /// Whether it is known to be empty.
+    pub(super) empty: bool,
+}
+
+impl Whole {
+    /// What the instruction says that there is room for.
+    fn said(&self) -> TextRoom {
+        if self.most.is_some() { self.room.unknown() } else { self.room }
+    }
 }
 
 impl Translator<'_> {
@@ -57,25 +70,82 @@ impl Translator<'_> {
         };
         self.settle_bytes();
         self.store_promoted_in(&source.touched);
-        let Some(target) = target else { return Some(Val::Int(self.text_length(&source))) };
-        self.store_promoted_in(&target.touched);
-        let result = match self.text_written_out((action, &target, &source, piece), (index, dst)) {
-            Some(result) => result,
-            None => {
-                let piece = self.piece(action, piece);
-                self.call_for_texts(action, &target, &source, piece)
-            }
+        if let Some(target) = &target {
+            self.store_promoted_in(&target.touched);
+        }
+        let word = self.piece(action, piece);
+        let [source, target] = [Some(source), target].map(|text| text.map(|text| self.with_most(text)));
+        let checks: Vec<Value> = [&source, &target].into_iter().flatten().filter_map(|text| text.1).collect();
+        let (source, target) = (source?.0, target.map(|text| text.0));
+        let inside = checks.into_iter().reduce(|a, b| self.b.ins().band(a, b));
+        let slow = inside.map(|inside| {
+            let (fast, slow) = (self.b.create_block(), self.cold_block());
+            self.b.ins().brif(inside, fast, &[], slow, &[]);
+            self.b.switch_to_block(fast);
+            self.b.seal_block(fast);
+            slow
+        });
+        let result = match &target {
+            None => self.text_length(&source),
+            Some(target) => match self.text_written_out((action, target, &source, piece), (index, dst)) {
+                Some(result) => result,
+                None => self.call_for_texts(action, target, &source, word),
+            },
         };
-        if action.writes() {
+        let result = match slow {
+            Some(slow) => self.or_asked((index, inst), slow, (result, word)),
+            None => result,
+        };
+        if let Some(target) = target.filter(|_| action.writes()) {
             self.take_promoted_in(&target.touched);
             self.forget_words_in(&target.touched);
         }
         Some(Val::Int(result))
     }
 
+    /// The result that was found, or that of Rust code where a text may be longer than its area.
+    fn or_asked(&mut self, (index, inst): (u32, &Inst), slow: Block, (result, piece): (Value, Value)) -> Value {
+        let Inst::Text { to, from, .. } = *inst else { return result };
+        let go_on = self.b.create_block();
+        let delivered = self.b.append_block_param(go_on, I32);
+        self.b.ins().jump(go_on, &[BlockArg::Value(result)]);
+        self.b.switch_to_block(slow);
+        self.b.seal_block(slow);
+        let before = self.cold.replace(slow);
+        let pointers = [self.pointer(from), self.pointer(to)];
+        self.store_open_blocks();
+        let site = self.site(index);
+        let failed = self.ask(Question::TryText, &[self.link, site, pointers[0], pointers[1], piece]);
+        let value = self.result();
+        let value = self.b.ins().ireduce(I32, value);
+        let cold = self.cold_block();
+        self.b.ins().brif(failed, cold, &[], go_on, &[BlockArg::Value(value)]);
+        self.cold_path(cold, Question::Failed, &[self.link, site], After::NextStatement);
+        self.cold = before;
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+        self.forget_what_was_asked();
+        delivered
+    }
+
+    /// A text with what it says itself that there is room for, and whether so many characters are there, if that has to be looked at.
+    fn with_most(&mut self, text: Whole) -> (Whole, Option<Value>) {
+        if !text.room.is_unknown() {
+            return (text, None);
+        }
+        let Address { base, offset, .. } = text.address;
+        // Both lengths of a literal.
+        let empty = base == self.local && self.constant_word(offset, Width::Word) == Some(0);
+        let most = self.b.ins().uload8(I32, data(), base, offset);
+        let there = text.touched.1.end - text.touched.1.start - i64::from(text.room.head());
+        let inside = (there < u8::MAX.into() && !empty).then(|| self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, most, there));
+        let room = TextRoom { characters_max: there.clamp(1, u8::MAX.into()) as u16, ..text.room };
+        (Whole { room, most: Some(most), empty, ..text }, inside)
+    }
+
     /// The result of a call of Rust code.
     pub(super) fn call_for_texts(&mut self, action: TextAction, to: &Whole, from: &Whole, piece: Value) -> Value {
-        let kind = self.b.ins().iconst(I64, text_kind(action, to.room, from.room) as i64);
+        let kind = self.b.ins().iconst(I64, text_kind(action, to.said(), from.said()) as i64);
         let [from, to] = [from.address, to.address].map(|address| self.arena_byte(address));
         let function = self.functions.get(self.module, Outside::Question(Question::Text));
         let result = self.call(function, &[self.run, kind, from, to, piece]);
@@ -85,11 +155,19 @@ impl Translator<'_> {
     /// A text that is known to lie inside its area.
     fn whole_text(&mut self, index: u32, ((place, room), is_to): ((Place, TextRoom), bool), write: bool) -> Option<Whole> {
         if let Some(known) = self.known_text((place, room), write) {
-            return Some(Whole { address: known.1, touched: touched(known, room), room });
+            return Some(Whole { address: known.1, touched: touched(known, room), room, most: None, empty: false });
         }
         let touched = self.ranges.text(index, is_to)?;
-        let address = self.span(place, room.bytes(), write)?;
-        Some(Whole { address, touched, room })
+        let bytes = touched.1.end - touched.1.start;
+        let address = match place {
+            Place::Fixed { .. } | Place::Indirect { .. } if !room.is_unknown() => self.span(place, room.bytes(), write)?,
+            _ if room.is_unknown() || bytes == i64::from(room.bytes()) => {
+                // Where it begins is known then.
+                Address { base: self.address_of_base(touched.0), offset: i32::try_from(touched.1.start).ok()?, bit: Bit::Number(0) }
+            }
+            _ => return None,
+        };
+        Some(Whole { address, touched, room, most: None, empty: false })
     }
 
     /// The piece in one word.

@@ -3,13 +3,14 @@
 use std::collections::BTreeMap;
 
 use sieben_engine::access::{data_registers, pointed_area};
-use sieben_engine::ir::{DataRegister, OnFault, Op, Place, Var};
+use sieben_engine::ir::{DataRegister, OnFault, Op, Place, TextRoom, Var};
 use sieben_model::address::{Area, Width};
 
 use super::interval::{self, Interval};
-use super::{Analysis, Element, Known, Reach, Same, Span, State};
+use super::{Analysis, Bytes, Element, Known, Reach, Same, Span, State};
 use crate::translate::memory::moved;
 use crate::translate::promote::Base;
+use crate::translate::texts::NUMBER_SHIFT;
 
 impl Analysis<'_> {
     /// What an access to a place reaches.
@@ -29,13 +30,16 @@ impl Analysis<'_> {
                 // The area is known if all that the pointer may be is in one.
                 let (least, most) = self.get(state, temporaries, pointer).range.unsigned(64);
                 if least == most
-                    && let (Ok(Area::CallerLocal), Span::Width(width)) = (pointed_area(least as u64, write), span)
-                    && let Some((byte, _)) = (self.around.caller)(moved(least as u64, offset), width)
+                    && pointed_area(least as u64, write) == Ok(Area::CallerLocal)
+                    && let Some(byte) = self.in_caller(moved(least as u64, offset), span)
                 {
                     if let Some((index, _)) = notes {
                         self.found.pointed.insert(index, (Base::Local, byte));
                     }
                     return Reach::Cell(Base::Local, byte);
+                }
+                if let (true, Span::Bytes(bytes), 1..) = (least == most, span, least >> 32) {
+                    return self.far_bytes(least as u64, offset, bytes, write).unwrap_or(Reach::Anything);
                 }
                 let far = least >> 32 != 0 && matches!(span, Span::Bytes(_));
                 match pointed_area(least as u64, write) {
@@ -72,6 +76,65 @@ impl Analysis<'_> {
             }
             _ => Reach::Inside(base, start + first..start + end),
         }
+    }
+
+    /// Where a pointer to the local data of a caller goes, if that caller is in the same function and all bytes are there.
+    fn in_caller(&self, position: u32, span: Span) -> Option<i32> {
+        let caller = self.around.caller;
+        match span {
+            Span::Width(width) => caller(position, width).map(|(byte, _)| byte),
+            Span::Bytes(bytes) => {
+                let distance = bytes.checked_sub(1)?;
+                let (first, _) = caller(position, Width::Byte)?;
+                let (last, _) = caller(position.checked_add(8 * distance)?, Width::Byte)?;
+                (i64::from(last) - i64::from(first) == i64::from(distance)).then_some(first)
+            }
+        }
+    }
+
+    /// Bytes of the data block that a pointer names.
+    fn far_bytes(&mut self, pointer: u64, offset: u32, bytes: u32, write: bool) -> Option<Reach> {
+        let number = (pointer >> NUMBER_SHIFT & 0xFFFF) as u16;
+        if number == 0 || pointed_area(pointer, write) != Ok(Area::SharedData) || write && self.around.layout.read_only.contains(&number) {
+            return None;
+        }
+        let range = self.around.layout.data_blocks.get(&number)?;
+        let position = moved(pointer, offset);
+        let first = range.start + position as usize / 8;
+        if !position.is_multiple_of(8) || first + bytes as usize > range.end {
+            return None;
+        }
+        self.found.opened.insert(number);
+        Some(Reach::Cell(Base::Arena, i32::try_from(first).ok()?))
+    }
+
+    /// The bytes of a text that begins inside its area; whether all of it is known to lie there. One that says itself how long it is has
+    /// as many as the area has, at most.
+    pub(super) fn text(
+        &mut self,
+        state: &State,
+        temporaries: &BTreeMap<u8, Known>,
+        (place, room): (Place, TextRoom),
+        write: bool,
+    ) -> Option<(Bytes, bool)> {
+        if !room.is_unknown() {
+            let reach = self.reach(state, temporaries, place, Span::Bytes(room.bytes()), write, None);
+            return reach.bytes(room.bytes()).map(|bytes| (bytes, true));
+        }
+        let mut begin = |bytes: u32| match self.reach(state, temporaries, place, Span::Bytes(bytes), write, None) {
+            Reach::Cell(base, offset) if !room.wide => Some((base, i64::from(offset))),
+            _ => None,
+        };
+        let (base, start) = begin(room.head())?;
+        let (mut there, mut most) = (room.head(), room.bytes());
+        while there < most {
+            let middle = (there + most).div_ceil(2);
+            match begin(middle) {
+                Some(_) => there = middle,
+                None => most = middle - 1,
+            }
+        }
+        Some(((base, start..start + i64::from(there)), there == room.bytes()))
     }
 
     /// A pointer moved by an offset.

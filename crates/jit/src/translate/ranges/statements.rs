@@ -66,9 +66,10 @@ impl Analysis<'_> {
                     }
                 }
                 Inst::Text { action, dst, to, to_room, from, from_room, .. } => {
-                    let mut bytes = |place: Place, room: TextRoom, write: bool| match room.is_unknown() {
-                        true => None,
-                        false => self.reach(&state, &temporaries, place, Span::Bytes(room.bytes()), write, None).bytes(room.bytes()),
+                    let mut bytes = |place: Place, room: TextRoom, write: bool| {
+                        let (bytes, whole) = self.text(&state, &temporaries, (place, room), write)?;
+                        fails |= !whole;
+                        Some(bytes)
                     };
                     let is_read = !action.takes_number();
                     let read = if is_read { bytes(from, from_room, false) } else { None };
