@@ -247,8 +247,7 @@ fn real<F: std::str::FromStr + std::ops::Neg<Output = F> + std::ops::Sub<Output 
         at += skipped;
         let mut exponent = 0_u32;
         let mut begun = false;
-        // More than four digits say nothing more about it.
-        while let Some(&digit @ b'0'..=b'9') = characters.get(at).filter(|_| exponent < 1000) {
+        while let Some(&digit @ b'0'..=b'9') = characters.get(at) {
             if !begun {
                 put(b'e');
                 if minus {
@@ -256,8 +255,11 @@ fn real<F: std::str::FromStr + std::ops::Neg<Output = F> + std::ops::Sub<Output 
                 }
                 begun = true;
             }
-            put(digit);
-            exponent = exponent * 10 + u32::from(digit - b'0');
+            // More than four digits say nothing more about it.
+            if exponent < 1000 {
+                put(digit);
+                exponent = exponent * 10 + u32::from(digit - b'0');
+            }
             at += 1;
         }
     }

@@ -161,6 +161,10 @@ impl Collector<'_> {
             Text::Converted(text) => self.text(text),
             Text::Character(value) => self.value(value),
             Text::Call { call, .. } => self.call(call),
+            Text::After(before, text) => {
+                before.iter().for_each(|statement| self.one(statement));
+                self.text(text);
+            }
         }
     }
 

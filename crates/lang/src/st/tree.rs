@@ -228,6 +228,8 @@ pub enum Text {
     Call { call: Box<Call>, room: TextRoom },
     /// A STRING as WSTRING, or the other way; ENO/OK of the block is cleared if a STRING does not know one of the characters.
     Converted(Box<Text>),
+    /// A text that statements make first.
+    After(Vec<Statement>, Box<Text>),
 }
 
 impl Text {
@@ -239,6 +241,7 @@ impl Text {
             Self::Place { room, .. } | Self::Call { room, .. } => room.wide,
             Self::Character(value) => value.scalar.bits() == 16,
             Self::Converted(text) => !text.is_wide(),
+            Self::After(_, text) => text.is_wide(),
         }
     }
     /// What it has room for, or how long it is.
@@ -249,6 +252,7 @@ impl Text {
             Self::Place { room, .. } | Self::Call { room, .. } => *room,
             Self::Character(_) => TextRoom { characters_max: 1, wide: self.is_wide() },
             Self::Converted(text) => TextRoom { wide: self.is_wide(), ..text.room() },
+            Self::After(_, text) => text.room(),
         }
     }
 }

@@ -439,8 +439,11 @@ impl Checker<'_> {
                 self.report(Problem::P6218, span, "this function has no result");
                 Typed::Poison
             }
-            DataType::String(_) | DataType::WideString(_) if before.is_empty() => match room_of(&data_type) {
-                Some(room) => Typed::Text(Text::Call { call: Box::new(call), room }),
+            DataType::String(_) | DataType::WideString(_) => match room_of(&data_type) {
+                Some(room) => {
+                    let text = Text::Call { call: Box::new(call), room };
+                    Typed::Text(if before.is_empty() { text } else { Text::After(before, Box::new(text)) })
+                }
                 None => Typed::Poison,
             },
             DataType::Struct(_) | DataType::Array { .. } | DataType::DateAndTime => {
@@ -768,6 +771,7 @@ impl Checker<'_> {
                     Argument::Aggregate { parameter, source: target.place, data_type: target.data_type }
                 }
                 Typed::Delivered(mut statements, target) if same_type(&target.data_type, wanted) => {
+                    self.keep_arguments(arguments, before);
                     before.append(&mut statements);
                     Argument::Aggregate { parameter, source: target.place, data_type: target.data_type }
                 }
@@ -789,6 +793,34 @@ impl Checker<'_> {
         };
         arguments.push(argument);
         true
+    }
+
+    /// Arguments that statements in front of the call come behind keep what they are: `Both(n, Next())` is given the n from before.
+    fn keep_arguments(&mut self, arguments: &mut [Argument], before: &mut Vec<Statement>) {
+        for argument in arguments {
+            match argument {
+                Argument::Value { value, .. } | Argument::Number { value, .. } if !matches!(value.kind, ValueKind::Constant(_)) => {
+                    let (statement, kept) = self.kept(value.clone());
+                    before.push(statement);
+                    *value = kept;
+                }
+                Argument::Text { text, .. } if !matches!(text, Text::Constant(_) | Text::WideConstant(_)) => {
+                    let (room, span) = (super::texts::known_room(text), before.last().map_or(self.block.end, |last| last.span));
+                    let target = self.temporary_place(room.bytes(), span);
+                    let kept = Text::Place { place: target.clone(), room };
+                    let source = std::mem::replace(text, kept);
+                    before.push(Statement { kind: StatementKind::AssignString { target, room, source }, span });
+                }
+                Argument::Aggregate { source, data_type, .. } => {
+                    let bytes = u32::try_from(data_type.bits().div_ceil(8)).unwrap_or(u32::MAX);
+                    let span = source.span;
+                    let target = self.temporary_place(bytes, span);
+                    let source = std::mem::replace(source, target.clone());
+                    before.push(Statement { kind: StatementKind::Copy { target, source, bytes }, span });
+                }
+                _ => {}
+            }
+        }
     }
 
     fn wrong_argument(&mut self, formal: &Variable, typed: &Typed, span: Span) {

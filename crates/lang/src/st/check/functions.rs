@@ -22,6 +22,8 @@ use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, Statement, St
 
 /// Names that look alike and are asked for one after the other.
 const CANDIDATES_MAX: usize = 8;
+/// Up to here a REAL has all integers.
+const EXACT_INTEGERS: u128 = 1 << f32::MANTISSA_DIGITS;
 
 impl Checker<'_> {
     /// A call of a standard function.
@@ -67,6 +69,9 @@ impl Checker<'_> {
         if let Some(typed) = self.wide_function(name, call, &arguments, span) {
             return typed;
         }
+        if let Some(typed) = self.of_literals(name, &given, &arguments) {
+            return typed;
+        }
         let resolved = match self.is_inner(&name.text) {
             true => None,
             false => standard::resolve(&name.text, self.dialect, &given),
@@ -107,6 +112,20 @@ impl Checker<'_> {
             Some(Err(refusal)) => self.refused(refusal, &arguments, span),
             Some(Ok(resolved)) => self.composed(&name.text, resolved, call, arguments, span),
         }
+    }
+
+    /// `SIN(0.5)`: a number without a type as its argument is, so that an LREAL gets all its digits.
+    fn of_literals(&self, name: &Name, given: &[Given<'_>], arguments: &[(Typed, Span)]) -> Option<Typed> {
+        let mut numbers = Vec::with_capacity(given.len());
+        for (given, (typed, _)) in given.iter().zip(arguments) {
+            numbers.push(match typed {
+                Typed::Integer { value, .. } if value.unsigned_abs() <= EXACT_INTEGERS => (given.name, *value as f64),
+                Typed::Real { value, .. } => (given.name, *value),
+                _ => return None,
+            });
+        }
+        let value = standard::of_literals(&name.text, self.dialect, &numbers)?;
+        Some(Typed::Real { value, single: value as f32 })
     }
 
     /// A call of a standard function whose result nobody uses.

@@ -616,8 +616,9 @@ impl Checker<'_> {
         match self.load(part) {
             Typed::Scalar { value, data_type } => Typed::Scalar { value: after(before, value), data_type },
             Typed::Aggregate(part) => Typed::Delivered(before, part),
+            Typed::Text(text) => Typed::Text(Text::After(before, Box::new(text))),
             Typed::Poison => Typed::Poison,
-            _ => self.not_built(span, "a text as a part of a result"),
+            _ => self.not_built(span, "this part of a result"),
         }
     }
 

@@ -40,6 +40,14 @@ pub(super) fn compared(op: Op, a: Text, b: Text, span: Span) -> Value {
     Value { span, ..operators::compute(op, vec![order, zero], Scalar::Bool) }
 }
 
+/// What a text may need where it is kept.
+pub(super) fn known_room(text: &Text) -> TextRoom {
+    match text.room() {
+        room if room.is_unknown() => TextRoom { characters_max: STRING_LENGTH_MAX.into(), ..room },
+        room => room,
+    }
+}
+
 /// Whether an argument is a WSTRING.
 fn is_wide(typed: &Typed) -> bool {
     matches!(typed, Typed::Text(text) if text.is_wide())
@@ -108,11 +116,8 @@ impl Checker<'_> {
         let mut first = Vec::new();
         // A variable is read where it lies: nothing happens between the comparisons.
         let text = match text {
-            Text::Call { .. } | Text::Converted(_) => {
-                let room = match text.room() {
-                    room if room.is_unknown() => TextRoom { characters_max: STRING_LENGTH_MAX.into(), ..room },
-                    room => room,
-                };
+            Text::Call { .. } | Text::Converted(_) | Text::After(..) => {
+                let room = known_room(&text);
                 let target = self.temporary_place(room.bytes(), span);
                 first.push(Statement { kind: StatementKind::AssignString { target: target.clone(), room, source: text }, span });
                 Text::Place { place: target, room }

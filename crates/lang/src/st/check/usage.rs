@@ -312,6 +312,10 @@ impl Walk<'_> {
             Text::Call { call, .. } => self.call(call),
             Text::Constant(_) | Text::WideConstant(_) => {}
             Text::Converted(text) => self.text(text),
+            Text::After(statements, text) => {
+                self.statements(statements);
+                self.text(text);
+            }
         }
     }
 

@@ -202,6 +202,7 @@ impl Lowering<'_> {
             Text::Place { place, .. } => self.place_changes(place),
             Text::Character(value) => self.value_changes(value),
             Text::Call { call, .. } => self.call_changes(call),
+            Text::After(..) => true,
         }
     }
 
@@ -239,6 +240,7 @@ impl Lowering<'_> {
         match text {
             Text::Constant(_) | Text::WideConstant(_) | Text::Place { .. } | Text::Character(_) => !self.text_breaks(text),
             Text::Converted(text) => self.changes_nothing(text),
+            Text::After(..) => false,
             Text::Call { call, .. } => {
                 let calm = |argument: &Argument| match argument {
                     Argument::Text { text, .. } => self.changes_nothing(text),

@@ -52,6 +52,11 @@ impl Lowering<'_> {
                 self.call(call);
                 (self.text_result(*room), *room)
             }
+            Text::After(statements, text) => {
+                self.part();
+                self.inner_statements(statements);
+                self.text(text)
+            }
             Text::Converted(inner) => {
                 let (from, from_room) = self.text(inner);
                 // The result of a function stays where it is while the copy is made; a variable may move with its index.

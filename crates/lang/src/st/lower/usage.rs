@@ -121,6 +121,10 @@ impl Counter {
         match text {
             Text::Constant(_) | Text::WideConstant(_) => {}
             Text::Converted(text) => self.text(text),
+            Text::After(statements, text) => {
+                self.statements(statements);
+                self.text(text);
+            }
             Text::Place { place, .. } => self.place(place, Use::Address),
             Text::Character(value) => self.value(value),
             Text::Call { call, .. } => self.call(call),

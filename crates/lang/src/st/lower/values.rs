@@ -250,7 +250,7 @@ impl Lowering<'_> {
             Text::Converted(text) => self.text_breaks(text),
             Text::Place { place, .. } => self.place_breaks(place),
             Text::Character(value) => self.breaks(value),
-            Text::Call { .. } => true,
+            Text::Call { .. } | Text::After(..) => true,
         }
     }
 

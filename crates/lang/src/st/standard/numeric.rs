@@ -8,6 +8,7 @@ use super::call::{Answer, Call, built, built_list};
 use super::generic::{Group, scalar_of};
 use super::operators::{Beyond, Operation, Rounding, is_real};
 use super::{Building, Refusal, Resolved};
+use crate::st::dialect::{Construct, Dialect, Judgement};
 use crate::st::tree::{Scalar, Statement, Value};
 
 /// Functions of one REAL, with the operation and the dialects by column: iec, codesys, scl, tia.
@@ -24,6 +25,17 @@ const REAL_FUNCTIONS: &[(&str, Operation, [bool; 4])] = &[
     ("ACOS", Operation::ArcCosine, [true; 4]),
     ("ATAN", Operation::ArcTangent, [true; 4]),
 ];
+
+/// What a function of REALs computes, and the names of its inputs, where a dialect has it and LREAL too.
+pub(super) fn real_operation(name: &str, dialect: Dialect) -> Option<(Operation, &'static [&'static str])> {
+    let column = dialect.column();
+    if name == "ATAN2" {
+        return (column == Dialect::Iec.column()).then_some((Operation::ArcTangent2, &["Y", "X"]));
+    }
+    let &(_, operation, dialects) = REAL_FUNCTIONS.iter().find(|(one, ..)| *one == name)?;
+    let has_long = dialect.judge(Construct::LongTypes) != Judgement::Reject;
+    (dialects[column] && has_long).then_some((operation, &["IN"]))
+}
 
 pub(super) fn resolve(call: &Call<'_>) -> Answer {
     let column = call.dialect.column();
