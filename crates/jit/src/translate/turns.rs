@@ -17,6 +17,7 @@ mod bit_choices;
 mod bit_sums;
 mod bits;
 mod count;
+mod extremes;
 mod held;
 mod kernel;
 mod left;
@@ -185,7 +186,7 @@ impl Plan {
             let possible = match carried {
                 Carried::Line(_) => true,
                 Carried::Chain => false,
-                Carried::Sum { added, bits } => fits(added, if bits == 16 { Shape::Halves } else { Shape::Words }),
+                Carried::Sum { added: other, bits } | Carried::Extreme { other, bits, .. } => fits(other, Shape::of_bits(bits)),
                 Carried::Nothing => kernel.sum_at_start(end).is_some() || kernel.shape(end).is_some(),
             };
             if !possible {
@@ -197,7 +198,7 @@ impl Plan {
                 let possible = match carried {
                     Carried::Line(_) => matches!(kernel.shape(self.entry(cell)), Some(Shape::Line(_))),
                     Carried::Nothing => true,
-                    Carried::Chain | Carried::Sum { .. } => {
+                    Carried::Chain | Carried::Sum { .. } | Carried::Extreme { .. } => {
                         let shape = kernel.shape_of_inner(cell);
                         shape.is_some() && shape == kernel.shape(end) && shape.is_some_and(|shape| fits(self.entry(cell), shape))
                     }
@@ -233,7 +234,10 @@ impl Kernel {
         let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
         let mut reached = BTreeSet::new();
         self.all_ends().chain(of_accesses).for_each(|node| self.rests(node, &mut reached));
-        let adds_halves = |level: Level| self.carried(level).iter().any(|(.., carried)| matches!(carried, Carried::Sum { bits: 16, .. }));
+        let adds_halves = |level: Level| {
+            let mut carried = self.carried(level).into_iter();
+            carried.any(|(.., carried)| matches!(carried, Carried::Sum { bits: 16, .. } | Carried::Extreme { bits: 16, .. }))
+        };
         if adds_halves(Level::Outer) || self.inner.is_some() && adds_halves(Level::Inner) {
             return true;
         }

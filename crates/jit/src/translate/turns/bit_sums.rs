@@ -60,7 +60,7 @@ pub(super) fn read(plan: &Plan) -> Option<BitSums> {
                 is_bits(kernel, condition)?;
                 sums.push(Sum { cell, bits, number, condition });
             }
-            Carried::Chain | Carried::Nothing => return None,
+            Carried::Extreme { .. } | Carried::Chain | Carried::Nothing => return None,
         }
     }
     (!sums.is_empty()).then_some(BitSums { sums, lines })

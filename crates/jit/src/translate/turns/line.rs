@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
 
+use super::extremes::Extreme;
 use super::kernel::{Cell, Kernel, Level, Node, Step, What};
 
 /// A value that grows by the same step in each turn, modulo 2 to the power of `bits`; zero-extended.
@@ -46,6 +47,13 @@ pub(super) enum Shape {
     Mask,
 }
 
+impl Shape {
+    /// That of numbers of so many bits.
+    pub(super) fn of_bits(bits: u32) -> Self {
+        if bits == 16 { Self::Halves } else { Self::Words }
+    }
+}
+
 /// How a cell is carried from turn to turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Carried {
@@ -53,6 +61,9 @@ pub(super) enum Carried {
     Line(Line),
     /// It grows by a value that does not depend on it, and nothing else looks at it: modulo 2 to the power of `bits`.
     Sum { added: Node, bits: u32 },
+    /// It keeps the least or the greatest of what it was and a value that does not depend on it, as numbers of so many bits, and nothing
+    /// else looks at it.
+    Extreme { extreme: Extreme, other: Node, bits: u32 },
     /// Each turn needs what the one before left.
     Chain,
     /// No turn looks at what the one before left.
@@ -227,6 +238,9 @@ impl Kernel {
             if let Some((added, bits)) = self.sum(level, cell, end) {
                 return (cell, end, Carried::Sum { added, bits });
             }
+            if let Some((extreme, other, bits)) = self.extreme(level, cell, end) {
+                return (cell, end, Carried::Extreme { extreme, other, bits });
+            }
             let looked_at = needed.iter().any(|&node| self.is_start(node, level, cell))
                 || turn.ends.values().any(|&end| self.rests_on(end, level, cell));
             (cell, end, if looked_at { Carried::Chain } else { Carried::Nothing })
@@ -245,12 +259,17 @@ impl Kernel {
             () if self.is_start(b, level, cell) => a,
             () => return None,
         };
+        self.is_only_added(level, cell, added).then_some((added, if op == Op::AddU16 { 16 } else { 32 }))
+    }
+
+    /// Whether nothing looks at what a cell holds when a turn begins but what makes of it and of another value what it holds at the end.
+    pub(super) fn is_only_added(&self, level: Level, cell: Cell, added: Node) -> bool {
         let is_left = |other: Cell, end: Node| self.is_start(end, level, cell) && self.is_left_only(level, other);
         let others = self.turn(level).ends.iter().filter(|&(&other, &end)| other != cell && !is_left(other, end)).map(|(_, &end)| end);
         let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
         let entries = self.inner.iter().flat_map(|inner| inner.entry.values().chain(inner.ends.values()).copied());
         let mut all = others.chain(of_accesses).chain(entries).chain([added, self.turn(level).again]);
-        (!all.any(|node| self.rests_on(node, level, cell))).then_some((added, if op == Op::AddU16 { 16 } else { 32 }))
+        !all.any(|node| self.rests_on(node, level, cell))
     }
 
     /// Whether nothing in the next turn looks at what a turn leaves in a cell.

@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{F32, F64, I32, I64};
-use cranelift_codegen::ir::{self as clif, BlockArg, InstBuilder, MemFlagsData, Value};
+use cranelift_codegen::ir::{self as clif, BlockArg, InstBuilder, MemFlagsData, Type, Value};
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
 
@@ -14,6 +14,7 @@ use super::super::promote::Base;
 use super::super::value::Val;
 use super::super::{Translator, is_bit};
 use super::Plan;
+use super::extremes::Extreme;
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Part, Step, What};
 use super::left::{Progress, Waiting};
 use super::line::{Carried, Line, Shape, Sum};
@@ -41,6 +42,8 @@ enum Handed {
     Counted(Node, Line),
     /// A sum: its vectors.
     Sum(Cell, Node, Shape),
+    /// The least or greatest numbers: their vectors.
+    Extreme(Cell, Node, Extreme, Shape),
     Chain(Cell, Node, Form),
     Address(Base, Node, u32, i64),
 }
@@ -54,6 +57,8 @@ enum Form {
     /// 64 bits.
     Quad,
     Lreal,
+    /// A REAL or an LREAL of which each bit counts.
+    Exact(Type),
     Lanes(Shape),
 }
 
@@ -69,6 +74,8 @@ pub(super) struct Writing<'t, 'a, 'k> {
     /// What cells hold in front of the loop.
     before: HashMap<Cell, Val>,
     sums: HashMap<Cell, Vec<Value>>,
+    /// Choices that leave the less or greater of two REALs or LREALs for the next turn.
+    extremes: BTreeSet<Node>,
     /// What blocks have taken from the budget that not all turns enter.
     taken: Option<Val>,
     /// Values that wait on the stack for what the last turn that wrote them leaves.
@@ -91,6 +98,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             inner: Scope::default(),
             before: HashMap::new(),
             sums: HashMap::new(),
+            extremes: BTreeSet::new(),
             taken: None,
             waiting: Vec::new(),
             progress: None,
@@ -358,7 +366,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         let mut at = others;
         for one in &handed {
             let count = self.count_of(one);
-            if let Handed::Sum(cell, ..) = one {
+            if let Handed::Sum(cell, ..) | Handed::Extreme(cell, ..) = one {
                 self.sums.insert(*cell, next[at..at + count].to_vec());
                 all.extend(&next[at..at + count]);
             }
@@ -453,11 +461,16 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 Carried::Line(_) | Carried::Nothing => {}
                 Carried::Chain if level == Level::Outer && self.is_left(cell) => {}
                 Carried::Sum { added, bits } if self.lanes > 1 && level == Level::Outer => {
-                    let shape = if bits == 16 { Shape::Halves } else { Shape::Words };
-                    handed.push(Handed::Sum(cell, added, shape));
+                    handed.push(Handed::Sum(cell, added, Shape::of_bits(bits)));
                 }
-                Carried::Sum { .. } | Carried::Chain => {
+                Carried::Extreme { extreme, other, bits } if self.lanes > 1 => {
+                    handed.push(Handed::Extreme(cell, other, extreme, Shape::of_bits(bits)));
+                }
+                Carried::Sum { .. } | Carried::Extreme { .. } | Carried::Chain => {
                     let form = self.form(level, cell, end, &needed);
+                    if let Form::Exact(ty) = form {
+                        self.extremes.extend(kernel.extremes_of_reals(end, ty));
+                    }
                     handed.push(Handed::Chain(cell, end, form));
                 }
             }
@@ -543,14 +556,24 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         }
         let wide = self.kernel.kept(cell).is_wide();
         let real = |op: Op| match wide {
-            true => matches!(op, Op::AddF64 | Op::SubF64 | Op::MulF64 | Op::DivF64),
-            false => matches!(op, Op::AddF32 | Op::SubF32 | Op::MulF32 | Op::DivF32),
+            true => matches!(op, Op::AddF64 | Op::SubF64 | Op::MulF64 | Op::DivF64 | Op::MinF64 | Op::MaxF64),
+            false => matches!(op, Op::AddF32 | Op::SubF32 | Op::MulF32 | Op::DivF32 | Op::MinF32 | Op::MaxF32),
+        };
+        let compares = |op: Op| match wide {
+            true => matches!(op, Op::EqF64 | Op::LtF64 | Op::LeF64 | Op::GtF64 | Op::GeF64 | Op::DifferF64),
+            false => matches!(op, Op::EqF32 | Op::LtF32 | Op::LeF32 | Op::GtF32 | Op::GeF32 | Op::DifferF32),
         };
         let is_real = matches!(self.kernel.what(end), What::Compute(op, _) if real(op));
+        let ty = if wide { F64 } else { F32 };
+        let extremes = self.kernel.extremes_of_reals(end, ty);
         let others = needed.iter().any(|&node| match self.kernel.what(node) {
-            What::Compute(op, args) => !real(op) && args[..op.arity()].iter().any(|&arg| self.kernel.is_start(arg, level, cell)),
+            What::Compute(op, _) if real(op) || compares(op) || extremes.contains(&node) => false,
+            What::Compute(op, args) => args[..op.arity()].iter().any(|&arg| self.kernel.is_start(arg, level, cell)),
             _ => false,
         });
+        if !extremes.is_empty() && !others {
+            return Form::Exact(ty);
+        }
         let written = self.kernel.accesses.iter().filter_map(|access| access.value).any(|value| self.kernel.is_start(value, level, cell));
         let handed_on = self.kernel.all_ends().any(|end| self.kernel.is_start(end, level, cell));
         match (is_real && !others && !written && !handed_on, wide) {
@@ -564,7 +587,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     fn count_of(&self, one: &Handed) -> usize {
         match one {
             Handed::Line(..) | Handed::Counted(..) | Handed::Address(..) => 1,
-            Handed::Sum(.., shape) | Handed::Chain(.., Form::Lanes(shape)) => shape.vectors(self.lanes).1 as usize,
+            Handed::Sum(.., shape) | Handed::Extreme(.., shape) | Handed::Chain(.., Form::Lanes(shape)) => {
+                shape.vectors(self.lanes).1 as usize
+            }
             Handed::Chain(..) => 1,
         }
     }
@@ -611,6 +636,10 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     all.push(self.t.zeros(ty));
                 }
             }
+            Handed::Extreme(cell, _, _, shape) => {
+                let value = self.entry(level, cell);
+                self.in_form(&value, Form::Lanes(shape), all);
+            }
             Handed::Chain(cell, _, form) => {
                 let value = self.entry(level, cell);
                 self.in_form(&value, form, all);
@@ -637,6 +666,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             Form::Real => all.push(self.t.f32(one(value))),
             Form::Quad => all.push(self.t.word(one(value))),
             Form::Lreal => all.push(self.t.f64(one(value))),
+            Form::Exact(ty) => all.push(self.t.exact(one(value), ty)),
             Form::Lanes(Shape::Quads) => all.extend(self.t.quads(value, self.lanes)),
             Form::Lanes(Shape::Lreals) => all.extend(self.t.lreals(value, self.lanes)),
             Form::Lanes(Shape::Halves) => all.extend(self.t.halves(value, self.lanes)),
@@ -681,7 +711,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     }
                     self.scope(level).values.insert(node, Lanes::One(Val::Int(own[0])));
                 }
-                Handed::Sum(..) => {}
+                Handed::Sum(..) | Handed::Extreme(..) => {}
                 Handed::Chain(cell, _, form) => {
                     let value = match form {
                         Form::Bit => Lanes::One(Val::Bit { value: own[0], clean: true }),
@@ -696,6 +726,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                             debug_assert_eq!(self.t.b.func.dfg.value_type(own[0]), F32);
                             Lanes::One(Val::Real { real: own[0], bits })
                         }
+                        Form::Exact(_) => Lanes::One(self.t.with_all_bits(own[0])),
                         Form::Lanes(shape) => shape.of(own),
                     };
                     self.scope(level).starts.insert(cell, value);
@@ -721,6 +752,14 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 self.in_form(&added, Form::Lanes(shape), &mut vectors);
                 for (&sum, vector) in own.iter().zip(vectors) {
                     all.push(self.t.b.ins().iadd(sum, vector));
+                }
+            }
+            Handed::Extreme(_, other, extreme, shape) => {
+                let other = self.value(other, level);
+                let mut vectors = Vec::new();
+                self.in_form(&other, Form::Lanes(shape), &mut vectors);
+                for (&own, vector) in own.iter().zip(vectors) {
+                    all.push(self.t.extreme_of_lanes(extreme, own, vector));
                 }
             }
             Handed::Chain(_, end, form) => {
@@ -786,6 +825,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             .collect();
         if let Some(firsts) = firsts {
             if args.iter().all(|arg| matches!(arg, Lanes::One(_))) {
+                if self.extremes.contains(&node)
+                    && let Some((extreme, _, ty)) = self.kernel.extreme_of_reals(node)
+                {
+                    return Lanes::One(self.t.exact_extreme(extreme, [firsts[1], firsts[2]], ty));
+                }
                 if let What::Compute(_, [number, ..]) = self.kernel.what(node)
                     && let Some(&bounds) = self.kernel.bounds.get(&number)
                     && let Val::Int(value) = firsts[0]
@@ -902,6 +946,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     let before = self.t.int(before);
                     let sum = self.t.b.ins().iadd(before, sum);
                     self.t.on_line(sum, Line { step: 0, bits })
+                }
+                Carried::Extreme { extreme, bits, .. } if self.lanes > 1 => {
+                    let vectors = self.sums.get(&cell).cloned().unwrap_or_default();
+                    let found = self.t.extreme_in_lanes(extreme, &vectors);
+                    self.t.on_line(found, Line { step: 0, bits })
                 }
                 Carried::Nothing
                     if self.lanes > 1

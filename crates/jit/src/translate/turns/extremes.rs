@@ -1,0 +1,158 @@
+//! Cells that keep the least or the greatest of what turns compute, by a comparison or by MIN and MAX.
+
+use std::collections::BTreeSet;
+
+use cranelift_codegen::ir::condcodes::FloatCC;
+use cranelift_codegen::ir::types::{F32, F64, I16X8, I32, I64};
+use cranelift_codegen::ir::{InstBuilder, InstructionData, MemFlagsData, Opcode, Type, Value};
+use sieben_engine::ir::Op;
+use sieben_model::address::Width;
+
+use super::super::Translator;
+use super::super::value::Val;
+use super::kernel::{Cell, Kept, Kernel, Level, Node, What};
+
+/// Which of two numbers stays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Extreme {
+    Least,
+    Greatest,
+}
+
+impl Extreme {
+    fn of_less(less: bool) -> Self {
+        if less { Self::Least } else { Self::Greatest }
+    }
+}
+
+impl Kernel {
+    /// The integers of which an operation leaves the least or the greatest one, and how many bits they have. Of two that are equal it does
+    /// not matter which one stays.
+    fn extreme_of_integers(&self, node: Node) -> Option<(Extreme, [Node; 2], u32)> {
+        match self.what(node) {
+            What::Compute(Op::Low16, [of, ..]) => self.extreme_of_integers(of).filter(|&(.., bits)| bits == 16),
+            What::Compute(op @ (Op::MinI16 | Op::MaxI16), [a, b, ..]) => Some((Extreme::of_less(op == Op::MinI16), [a, b], 16)),
+            What::Compute(op @ (Op::MinI32 | Op::MaxI32), [a, b, ..]) => Some((Extreme::of_less(op == Op::MinI32), [a, b], 32)),
+            What::Compute(Op::Select, [condition, a, b, _]) => {
+                let What::Compute(op, [x, y, ..]) = self.what(condition) else { return None };
+                let (less, bits) = match op {
+                    Op::LtI16 | Op::LeI16 => (true, 16),
+                    Op::GtI16 | Op::GeI16 => (false, 16),
+                    Op::LtI32 | Op::LeI32 => (true, 32),
+                    Op::GtI32 | Op::GeI32 => (false, 32),
+                    _ => return None,
+                };
+                let same_order = [x, y] == [a, b];
+                (same_order || [y, x] == [a, b]).then(|| (Extreme::of_less(less == same_order), [a, b], bits))
+            }
+            _ => None,
+        }
+    }
+
+    /// What a turn of a loop compares a cell with that keeps the least or the greatest number of all turns, if nothing else looks at the cell;
+    /// with its bits.
+    pub(super) fn extreme(&self, level: Level, cell: Cell, end: Node) -> Option<(Extreme, Node, u32)> {
+        let Kept::Memory { width, .. } = self.kept(cell) else { return None };
+        let (extreme, [a, b], bits) = self.extreme_of_integers(end)?;
+        let fits = matches!((width, bits), (Width::Word, 16) | (Width::DoubleWord, 32));
+        if !fits || level == Level::Inner || self.inner.is_some() {
+            return None;
+        }
+        let other = match () {
+            () if self.is_start(a, level, cell) => b,
+            () if self.is_start(b, level, cell) => a,
+            () => return None,
+        };
+        self.is_only_added(level, cell, other).then_some((extreme, other, bits))
+    }
+
+    /// The REALs or LREALs of which a choice leaves the first if that is less or greater than the second, and the second otherwise; with
+    /// their type.
+    pub(super) fn extreme_of_reals(&self, node: Node) -> Option<(Extreme, [Node; 2], Type)> {
+        let What::Compute(Op::Select, [condition, a, b, _]) = self.what(node) else { return None };
+        let What::Compute(op, [x, y, ..]) = self.what(condition) else { return None };
+        let (less, ty) = match op {
+            Op::LtF32 => (true, F32),
+            Op::GtF32 => (false, F32),
+            Op::LtF64 => (true, F64),
+            Op::GtF64 => (false, F64),
+            _ => return None,
+        };
+        let same_order = [x, y] == [a, b];
+        (same_order || [y, x] == [a, b]).then(|| (Extreme::of_less(less == same_order), [a, b], ty))
+    }
+
+    /// The choices, one in the other, whose last one leaves the least or the greatest REAL or LREAL in a cell; none if it does not.
+    pub(super) fn extremes_of_reals(&self, end: Node, wanted: Type) -> BTreeSet<Node> {
+        let mut choices = BTreeSet::new();
+        let mut waiting = vec![end];
+        while let Some(node) = waiting.pop() {
+            if let Some((_, both, ty)) = self.extreme_of_reals(node)
+                && ty == wanted
+                && choices.insert(node)
+            {
+                waiting.extend(both);
+            }
+        }
+        choices
+    }
+}
+
+impl Translator<'_> {
+    /// The REAL or LREAL with exactly these bits, whatever they are.
+    pub(super) fn exact(&mut self, value: Val, ty: Type) -> Value {
+        let bits = if ty == F64 { self.word(value) } else { self.int(value) };
+        match self.definition(bits) {
+            // They were a REAL.
+            Some((_, InstructionData::LoadNoOffset { opcode: Opcode::Bitcast, arg, .. })) if self.b.func.dfg.value_type(arg) == ty => arg,
+            _ => self.b.ins().bitcast(ty, MemFlagsData::new(), bits),
+        }
+    }
+
+    /// What a REAL or an LREAL stands for, with exactly its bits.
+    pub(super) fn with_all_bits(&mut self, real: Value) -> Val {
+        if self.b.func.dfg.value_type(real) == F64 {
+            return Val::Lreal { real, bits: self.b.ins().bitcast(I64, MemFlagsData::new(), real) };
+        }
+        Val::Real { real, bits: self.b.ins().bitcast(I32, MemFlagsData::new(), real) }
+    }
+
+    /// The first of two REALs or LREALs if it is less or greater than the second, and the second otherwise, with exactly its bits.
+    pub(super) fn exact_extreme(&mut self, extreme: Extreme, both: [Val; 2], ty: Type) -> Val {
+        let [a, b] = both.map(|value| self.exact(value, ty));
+        let condition = match extreme {
+            Extreme::Least => FloatCC::LessThan,
+            Extreme::Greatest => FloatCC::GreaterThan,
+        };
+        let first = self.is_extreme(condition, [a, b]);
+        let real = self.b.ins().select(first, a, b);
+        self.with_all_bits(real)
+    }
+
+    /// The least or greatest numbers of two vectors.
+    pub(super) fn extreme_of_lanes(&mut self, extreme: Extreme, a: Value, b: Value) -> Value {
+        match extreme {
+            Extreme::Least => self.b.ins().smin(a, b),
+            Extreme::Greatest => self.b.ins().smax(a, b),
+        }
+    }
+
+    /// The least or greatest number in all lanes of some vectors.
+    pub(super) fn extreme_in_lanes(&mut self, extreme: Extreme, vectors: &[Value]) -> Value {
+        let mut all = vectors[0];
+        for &vector in &vectors[1..] {
+            all = self.extreme_of_lanes(extreme, all, vector);
+        }
+        let ty = self.b.func.dfg.value_type(all);
+        let mut found = None;
+        for lane in 0..ty.lane_count() as u8 {
+            let value = self.b.ins().extractlane(all, lane);
+            let value = if ty == I16X8 { self.b.ins().sextend(I32, value) } else { value };
+            found = Some(match found {
+                Some(other) => self.extreme_of_lanes(extreme, other, value),
+                None => value,
+            });
+        }
+        found.unwrap_or_else(|| unreachable!("a vector has lanes"))
+    }
+}
