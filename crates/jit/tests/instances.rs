@@ -676,3 +676,100 @@ fn a_block_that_changes_a_pointer_in_its_instance_writes_where_that_goes_now() {
         |engine: Arc<dyn Engine>| run(engine.as_ref(), &layout, &entry, &|machine| machine.budget = 100, &|_, _, _| Reaction::Continue);
     all_engines_agree((&program, &layout), false, &outcome, &|| String::new());
 }
+
+/// A loop over three instances that write an element of their own, of so many, by an index that is noted where it is outside; the counter of
+/// the loop lies behind the instances.
+fn writes_elements(count: u64, noted: bool) -> sieben_engine::Program {
+    let own = |byte: u32| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 8 * byte };
+    let index = own(COUNTERS[0]);
+    let main = |b: &mut Builder| {
+        b.begin_statement();
+        let first = b.constant(0);
+        b.store(index, Width::Word, first);
+        b.begin_statement();
+        let (number, step) = (b.load(index, Width::Word, OnFault::SkipStatement), b.constant(8 * 18));
+        let by = b.compute(Op::MulU32, &[number, step]);
+        b.store(SAVED, Width::DoubleWord, Register::Ar2);
+        b.compute_into(Register::Ar2, Op::AddU32, &[Register::Ar2.into(), by]);
+        b.push(Inst::Call { callee: Callee::Block(BlockId::fb(1)), parameters: 0 });
+        let saved = b.load(SAVED, Width::DoubleWord, OnFault::SkipStatement);
+        b.copy(Register::Ar2, saved);
+        b.begin_statement();
+        let (number, step) = (b.load(index, Width::Word, OnFault::SkipStatement), b.constant(8 * 18));
+        let by = b.compute(Op::MulU32, &[number, step]);
+        let pointer = b.compute(Op::AddU32, &[Register::Ar2.into(), by]);
+        b.store(Place::Indirect { area: Area::InstanceData, pointer, offset: 8 * 16 }, Width::Byte, number);
+        b.begin_statement();
+        count_on(b, (index, Width::Word), 2, Target(1));
+    };
+    let writes = |b: &mut Builder| {
+        b.begin_statement();
+        let (number, limit) = (b.load(own(0), Width::Word, OnFault::SkipStatement), b.constant(count));
+        let inside = b.compute(Op::Below, &[number, limit]);
+        let mut at = number;
+        if noted {
+            b.push(Inst::Require { condition: inside, code: NOTED | 0x23, register: number });
+            at = b.compute(Op::Gate, &[number, inside]);
+        }
+        let step = b.constant(16);
+        let by = b.compute(Op::MulU32, &[at, step]);
+        let pointer = b.compute(Op::AddU32, &[Register::Ar2.into(), by]);
+        let value = b.constant(1);
+        b.store(Place::Indirect { area: Area::InstanceData, pointer, offset: 16 }, Width::Word, value);
+    };
+    program(&[(BlockId::ob(1), LOCAL_BYTES, &begin), (BlockId::fb(LOOPS), LOCAL_BYTES, &main), (BlockId::fb(1), 0, &writes)])
+}
+
+fn layout_of_instances(program: &sieben_engine::Program) -> sieben_engine::Layout {
+    let mut layout = layout(program);
+    layout.data_blocks.insert(1, layout.size - 64..layout.size - 64 + DATA_BYTES as usize);
+    layout
+}
+
+#[test]
+fn an_element_that_a_block_writes_by_an_index_that_is_noted_may_be_the_counter_of_its_caller() {
+    // With 8 elements the last one of the last instance ends in front of the counter, with more it is the counter, or lies behind it.
+    for (count, noted) in [(1, true), (8, true), (9, true), (10, true), (28, true), (9, false)] {
+        let program = writes_elements(count, noted);
+        let layout = layout_of_instances(&program);
+        let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+        for number in [0, 7, 8, 9, 17, 18, 27, 200] {
+            for budget in [3, 100] {
+                let outcome = |engine: Arc<dyn Engine>| {
+                    let prepare = |machine: &mut Machine| {
+                        machine.budget = budget;
+                        let range = machine.memory.layout.data_blocks[&1].clone();
+                        for instance in 0..3 {
+                            machine.memory.arena[range.start + 18 * instance + 1] = number;
+                        }
+                    };
+                    // The counter may never come to its end.
+                    let answer = |machine: &mut Machine, what: &str, asked: usize| {
+                        if what.starts_with("safe point") {
+                            machine.budget = 5;
+                        }
+                        if asked < 40 {
+                            Reaction::Continue
+                        } else {
+                            Reaction::Stop(StopReason { event: 0x4562, place: None::<FaultPlace> })
+                        }
+                    };
+                    run(engine.as_ref(), &layout, &entry, &prepare, &answer)
+                };
+                all_engines_agree((&program, &layout), false, &outcome, &|| format!("{count} elements, {noted}, element {number}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn what_a_loop_knows_stays_known_over_a_block_that_writes_an_element_of_its_own() {
+    // Where the counter may be one of the elements, it is looked at again behind the call, with a way for an index that is outside.
+    let lines = |count: u64| {
+        let program = writes_elements(count, true);
+        Jit::listing(&program, &layout_of_instances(&program)).expect("machine code").lines().count()
+    };
+    let [less, more, most] = [lines(8), lines(9), lines(10)];
+    assert!(less + 20 < more, "{less} and {more} lines");
+    assert!(more.abs_diff(most) < 20, "{more} and {most} lines");
+}

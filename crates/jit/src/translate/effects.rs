@@ -16,8 +16,12 @@ use sieben_model::address::{Area, Width};
 use super::analysis::open_blocks;
 use super::inlining::Plan;
 use super::instance_pointer::InstancePointer;
+use super::ranges::{self, Interval};
 use super::{Find, bit_of};
 use crate::jit::Native;
+
+/// Bits that a pointer may count.
+pub(super) const POSITIONS: i64 = 1 << 24;
 
 /// Anything in the instance data block.
 const ANYWHERE: Range<i64> = -0x1000_0000..0x1000_0000;
@@ -93,6 +97,90 @@ enum Opened {
     Read(Source),
 }
 
+/// A number that a statement computes.
+#[derive(Clone, Copy)]
+struct Number {
+    range: Interval,
+    /// Whether it is counted from what AR2 holds when the block is called.
+    from_instance: bool,
+    /// Which number it is.
+    id: usize,
+    /// The number that is below a limit if this one holds.
+    below: Option<(usize, u64)>,
+}
+
+/// What a statement computes, as far as an index that it looks at leads to an element of an array in the instance.
+#[derive(Default)]
+struct Numbers {
+    known: BTreeMap<u8, Number>,
+    made: usize,
+}
+
+impl Numbers {
+    fn get(&mut self, var: Var, instance: Option<u32>) -> Number {
+        if var.register() == Some(Register::Ar2) {
+            return self.number(Interval::constant(u64::from(instance.unwrap_or(0))), instance.is_some());
+        }
+        match self.known.get(&var.0) {
+            Some(&number) => number,
+            None => self.number(Interval::any(64), false),
+        }
+    }
+
+    fn number(&mut self, range: Interval, from_instance: bool) -> Number {
+        self.made += 1;
+        Number { range, from_instance, id: self.made, below: None }
+    }
+
+    /// Follows an instruction that writes a variable.
+    fn follow(&mut self, inst: &Inst, dst: Var, instance: Option<u32>) {
+        let number = match *inst {
+            Inst::Constant { value, .. } => self.number(Interval::constant(value), false),
+            Inst::Compute { op: Op::Copy, args, .. } => self.get(args[0], instance),
+            Inst::Compute { op, args, .. } if op.arity() <= 3 => {
+                let args = args.map(|arg| self.get(arg, instance));
+                self.result(op, &args[..op.arity()])
+            }
+            _ => self.number(Interval::any(64), false),
+        };
+        self.known.insert(dst.0, number);
+    }
+
+    fn result(&mut self, op: Op, args: &[Number]) -> Number {
+        let any = Interval::any(64);
+        match (op, args) {
+            (Op::Below, &[number, limit]) => {
+                let below = limit.range.exact().filter(|&limit| limit > 0 && !number.from_instance).map(|limit| (number.id, limit));
+                Number { below, ..self.number(any, false) }
+            }
+            // An index that is outside of its array counts as the first one.
+            (Op::Gate, &[number, Number { below: Some((id, limit)), .. }]) if number.id == id => {
+                let range = Interval { least: 0, most: i64::try_from(limit - 1).unwrap_or(i64::MAX), zeros: 0, bits: 32 };
+                self.number(if limit > 1 << 31 { any } else { range }, false)
+            }
+            (Op::AddU32, &[a, b]) if a.from_instance != b.from_instance => {
+                let (least, most) = ranges::result(op, [a.range, b.range, a.range]).unsigned(32);
+                let fits = [a, b].iter().all(|number| number.range.unsigned(64).1 < i128::from(POSITIONS));
+                let range = Interval { least: least as i64, most: most as i64, zeros: 0, bits: 32 };
+                self.number(if fits { range } else { any }, fits)
+            }
+            _ if args.iter().any(|number| number.from_instance) => self.number(any, false),
+            _ => {
+                let mut all = [Interval::constant(0); 3];
+                all.iter_mut().zip(args).for_each(|(range, number)| *range = number.range);
+                self.number(ranges::result(op, all), false)
+            }
+        }
+    }
+
+    /// Bits of the instance to which an access goes, from where AR2 points when the block is called.
+    fn instance_range(&self, pointer: Var, offset: u32, width: Width) -> Option<Range<i64>> {
+        let number = self.known.get(&pointer.0).filter(|number| number.from_instance)?;
+        let (least, most) = number.range.unsigned(32);
+        Some(least as i64 + i64::from(offset)..most as i64 + i64::from(offset) + i64::from(width.bits()))
+    }
+}
+
 /// The effects of all blocks that may become part of others; `None` = nothing is told of that block.
 pub(super) fn find(
     blocks: &[Native],
@@ -135,6 +223,7 @@ impl Search<'_> {
             let mut held: BTreeMap<u8, Held> = BTreeMap::new();
             let mut passed: Vec<Held> = Vec::new();
             let mut opened: Option<Opened> = None;
+            let mut numbers = Numbers::default();
             let mut instance = pointers.at(statement as u32);
             for (at, inst) in (code.statements[statement]..).zip(code.statement(statement)) {
                 let of = |var: Var| held.get(&var.0).copied().unwrap_or(Held::Other);
@@ -166,6 +255,12 @@ impl Search<'_> {
                         Place::Indirect { area: Area::InstanceData, pointer, offset } if pointer.register() == Some(Register::Ar2) => {
                             effects.write_instance(instance, offset, width);
                             written.push(instance_range(instance, offset, width));
+                        }
+                        Place::Indirect { area: Area::InstanceData, pointer, offset }
+                            if let Some(range) = numbers.instance_range(pointer, offset, width) =>
+                        {
+                            effects.add_instance(&range);
+                            written.push(range);
                         }
                         Place::Fixed { area, .. } | Place::Indirect { area, .. } => {
                             if area == Area::InstanceData {
@@ -207,6 +302,7 @@ impl Search<'_> {
                         // The registers of data blocks are restored, and AR2 mostly.
                         opened = None;
                         held.clear();
+                        numbers = Numbers::default();
                         if !self.pointers[callee].kept {
                             instance = None;
                         }
@@ -228,6 +324,7 @@ impl Search<'_> {
                         return None;
                     }
                     held.insert(dst.0, result);
+                    numbers.follow(inst, dst, instance);
                     if dst == Register::Ar2.into() {
                         instance = pointers.after(at);
                     }

@@ -20,6 +20,7 @@ use sieben_model::block::BlockId;
 
 use super::loops::Loop;
 use super::memory::{Address, Bit, moved};
+use super::ranges;
 use super::value::Val;
 use super::{TRUSTED, Translator};
 use crate::run::Run;
@@ -113,6 +114,17 @@ impl Promoted {
     }
 }
 
+/// What statements are that are looked at for what they reach.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Written {
+    /// Those of the loop itself.
+    Loop,
+    /// Those of a block that becomes part of it.
+    Block,
+    /// The same, and all pointers into its instance are counted from where that begins.
+    BlockByPointers,
+}
+
 /// What an access may touch.
 #[derive(Clone, Debug)]
 enum Touched {
@@ -198,18 +210,20 @@ impl Translator<'_> {
     /// instance, at the pointers that they are given. Everything else would find the variables of the loop in memory.
     fn keeps_over_calls(&self, it: &Loop) -> bool {
         let code = &self.native().code;
-        (it.first..=it.last).all(|statement| self.keeps_over(code.statement(statement as usize), false, CALLS_MAX))
+        (it.first..=it.last).all(|statement| self.keeps_over(code.statement(statement as usize), Written::Loop, CALLS_MAX))
     }
 
     /// The same for the instructions of a statement, of an inlined block or of the loop itself.
-    fn keeps_over(&self, insts: &[Inst], inlined: bool, depth: u32) -> bool {
+    fn keeps_over(&self, insts: &[Inst], written: Written, depth: u32) -> bool {
+        let inlined = written != Written::Loop;
         let (mut given, mut constants) = (BTreeSet::new(), BTreeSet::new());
         let own_instance = self.instance.constant().is_some();
         insts.iter().all(|inst| {
             let is_said = |place: Place| match place {
                 Place::Fixed { area, .. } => !matches!(area, Area::SharedData | Area::InstanceData),
                 Place::Indirect { area, pointer, .. } => {
-                    area == Area::InstanceData && pointer.register() == Some(Register::Ar2) && own_instance
+                    let is_counted = pointer.register() == Some(Register::Ar2) || written == Written::BlockByPointers;
+                    area == Area::InstanceData && is_counted && own_instance
                 }
                 Place::Crossing { pointer, .. } => given.contains(&pointer.0),
             };
@@ -221,7 +235,9 @@ impl Translator<'_> {
                 Inst::Call { callee: Callee::Block(id), .. } => (self.find)(id).is_some_and(|called| {
                     let block = &self.blocks[called as usize].code;
                     let statements = || (0..block.statement_count()).map(|statement| block.statement(statement));
-                    depth > 0 && self.inlines(called as usize) && statements().all(|insts| self.keeps_over(insts, true, depth - 1))
+                    let by_pointers = ranges::pointers(block, &|_| false).is_some();
+                    let written = if by_pointers { Written::BlockByPointers } else { Written::Block };
+                    depth > 0 && self.inlines(called as usize) && statements().all(|insts| self.keeps_over(insts, written, depth - 1))
                 }),
                 Inst::Call { .. } => false,
                 Inst::Parameter { dst, .. } => {

@@ -6,11 +6,8 @@ use sieben_engine::machine::{CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 
 use super::{Analysis, Element, Interval, Known, Same, State};
-use crate::translate::effects::{Effects, Given, Pointed, Source};
+use crate::translate::effects::{Effects, Given, POSITIONS, Pointed, Source};
 use crate::translate::promote::Base;
-
-/// Bits that a pointer may count.
-const POSITIONS: i64 = 1 << 24;
 
 /// Bytes that lie in front of a bit, if only in part.
 fn bytes_before(bit: i64) -> i64 {
