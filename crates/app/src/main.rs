@@ -34,6 +34,10 @@ mod testing;
 mod tracing;
 mod watch;
 
+/// Machine code is compiled out of many short-lived lists: memory that is given back and taken again costs a fifth of the time.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 use std::path::Path;
 use std::process::ExitCode;
 

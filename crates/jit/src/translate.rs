@@ -113,6 +113,12 @@ fn compares(op: Op) -> bool {
     integers || doubles || reals
 }
 
+/// Whether an operation says something about its arguments that nearly always goes to status bits alone.
+fn tells(op: Op) -> bool {
+    compares(op)
+        || matches!(op, Op::OverflowsI16 | Op::OverflowsI32 | Op::PositiveI16 | Op::NegativeI16 | Op::PositiveI32 | Op::NegativeI32)
+}
+
 /// What a called block finds.
 const AT_CALL: &[(Register, u64)] =
     &[(Register::Os, 0), (Register::Or, 0), (Register::Sta, 1), (Register::Fc, 0), (Register::Ma, 0), (Register::Nesting, 0)];
@@ -417,11 +423,10 @@ impl<'a> Translator<'a> {
                 {
                     mentioned |= open_blocks();
                 }
-                let register = |var: Var| var.register().map_or(0, bit_of);
                 let written = loops::written(inst);
                 let written = if matches!(inst, Inst::Call { .. }) { analysis::ALL } else { written };
                 self.written |= written;
-                mentioned |= written | sieben_engine::ir::verify::reads(inst).map(register).fold(0, |all, bit| all | bit);
+                mentioned |= written | analysis::effect(inst).reads;
             }
         }
         for to in back {
@@ -706,6 +711,7 @@ impl<'a> Translator<'a> {
     fn write_inst(&mut self, index: u32, inst: &Inst) {
         match *inst {
             Inst::Constant { dst, value } => self.set(dst, Val::Const(value)),
+            Inst::Compute { .. } if self.summaries[self.index].needless[index as usize] => {}
             Inst::Compute { dst, .. }
                 if let Some((least, most)) = self.ranges.result(index)
                     && least == most =>
@@ -814,7 +820,7 @@ impl<'a> Translator<'a> {
             return args[0];
         }
         // Most status bits are never read; an operation with a constant is often no operation.
-        let spared = dst.register().is_some_and(|register| SPARED & bit_of(register) != 0);
+        let spared = dst.register().map_or_else(|| tells(op), |register| SPARED & bit_of(register) != 0);
         let is_lazy = |arg: &Val| matches!(arg, Val::Lazy(_));
         let waits = used.iter().all(|arg| arg.constant().is_none())
             || compares(op) && used.iter().any(|arg| arg.constant().is_none())

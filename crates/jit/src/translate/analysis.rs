@@ -43,6 +43,8 @@ pub(super) fn open_blocks() -> u32 {
 pub(super) struct Summary {
     /// Of [`SPARED`], what is needed at the beginning of each statement.
     pub(super) live: Vec<u32>,
+    /// Instructions that only calculate a bit which nobody needs.
+    pub(super) needless: Vec<bool>,
     /// Of [`SPARED`], what somebody needs when the block ends.
     pub(super) live_out: u32,
     /// What the block and those that it calls may change for their caller.
@@ -58,8 +60,8 @@ impl Summary {
 
 /// Reads and writes of an instruction, as registers.
 #[derive(Clone, Copy)]
-struct Effect {
-    reads: u32,
+pub(super) struct Effect {
+    pub(super) reads: u32,
     writes: u32,
     /// The statement may count as NOP from here.
     fails: bool,
@@ -80,6 +82,7 @@ pub(super) fn summaries(blocks: &[Native], find: Find<'_>, exact: bool) -> Vec<S
             let everything = exact || calls_by_number && block.id.kind != BlockKind::OrganizationBlock;
             Summary {
                 live: vec![if exact { SPARED } else { 0 }; block.code.statement_count()],
+                needless: vec![false; block.code.insts.len()],
                 live_out: if everything { SPARED } else { 0 },
                 written: 0,
             }
@@ -101,6 +104,7 @@ pub(super) fn summaries(blocks: &[Native], find: Find<'_>, exact: bool) -> Vec<S
     }
     for summary in &mut all {
         summary.live.fill(SPARED);
+        summary.needless.fill(false);
         (summary.live_out, summary.written) = (SPARED, ALL);
     }
     all
@@ -156,6 +160,7 @@ fn live(all: &mut [Summary], index: usize, code: &Code, effects: &[Effect], call
                 }
                 // What only calculates a bit that nobody needs reads nothing: otherwise OS would keep itself alive in every loop.
                 let needless = matches!(inst, Inst::Compute { .. }) && effect.writes & SPARED & !needed != 0;
+                all[index].needless[first + at] = needless;
                 needed = needed & !effect.writes | if needless { 0 } else { effect.reads & SPARED };
                 if effect.fails {
                     needed |= skipped;
@@ -173,10 +178,11 @@ fn live(all: &mut [Summary], index: usize, code: &Code, effects: &[Effect], call
         }
     }
     all[index].live.fill(SPARED);
+    all[index].needless.fill(false);
     true
 }
 
-fn effect(inst: &Inst) -> Effect {
+pub(super) fn effect(inst: &Inst) -> Effect {
     let register = |var: Var| var.register().map_or(0, bit_of);
     let place = |place: Place| match place {
         Place::Fixed { .. } => 0,

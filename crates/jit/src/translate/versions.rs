@@ -9,7 +9,7 @@ use std::collections::VecDeque;
 use cranelift_jit::JITModule;
 use cranelift_module::{FuncId, Linkage, Module, ModuleError};
 use rustc_hash::FxHashMap;
-use sieben_engine::ir::{Callee, Inst, Place, Var};
+use sieben_engine::ir::{Callee, Inst, Place};
 use sieben_engine::machine::Register;
 use sieben_model::address::Area;
 use sieben_model::block::{BlockId, BlockKind};
@@ -69,7 +69,7 @@ impl Versions {
         callees(blocks, find).into_iter().flatten().for_each(|callee| calls[callee] += 1);
         let instructions: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
         let mut versions = Self {
-            reads: reads(blocks, find),
+            reads: reads(blocks, find, &calls),
             functions: FxHashMap::default(),
             counts: vec![0; blocks.len()],
             calls,
@@ -155,10 +155,10 @@ impl Translator<'_> {
     }
 }
 
-/// What each block and those that it calls read of [`KNOWABLE`].
-fn reads(blocks: &[Native], find: Find<'_>) -> Vec<u32> {
+/// What each block that is called, and those that it calls, read of [`KNOWABLE`].
+fn reads(blocks: &[Native], find: Find<'_>, calls: &[usize]) -> Vec<u32> {
     let own = |block: &Native| block.code.insts.iter().fold(0, |all, inst| all | reads_of(inst));
-    let mut all: Vec<u32> = blocks.iter().map(own).collect();
+    let mut all: Vec<u32> = blocks.iter().zip(calls).map(|(block, &calls)| if calls == 0 { 0 } else { own(block) }).collect();
     let callees = callees(blocks, find);
     for _ in 0..ROUNDS_MAX {
         let mut changed = false;
@@ -184,7 +184,6 @@ pub(super) fn callees(blocks: &[Native], find: Find<'_>) -> Vec<Vec<usize>> {
 
 /// What an instruction reads. A pointer that may go anywhere mostly goes elsewhere.
 fn reads_of(inst: &Inst) -> u32 {
-    let register = |var: Var| var.register().map_or(0, bit_of);
     let place = |place: Place| match place {
         Place::Fixed { area, .. } | Place::Indirect { area, .. } => match area {
             Area::SharedData => OPEN_BLOCKS[..3].iter().fold(0, |all, &register| all | bit_of(register)),
@@ -199,5 +198,5 @@ fn reads_of(inst: &Inst) -> u32 {
         Inst::Move { from, to, .. } | Inst::Text { from, to, .. } => place(from) | place(to),
         _ => 0,
     };
-    sieben_engine::ir::verify::reads(inst).fold(places, |all, var| all | register(var))
+    places | super::analysis::effect(inst).reads
 }
