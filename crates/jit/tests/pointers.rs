@@ -74,8 +74,10 @@ impl Block<'_> {
             _ => self.dice.roll(6) * 8,
         };
         let mut pointer = self.b.constant(area << 24 | byte);
-        if self.dice.roll(8) == 0 {
+        if self.dice.roll(4) == 0 {
             let moved = self.load(Place::Fixed { area: Area::BitMemory, position: 8 }, Width::Byte);
+            let mask = self.b.constant(self.dice.of(&[1, 3, 255]));
+            let moved = self.b.compute(Op::AndU32, &[moved, mask]);
             let eight = self.b.constant(8);
             let moved = self.b.compute(Op::MulU32, &[moved, eight]);
             pointer = self.b.compute(Op::AddU32, &[pointer, moved]);

@@ -1,7 +1,7 @@
 //! Texts behind pointers that a caller hands on, as inputs of functions are: what machine code does with them where it knows the pointer,
 //! and where the text says itself how long it is.
 
-use noting::{Outcome, layout, program, run};
+use noting::{Outcome, program, run};
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, TextAction, TextRoom, Var};
 use sieben_engine::{Engine, Entry, Interpreter, Layout, Machine, Program, Reaction};
 use sieben_jit::{Jit, StatusBits};
@@ -22,6 +22,18 @@ enum Pointer {
     Known(u64, u64),
     /// The same number, and the pointer in bit memory.
     Read(u64),
+    /// Number and pointer, and so many bits of MB 12 count bytes behind it.
+    Indexed(u64, u64, u64),
+}
+
+/// A data block whose number needs more than a byte.
+const FAR: u64 = 300;
+
+/// A layout in which data blocks 1 and 300 have 16 bytes each.
+fn layout(program: &Program) -> Layout {
+    let mut layout = noting::layout(program);
+    layout.data_blocks.insert(FAR as u16, layout.size - 32..layout.size - 16);
+    layout
 }
 
 fn memory(byte: u32) -> Place {
@@ -34,6 +46,13 @@ fn handed_on(pointer: Pointer, action: TextAction, is_target: bool, room: TextRo
         b.begin_statement();
         let (number, pointer) = match pointer {
             Pointer::Known(number, pointer) => (number, b.constant(pointer)),
+            Pointer::Indexed(number, pointer, bits) => {
+                let index = b.load(memory(12), Width::Byte, OnFault::SkipStatement);
+                let [bits, eight, pointer] = [bits, 8, pointer].map(|number| b.constant(number));
+                let index = b.compute(Op::AndU32, &[index, bits]);
+                let index = b.compute(Op::MulU32, &[index, eight]);
+                (number, b.compute(Op::AddU32, &[pointer, index]))
+            }
             Pointer::Read(number) => (number, b.load(memory(8), Width::DoubleWord, OnFault::SkipStatement)),
         };
         let number = b.constant(number);
@@ -67,15 +86,16 @@ fn handed_on(pointer: Pointer, action: TextAction, is_target: bool, room: TextRo
 }
 
 /// What is left of a run in which a text has these lengths and the other one is `OTHERS`.
-fn outcome(engine: &dyn Engine, layout: &Layout, (area, byte): (Area, usize), lengths: [u8; 2]) -> Outcome {
+fn outcome(engine: &dyn Engine, layout: &Layout, (block, byte): (u16, usize), lengths: [u8; 2]) -> Outcome {
     let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
     let prepare = |machine: &mut Machine| {
         machine.budget = 100;
         machine.memory.area_mut(Area::BitMemory)[OTHER as usize..][..8].copy_from_slice(b"\x06\x06OTHERS");
+        machine.memory.area_mut(Area::BitMemory)[12] = 0xF2;
         machine.memory.area_mut(Area::BitMemory)[8..12].copy_from_slice(&(0x8400_0000 + 8 * byte as u32).to_be_bytes());
-        let start = match area {
-            Area::SharedData => layout.data_blocks[&1].start,
-            _ => layout.area(area).expect("bit memory").start,
+        let start = match block {
+            0 => layout.area(Area::BitMemory).expect("bit memory").start,
+            block => layout.data_blocks[&block].start,
         };
         machine.memory.arena[start + byte..][..2].copy_from_slice(&lengths);
         for (at, character) in machine.memory.arena[start + byte + 2..][..4].iter_mut().zip(b"OTEH") {
@@ -93,12 +113,21 @@ fn asks(program: &Program, layout: &Layout) -> bool {
 fn a_text_whose_pointer_is_known_asks_nobody() {
     let room = TextRoom::narrow(0);
     let actions = [TextAction::Length, TextAction::Assign, TextAction::Piece, TextAction::Append, TextAction::Compare, TextAction::Find];
+    let looks = [(7, room), (13, room), (7, TextRoom::narrow(7)), (3, TextRoom::narrow(11))];
     for action in actions {
         for (number, pointer) in [(1, 0x8400_0000_u64), (1, 0x8400_0050), (0, 0x8300_0140), (0, 0x8700_0040)] {
             for room in [room, TextRoom::narrow(4)] {
                 let program = handed_on(Pointer::Known(number, pointer), action, false, room);
                 assert!(!asks(&program, &layout(&program)), "{action:?} {number} {pointer:X} {room:?}");
             }
+        }
+        for number in [1, FAR] {
+            let program = handed_on(Pointer::Known(number, 0x8400_0050), action, false, room);
+            assert!(!asks(&program, &layout(&program)), "{action:?} {number}");
+        }
+        for (number, (bits, room)) in [1, FAR].into_iter().flat_map(|number| looks.map(|look| (number, look))) {
+            let program = handed_on(Pointer::Indexed(number, 0x8400_0000, bits), action, false, room);
+            assert!(!asks(&program, &layout(&program)), "{action:?} {number} {bits} {room:?}");
         }
         let here = handed_on(Pointer::Known(1, 0x8400_0000), action, true, room);
         assert!(action == TextAction::Length || !asks(&here, &layout(&here)), "{action:?} as target");
@@ -116,6 +145,9 @@ fn a_text_whose_pointer_is_not_known_asks() {
     assert!(asked(Pointer::Known(7, 0x8400_0000), unknown), "a data block that is not there");
     assert!(asked(Pointer::Known(1, 0x8400_0078), unknown), "a text of which only the first byte is there");
     assert!(asked(Pointer::Known(1, 0x8400_0050), TextRoom::narrow(5)), "a text that is declared longer than what is there");
+    assert!(asked(Pointer::Indexed(1, 0x8400_0000, 15), unknown), "an index that may leave nothing of the head");
+    assert!(asked(Pointer::Indexed(1, 0x8400_0000, 7), TextRoom::narrow(8)), "an index that may leave less than is declared");
+    assert!(asked(Pointer::Indexed(7, 0x8400_0000, 1), unknown), "an index and a data block that is not there");
     assert!(asked(Pointer::Known(1, 0x8400_0001), unknown), "a text that begins inside a byte");
     assert!(asked(Pointer::Known(0, 0x8708_0000), unknown), "local data of nobody");
     assert!(asked(Pointer::Known(0, 0x8700_0178), unknown), "a text that begins in the last byte of the local data");
@@ -132,11 +164,13 @@ fn a_text_whose_pointer_is_not_known_asks() {
 fn texts_that_say_how_long_they_are_end_with_their_area_on_all_engines() {
     let mut faults = 0;
     for action in TextAction::ALL {
-        for (pointer, area, byte) in [
-            (Pointer::Known(1, 0x8400_0050), Area::SharedData, 10),
-            (Pointer::Read(1), Area::SharedData, 10),
+        for (pointer, block, byte) in [
+            (Pointer::Known(1, 0x8400_0050), 1, 10),
+            (Pointer::Read(1), 1, 10),
+            (Pointer::Indexed(1, 0x8400_0040, 3), 1, 10),
+            (Pointer::Indexed(FAR, 0x8400_0040, 3), FAR as u16, 10),
             // It shares bytes with the other text.
-            (Pointer::Known(0, 0x8300_0090), Area::BitMemory, 18),
+            (Pointer::Known(0, 0x8300_0090), 0, 18),
         ] {
             for is_target in [false, true] {
                 let room = if action == TextAction::Number && is_target { TextRoom::NUMBER } else { TextRoom::narrow(0) };
@@ -146,7 +180,7 @@ fn texts_that_say_how_long_they_are_end_with_their_area_on_all_engines() {
                 let engines =
                     [StatusBits::All, StatusBits::Needed].map(|status| Jit::compiled(&program, &layout, status).expect("machine code"));
                 for lengths in [0, 1, 3, 4, 5, 200, 255].iter().flat_map(|&most| [0, 1, 2, 4, 5, 255].map(|length| [most, length])) {
-                    let of = |engine: &dyn Engine| outcome(engine, &layout, (area, byte), lengths);
+                    let of = |engine: &dyn Engine| outcome(engine, &layout, (block, byte), lengths);
                     let expected = of(reference.as_ref());
                     for engine in &engines {
                         of(engine.as_ref()).assert_ends_as(&expected, &|| format!("{action:?} {pointer:?} {is_target} {lengths:?}"));

@@ -49,6 +49,17 @@ pub(super) type Cell = (Base, i32, Width);
 /// Bytes behind a base.
 type Bytes = (Base, Range<i64>);
 
+/// Where a text lies that begins inside its area.
+#[derive(Clone, Debug)]
+pub(super) struct TextPlace {
+    /// The bytes that it may have.
+    pub(super) bytes: Bytes,
+    /// How many of them are sure to be there, from where it begins: all that it may have, unless it says itself how long it is.
+    pub(super) there: u32,
+    /// The data block that its pointer names.
+    pub(super) block: Option<Range<usize>>,
+}
+
 /// A variable in memory and its range.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fact {
@@ -63,8 +74,8 @@ pub(super) struct Ranges {
     inside: FxHashMap<u32, (Base, Range<i64>)>,
     /// Moves of bytes that stay inside their areas: what they may read and what they may write.
     moves: FxHashMap<u32, [(Base, Range<i64>); 2]>,
-    /// Text instructions whose texts begin inside their areas: the bytes in which `from` and `to` lie, as far as they are there.
-    texts: FxHashMap<u32, [Option<Bytes>; 2]>,
+    /// Text instructions whose texts begin inside their areas: where `from` and `to` lie.
+    texts: FxHashMap<u32, [Option<TextPlace>; 2]>,
     /// Conditions that always hold.
     met: FxHashSet<u32>,
     /// Ranges of results, of numbers without sign.
@@ -110,9 +121,8 @@ impl Ranges {
         self.moves.get(&inst).cloned()
     }
 
-    /// The bytes in which a text of an instruction lies, `from` or `to`, if they are known to be inside their area. A text that says itself
-    /// how long it is may be longer than these bytes if they are fewer than it can have.
-    pub(super) fn text(&self, inst: u32, is_to: bool) -> Option<(Base, Range<i64>)> {
+    /// Where a text of an instruction lies, `from` or `to`, if it is known to begin inside its area.
+    pub(super) fn text(&self, inst: u32, is_to: bool) -> Option<TextPlace> {
         self.texts.get(&inst)?[usize::from(is_to)].clone()
     }
 

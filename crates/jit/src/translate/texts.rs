@@ -11,6 +11,7 @@ use sieben_model::address::{Area, Width};
 use super::memory::{Address, Bit, data, moved};
 use super::outside::Outside;
 use super::promote::Base;
+use super::ranges::TextPlace;
 use super::value::Val;
 use super::{After, Translator};
 use crate::ask::{Question, text_kind};
@@ -24,6 +25,8 @@ pub(super) struct Whole {
     pub(super) address: Address,
     /// The bytes that it may lie in.
     touched: (Base, Range<i64>),
+    /// How many of them are sure to be there, from where it begins.
+    there: u32,
     /// No more characters than these count.
     pub(super) room: TextRoom,
     /// How many there is room for, if only the text itself says so.
@@ -137,7 +140,7 @@ impl Translator<'_> {
         // Both lengths of a literal.
         let empty = base == self.local && self.constant_word(offset, Width::Word) == Some(0);
         let most = self.b.ins().uload8(I32, data(), base, offset);
-        let there = text.touched.1.end - text.touched.1.start - i64::from(text.room.head());
+        let there = i64::from(text.there - text.room.head());
         let inside = (there < u8::MAX.into() && !empty).then(|| self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, most, there));
         let room = TextRoom { characters_max: there.clamp(1, u8::MAX.into()) as u16, ..text.room };
         (Whole { room, most: Some(most), empty, ..text }, inside)
@@ -155,19 +158,26 @@ impl Translator<'_> {
     /// A text that is known to lie inside its area.
     fn whole_text(&mut self, index: u32, ((place, room), is_to): ((Place, TextRoom), bool), write: bool) -> Option<Whole> {
         if let Some(known) = self.known_text((place, room), write) {
-            return Some(Whole { address: known.1, touched: touched(known, room), room, most: None, empty: false });
+            return Some(Whole { address: known.1, touched: touched(known, room), there: room.bytes(), room, most: None, empty: false });
         }
-        let touched = self.ranges.text(index, is_to)?;
-        let bytes = touched.1.end - touched.1.start;
+        let TextPlace { bytes: touched, there, block } = self.ranges.text(index, is_to)?;
+        let begins = touched.1.end - touched.1.start == i64::from(there);
         let address = match place {
             Place::Fixed { .. } | Place::Indirect { .. } if !room.is_unknown() => self.span(place, room.bytes(), write)?,
-            _ if room.is_unknown() || bytes == i64::from(room.bytes()) => {
-                // Where it begins is known then.
+            // Where it begins is known then.
+            _ if begins => {
                 Address { base: self.address_of_base(touched.0), offset: i32::try_from(touched.1.start).ok()?, bit: Bit::Number(0) }
+            }
+            Place::Crossing { pointer, offset } => {
+                let block = block?;
+                let area = (self.arena, i32::try_from(block.start).ok()?, block.len() as u64);
+                let pointer = self.get(pointer);
+                let pointer = self.force(pointer);
+                self.address_inside(area, pointer, offset, (Width::Byte, there))
             }
             _ => return None,
         };
-        Some(Whole { address, touched, room, most: None, empty: false })
+        Some(Whole { address, touched, there, room, most: None, empty: false })
     }
 
     /// The piece in one word.

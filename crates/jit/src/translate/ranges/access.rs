@@ -1,13 +1,14 @@
 //! What an access to memory reaches, and what is known behind it.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use sieben_engine::access::{data_registers, pointed_area};
 use sieben_engine::ir::{DataRegister, OnFault, Op, Place, TextRoom, Var};
 use sieben_model::address::{Area, Width};
 
 use super::interval::{self, Interval};
-use super::{Analysis, Bytes, Element, Known, Reach, Same, Span, State};
+use super::{Analysis, Element, Known, Reach, Same, Span, State, TextPlace};
 use crate::translate::memory::moved;
 use crate::translate::promote::Base;
 use crate::translate::texts::NUMBER_SHIFT;
@@ -38,8 +39,13 @@ impl Analysis<'_> {
                     }
                     return Reach::Cell(Base::Local, byte);
                 }
-                if let (true, Span::Bytes(bytes), 1..) = (least == most, span, least >> 32) {
-                    return self.far_bytes(least as u64, offset, bytes, write).unwrap_or(Reach::Anything);
+                if let (true, Span::Bytes(bytes), 1..) = (least >> 24 == most >> 24, span, least >> 32) {
+                    // The number of the data block is no part of the sum.
+                    let zeros = self.get(state, temporaries, pointer).range.zeros;
+                    let low = |pointer: i128| i64::from(pointer as u32);
+                    let own = Interval { least: low(least), most: low(most), zeros, bits: 32 };
+                    let position = interval::result(Op::AddU32, [own, Interval::constant(u64::from(offset)), own]);
+                    return self.far_bytes(least as u64, position, bytes, write).unwrap_or(Reach::Anything);
                 }
                 let far = least >> 32 != 0 && matches!(span, Span::Bytes(_));
                 match pointed_area(least as u64, write) {
@@ -93,48 +99,63 @@ impl Analysis<'_> {
     }
 
     /// Bytes of the data block that a pointer names.
-    fn far_bytes(&mut self, pointer: u64, offset: u32, bytes: u32, write: bool) -> Option<Reach> {
+    fn far_bytes(&mut self, pointer: u64, position: Interval, bytes: u32, write: bool) -> Option<Reach> {
+        let range = self.far_block(pointer, write)?;
+        let (least, most) = position.unsigned(24);
+        let first = range.start as i64 + (least / 8) as i64;
+        let end = range.start as i64 + (most / 8) as i64 + i64::from(bytes);
+        let aligned = position.zeros >= 3 || position.exact().is_some_and(|position| position % 8 == 0);
+        if !aligned || end > range.end as i64 {
+            return None;
+        }
+        let offset = i32::try_from(first).ok()?;
+        Some(if least == most { Reach::Cell(Base::Arena, offset) } else { Reach::Inside(Base::Arena, first..end) })
+    }
+
+    /// Where the data block lies that a pointer names, which is taken to be as it was loaded.
+    fn far_block(&mut self, pointer: u64, write: bool) -> Option<Range<usize>> {
         let number = (pointer >> NUMBER_SHIFT & 0xFFFF) as u16;
         if number == 0 || pointed_area(pointer, write) != Ok(Area::SharedData) || write && self.around.layout.read_only.contains(&number) {
             return None;
         }
-        let range = self.around.layout.data_blocks.get(&number)?;
-        let position = moved(pointer, offset);
-        let first = range.start + position as usize / 8;
-        if !position.is_multiple_of(8) || first + bytes as usize > range.end {
-            return None;
-        }
+        let range = self.around.layout.data_blocks.get(&number)?.clone();
         self.found.opened.insert(number);
-        Some(Reach::Cell(Base::Arena, i32::try_from(first).ok()?))
+        Some(range)
     }
 
-    /// The bytes of a text that begins inside its area; whether all of it is known to lie there. One that says itself how long it is has
-    /// as many as the area has, at most.
+    /// The bytes of a text that begins inside its area. One that says itself how long it is has as many as the area has, at most.
     pub(super) fn text(
         &mut self,
         state: &State,
         temporaries: &BTreeMap<u8, Known>,
         (place, room): (Place, TextRoom),
         write: bool,
-    ) -> Option<(Bytes, bool)> {
-        if !room.is_unknown() {
-            let reach = self.reach(state, temporaries, place, Span::Bytes(room.bytes()), write, None);
-            return reach.bytes(room.bytes()).map(|bytes| (bytes, true));
-        }
-        let mut begin = |bytes: u32| match self.reach(state, temporaries, place, Span::Bytes(bytes), write, None) {
-            Reach::Cell(base, offset) if !room.wide => Some((base, i64::from(offset))),
+    ) -> Option<TextPlace> {
+        let block = match place {
+            Place::Crossing { pointer, .. } => {
+                let (least, most) = self.get(state, temporaries, pointer).range.unsigned(64);
+                if least >> 24 == most >> 24 { self.far_block(least as u64, write) } else { None }
+            }
             _ => None,
         };
-        let (base, start) = begin(room.head())?;
-        let (mut there, mut most) = (room.head(), room.bytes());
+        if room.is_unknown() && room.wide {
+            return None;
+        }
+        let begins = block.is_some() || !room.is_unknown();
+        let mut begin = |there: u32| match self.reach(state, temporaries, place, Span::Bytes(there), write, None) {
+            Reach::Inside(..) if !begins => None,
+            reach => reach.bytes(there),
+        };
+        let (mut there, mut most) = (if room.is_unknown() { room.head() } else { room.bytes() }, room.bytes());
+        let mut bytes = begin(there)?;
         while there < most {
             let middle = (there + most).div_ceil(2);
             match begin(middle) {
-                Some(_) => there = middle,
+                Some(found) => (there, bytes) = (middle, found),
                 None => most = middle - 1,
             }
         }
-        Some(((base, start..start + i64::from(there)), there == room.bytes()))
+        Some(TextPlace { bytes, there, block })
     }
 
     /// A pointer moved by an offset.

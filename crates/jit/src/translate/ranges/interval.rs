@@ -279,6 +279,10 @@ pub(in crate::translate) fn result(op: Op, [a, b, c]: [Interval; 3]) -> Interval
     }
     match op {
         Op::Not | Op::And | Op::AndNot | Op::Or | Op::Xor => logic(op, a, b),
+        // The number of a data block above a pointer.
+        Op::OrU64 if a.exact().is_some_and(|high| high as u32 == 0) && b.unsigned(64).1 <= i128::from(u32::MAX) => {
+            computed(|a, b| a + b, a.unsigned(64), b.unsigned(64), b.zeros.min(32), 64)
+        }
         Op::Copy => a,
         Op::Low8 => low(a, 8),
         Op::Low16 => low(a, 16),

@@ -8,7 +8,7 @@ use sieben_engine::ir::{Inst, Op, Place, Target, TextAction, TextRoom, Var};
 use sieben_engine::machine::Register;
 
 use super::interval::{self, Interval, Number, comparison};
-use super::{Analysis, Known, Origin, Reach, Same, Span, State};
+use super::{Analysis, Known, Origin, Reach, Same, Span, State, TextPlace};
 use crate::jit::end;
 
 /// How many origins of a value are looked at when something is found out about it.
@@ -67,16 +67,16 @@ impl Analysis<'_> {
                 }
                 Inst::Text { action, dst, to, to_room, from, from_room, .. } => {
                     let mut bytes = |place: Place, room: TextRoom, write: bool| {
-                        let (bytes, whole) = self.text(&state, &temporaries, (place, room), write)?;
-                        fails |= !whole;
-                        Some(bytes)
+                        let text = self.text(&state, &temporaries, (place, room), write)?;
+                        fails |= text.there < room.bytes();
+                        Some(text)
                     };
                     let is_read = !action.takes_number();
                     let read = if is_read { bytes(from, from_room, false) } else { None };
                     let other = if action == TextAction::Length { None } else { bytes(to, to_room, action.writes()) };
                     let inside = (read.is_some() || !is_read) && (other.is_some() || action == TextAction::Length);
                     match &other {
-                        Some((base, range)) if inside && action.writes() => state.forget(*base, range),
+                        Some(TextPlace { bytes: (base, range), .. }) if inside && action.writes() => state.forget(*base, range),
                         _ if inside => {}
                         _ => {
                             fails = true;
