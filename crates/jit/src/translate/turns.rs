@@ -24,6 +24,7 @@ mod left;
 mod line;
 mod quads;
 mod reader;
+mod settled;
 mod signs;
 mod simplest;
 mod vector;
@@ -85,6 +86,13 @@ impl Translator<'_> {
         self.at_once.push((self.index, it.first, it.last));
         if let Some(sums) = bit_sums::read(&plan) {
             self.bit_sums_at_once(&plan, &sums, it);
+        }
+        if let Some(settled) = plan.kernel.settled().filter(|kernel| !kernel.repeats_itself()).and_then(Plan::of) {
+            for lanes in settled.lanes() {
+                Writing::write(self, &settled, it, lanes);
+            }
+            let kernel = settled.kernel.without_signs().unwrap_or(settled.kernel);
+            Writing::write(self, &Plan { kernel, ..settled }, it, 1);
         }
         let lanes = plan.lanes();
         for &lanes in &lanes {

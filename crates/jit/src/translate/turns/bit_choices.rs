@@ -51,7 +51,7 @@ impl Kernel {
         }
     }
 
-    fn without_copies(&self, node: Node) -> Node {
+    pub(super) fn without_copies(&self, node: Node) -> Node {
         match self.what(node) {
             What::Compute(Op::Copy, [of, ..]) => of,
             _ => node,

@@ -23,7 +23,6 @@ impl Node {
         Self(number)
     }
 
-    #[cfg(test)]
     pub(super) fn number(self) -> u32 {
         self.0
     }
@@ -152,6 +151,8 @@ pub(super) struct Kernel {
     pub(super) inner: Option<Turn>,
     /// Numbers on lines that have to be below limits in all turns.
     pub(super) required: Vec<(Node, u32)>,
+    /// Conditions that are the same in all turns, and whether they have to hold.
+    pub(super) settled: Vec<(Node, bool)>,
     /// Least and greatest value of numbers that are divided by constants and never negative.
     pub(super) bounds: BTreeMap<Node, (u32, u32)>,
     /// Data blocks that turns open, which are taken to be as they were loaded.
@@ -176,6 +177,7 @@ impl Kernel {
             outer: Turn::default(),
             inner: None,
             required: Vec::new(),
+            settled: Vec::new(),
             bounds: BTreeMap::new(),
             opened: BTreeSet::new(),
             live: !0,

@@ -186,6 +186,12 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             let stays_below = self.stays_below(number, limit, turns);
             also(self, stays_below);
         }
+        for &(condition, holds) in &self.kernel.settled {
+            let condition = self.value_before(condition);
+            let condition = self.t.flag(condition);
+            let is_so = self.t.b.ins().icmp_imm_u(IntCC::Equal, condition, i64::from(holds));
+            also(self, is_so);
+        }
         (turns, guard, all)
     }
 
