@@ -212,6 +212,7 @@ constructs! {
     PointerTo "POINTER TO, REFERENCE TO and `ADR()`"               Reject Accept Reject Reject "write `REF_TO` and `REF()`";
     Union "UNION"                                                  Reject Accept Reject Reject "use slices such as `.%B1`, or AT";
     OpenArray "ARRAY[*]"                                           Accept Accept Reject Accept "give the array bounds";
+    OpenArrayInput "ARRAY[*] in VAR_INPUT"                         Accept Reject Reject Accept "write VAR_IN_OUT";
     Enumeration "an enumeration"                                   Accept Accept Reject Reject "declare constants";
     Subrange "a subrange"                                          Accept Accept Reject Reject "use the whole type";
     BitByNumber "a bit as `x.3`"                                   Accept Accept Reject Note   "write `x.%X3`";

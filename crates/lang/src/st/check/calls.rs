@@ -717,6 +717,7 @@ impl Checker<'_> {
             }
             Section::Output => self.output(formal, value, all),
             Section::InOut => self.in_out(formal, value, all),
+            _ if is_open(&formal.data_type) => self.open_input(formal, value, all),
             _ => {
                 let typed = self.expression_for(value, &formal.data_type);
                 self.input(formal, typed, value.span, &mut all.arguments, &mut all.before)
@@ -954,6 +955,32 @@ impl Checker<'_> {
         true
     }
 
+    /// An array for ARRAY[*] of VAR_INPUT: the function reads that of the caller.
+    fn open_input(&mut self, formal: &Variable, value: &Expression, all: &mut Arguments<'_>) -> bool {
+        let target = match self.reach(value) {
+            Reached::Target(target) => target,
+            Reached::Other(Typed::Poison) => return false,
+            Reached::Other(other) => {
+                self.wrong_argument(formal, &other, value.span);
+                return false;
+            }
+        };
+        let Some(mut bounds) = self.bounds_of(formal, &target, all.interface) else {
+            let message = format!(
+                "the parameter `{}` is {}, and `{}` is {}",
+                formal.name,
+                self.words(&formal.data_type),
+                target.name,
+                self.words(&target.data_type)
+            );
+            self.report(Problem::P4011, value.span, message);
+            return false;
+        };
+        all.arguments.append(&mut bounds);
+        all.arguments.push(Argument::InOut { parameter: formal.offset, place: target.place, data_type: target.data_type });
+        true
+    }
+
     /// A text, an array or a structure that a call of a function leaves out: what its declaration says.
     fn initial_argument(&mut self, formal: &Variable, all: &mut Arguments<'_>, span: Span) {
         let parameter = formal.offset;
@@ -1003,6 +1030,7 @@ impl Checker<'_> {
                 continue;
             }
             match formal.section {
+                Section::Input if is_open(&formal.data_type) => missing.push(format!("`{}`", formal.name)),
                 Section::InOut if function || Kind::of(&formal.data_type).is_none() => {
                     missing.push(format!("`{}`", formal.name));
                     inputs = false;

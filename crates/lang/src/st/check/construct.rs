@@ -4,9 +4,10 @@ use sieben_model::block::BlockId;
 use sieben_model::interface::Section;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
-use sieben_model::types::DataType;
+use sieben_model::types::{DataType, ReferenceKind};
 
-use super::names::Names;
+use super::names::{Names, Role};
+use super::typed::{Target, Through};
 use super::{Block, Checked, Checker};
 use crate::st::ast::{self, Direction, Expression, ExpressionKind, Literal, LiteralKind, Name};
 use crate::st::tree::{self, Argument, Base, Call, Callee, Place, Statement, StatementKind, Text, Value, ValueKind};
@@ -28,10 +29,33 @@ pub struct Begun<'a> {
     pub span: Span,
 }
 
+/// A reference or a pointer that begins with the address of a variable.
+pub struct Referring<'a> {
+    /// The reference.
+    pub place: Place,
+    /// Its name.
+    pub name: &'a str,
+    /// Its type.
+    pub data_type: &'a DataType,
+    /// The instance that declares it, if one does.
+    pub owner: Option<Place>,
+    /// What the declaration gives.
+    pub value: &'a Expression,
+}
+
 /// The statement that calls FB_Init for an instance.
 pub fn construct(block: &Block<'_>, names: &dyn Names, begun: &Begun<'_>) -> Checked {
+    alone(block, names, |checker| checker.construct(begun))
+}
+
+/// The statement that gives a reference its initial value.
+pub fn refer(block: &Block<'_>, names: &dyn Names, referring: &Referring<'_>) -> Checked {
+    alone(block, names, |checker| checker.begin_reference(referring))
+}
+
+fn alone(block: &Block<'_>, names: &dyn Names, make: impl FnOnce(&mut Checker<'_>) -> Option<Statement>) -> Checked {
     let mut checker = Checker::new(block, names);
-    let statement = checker.construct(begun);
+    let statement = make(&mut checker);
     let local_size = checker.locals.bytes();
     let Checker { failed, diagnostics, called, words, writes, .. } = checker;
     let body = tree::Body { statements: statement.into_iter().collect(), local_size, ..tree::Body::default() };
@@ -39,6 +63,33 @@ pub fn construct(block: &Block<'_>, names: &dyn Names, begun: &Begun<'_>) -> Che
 }
 
 impl Checker<'_> {
+    fn begin_reference(&mut self, referring: &Referring<'_>) -> Option<Statement> {
+        let Referring { place, name, data_type, owner, value } = referring;
+        let span = value.span;
+        let kind = match data_type {
+            DataType::Reference(reference) if reference.kind == ReferenceKind::Reference => {
+                let wanted = self.finished(&reference.target);
+                self.refer_to(place.clone(), &wanted, value, span)?
+            }
+            _ => {
+                let typed = self.expression_for(value, data_type);
+                let (place, data_type) = (place.clone(), (*data_type).clone());
+                let target = Target { place, data_type, role: Role::Global, name: (*name).to_owned(), through: Through::Itself };
+                self.store(target, typed, span, span)?
+            }
+        };
+        let outside = match kind {
+            StatementKind::Assign { target, value } => value_outside(&value, owner.as_ref()).map(|value| (target, value)),
+            _ => None,
+        };
+        let Some((target, value)) = outside else {
+            self.report(Problem::P6122, span, format!("`{name}` begins with the address of a variable that lasts, or with a constant"))
+                .help = Some("Assign it in the first cycle instead.".to_owned());
+            return None;
+        };
+        Some(Statement { kind: StatementKind::Assign { target, value }, span })
+    }
+
     fn construct(&mut self, begun: &Begun<'_>) -> Option<Statement> {
         let span = begun.span;
         let interface = self.interface(begun.function, span)?;

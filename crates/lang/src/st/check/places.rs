@@ -34,8 +34,14 @@ const POISON: Reached = Reached::Other(Typed::Poison);
 impl Checker<'_> {
     /// What a name, a path or an address leads to; other expressions are what they are.
     pub(super) fn reach(&mut self, expression: &Expression) -> Reached {
+        let reached = self.reach_itself(expression);
+        self.followed(reached, expression.span)
+    }
+
+    /// The same, where a REFERENCE TO is the variable that refers.
+    pub(super) fn reach_itself(&mut self, expression: &Expression) -> Reached {
         let span = expression.span;
-        let reached = match &expression.kind {
+        match &expression.kind {
             ExpressionKind::Name(name) => self.name(name),
             ExpressionKind::Global(name) => match self.names.global(&name.text) {
                 Some(entity) => self.entity(entity, name),
@@ -54,8 +60,7 @@ impl Checker<'_> {
                 None => POISON,
             },
             _ => Reached::Other(self.expression(expression)),
-        };
-        self.followed(reached, span)
+        }
     }
 
     /// A REFERENCE TO stands for what it refers to.

@@ -189,30 +189,35 @@ impl Checker<'_> {
 
     /// `r REF= x`: the reference itself is written, not what it refers to.
     fn refer(&mut self, target: &Expression, value: &Expression, span: Span) -> Option<StatementKind> {
-        let reference = match &target.kind {
-            ExpressionKind::Name(name) => match self.names.local(&name.text).or_else(|| self.names.global(&name.text)) {
-                Some(super::names::Entity::Variable(variable)) => match &variable.data_type {
-                    DataType::Reference(reference) if reference.kind == ReferenceKind::Reference => {
-                        let place = Place { base: variable.base.clone(), offset: variable.offset, indexes: Vec::new(), span: target.span };
-                        Some((place, self.finished(&reference.target)))
-                    }
-                    _ => None,
-                },
+        let reference = match self.reach_itself(target) {
+            Reached::Target(found) => match &found.data_type {
+                DataType::Reference(reference) if reference.kind == ReferenceKind::Reference => {
+                    let data_type = self.finished(&reference.target);
+                    // An input of codesys that is a REFERENCE TO is set from inside and outside.
+                    let sound = found.role == Role::Input && found.through == Through::Itself || self.writable(&found, target.span);
+                    Some((sound.then_some(found.place), data_type))
+                }
                 _ => None,
             },
-            _ => None,
+            Reached::Other(Typed::Poison) => return None,
+            Reached::Other(_) => None,
         };
         let Some((place, data_type)) = reference else {
             self.report(Problem::P6204, target.span, "`REF=` takes a variable that is declared as REFERENCE TO");
             return None;
         };
+        self.refer_to(place?, &data_type, value, span)
+    }
+
+    /// Lets the reference at a place refer to a variable of a type.
+    pub(super) fn refer_to(&mut self, place: Place, data_type: &DataType, value: &Expression, span: Span) -> Option<StatementKind> {
         let source = self.target(value)?;
-        let extends = match (&source.data_type, &data_type) {
+        let extends = match (&source.data_type, data_type) {
             (DataType::Instance { block, .. }, DataType::Instance { block: base, .. }) => self.names.objects().is_a(*block, *base),
             _ => false,
         };
-        if !extends && !same_type(&source.data_type, &data_type) {
-            self.no_conversion(&source.data_type, &data_type, value.span);
+        if !extends && !same_type(&source.data_type, data_type) {
+            self.no_conversion(&source.data_type, data_type, value.span);
             return None;
         }
         let value = Value { kind: ValueKind::AddressOf(source.place), scalar: Scalar::U64, span };
@@ -265,7 +270,13 @@ impl Checker<'_> {
         match (target.role, target.through) {
             (_, Through::Reference) => true,
             (Role::Constant, _) => {
-                self.report(Problem::P6204, span, format!("`{name}` is a constant: it cannot be assigned to"));
+                let message = match target.place.base {
+                    crate::st::tree::Base::ComplexParameter(_) | crate::st::tree::Base::InstancePointer(_) => {
+                        format!("`{name}` belongs to the caller: here it is only read")
+                    }
+                    _ => format!("`{name}` is a constant: it cannot be assigned to"),
+                };
+                self.report(Problem::P6204, span, message);
                 false
             }
             // A test writes the outputs of what it mocks.

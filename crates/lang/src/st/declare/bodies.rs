@@ -110,7 +110,10 @@ impl Environment<'_> {
                         format!("`{id}` exists already; it cannot also write initial values of variables with an address"),
                         "Assign the values there, and leave the initial values away.",
                     ),
-                    None => (format!("`{id}` exists already; it cannot also call FB_Init"), "Leave the organization block away."),
+                    None => (
+                        format!("`{id}` exists already; it cannot also call FB_Init and set references"),
+                        "Leave the organization block away.",
+                    ),
                 };
                 diagnostics.push(Diagnostic::new(Problem::P3002, first, message).help(help));
                 continue;

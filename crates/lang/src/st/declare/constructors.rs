@@ -7,18 +7,19 @@ use sieben_model::diagnostic::Diagnostic;
 use sieben_model::interface::Section;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
-use sieben_model::types::{DataType, Structure};
+use sieben_model::types::{DataType, Field, Structure};
 
 use super::bodies::Bodies;
 use super::environment::{BlockNames, Environment};
+use super::initial::later;
 use super::types::holds_instance;
 use super::{Declared, ast};
 use crate::scope::key;
-use crate::st::ast::{MemberKind, TypeKind, VarSection};
-use crate::st::check::Block;
-use crate::st::check::construct::{Begun, construct};
+use crate::st::ast::{Expression, MemberKind, TypeKind, VarSection};
+use crate::st::check::construct::{Begun, Referring, construct, refer};
 use crate::st::check::names::Names;
 use crate::st::check::places::element_step;
+use crate::st::check::{Block, Checked};
 use crate::st::dialect::{Construct, Dialect, Judgement};
 use crate::st::tree::{Base, Body, Place};
 
@@ -55,7 +56,10 @@ impl<'a> Environment<'a> {
             |section: &&VarSection| section.declarations.iter().any(|one| matches!(one.data_type.kind, TypeKind::Constructed { .. }));
         let sections = self.items.code.values().flat_map(|code| &code.block.sections);
         self.misdeclared(bodies);
-        if !has_any && !sections.chain(self.items.lists.iter().map(|list| list.section)).any(|section| constructed(&section)) {
+        if !has_any
+            && !self.refers
+            && !sections.chain(self.items.lists.iter().map(|list| list.section)).any(|section| constructed(&section))
+        {
             return beginning;
         }
         for list in &self.items.lists {
@@ -144,23 +148,43 @@ impl<'a> Environment<'a> {
             let arguments: Vec<ast::Argument> = arguments.iter().filter(takes).cloned().collect();
             let owner = within.and_then(|within| within.owner.map(|_| within.place.clone()));
             let begun = Begun { function, instance: place.clone(), owner, arguments: &arguments, span };
-            let dialect = within.map_or_else(Dialect::default, |within| within.dialect);
-            let checked_as = Block { id: BlockId::ob(100), dialect, body: &[], labels: &[], actions: &[], result: None, end: span };
-            let nothing = Declared::default();
-            let mut checked = match within.and_then(|within| self.names(within.owner?, dialect)) {
-                Some(names) => construct(&checked_as, &names, &begun),
-                None => construct(&checked_as, &BlockNames::outside(self, &nothing, checked_as.id, dialect), &begun),
-            };
-            bodies.diagnostics.append(&mut checked.diagnostics);
-            bodies.failed |= checked.body.is_none();
-            let Some(mut body) = checked.body else { continue };
-            if beginning.body.statements.is_empty() {
-                beginning.span = span;
-            }
-            beginning.called.append(&mut checked.called);
-            beginning.body.local_size = beginning.body.local_size.max(body.local_size);
-            beginning.body.statements.append(&mut body.statements);
+            self.take(within, span, beginning, bodies, |block, names| construct(block, names, &begun));
         }
+    }
+
+    /// A reference or a pointer that begins with an address.
+    fn begin_reference(&self, within: &Within<'_, 'a>, field: &Field, value: &Expression, beginning: &mut Beginning, bodies: &mut Bodies) {
+        let place = Place { offset: within.place.offset + field.offset, span: value.span, ..within.place.clone() };
+        let owner = within.owner.map(|_| within.place.clone());
+        let referring = Referring { place, name: &field.name, data_type: &field.data_type, owner, value };
+        self.take(Some(within), value.span, beginning, bodies, |block, names| refer(block, names, &referring));
+    }
+
+    /// Takes in what is done for one declaration, whose names are those of the block that declares it.
+    fn take(
+        &self,
+        within: Option<&Within<'_, 'a>>,
+        span: Span,
+        beginning: &mut Beginning,
+        bodies: &mut Bodies,
+        make: impl FnOnce(&Block<'_>, &dyn Names) -> Checked,
+    ) {
+        let dialect = within.map_or_else(Dialect::default, |within| within.dialect);
+        let checked_as = Block { id: BlockId::ob(100), dialect, body: &[], labels: &[], actions: &[], result: None, end: span };
+        let nothing = Declared::default();
+        let mut checked = match within.and_then(|within| self.names(within.owner?, dialect)) {
+            Some(names) => make(&checked_as, &names),
+            None => make(&checked_as, &BlockNames::outside(self, &nothing, checked_as.id, dialect)),
+        };
+        bodies.diagnostics.append(&mut checked.diagnostics);
+        bodies.failed |= checked.body.is_none();
+        let Some(mut body) = checked.body else { return };
+        if beginning.body.statements.is_empty() {
+            beginning.span = span;
+        }
+        beginning.called.append(&mut checked.called);
+        beginning.body.local_size = beginning.body.local_size.max(body.local_size);
+        beginning.body.statements.append(&mut body.statements);
     }
 
     /// The instances among the variables of an instance or a list.
@@ -172,11 +196,14 @@ impl<'a> Environment<'a> {
                 }
                 other => (other, 1),
             };
+            let declared = within.sections.iter().flat_map(|section| &section.declarations);
+            let declaration = declared.into_iter().find(|one| one.names.iter().any(|declared| declared.name.is(&field.name)));
+            if let Some(value) = declaration.and_then(|one| later(one.initial.as_ref()?, &field.data_type)) {
+                self.begin_reference(within, field, value, beginning, bodies);
+            }
             if !holds_instance(element) || count > ELEMENTS_MAX {
                 continue;
             }
-            let declared = within.sections.iter().flat_map(|section| &section.declarations);
-            let declaration = declared.into_iter().find(|one| one.names.iter().any(|declared| declared.name.is(&field.name)));
             // Fields of structures are instances without arguments.
             let arguments: &[ast::Argument] = match declaration.map(|declaration| &declaration.data_type.kind) {
                 Some(TypeKind::Constructed { arguments, .. }) => arguments,

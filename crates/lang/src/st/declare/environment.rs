@@ -49,6 +49,8 @@ pub(crate) struct Environment<'a> {
     demands: RefCell<Vec<Demand>>,
     /// Variables with an address that begin with a value.
     pub(super) located: Vec<Located>,
+    /// Whether a reference or a pointer begins with an address.
+    pub(super) refers: bool,
 }
 
 /// Puts together what is known when everything is declared.
@@ -76,6 +78,7 @@ pub(crate) fn environment<'a>(
         suggestions: RefCell::default(),
         demands: RefCell::new(known.demands),
         located: known.located,
+        refers: known.refers,
     }
 }
 

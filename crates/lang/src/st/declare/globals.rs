@@ -56,6 +56,7 @@ pub(super) fn globals<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: &mu
                 continue;
             }
             resolver.no_abstract(&data_type, declaration.data_type.span);
+            resolver.later = resolver.begins_later(declaration.location.is_none());
             let initial = match &declaration.initial {
                 Some(initializer) => resolver.initial(initializer, &data_type),
                 None => named,

@@ -243,6 +243,10 @@ impl Resolver<'_, '_> {
 
     /// The initial values of a variable; empty if there are none, or if something was wrong with them, which is reported.
     pub(super) fn initial(&mut self, initializer: &Initializer, data_type: &DataType) -> Vec<Value> {
+        if self.later && later(initializer, data_type).is_some() {
+            self.types.st_known.refers = true;
+            return Vec::new();
+        }
         let aggregate =
             matches!(data_type, DataType::Array { .. } | DataType::Struct(_) | DataType::Instance { .. }) && !dtl::is_dtl(data_type);
         if let (false, InitializerKind::Expression(expression)) = (aggregate, &initializer.kind) {
@@ -368,6 +372,14 @@ impl Resolver<'_, '_> {
         let count = u64::try_from(self.integer(&call.callee)?).ok()?;
         let values = call.arguments.iter().filter_map(|argument| argument.value.clone());
         Some((count, values.map(|value| Initializer { span: value.span, kind: InitializerKind::Expression(value) }).collect()))
+    }
+}
+
+/// The address that a reference or a pointer begins with: a statement of the restart writes it.
+pub(super) fn later<'i>(initializer: &'i Initializer, data_type: &DataType) -> Option<&'i Expression> {
+    match (data_type, &initializer.kind) {
+        (DataType::Reference(_), InitializerKind::Expression(value)) if !matches!(value.kind, ExpressionKind::Literal(_)) => Some(value),
+        _ => None,
     }
 }
 

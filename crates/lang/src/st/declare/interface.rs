@@ -23,8 +23,9 @@ use crate::scope::key;
 use crate::st::check::members::is_super;
 use crate::st::check::names::{Entity, Role, Variable};
 use crate::st::check::walk;
+use crate::st::dialect::Construct;
 use crate::st::objects::TYPE_NUMBER;
-use crate::st::open_arrays::bound_names;
+use crate::st::open_arrays::{bound_names, is_open};
 use crate::st::tree::{Base, Local};
 use crate::st::variants::{Told, is_variant, told_name};
 
@@ -428,11 +429,19 @@ impl<'a> Sections<'_, 'a> {
     }
 
     fn declaration(&mut self, declaration: &'a ast::Declaration, store: Store, role: Role, retain: bool) {
-        self.resolver.open_arrays =
-            store == Store::Interface(Section::InOut) && matches!(declaration.data_type.kind, ast::TypeKind::Array { .. });
+        let (input, in_out) = (Store::Interface(Section::Input), Store::Interface(Section::InOut));
+        // A function gets the array of the caller either way; from an input it only reads.
+        let open = (store == in_out || store == input && self.id.kind == BlockKind::Function)
+            && matches!(declaration.data_type.kind, ast::TypeKind::Array { .. });
+        self.resolver.open_arrays = open;
         let Some((data_type, named)) = self.resolver.type_and_initial(&declaration.data_type) else {
             return self.unknown(declaration);
         };
+        let read_only = store == input && is_open(&data_type);
+        if read_only && !self.resolver.judge(Construct::OpenArrayInput, declaration.data_type.span) {
+            return self.unknown(declaration);
+        }
+        let role = if read_only { Role::Constant } else { role };
         if let Some((problem, why)) = misplaced(&data_type, store) {
             let message = format!("{} may not stand here: {why}", self.resolver.dialect.type_words(&data_type));
             self.resolver.report(problem, declaration.data_type.span, message);
@@ -448,6 +457,8 @@ impl<'a> Sections<'_, 'a> {
             self.resolver.report(Problem::P4009, declaration.span, message);
             return self.unknown(declaration);
         }
+        let lasts = self.id.kind == BlockKind::FunctionBlock && store == Store::Interface(Section::Static);
+        self.resolver.later = self.resolver.begins_later(lasts && declaration.location.is_none());
         let initial = match &declaration.initial {
             Some(initializer) if store == Store::Interface(Section::InOut) => {
                 let message = "VAR_IN_OUT keeps no initial value; the variable that is given has one";

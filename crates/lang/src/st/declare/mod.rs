@@ -115,6 +115,8 @@ pub(crate) struct Known {
     pub(crate) demands: Vec<Demand>,
     /// Variables with an address that begin with a value.
     pub(crate) located: Vec<Located>,
+    /// Whether a reference or a pointer begins with an address.
+    pub(crate) refers: bool,
     /// Variables whose address VAR_CONFIG tells.
     pub(crate) open: Vec<access::OpenAddress>,
 }

@@ -69,6 +69,10 @@ pub(super) struct Resolver<'t, 'a> {
     pub(super) constant_declarations: HashMap<String, &'a ast::Declaration>,
     /// Whether the type that comes next may be an ARRAY[*].
     pub(super) open_arrays: bool,
+    /// Whether the array that comes next is what a pointer points to.
+    pub(super) behind_pointer: bool,
+    /// Whether the variable that comes next lasts, so that a restart can write what it begins with.
+    pub(super) later: bool,
 }
 
 /// Words of codesys for what is as wide as a pointer.
@@ -80,7 +84,23 @@ const LONG_STRING_MAX: i128 = 65_535;
 
 impl<'t, 'a> Resolver<'t, 'a> {
     pub(super) fn new(types: &'t mut Types<'a>, items: &'a Items<'a>, dialect: Dialect) -> Self {
-        Self { types, items, dialect, space: NOWHERE, names: HashMap::new(), constant_declarations: HashMap::new(), open_arrays: false }
+        let (names, constant_declarations) = (HashMap::new(), HashMap::new());
+        Self {
+            types,
+            items,
+            dialect,
+            space: NOWHERE,
+            names,
+            constant_declarations,
+            open_arrays: false,
+            behind_pointer: false,
+            later: false,
+        }
+    }
+
+    /// Whether what lasts may begin with an address: in dialects whose blocks have objects, which a restart begins.
+    pub(super) fn begins_later(&self, lasts: bool) -> bool {
+        lasts && self.dialect.judge(Construct::ObjectOrientation) != crate::st::dialect::Judgement::Reject
     }
 
     /// The same for names that are written at this place.
@@ -260,6 +280,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
     }
 
     fn reference(&mut self, target: &TypeSpec, kind: ReferenceKind) -> Option<(DataType, Vec<Value>)> {
+        self.behind_pointer = matches!(target.kind, TypeKind::Array { .. });
         let target = match &target.kind {
             TypeKind::Named(path) if let Some(unfinished) = self.unfinished(path) => unfinished,
             _ => self.data_type(target)?,
@@ -490,6 +511,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
 
     fn array(&mut self, dimensions: &[Dimension], element: &TypeSpec, span: Span) -> Option<DataType> {
         let open = std::mem::take(&mut self.open_arrays);
+        let behind_pointer = std::mem::take(&mut self.behind_pointer);
         let element = self.data_type(element);
         if dimensions.is_empty() || dimensions.len() > DIMENSIONS_MAX {
             let message = format!("an array has 1 to {DIMENSIONS_MAX} dimensions, not {}", dimensions.len());
@@ -501,7 +523,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
         for dimension in dimensions {
             let Dimension::Bounds(pair) = dimension else {
                 if !open {
-                    let message = "ARRAY[*] is only for VAR_IN_OUT: the caller has the array";
+                    let message = "ARRAY[*] is only for VAR_IN_OUT, and VAR_INPUT of functions: the caller has the array";
                     self.report(Problem::P4009, span, message).help = Some("Give the array its bounds here.".to_owned());
                     return None;
                 }
@@ -536,6 +558,13 @@ impl<'t, 'a> Resolver<'t, 'a> {
         if bounds.contains(&OPEN) && bounds.iter().any(|bounds| *bounds != OPEN) {
             self.report(Problem::P4009, span, "the bounds of an ARRAY[*] are all `*`, or none is");
             return None;
+        }
+        let room = BLOCK_BYTES_MAX * 8 / u64::from(crate::st::check::places::element_step(&element).max(1));
+        if let (true, [(low, high)]) = (behind_pointer, &mut bounds[..])
+            && (i64::from(*high) - i64::from(*low)) as u64 >= room
+        {
+            // As many elements as any data block has room for: whoever writes 32000 means all that are there.
+            *high = (i64::from(*low) + room as i64 - 1) as i32;
         }
         let array = DataType::Array { bounds, element: Box::new(element) };
         if array.bits() > BLOCK_BYTES_MAX * 8 {
