@@ -62,6 +62,8 @@ pub struct VarSection {
     pub attributes: Vec<Attribute>,
     /// Its declarations.
     pub declarations: Vec<Declaration>,
+    /// Whether something in it was not understood, so that declarations may be missing.
+    pub partial: bool,
     /// The whole section.
     pub span: Span,
 }

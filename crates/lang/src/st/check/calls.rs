@@ -556,6 +556,12 @@ impl Checker<'_> {
         call: &ast::Call,
         span: Span,
     ) -> Option<(Call, Vec<Statement>)> {
+        // What fits parameters of which one was not understood, nobody knows.
+        if self.names.is_broken(callee.block()) {
+            self.look_at(&call.arguments);
+            self.failed = true;
+            return None;
+        }
         let function = callee.is_function();
         let mut all = Arguments::new(interface);
         if self.names.is_of_library(callee.block()) {

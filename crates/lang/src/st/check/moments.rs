@@ -297,6 +297,14 @@ impl Checker<'_> {
         Some(renamed(name, format!("TRUNC_{}", wanted.base().word()?), call, expression.span))
     }
 
+    /// An expression whose place was not understood: what is wrong with that place is no mistake of T_CONV and its like.
+    pub(super) fn for_nothing(&mut self, expression: &Expression) {
+        match called_by_target(expression).filter(|_| self.has_memory_functions()) {
+            Some((_, call)) => self.look_at(&call.arguments),
+            None => drop(self.expression(expression)),
+        }
+    }
+
     /// T_CONV and its like where nothing says what their result is.
     pub(super) fn without_target(&mut self, name: &str, call: &ast::Call, span: Span) -> Option<Typed> {
         if !BY_TARGET.contains(&name) {

@@ -162,6 +162,8 @@ pub trait Names {
     fn is_public(&self, block: BlockId, variable: &str) -> bool {
         self.access_of(block, variable).is_some_and(|(_, access)| access == Some(Access::Public))
     }
+    /// Whether something in the declarations of a block is wrong, which is told there.
+    fn is_broken(&self, block: BlockId) -> bool;
     /// Whether the declaration of a variable of a block gives it an initial value.
     fn has_initial(&self, block: BlockId, variable: &str) -> bool;
     /// Whether the names are those of a CONFIGURATION, which knows the inside of every instance.

@@ -316,11 +316,11 @@ impl Checker<'_> {
         let reached = self.target(target);
         let Some(target) = reached else {
             // The value may have mistakes of its own.
-            self.expression(value);
+            self.for_nothing(value);
             return None;
         };
         if target.data_type == DataType::Void {
-            self.expression(value);
+            self.for_nothing(value);
             return None;
         }
         if target.place.base == crate::st::tree::Base::Area(Area::PeripheralInput) {

@@ -176,6 +176,8 @@ impl<'a> Environment<'a> {
             Some(names) => make(&checked_as, &names),
             None => make(&checked_as, &BlockNames::outside(self, &nothing, checked_as.id, dialect)),
         };
+        // A declaration is wrong once, however many instances it has.
+        checked.diagnostics.retain(|new| !bodies.diagnostics.contains(new));
         bodies.diagnostics.append(&mut checked.diagnostics);
         bodies.failed |= checked.body.is_none();
         let Some(mut body) = checked.body else { return };

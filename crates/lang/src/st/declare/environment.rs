@@ -360,6 +360,10 @@ impl Names for BlockNames<'_, '_> {
         None
     }
 
+    fn is_broken(&self, block: BlockId) -> bool {
+        self.environment.declared(block).is_some_and(|declared| declared.broken)
+    }
+
     fn has_initial(&self, block: BlockId, variable: &str) -> bool {
         let Some(code) = self.environment.items.code.get(&block) else { return false };
         let mut declarations = code.block.sections.iter().flat_map(|section| &section.declarations);

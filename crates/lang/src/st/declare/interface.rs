@@ -70,6 +70,7 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
         inherited_edges: Vec::new(),
         edges: Vec::new(),
         places: HashMap::new(),
+        partial: false,
     };
     let base = sections.base(id);
     sections.owner(code);
@@ -80,7 +81,7 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
     if id.kind == BlockKind::Function {
         sections.result(code);
     }
-    let Sections { resolver, pending, views, located, inherited, inherited_edges, edges, .. } = sections;
+    let Sections { resolver, pending, views, located, inherited, inherited_edges, edges, partial, .. } = sections;
     let unplaced: Vec<Unplaced> = pending.iter().filter_map(Pending::unplaced).collect();
     let laid_out = lay_out_behind(id, base.as_ref(), unplaced);
     let Some(mut block) = laid_out else {
@@ -144,7 +145,7 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
     for view in views {
         view.declare(types, &mut declared);
     }
-    declared.broken = types.errors() > before;
+    declared.broken = partial || types.errors() > before;
     types.st_known.blocks.insert(id, declared);
     Some(block)
 }
@@ -241,6 +242,8 @@ struct Sections<'t, 'a> {
     edges: Vec<([String; 3], ast::Edge)>,
     /// Where names were declared.
     places: HashMap<String, Span>,
+    /// Whether a declaration was not understood, which may have been said when it was read.
+    partial: bool,
 }
 
 /// How a section begins.
@@ -400,6 +403,7 @@ impl<'a> Sections<'_, 'a> {
     }
 
     fn section(&mut self, section: &'a ast::VarSection) {
+        self.partial |= section.partial;
         if section.kind == ast::SectionKind::External {
             return self.external(section);
         }
@@ -421,6 +425,7 @@ impl<'a> Sections<'_, 'a> {
 
     /// The names of a declaration that was not understood stay declared, so that their uses are not reported too.
     fn unknown(&mut self, declaration: &ast::Declaration) {
+        self.partial = true;
         for declared in &declaration.names {
             if self.is_first(&declared.name) {
                 self.resolver.names.insert(key(&declared.name.text), unknown(&declared.name));
@@ -609,6 +614,7 @@ impl<'a> Sections<'_, 'a> {
     fn result(&mut self, code: Code<'a>) {
         let Some(written) = &code.block.result else { return };
         let Some((data_type, initial)) = self.resolver.type_and_initial(written) else {
+            self.partial = true;
             self.resolver.names.insert(key(&code.block.name.text), unknown(&code.block.name));
             return;
         };

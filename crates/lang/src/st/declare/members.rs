@@ -136,6 +136,7 @@ fn of_property(property: Property, owner: &Block, members: &mut Vec<Block>) {
             name: None,
             attributes: Vec::new(),
             declarations: vec![value],
+            partial: false,
             span: own.span,
         };
         let sections = std::iter::once(input).chain(own_sections).collect();

@@ -1,6 +1,6 @@
 //! VAR sections, declarations, initial values.
 
-use sieben_model::diagnostic::Diagnostic;
+use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::problems::Problem;
 
 use super::super::ast::{
@@ -38,6 +38,7 @@ impl Parser<'_> {
     /// A VAR section; the current token is its keyword.
     pub(super) fn section(&mut self) -> VarSection {
         let attributes = self.take_attributes();
+        let reported = self.diagnostics.len();
         self.start(SyntaxKind::Section);
         let token = self.token();
         let (kind, construct) = match token.keyword {
@@ -58,8 +59,8 @@ impl Parser<'_> {
             self.judge(construct, token.start, token.end);
         }
         self.bump(SyntaxKind::Keyword);
-        let mut section =
-            VarSection { kind, qualifiers: Vec::new(), name: None, attributes, declarations: Vec::new(), span: self.since(token.start) };
+        let (span, partial) = (self.since(token.start), false);
+        let mut section = VarSection { kind, qualifiers: Vec::new(), name: None, attributes, declarations: Vec::new(), partial, span };
         if kind != SectionKind::Const {
             self.qualifiers(&mut section);
         }
@@ -67,6 +68,7 @@ impl Parser<'_> {
         let end = if kind == SectionKind::Const { Keyword::EndConst } else { Keyword::EndVar };
         self.section_end(end, token.start);
         section.span = self.since(token.start);
+        section.partial = self.diagnostics.iter().skip(reported).any(|one| one.severity() == Severity::Error);
         self.finish();
         section
     }
@@ -84,6 +86,7 @@ impl Parser<'_> {
             name: None,
             attributes: Vec::new(),
             declarations,
+            partial: false,
             span: self.since(start),
         }
     }
