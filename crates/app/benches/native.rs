@@ -1,5 +1,6 @@
 //! Machine code beside C: `cargo bench -p sieben-app --bench native [NAME [listing]]`; with `listing` the machine code of these programs is
-//! printed instead. A name that is an absolute path stands for two files of one's own, `PATH.awl` and `PATH.c`.
+//! printed instead. A name that is an absolute path stands for two files of one's own, `PATH.awl` and `PATH.c`. With `first` it is how long
+//! programs take to become machine code that is measured.
 //!
 //! The same programs in STL and, by hand, in C (`benches/*.c`), compiled by the system's `cc -O3`, take turns in one run. A figure is the
 //! best of all turns, as CPU time of the thread, because other work on the machine only ever adds time.
@@ -14,7 +15,13 @@ use side_by_side::{Loaded, TURNS, c_program, compiled, load, now_ns};
 use sieben_engine::{Interpreter, Machine, StatementEvent, Tracer};
 use sieben_jit::{Jit, StatusBits};
 
+#[path = "native/first_tier.rs"]
+mod first_tier;
 mod side_by_side;
+
+/// The allocator of the command line.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 /// Statements of one function of generated C.
 const C_FUNCTION_STATEMENTS: usize = 200;
@@ -94,6 +101,9 @@ fn best_ns(loaded: &mut Loaded, scans: u64) -> f64 {
 
 fn main() {
     let wanted = env::args().nth(1).filter(|word| !word.starts_with('-')).unwrap_or_default();
+    if wanted == "first" {
+        return first_tier::print();
+    }
     let mut cases = vec![
         bit_logic(4),
         bit_logic(1_000),
