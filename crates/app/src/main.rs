@@ -34,10 +34,6 @@ mod testing;
 mod tracing;
 mod watch;
 
-/// Machine code is compiled out of many short-lived lists: memory that is given back and taken again costs a fifth of the time.
-#[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
-
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -45,6 +41,10 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::failure::{Exit, Failure};
+
+/// Machine code is compiled out of many short-lived lists: memory that is given back and taken again costs a fifth of the time.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 /// Sieben: an open soft PLC. It runs STEP 7 programs in STL, SCL and Structured Text exactly as an S7-300/400 CPU does.
 #[derive(Parser)]
