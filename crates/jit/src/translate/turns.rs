@@ -22,6 +22,7 @@ mod held;
 mod kernel;
 mod left;
 mod line;
+mod pieces;
 mod quads;
 mod reader;
 mod settled;
@@ -98,10 +99,16 @@ impl Translator<'_> {
         for &lanes in &lanes {
             Writing::write(self, &plan, it, lanes);
         }
+        let unsigned = if lanes.is_empty() { plan.kernel.without_signs() } else { None };
+        let unsigned = unsigned.map(|kernel| Plan { kernel, count: plan.count, inner_turns: plan.inner_turns });
+        let fastest = unsigned.as_ref().unwrap_or(&plan);
         if lanes.is_empty()
-            && let Some(kernel) = plan.kernel.without_signs()
+            && let Some(gathered) = fastest.kernel.gathered()
         {
-            Writing::write(self, &Plan { kernel, count: plan.count, inner_turns: plan.inner_turns }, it, 1);
+            Writing::write_in_pieces(self, fastest, it, gathered);
+        }
+        if let Some(unsigned) = &unsigned {
+            Writing::write(self, unsigned, it, 1);
         }
         Writing::write(self, &plan, it, 1);
     }

@@ -1,17 +1,18 @@
-//! Loops that count bits of arrays, or add the same number for each bit that is set: 56 turns at a time, so many bits of each array
-//! in one register.
+//! Loops that count bits of arrays, add the same number for each bit that is set, or write bits that are logic of others: 56 turns at a
+//! time, so many bits of each array in one register.
+
+use std::collections::{BTreeSet, HashMap};
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{BlockArg, Endianness, InstBuilder, MemFlagsData, Value};
 use sieben_engine::ir::Op;
-use sieben_model::address::Width;
 
 use super::super::Translator;
 use super::super::loops::Loop;
 use super::super::value::Val;
 use super::Plan;
-use super::kernel::{Access, Cell, Kernel, Level, Node, What};
+use super::kernel::{Access, Cell, Kernel, Level, Node, Step, What};
 use super::line::{Carried, Line};
 
 /// Turns at a time: what eight bytes hold at least, wherever in the first one the first bit is.
@@ -29,25 +30,21 @@ struct Sum {
     condition: Node,
 }
 
-/// What a loop does that only counts bits.
+/// What a loop does that only counts and writes bits.
 pub(super) struct BitSums {
     sums: Vec<Sum>,
     lines: Vec<(Cell, Line)>,
 }
 
-/// What a loop does, if it only counts bits of arrays.
+/// What a loop does, if it only counts bits of arrays and writes others that are logic of them.
 pub(super) fn read(plan: &Plan) -> Option<BitSums> {
     let kernel = &plan.kernel;
     let follows = |access: &Access| {
-        let line = kernel.line(access.pointer, Level::Outer);
-        access.value.is_none()
-            && access.width == Width::Bit
-            && access.inside.is_some()
-            && access.sure
-            && line == Some(Line { step: 1, bits: 32 })
+        let is_logic = access.value.is_none_or(|value| is_bits(kernel, value));
+        is_logic && access.inside.is_some() && access.sure && kernel.bits_follow(access)
     };
     let is_more = kernel.inner.is_some() || kernel.outer.blocks_most != 0 || !kernel.required.is_empty();
-    if is_more || kernel.accesses.is_empty() || !kernel.accesses.iter().all(follows) {
+    if is_more || kernel.accesses.is_empty() || !kernel.accesses.iter().all(follows) || !bits_are_apart(kernel) {
         return None;
     }
     let (mut sums, mut lines) = (Vec::new(), Vec::new());
@@ -57,27 +54,58 @@ pub(super) fn read(plan: &Plan) -> Option<BitSums> {
             Carried::Sum { added, bits } => {
                 let What::Compute(Op::Gate, [number, condition, ..]) = kernel.what(added) else { return None };
                 kernel.constant(number)?;
-                is_bits(kernel, condition)?;
+                if !is_bits(kernel, condition) {
+                    return None;
+                }
                 sums.push(Sum { cell, bits, number, condition });
             }
             Carried::Extreme { .. } | Carried::Chain | Carried::Nothing => return None,
         }
     }
-    (!sums.is_empty()).then_some(BitSums { sums, lines })
+    let writes = kernel.accesses.iter().any(|access| access.value.is_some());
+    (writes || !sums.is_empty()).then_some(BitSums { sums, lines })
+}
+
+/// Whether no turn reads a bit that this one or one before it has written, nor writes one that another access writes.
+fn bits_are_apart(kernel: &Kernel) -> bool {
+    let accesses: Vec<&Access> = kernel
+        .outer
+        .steps
+        .iter()
+        .filter_map(|step| match *step {
+            Step::Access(number) => Some(&kernel.accesses[number]),
+            Step::Inner => None,
+        })
+        .collect();
+    let written = accesses.iter().enumerate().filter(|(_, access)| access.value.is_some());
+    written.into_iter().all(|(at, write)| {
+        let (base, bytes) = write.bytes();
+        accesses.iter().enumerate().all(|(other_at, other)| {
+            let (other_base, others) = other.bytes();
+            if at == other_at || !base.may_share(&bytes, other_base, &others) {
+                return true;
+            }
+            // A bit that lies further ahead is read before a later turn writes it.
+            let ahead = other.offset.wrapping_sub(write.offset) & 0x00FF_FFFF;
+            let is_ahead = ahead == 0 && other_at < at || (1..1 << 23).contains(&ahead);
+            other.value.is_none() && (other.area, other.pointer) == (write.area, write.pointer) && is_ahead
+        })
+    })
 }
 
 /// Whether a value is one of the bits that a turn reads, or logic of them.
-fn is_bits(kernel: &Kernel, node: Node) -> Option<()> {
-    match kernel.what(node) {
-        What::Read(_) => Some(()),
-        What::Compute(Op::Not, [of, ..]) => is_bits(kernel, of),
-        What::Compute(Op::And | Op::AndNot | Op::Or | Op::Xor, [a, b, ..]) => is_bits(kernel, a).and_then(|()| is_bits(kernel, b)),
-        _ => None,
-    }
+fn is_bits(kernel: &Kernel, node: Node) -> bool {
+    let mut parts = BTreeSet::new();
+    kernel.rests(node, &mut parts);
+    parts.into_iter().all(|part| match kernel.what(part) {
+        What::Read(_) => true,
+        What::Compute(op, _) => matches!(op, Op::Not | Op::And | Op::AndNot | Op::Or | Op::Xor),
+        _ => false,
+    })
 }
 
 impl Translator<'_> {
-    /// Writes turns of a loop that counts bits, as many as make whole pieces and as nobody asks about.
+    /// Writes turns of a loop that counts or writes bits, as many as make whole pieces and as nobody asks about.
     pub(super) fn bit_sums_at_once(&mut self, plan: &Plan, sums: &BitSums, it: &Loop) {
         self.settle_bytes();
         let kernel = &plan.kernel;
@@ -97,7 +125,7 @@ impl Translator<'_> {
         let more = self.b.ins().iadd_imm_s(turns, -TURNS_MIN);
         let more = self.b.ins().udiv_imm_u(more, BITS);
         let pieces = self.b.ins().iadd_imm_s(more, 1);
-        let counts = self.count_bits(kernel, sums, pieces);
+        let counts = self.pieces_of_bits(kernel, sums, pieces);
         let made = self.b.ins().imul_imm_s(pieces, BITS);
         for &(cell, line) in &sums.lines {
             let before = self.cell_before(kernel, cell);
@@ -141,8 +169,8 @@ impl Translator<'_> {
         }
     }
 
-    /// In how many of the turns of so many pieces each of the conditions holds.
-    fn count_bits(&mut self, kernel: &Kernel, sums: &BitSums, pieces: Value) -> Vec<Value> {
+    /// Writes the bits of the turns of so many pieces; in how many of them each of the conditions holds.
+    fn pieces_of_bits(&mut self, kernel: &Kernel, sums: &BitSums, pieces: Value) -> Vec<Value> {
         // The address of the first byte, and the number of the first bit in it, which stays the same from piece to piece.
         let places: Vec<(Value, Value, i32)> = kernel
             .accesses
@@ -169,14 +197,10 @@ impl Translator<'_> {
         let parameters: Vec<Value> = first.iter().map(|_| self.b.append_block_param(head, I64)).collect();
         let (addresses, counts) = parameters[1..].split_at(places.len());
         let little = MemFlagsData::new().with_notrap().with_endianness(Endianness::Little);
-        let reads: Vec<Value> = places
-            .iter()
-            .zip(addresses)
-            .map(|(&(_, bit, start), &address)| {
-                let word = self.b.ins().load(I64, little, address, start);
-                self.b.ins().ushr(word, bit)
-            })
-            .collect();
+        let words: Vec<Value> =
+            places.iter().zip(addresses).map(|(&(.., start), &address)| self.b.ins().load(I64, little, address, start)).collect();
+        let reads: Vec<Value> = places.iter().zip(&words).map(|(&(_, bit, _), &word)| self.b.ins().ushr(word, bit)).collect();
+        let mut known = HashMap::new();
         let mut next = vec![self.b.ins().iadd_imm_s(parameters[0], -1)];
         next.extend(addresses.iter().map(|&address| self.b.ins().iadd_imm_s(address, BITS / 8)));
         let counts: Vec<Value> = sums
@@ -184,7 +208,7 @@ impl Translator<'_> {
             .iter()
             .zip(counts)
             .map(|(sum, &count)| {
-                let bits = self.bits_of(kernel, sum.condition, &reads);
+                let bits = self.bits_of(kernel, sum.condition, &reads, &mut known);
                 // The bits of this piece alone.
                 let piece = self.b.ins().ishl_imm_u(bits, 64 - BITS);
                 let ones = self.b.ins().popcnt(piece);
@@ -192,6 +216,17 @@ impl Translator<'_> {
             })
             .collect();
         next.extend(&counts);
+        let piece = self.b.ins().iconst(I64, (1 << BITS) - 1);
+        for (number, access) in kernel.accesses.iter().enumerate() {
+            let Some(value) = access.value else { continue };
+            let (_, bit, start) = places[number];
+            let bits = self.bits_of(kernel, value, &reads, &mut known);
+            let bits = self.b.ins().band(bits, piece);
+            let [bits, written] = [bits, piece].map(|bits| self.b.ins().ishl(bits, bit));
+            let others = self.b.ins().band_not(words[number], written);
+            let new = self.b.ins().bor(others, bits);
+            self.b.ins().store(little, new, addresses[number], start);
+        }
         let again: Vec<BlockArg> = next.iter().map(|&value| BlockArg::Value(value)).collect();
         self.b.ins().brif(next[0], head, &again, behind, &[]);
         self.b.seal_block(head);
@@ -200,16 +235,19 @@ impl Translator<'_> {
         counts
     }
 
-    /// A condition in all turns of a piece.
-    fn bits_of(&mut self, kernel: &Kernel, node: Node, reads: &[Value]) -> Value {
-        match kernel.what(node) {
+    /// A bit in all turns of a piece.
+    fn bits_of(&mut self, kernel: &Kernel, node: Node, reads: &[Value], known: &mut HashMap<Node, Value>) -> Value {
+        if let Some(&bits) = known.get(&node) {
+            return bits;
+        }
+        let bits = match kernel.what(node) {
             What::Read(access) => reads[access],
             What::Compute(Op::Not, [of, ..]) => {
-                let of = self.bits_of(kernel, of, reads);
+                let of = self.bits_of(kernel, of, reads, known);
                 self.b.ins().bnot(of)
             }
             What::Compute(op, [a, b, ..]) => {
-                let [a, b] = [a, b].map(|of| self.bits_of(kernel, of, reads));
+                let [a, b] = [a, b].map(|of| self.bits_of(kernel, of, reads, known));
                 match op {
                     Op::And => self.b.ins().band(a, b),
                     Op::AndNot => self.b.ins().band_not(a, b),
@@ -217,7 +255,9 @@ impl Translator<'_> {
                     _ => self.b.ins().bxor(a, b),
                 }
             }
-            _ => unreachable!("the condition was looked at"),
-        }
+            _ => unreachable!("the bits were looked at"),
+        };
+        known.insert(node, bits);
+        bits
     }
 }

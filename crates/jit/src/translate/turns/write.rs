@@ -18,6 +18,7 @@ use super::extremes::Extreme;
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Part, Step, What};
 use super::left::{Progress, Waiting};
 use super::line::{Carried, Line, Shape, Sum};
+use super::pieces::{self, Gathered, Piece};
 use super::vector::Lanes;
 
 /// How many values on lines more than cells are counted on.
@@ -64,11 +65,16 @@ enum Form {
 
 /// Writes one version of the turns of a loop.
 pub(super) struct Writing<'t, 'a, 'k> {
-    t: &'t mut Translator<'a>,
+    pub(super) t: &'t mut Translator<'a>,
     plan: &'k Plan,
-    kernel: &'k Kernel,
+    pub(super) kernel: &'k Kernel,
     /// Turns side by side.
     lanes: u32,
+    /// Accesses whose bits make whole bytes, if eight turns are written behind one another.
+    pub(super) gathered: Gathered,
+    /// Which of these turns is written, and their bytes so far.
+    pub(super) turn: u32,
+    pub(super) pieces: HashMap<usize, Piece>,
     outer: Scope,
     inner: Scope,
     /// What cells hold in front of the loop.
@@ -88,12 +94,24 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     /// Writes turns, as many as there are and as nobody asks about, and goes on where more turns may follow. Goes to the statement
     /// behind the loop if there are none.
     pub(super) fn write(t: &'t mut Translator<'a>, plan: &'k Plan, it: &Loop, lanes: u32) {
+        Self::write_turns(t, plan, it, lanes, Gathered::new());
+    }
+
+    /// The same for eight turns behind one another, of which these accesses make whole bytes.
+    pub(super) fn write_in_pieces(t: &'t mut Translator<'a>, plan: &'k Plan, it: &Loop, gathered: Gathered) {
+        Self::write_turns(t, plan, it, 1, gathered);
+    }
+
+    fn write_turns(t: &'t mut Translator<'a>, plan: &'k Plan, it: &Loop, lanes: u32, gathered: Gathered) {
         let kernel = &plan.kernel;
         let mut this = Writing {
             t,
             plan,
             kernel,
             lanes,
+            gathered,
+            turn: 0,
+            pieces: HashMap::new(),
             outer: Scope::default(),
             inner: Scope::default(),
             before: HashMap::new(),
@@ -160,9 +178,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         let (all, inside) = self.t.turns(count, counter, limit);
         let [_, most] = self.weights();
         let turns = self.t.within_budget(all, most);
-        let turns = match self.lanes {
+        let turns = match self.lanes * self.behind_one_another() {
             1 => turns,
-            lanes => self.t.b.ins().band_imm_s(turns, -i64::from(lanes)),
+            together => self.t.b.ins().band_imm_s(turns, -i64::from(together)),
         };
         let mut guard = self.t.b.ins().icmp_imm_s(IntCC::SignedGreaterThan, turns, 0);
         let mut also = |this: &mut Self, condition: Value| guard = this.t.b.ins().band(guard, condition);
@@ -182,6 +200,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             let inside = self.stays_inside(access, turns);
             also(self, inside);
         }
+        for begins in self.pieces_begin_bytes() {
+            also(self, begins);
+        }
         for &(number, limit) in &self.kernel.required {
             let stays_below = self.stays_below(number, limit, turns);
             also(self, stays_below);
@@ -193,6 +214,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             also(self, is_so);
         }
         (turns, guard, all)
+    }
+
+    /// Turns that are written behind one another.
+    fn behind_one_another(&self) -> u32 {
+        if self.gathered.is_empty() { 1 } else { pieces::TURNS }
     }
 
     /// Whether a number on a line stays below a limit for so many turns.
@@ -240,7 +266,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     }
 
     /// A pointer with its offset, 24 bits, as it is in the first turn.
-    fn position_before(&mut self, pointer: Node, offset: u32) -> Value {
+    pub(super) fn position_before(&mut self, pointer: Node, offset: u32) -> Value {
         let pointer = self.value_before(pointer);
         self.position(pointer, offset)
     }
@@ -284,7 +310,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     }
 
     /// A value of the first of the turns side by side.
-    fn first(&mut self, node: Node, level: Level) -> Val {
+    pub(super) fn first(&mut self, node: Node, level: Level) -> Val {
         match self.value(node, level) {
             Lanes::One(value) | Lanes::Line(value, _) => value,
             _ => unreachable!("addresses are on a line"),
@@ -330,34 +356,47 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 self.t.b.append_block_param(head, ty)
             })
             .collect();
-        let progress = match counting {
-            Some((at, step)) => Progress::Address { now: parameters[others + at], first: first[others + at], step },
-            None => Progress::Left(parameters[0]),
-        };
-        if level == Level::Outer {
-            self.progress = Some((turns, progress));
-        }
-        self.begin(level, &handed, &parameters[others..]);
-        for step in &self.kernel.turn(level).steps {
-            match step {
-                Step::Access(access) => self.access(*access, level),
-                Step::Inner => {
-                    let turns = self.t.turns_constant(self.plan.inner_turns);
-                    self.inner = Scope::default();
-                    self.turns(Level::Inner, turns);
-                    self.outer.bytes.clear();
-                }
+        let together = if level == Level::Outer { self.behind_one_another() } else { 1 };
+        let mut now = parameters;
+        for turn in 0..together {
+            self.turn = turn;
+            if turn > 0 {
+                self.outer = Scope::default();
             }
-            self.leave(level, progress, false);
+            let progress = match counting {
+                Some((at, step)) => Progress::Address { now: now[others + at], first: first[others + at], step },
+                None => Progress::Left(now[0]),
+            };
+            if level == Level::Outer {
+                self.progress = Some((turns, progress));
+            }
+            self.begin(level, &handed, &now[others..]);
+            for step in &self.kernel.turn(level).steps {
+                match step {
+                    Step::Access(access) => self.access(*access, level),
+                    Step::Inner => {
+                        let turns = self.t.turns_constant(self.plan.inner_turns);
+                        self.inner = Scope::default();
+                        self.turns(Level::Inner, turns);
+                        self.outer.bytes.clear();
+                    }
+                }
+                self.leave(level, progress, false);
+            }
+            self.leave(level, progress, true);
+            let mut next = match counting {
+                Some(_) => Vec::new(),
+                None => vec![self.t.b.ins().iadd_imm_s(now[0], -i64::from(step))],
+            };
+            for (one, own) in handed.iter().zip(self.owned(&handed, &now[others..])) {
+                self.next_of(level, one, &own, &mut next);
+            }
+            now = next;
         }
-        self.leave(level, progress, true);
-        let mut next = match counting {
-            Some(_) => Vec::new(),
-            None => vec![self.t.b.ins().iadd_imm_s(parameters[0], -i64::from(step))],
-        };
-        for (one, own) in handed.iter().zip(self.owned(&handed, &parameters[others..])) {
-            self.next_of(level, one, &own, &mut next);
+        if level == Level::Outer {
+            self.store_pieces();
         }
+        let next = now;
         let again = match (counting, end) {
             (Some((at, _)), Some(end)) => self.t.b.ins().icmp(IntCC::NotEqual, next[others + at], end),
             _ => next[0],
@@ -682,7 +721,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     }
 
     /// The address to which a pointer goes, without the first byte of its area.
-    fn address(&mut self, base: Base, value: Val, offset: u32) -> Value {
+    pub(super) fn address(&mut self, base: Base, value: Val, offset: u32) -> Value {
         let position = self.position(value, offset);
         let byte = self.t.b.ins().ushr_imm_u(position, 3);
         let byte = self.t.b.ins().uextend(I64, byte);
@@ -821,6 +860,10 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         value
     }
 
+    pub(super) fn set_value(&mut self, node: Node, value: Lanes) {
+        self.outer.values.insert(node, value);
+    }
+
     fn compute(&mut self, node: Node, op: Op, args: &[Lanes]) -> Lanes {
         let firsts: Option<Vec<Val>> = args
             .iter()
@@ -856,6 +899,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     }
 
     fn access(&mut self, number: usize, level: Level) {
+        if self.access_piece(number) {
+            return;
+        }
         let access = &self.kernel.accesses[number];
         let (_, start, _) = access.area;
         let part = access.part.unwrap_or(Part { bytes: 0, bit: 0 });
