@@ -3,13 +3,15 @@
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target};
+use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target};
 use sieben_engine::machine::Register;
-use sieben_engine::{CodeBlock, Layout, Program};
+use sieben_engine::{CodeBlock, Entry, Interpreter, Layout, Machine, Program, Reaction};
 use sieben_jit::{Jit, StatusBits, Tier, Tiers};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
+
+mod noting;
 
 /// Far more than any of them takes, also on a busy machine and without optimization.
 const LIMIT: Duration = Duration::from_secs(60);
@@ -58,7 +60,6 @@ fn one_long_network() {
     );
 }
 
-/// Each statement of the second half jumps back to a label of its own, the last to the first.
 /// What a long block of Structured Text consists of: bits of an instance.
 #[test]
 fn many_computed_addresses() {
@@ -79,6 +80,43 @@ fn many_computed_addresses() {
     );
 }
 
+#[test]
+fn values_of_a_long_block_share_their_places_on_the_stack() {
+    let place = |bit: u32| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: bit % 120 };
+    let program = noting::program(&[(BlockId::ob(1), 20, &|builder| {
+        builder.begin_statement();
+        let number = builder.constant(1);
+        builder.push(Inst::Open { register: DataRegister::Instance, number });
+        for number in 0..600 {
+            builder.begin_statement();
+            let mut sum = builder.load(place(number), Width::Bit, OnFault::SkipStatement);
+            for step in 1..4 {
+                let bit = builder.load(place(number * 7 + step * 50), Width::Bit, OnFault::SkipStatement);
+                sum = builder.compute(Op::Xor, &[sum, bit]);
+            }
+            builder.store(place(number + 1), Width::Bit, sum);
+        }
+    })]);
+    let layout = noting::layout(&program);
+    let tiers = Tiers::load(&program, &layout, StatusBits::All);
+    assert_eq!(tiers.compile(Tier::Quick), Ok(()));
+    let engines = [tiers.engine(), Interpreter::load(&program, &layout)];
+    let [got, expected] = engines.map(|engine| {
+        let fill = |machine: &mut Machine| {
+            machine.budget = 1 << 20;
+            let bytes = machine.memory.arena.iter_mut().rev().take(64);
+            (0..).zip(bytes).for_each(|(at, byte)| *byte = (at * 37 + 11) as u8);
+        };
+        noting::run(&*engine, &layout, &Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None }, &fill, &|_, _, _| {
+            Reaction::Continue
+        })
+    });
+    got.assert_ends_as(&expected, &|| "one long block".to_owned());
+    assert_eq!(got.registers, expected.registers);
+    assert_eq!(got.asked.len(), 0);
+}
+
+/// Each statement of the second half jumps back to a label of its own, the last to the first.
 fn loops(labels: u32) -> Program {
     program(1, &|builder| {
         for number in 0..2 * labels {

@@ -6,7 +6,7 @@ use cranelift_codegen::Context;
 use cranelift_codegen::control::ControlPlane;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{self as clif, AbiParam};
-use cranelift_codegen::isa::OwnedTargetIsa;
+use cranelift_codegen::isa::{OwnedTargetIsa, TargetIsa};
 use cranelift_codegen::settings::{self, Configurable};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::{ArenaMemoryProvider, JITBuilder, JITModule};
@@ -123,13 +123,16 @@ pub(crate) fn program(
     let Written { mut module, blocks, bytes, frame_max, mut pinned, rooms, .. } = write(blocks, find, layout, options, Machine::This)?;
     module.finalize_definitions().map_err(|error| error.to_string())?;
     let levels = (STACK_BYTES / (frame_max + STACK_BYTES_OF_A_CALL)).min(LINKS);
-    // Interrupts that come on top go to the interpreter.
-    let needed = usize::from(layout.nesting_depth) + usize::from(layout.nesting_depth_error) + 2;
-    if levels < needed {
+    if levels < levels_needed(layout) {
         return Err(format!("its blocks need up to {frame_max} bytes of stack"));
     }
     pinned.remove(&0);
     Ok((Generation::new(module, &blocks, bytes, levels), pinned, rooms))
+}
+
+/// How many activations have to find room on the stack. Interrupts that come on top go to the interpreter.
+fn levels_needed(layout: &Layout) -> usize {
+    usize::from(layout.nesting_depth) + usize::from(layout.nesting_depth_error) + 2
 }
 
 /// Compiles all blocks for aarch64 with Cranelift's checks, to see that it can be done; how many bytes of code there are.
@@ -144,6 +147,9 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     // Cranelift's optimizations move calculations to where their results are used: good in a loop, bad in straight bit logic, where the
     // bytes that were read wait in registers until then.
     let for_loops = if options.optimize { Some(instruction_set("speed", "backtracking", machine)?) } else { None };
+    // The allocator of the first tier gives each value that leaves its piece of code a place of its own, the other one shares them.
+    let for_room = if options.optimize { None } else { Some(instruction_set("none", "backtracking", machine)?) };
+    let frame_limit = STACK_BYTES / levels_needed(layout) - STACK_BYTES_OF_A_CALL;
     let mut builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
     let insts: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
     let reserve = insts.saturating_mul(RESERVED_BYTES_PER_INSTRUCTION).clamp(RESERVED_BYTES_MIN, RESERVED_BYTES_MAX);
@@ -188,7 +194,8 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
         if options.lists {
             listing += &format!("{}\n{}\n", blocks[index].id, context.func.display());
         }
-        define(&mut module, function, &mut context, for_loops).map_err(|error| format!("{}: {error}", blocks[index].id))?;
+        let sets = Sets { other: for_loops, for_room: for_room.as_ref(), frame_limit };
+        define(&mut module, function, &mut context, sets).map_err(|error| format!("{}: {error}", blocks[index].id))?;
         listing += context.compiled_code().and_then(|code| code.vcode.as_deref()).unwrap_or_default();
         let code = context.compiled_code().map_or(&[][..], |code| code.code_buffer());
         bytes += code.len();
@@ -201,14 +208,32 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     Ok(Written { module, blocks, bytes, frame_max, pinned, rooms, listing })
 }
 
-/// Compiles a function, for the instruction set of the module or another one.
-fn define(module: &mut JITModule, id: FuncId, context: &mut Context, other: Option<&OwnedTargetIsa>) -> Result<(), Box<ModuleError>> {
-    let Some(isa) = other else { return Ok(module.define_function(id, context)?) };
-    let code = context.compile(&**isa, &mut ControlPlane::default()).map_err(|error| Box::new(ModuleError::from(error)))?;
+/// The instruction sets that a function may be compiled for beside that of the module.
+struct Sets<'a> {
+    /// What it is compiled for instead.
+    other: Option<&'a OwnedTargetIsa>,
+    /// What it is compiled for if its frame has more bytes than this.
+    for_room: Option<&'a OwnedTargetIsa>,
+    frame_limit: usize,
+}
+
+/// Compiles a function.
+fn define(module: &mut JITModule, id: FuncId, context: &mut Context, sets: Sets<'_>) -> Result<(), Box<ModuleError>> {
+    let mut compile = |isa: &dyn TargetIsa| match context.compile(isa, &mut ControlPlane::default()) {
+        Ok(code) => Ok(frame_bytes(code.code_buffer())),
+        Err(error) => Err(Box::new(ModuleError::from(error))),
+    };
+    let mut isa = sets.other.map_or(module.isa(), |isa| &**isa);
+    let frame = compile(isa)?;
+    if let Some(for_room) = sets.for_room.filter(|_| frame > sets.frame_limit) {
+        isa = &**for_room;
+        compile(isa)?;
+    }
+    let code = context.compiled_code().expect("it was compiled");
     let alignment = u64::from(code.buffer.alignment).max(u64::from(isa.function_alignment().minimum)).max(isa.symbol_alignment());
     let bytes = code.code_buffer().to_vec();
     let relocations: Vec<_> =
-        code.buffer.relocs().to_vec().iter().map(|relocation| ModuleReloc::from_mach_reloc(relocation, &context.func, id)).collect();
+        code.buffer.relocs().iter().map(|relocation| ModuleReloc::from_mach_reloc(relocation, &context.func, id)).collect();
     Ok(module.define_function_bytes(id, alignment, &bytes, &relocations)?)
 }
 
