@@ -27,6 +27,8 @@ use super::ways::{Way, Ways};
 const INSTRUCTIONS_MAX: usize = 640;
 /// Instructions that a turn computes though it may jump over them.
 const CHOSEN_MAX: usize = 160;
+/// What a division by an unknown number counts among them.
+const DIVISION: usize = 60;
 /// How far the range of a value is followed back.
 pub(super) const DEPTH_MAX: usize = 8;
 
@@ -512,10 +514,24 @@ impl Reader<'_, '_> {
         let value = if self.ways.is_always() {
             value
         } else {
-            let before = self.read_cell(cell);
+            let before = self.now_in(cell);
             self.chosen(value, before)
         };
         self.now.insert(cell, value);
+    }
+
+    /// What a cell holds, which may be known of a register that the turn has not written.
+    fn now_in(&mut self, cell: Cell) -> Node {
+        if let Kept::Register(register) = self.kernel.kept(cell) {
+            let is_written = [&self.now, &self.outer].iter().any(|written| written.contains_key(&cell));
+            // AR2 may be known when a turn begins though turns change it.
+            let as_it_began =
+                !is_written && (self.written & bit_of(register) == 0 || register == Register::Ar2 && self.level == Level::Outer);
+            if as_it_began && let Some(Val::Const(value)) = self.translator.current[register as usize] {
+                return self.constant(value);
+            }
+        }
+        self.read_cell(cell)
     }
 
     /// A value on the ways that led here, another one on all others.
@@ -534,11 +550,37 @@ impl Reader<'_, '_> {
 
     /// A value where some conditions are known to hold or not.
     fn known(&self, mut node: Node, way: &Way) -> Node {
-        while let What::Compute(Op::Select, [condition, a, b, _]) = self.kernel.what(node) {
-            let Some(&(_, holds)) = way.iter().find(|&&(known, _)| known == condition) else { break };
-            node = if holds { a } else { b };
+        let holds = |condition: Node| {
+            let (condition, positive) = self.positive(condition);
+            way.iter().find(|&&(known, _)| known == condition).map(|&(_, holds)| holds == positive)
+        };
+        while let What::Compute(op, [a, b, c, _]) = self.kernel.what(node) {
+            node = match (op, self.kernel.what(b)) {
+                (Op::Select, _) if let Some(holds) = holds(a) => {
+                    if holds {
+                        b
+                    } else {
+                        c
+                    }
+                }
+                // It grows by something or by nothing: see `counted_where`.
+                (Op::AddU32 | Op::SubU32, What::Compute(Op::Gate, [by, condition, ..])) if self.kernel.is_32_bits(a) => {
+                    let Some(node) = holds(condition).and_then(|holds| if holds { self.computed(op, a, by) } else { Some(a) }) else {
+                        break;
+                    };
+                    node
+                }
+                _ => break,
+            };
         }
         node
+    }
+
+    /// The result of an operation on two values, if that was needed before.
+    fn computed(&self, op: Op, a: Node, b: Node) -> Option<Node> {
+        let orders = [[a, b, a, a], [b, a, b, b]];
+        let possible = if op == Op::AddU32 { &orders[..] } else { &orders[..1] };
+        possible.iter().find_map(|&args| self.numbers.get(&What::Compute(op, args)).copied())
     }
 
     /// A value on all ways that led here.
@@ -557,13 +599,7 @@ impl Reader<'_, '_> {
             return None;
         }
         let cell = self.cell(Kept::Register(register));
-        let is_written = [&self.now, &self.outer].iter().any(|written| written.contains_key(&cell));
-        // AR2 may be known when a turn begins though turns change it.
-        let as_it_began = !is_written && (self.written & bit_of(register) == 0 || register == Register::Ar2 && self.level == Level::Outer);
-        if as_it_began && let Some(Val::Const(value)) = self.translator.current[register as usize] {
-            return Some(self.constant(value));
-        }
-        let node = self.read_cell(cell);
+        let node = self.now_in(cell);
         Some(self.known_here(node))
     }
 
@@ -594,9 +630,13 @@ impl Reader<'_, '_> {
                         for (node, &arg) in nodes.iter_mut().zip(&args[..op.arity()]) {
                             *node = self.get(arg)?;
                         }
-                        let divisor = (op.arity() == 2).then(|| self.kernel.constant(nodes[1])).flatten();
-                        if !self.ways.is_always() && !is_cheap(op, divisor) {
-                            return None;
+                        if !self.ways.is_always() {
+                            let divisor = (op.arity() == 2).then(|| self.kernel.constant(nodes[1])).flatten();
+                            match () {
+                                () if is_cheap(op, divisor) => {}
+                                () if divides(op) => self.chosen += DIVISION,
+                                () => return None,
+                            }
                         }
                         self.compute(op, nodes)
                     }
@@ -918,10 +958,15 @@ enum Reached {
     Access(Access),
 }
 
+/// Whether an operation divides: by an unknown number that takes as long as many others.
+fn divides(op: Op) -> bool {
+    matches!(op, Op::DivI16 | Op::DivI32 | Op::RemI16 | Op::RemI32)
+}
+
 /// Whether an operation is worth doing though its result may not be needed.
 fn is_cheap(op: Op, divisor: Option<u64>) -> bool {
     use Op as O;
-    let divides = matches!(op, O::DivI16 | O::DivI32 | O::RemI16 | O::RemI32) && divisor.is_some_and(|divisor| divisor as i32 > 0);
+    let divides = divides(op) && divisor.is_some_and(|divisor| divisor as i32 > 0);
     let others = matches!(
         op,
         O::AndU64
@@ -929,6 +974,9 @@ fn is_cheap(op: Op, divisor: Option<u64>) -> bool {
             | O::XorU64
             | O::Below
             | O::IsNonzero
+            | O::DivFailsI16
+            | O::DivFailsI32
+            | O::DivisorIsZero
             | O::Differ
             | O::Equal
             | O::DivF32
