@@ -20,6 +20,7 @@ mod count;
 mod extremes;
 mod held;
 mod kernel;
+mod late;
 mod left;
 mod line;
 mod pieces;

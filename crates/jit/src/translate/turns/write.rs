@@ -371,9 +371,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 self.progress = Some((turns, progress));
             }
             self.begin(level, &handed, &now[others..]);
-            for step in &self.kernel.turn(level).steps {
+            let is_one_by_one = level == Level::Outer && self.lanes == 1 && self.gathered.is_empty();
+            let steps = if is_one_by_one { self.kernel.steps_with_late_reads() } else { self.kernel.turn(level).steps.clone() };
+            for step in steps {
                 match step {
-                    Step::Access(access) => self.access(*access, level),
+                    Step::Access(access) => self.access(access, level),
                     Step::Inner => {
                         let turns = self.t.turns_constant(self.plan.inner_turns);
                         self.inner = Scope::default();

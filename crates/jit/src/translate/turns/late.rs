@@ -1,0 +1,55 @@
+//! What a turn reads, as late as it needs it: what was written is written at the end of a turn, so that all that it reads would wait in
+//! registers for it, or on the stack.
+
+use std::collections::BTreeSet;
+
+use super::kernel::{Kernel, Node, Step, What};
+
+impl Kernel {
+    /// The steps of a turn without a loop in it, with each read in front of the first write that needs it, or that may go to the same bits.
+    pub(super) fn steps_with_late_reads(&self) -> Vec<Step> {
+        let mut steps = Vec::new();
+        let mut waiting: Vec<usize> = Vec::new();
+        let mut seen = BTreeSet::new();
+        for &step in &self.outer.steps {
+            let Step::Access(number) = step else { return self.outer.steps.clone() };
+            let access = &self.accesses[number];
+            let Some(value) = access.value else {
+                waiting.push(number);
+                continue;
+            };
+            let mut needed = BTreeSet::new();
+            [access.pointer, value].into_iter().for_each(|node| self.reads_behind(node, &mut seen, &mut needed));
+            for &read in waiting.iter().filter(|&&read| self.accesses[read].may_meet(access)) {
+                needed.insert(read);
+                self.reads_behind(self.accesses[read].pointer, &mut seen, &mut needed);
+            }
+            waiting.retain(|&read| {
+                let is_needed = needed.contains(&read);
+                steps.extend(is_needed.then_some(Step::Access(read)));
+                !is_needed
+            });
+            steps.push(step);
+        }
+        steps.extend(waiting.into_iter().map(Step::Access));
+        steps
+    }
+
+    /// Adds the reads on which a value rests, and those on which their addresses do, as far as they were not seen before.
+    fn reads_behind(&self, node: Node, seen: &mut BTreeSet<Node>, reads: &mut BTreeSet<usize>) {
+        let mut waiting = vec![node];
+        while let Some(node) = waiting.pop() {
+            if !seen.insert(node) {
+                continue;
+            }
+            match self.what(node) {
+                What::Compute(op, args) => waiting.extend(&args[..op.arity()]),
+                What::Read(access) => {
+                    reads.insert(access);
+                    waiting.push(self.accesses[access].pointer);
+                }
+                _ => {}
+            }
+        }
+    }
+}
