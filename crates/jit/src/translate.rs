@@ -30,6 +30,7 @@ mod calls;
 mod choices;
 mod decimal;
 mod effects;
+mod elements;
 mod flow;
 mod gates;
 mod home;
@@ -63,6 +64,7 @@ use analysis::{SPARED, Summary, open_blocks, set_by_calls};
 use budget::Look;
 use bytes::Bytes;
 use effects::Effects;
+use elements::Elements;
 use flow::Arrival;
 use inlining::{Outer, Plan};
 use instance::Instance;
@@ -230,6 +232,7 @@ struct Translator<'a> {
     in_range: Option<Instance>,
     /// Addresses that were computed and are known to be there.
     computed: FxHashMap<Value, Computed>,
+    elements: Elements,
     arrivals: FxHashMap<u32, Arrival>,
     statement: u32,
     /// Parameters passed and not yet taken.
@@ -330,6 +333,7 @@ impl<'a> Translator<'a> {
             instance: Val::Const(0),
             in_range: None,
             computed: FxHashMap::default(),
+            elements: Elements::default(),
             arrivals: FxHashMap::default(),
             statement: 0,
             passed: Vec::new(),

@@ -14,6 +14,7 @@ use sieben_engine::ir::Inst;
 use sieben_model::address::Width;
 
 use super::Translator;
+use super::elements::Elements;
 use super::loops::Loop;
 use super::memory::{Address, Bit, data};
 use super::numbers::Numbers;
@@ -94,6 +95,7 @@ pub(super) struct KnownMemory {
     bits: Vec<(Piece, Value)>,
     numbers: Numbers,
     words: Words,
+    elements: Elements,
     /// Timers that were brought up to date.
     timers: Vec<u64>,
     counts: Vec<(u64, Value)>,
@@ -106,6 +108,7 @@ impl KnownMemory {
         self.bits.retain(|known| other.bits.contains(known));
         self.numbers.keep_common(&other.numbers);
         self.words.keep_common(&other.words);
+        self.elements.keep_common(&other.elements);
         self.timers.retain(|timer| other.timers.contains(timer));
         self.counts.retain(|count| other.counts.contains(count));
         for (item, other) in self.items.iter_mut().zip(other.items) {
@@ -407,6 +410,7 @@ impl Translator<'_> {
             bits: self.bytes.known.clone(),
             numbers: self.bytes.numbers.clone(),
             words: self.words.clone(),
+            elements: self.elements.clone(),
             timers: self.fresh_timers.clone(),
             counts: self.counts.clone(),
             items: self.items,
@@ -421,6 +425,7 @@ impl Translator<'_> {
     /// Knows of memory what is known on all ways to a place.
     pub(super) fn know_memory(&mut self, known: KnownMemory) {
         (self.bytes.known, self.bytes.numbers, self.words) = (known.bits, known.numbers, known.words);
+        self.elements = known.elements;
         (self.fresh_timers, self.counts, self.items) = (known.timers, known.counts, known.items);
     }
 }

@@ -31,9 +31,9 @@ pub(super) const FIRST_BYTE: u64 = 0x8400_0000;
 
 /// An address as a sum: of values times constants, and a constant; modulo 2^32.
 #[derive(Default)]
-struct Sum {
-    terms: Vec<(Value, u32)>,
-    constant: u32,
+pub(super) struct Sum {
+    pub(super) terms: Vec<(Value, u32)>,
+    pub(super) constant: u32,
     /// AR2, if that is not taken apart.
     of_instance: Option<Value>,
 }
@@ -190,7 +190,7 @@ impl Translator<'_> {
     }
 
     /// Takes a value apart; whether the sum is short enough.
-    fn decompose(&self, value: Value, times: u32, sum: &mut Sum, depth: usize) -> bool {
+    pub(super) fn decompose(&self, value: Value, times: u32, sum: &mut Sum, depth: usize) -> bool {
         let dfg = &self.b.func.dfg;
         let value = dfg.resolve_aliases(value);
         let ValueDef::Result(inst, 0) = dfg.value_def(value) else { return self.term(value, times, sum) };

@@ -79,18 +79,20 @@ impl Translator<'_> {
         let bytes = length.checked_sub((most & 0x00FF_FFFF) / 8).filter(|&bytes| bytes > 0)?;
         let written = !self.layout.read_only.iter().any(|&protected| u64::from(protected) == number);
         let narrow = self.int(pointer);
-        let address = match self.byte_address((self.arena, i32::try_from(base).ok()?, length), narrow) {
-            Some(address) => address,
+        let byte = |bits: u64| base as i64 + (bits as i64 & 0x00FF_FFFF) / 8;
+        let area = (self.arena, i32::try_from(base).ok()?, length);
+        let address = match self.element(area, narrow, byte(least)..byte(most)) {
+            Some(computed) => computed.address,
             None => {
                 let position = self.word(pointer);
                 let position = self.b.ins().band_imm_u(position, 0x00FF_FFFF);
-                let byte = self.b.ins().ushr_imm_u(position, 3);
+                let position = self.b.ins().ushr_imm_u(position, 3);
                 let start = self.b.ins().iadd_imm_u(self.arena, i64::try_from(base).ok()?);
-                self.b.ins().iadd(start, byte)
+                let address = self.b.ins().iadd(start, position);
+                self.computed.insert(address, Computed { address, least: byte(least), most: byte(most) });
+                address
             }
         };
-        let byte = |bits: u64| base as i64 + (bits as i64 & 0x00FF_FFFF) / 8;
-        self.computed.insert(address, Computed { address, least: byte(least), most: byte(most) });
         Some(Instance { pointer, address, bytes, block, written })
     }
 

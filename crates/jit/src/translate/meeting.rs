@@ -15,7 +15,7 @@ use super::{After, Translator};
 use crate::ask::Question;
 
 /// Instructions behind a look at an index that are written twice at most: each look of a long statement would write all that follows
-/// again.
+/// again. Among so many is looked for somebody who needs what a load reads.
 const REST_MAX: usize = 64;
 
 /// Where the ways of a statement meet.
@@ -157,14 +157,15 @@ impl Translator<'_> {
 
     /// Whether nobody needs what a load reads, because a choice behind a look at an index has been made.
     pub(super) fn is_needless(&mut self, index: u32, dst: Var) -> bool {
-        if self.meeting.is_none() || dst.register().is_some() {
+        if !self.options.optimize || dst.register().is_some() {
             return false;
         }
         let code = &self.native().code;
         let end = code.statements.get(self.statement as usize + 1).copied().unwrap_or(code.insts.len() as u32);
+        let seen = end.min(index + 1 + REST_MAX as u32);
         // What a temporary holds here is not what it holds there, if it is written in between.
         let mut written = vec![dst];
-        for inst in &code.insts[index as usize + 1..end as usize] {
+        for inst in &code.insts[index as usize + 1..seen as usize] {
             let needed = match *inst {
                 Inst::Compute { op: Op::Select, args: [condition, a, b, _], .. } => {
                     let stays = condition.register().is_none() && !written.contains(&condition);
@@ -185,7 +186,7 @@ impl Translator<'_> {
                 None => {}
             }
         }
-        true
+        seen == end
     }
 
     /// Whether an access is known to stay inside its area.

@@ -305,6 +305,9 @@ impl Translator<'_> {
             return Way::Asked;
         };
         if let (Val::Const(length), Some(touched)) = (length, self.ranges.inside(index)) {
+            if let Some(address) = self.field((base, start, length), (pointer, offset), width, &touched) {
+                return Way::Direct(address);
+            }
             return Way::Inside(self.address_inside((base, start, length), pointer, offset, (width, width.bytes())), touched);
         }
         self.way_in(base, start, length, pointer, offset, width)

@@ -198,6 +198,7 @@ impl Translator<'_> {
     pub(super) fn forget_memory(&mut self) {
         self.forget_what_was_asked();
         self.words.forget_all();
+        self.elements.clear();
     }
 
     /// Forgets what an instruction may have written at an address that is not known beforehand.

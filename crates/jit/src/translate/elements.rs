@@ -1,0 +1,120 @@
+//! Elements of arrays that are structures or instances: fields of the same element have one base, so that what was read or written of them
+//! is known, and bits that share a byte are written together. A block that is called for an element counts from there, too.
+
+use std::ops::Range;
+
+use cranelift_codegen::ir::types::{I16, I32};
+use cranelift_codegen::ir::{InstructionData, Opcode, Value};
+use sieben_model::address::Width;
+
+use super::Translator;
+use super::inside::Sum;
+use super::memory::{Address, Bit};
+use super::promote::{Base, Computed};
+use super::value::Val;
+
+/// Elements that are remembered, the newest ones.
+const KNOWN_MAX: usize = 6;
+
+/// What an address is made of: the first byte of its area, a constant, and values times constants.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Made {
+    start: i32,
+    constant: u32,
+    terms: Vec<(Value, bool, u32)>,
+}
+
+/// Elements whose address the running code has computed.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Elements(Vec<(Made, Computed)>);
+
+impl Elements {
+    /// Keeps what others know, too.
+    pub(super) fn keep_common(&mut self, other: &Self) {
+        self.0.retain(|known| other.0.contains(known));
+    }
+
+    /// Forgets everything: other code goes on.
+    pub(super) fn clear(&mut self) {
+        self.0.clear();
+    }
+}
+
+impl Translator<'_> {
+    /// The address of a field of an element that is known to stay inside its area, and touches nothing else than these bytes.
+    pub(super) fn field(
+        &mut self,
+        area: (Value, i32, u64),
+        (pointer, offset): (Val, u32),
+        width: Width,
+        (touched, bytes): &(Base, Range<i64>),
+    ) -> Option<Address> {
+        let is_part = offset < 1 << 19 && (width == Width::Bit || offset % 8 == 0);
+        if !self.options.optimize || self.cold.is_some() || *touched != Base::Arena || area.0 != self.arena || !is_part {
+            return None;
+        }
+        let pointer = self.int(pointer);
+        let byte = i64::from(offset / 8);
+        // A number alone has nothing to be put together with, and one more address would keep a register.
+        if width != Width::Bit && self.known_element(area.1, pointer).is_none() {
+            return None;
+        }
+        let computed = self.element(area, pointer, bytes.start - byte..bytes.end - i64::from(width.bytes()) - byte)?;
+        Some(Address { base: computed.address, offset: byte as i32, bit: Bit::Number((offset % 8) as u8) })
+    }
+
+    /// The first byte of an element to which a pointer goes that is known to lie there.
+    pub(super) fn element(&mut self, area: (Value, i32, u64), pointer: Value, there: Range<i64>) -> Option<Computed> {
+        if let Some(known) = self.known_element(area.1, pointer) {
+            return Some(known);
+        }
+        let made = self.made_of(area.1, pointer)?;
+        let address = self.byte_address(area, pointer)?;
+        let computed = Computed { address, least: there.start, most: there.end };
+        self.computed.insert(address, computed);
+        if self.elements.0.len() == KNOWN_MAX {
+            self.elements.0.remove(0);
+        }
+        self.elements.0.push((made, computed));
+        Some(computed)
+    }
+
+    fn known_element(&self, start: i32, pointer: Value) -> Option<Computed> {
+        let made = self.made_of(start, pointer)?;
+        self.elements.0.iter().find(|(known, _)| *known == made).map(|&(_, computed)| computed)
+    }
+
+    /// What the address of a byte is made of, if it is not the same in each turn of a loop.
+    fn made_of(&self, start: i32, pointer: Value) -> Option<Made> {
+        let mut sum = Sum::default();
+        if !self.decompose(pointer, 1, &mut sum, 0) {
+            return None;
+        }
+        let whole = sum.constant % 8 == 0 && sum.terms.iter().all(|&(_, times)| times % 8 == 0);
+        let mut terms: Vec<(Value, bool, u32)> = sum
+            .terms
+            .iter()
+            .map(|&(value, times)| {
+                let (value, extended) = self.without_extension(value);
+                (value, extended, times)
+            })
+            .collect();
+        terms.sort_unstable();
+        (whole && !terms.is_empty()).then_some(Made { start, constant: sum.constant & 0x00FF_FFFF, terms })
+    }
+
+    /// The number whose low 16 bits a value is with their sign, if it is: an index is extended in each statement.
+    fn without_extension(&self, value: Value) -> (Value, bool) {
+        let dfg = &self.b.func.dfg;
+        let unary = |value: Value, expected: Opcode| match self.definition(value) {
+            Some((_, InstructionData::Unary { opcode, arg })) if opcode == expected => Some(arg),
+            _ => None,
+        };
+        let number =
+            unary(value, Opcode::Sextend).filter(|&half| dfg.value_type(half) == I16).and_then(|half| unary(half, Opcode::Ireduce));
+        match number.filter(|&number| dfg.value_type(number) == I32) {
+            Some(number) => (dfg.resolve_aliases(number), true),
+            None => (dfg.resolve_aliases(value), false),
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! Fields of elements of arrays, some of them bits that share a byte: those of one element are counted from one address, whatever other
+//! elements are written between and whoever changes memory, the code does what the interpreter does.
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use dice::Dice;
+use noting::{all_engines_agree, program, run};
+use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::{Entry, Exit, Layout, Machine, Program, Reaction, StopReason};
+use sieben_jit::Jit;
+use sieben_model::address::{Area, Width};
+use sieben_model::block::BlockId;
+
+mod dice;
+mod noting;
+
+const PROGRAMS: u64 = 500;
+const QUESTIONS_MAX: usize = 30;
+const DATA_BYTES: usize = 200;
+/// Where indexes lie in bit memory, in bytes; the first one counts.
+const INDEXES: [u32; 3] = [200, 204, 208];
+/// Bytes of an element. An index that does not count is masked, so that it is known to be inside.
+const ELEMENT: u64 = 8;
+const MASK: u64 = 15;
+/// Fields: where they lie, in bits. The last ones lie in the next element.
+const FIELDS: &[(u32, Width)] = &[
+    (0, Width::Bit),
+    (1, Width::Bit),
+    (2, Width::Bit),
+    (9, Width::Bit),
+    (0, Width::Byte),
+    (8, Width::Word),
+    (16, Width::Word),
+    (32, Width::DoubleWord),
+    (64, Width::Bit),
+    (80, Width::Word),
+];
+
+fn index(number: usize) -> Place {
+    Place::Fixed { area: Area::BitMemory, position: 8 * INDEXES[number] }
+}
+
+fn field(b: &mut Builder, number: usize, offset: u32) -> Place {
+    let counter = b.load(index(number), Width::Word, OnFault::SkipStatement);
+    let wide = b.compute(Op::Extend16, &[counter]);
+    let mask = b.constant(MASK);
+    // The range of the counter is known.
+    let inside = if number == 0 { wide } else { b.compute(Op::AndU32, &[wide, mask]) };
+    let bits = b.constant(8 * ELEMENT);
+    let pointer = b.compute(Op::MulU32, &[inside, bits]);
+    Place::Indirect { area: Area::SharedData, pointer, offset }
+}
+
+/// `REPEAT … UNTIL i > last`, with a jump table in it, so that the turns are not done at once.
+fn looping(b: &mut Builder, last: u64, statements: u32, write: &mut dyn FnMut(&mut Builder, u32)) {
+    b.begin_statement();
+    let number = b.constant(1);
+    b.push(Inst::Open { register: DataRegister::Shared, number });
+    b.begin_statement();
+    let zero = b.constant(0);
+    b.store(index(0), Width::Word, zero);
+    for statement in 0..statements {
+        b.begin_statement();
+        write(b, 2 + statement);
+    }
+    b.begin_statement();
+    let counter = b.load(index(0), Width::Word, OnFault::SkipStatement);
+    let behind = 3 + statements;
+    let first = b.table(&[Target(behind), Target(behind)]);
+    b.push(Inst::JumpTable { index: counter, first, count: 2, otherwise: Target(behind) });
+    b.begin_statement();
+    let counter = b.load(index(0), Width::Word, OnFault::SkipStatement);
+    let one = b.constant(1);
+    let next = b.compute(Op::AddU16, &[counter, one]);
+    b.store(index(0), Width::Word, next);
+    let last = b.constant(last);
+    let again = b.compute(Op::LeI16, &[next, last]);
+    b.push(Inst::Branch { condition: again, to: Target(2) });
+    b.begin_statement();
+    b.push(Inst::Return);
+}
+
+fn layout(program: &Program) -> Layout {
+    let mut layout = noting::layout(program);
+    layout.size += DATA_BYTES;
+    layout.data_blocks.insert(1, layout.size - DATA_BYTES..layout.size);
+    layout
+}
+
+/// How often bytes are stored by a loop that writes bits of elements: by which index, and where.
+fn stores(written: &[(usize, u32)]) -> usize {
+    let mut write = |b: &mut Builder, statement: u32| {
+        let (number, offset) = written[statement as usize - 2];
+        let place = field(b, number, offset);
+        let value = b.load(Place::Fixed { area: Area::BitMemory, position: 800 + statement }, Width::Bit, OnFault::SkipStatement);
+        b.store(place, Width::Bit, value);
+    };
+    let write = RefCell::new(&mut write);
+    let build = |b: &mut Builder| looping(b, 12, written.len() as u32, *write.borrow_mut());
+    let program = program(&[(BlockId::ob(1), 16, &build)]);
+    let listing = Jit::listing(&program, &layout(&program)).expect("machine code");
+    listing.matches("istore8").count()
+}
+
+#[test]
+fn bits_of_one_byte_of_an_element_are_written_together() {
+    assert_eq!(stores(&[(0, 0)]), 1);
+    assert_eq!(stores(&[(0, 0), (0, 1), (0, 2)]), 1);
+    assert_eq!(stores(&[(0, 0), (0, 9), (0, 1)]), 2);
+}
+
+#[test]
+fn bits_of_other_elements_are_written_where_the_program_writes_them() {
+    // Each may be the same bit as the one before.
+    assert_eq!(stores(&[(0, 0), (1, 0), (0, 1)]), 3);
+}
+
+/// How many numbers of 16 bits a loop loads that writes one to an element, as it is if the index is looked at, whose range is known.
+fn loads(looked_at: bool) -> usize {
+    let build = |b: &mut Builder| {
+        looping(b, 12, 1, &mut |b, _| {
+            let place = field(b, 0, 16);
+            let mut value = b.constant(7);
+            if looked_at {
+                let counter = b.load(index(0), Width::Word, OnFault::SkipStatement);
+                let limit = b.constant(20);
+                let inside = b.compute(Op::Below, &[counter, limit]);
+                b.push(Inst::Require { condition: inside, code: 163, register: counter });
+                let old = b.load(place, Width::Word, OnFault::SkipStatement);
+                value = b.compute(Op::Select, &[inside, value, old]);
+            }
+            b.store(place, Width::Word, value);
+        });
+    };
+    let program = program(&[(BlockId::ob(1), 16, &build)]);
+    Jit::listing(&program, &layout(&program)).expect("machine code").matches("= load.i16").count()
+}
+
+#[test]
+fn an_element_that_is_written_is_not_read_if_its_index_is_known_to_be_inside() {
+    assert_eq!(loads(true), loads(false));
+}
+
+/// Some statement of a turn.
+fn some_statement(b: &mut Builder, dice: &mut Dice, statement: u32, statements: u32) {
+    let place = |b: &mut Builder, dice: &mut Dice| {
+        let number = dice.of(&[0, 0, 0, 1, 2]);
+        let (offset, width) = dice.of(FIELDS);
+        (field(b, number, offset), width)
+    };
+    let (from, width) = place(b, dice);
+    let mut value: Var = b.load(from, width, OnFault::SkipStatement);
+    if dice.roll(3) == 0 {
+        let (from, width) = place(b, dice);
+        let other = b.load(from, width, OnFault::SkipStatement);
+        value = b.compute(dice.of(&[Op::XorU32, Op::AddU32, Op::AndU32]), &[value, other]);
+    }
+    match dice.roll(6) {
+        0 => {
+            let condition = b.compute(Op::IsNonzero, &[value]);
+            let to = statement + 1 + dice.roll(u64::from(2 + statements - statement)) as u32;
+            b.push(Inst::Branch { condition, to: Target(to) });
+        }
+        1 => b.store(index(1), Width::Word, value),
+        _ => {
+            let (to, width) = place(b, dice);
+            let value = if width == Width::Bit { b.compute(Op::IsNonzero, &[value]) } else { value };
+            b.store(to, width, value);
+        }
+    }
+}
+
+fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
+    if asked >= QUESTIONS_MAX {
+        return Reaction::Stop(StopReason { event: 0x4562, place: None });
+    }
+    machine.budget = dice.of(&[0, 1, 1, 2, 3, 8]);
+    match dice.roll(3) {
+        0 => machine.memory.area_mut(Area::BitMemory)[dice.of(&INDEXES) as usize + 1] = dice.roll(16) as u8,
+        1 => {
+            let range = machine.memory.layout.data_blocks[&1].clone();
+            machine.memory.arena[range.start + dice.roll(140) as usize] = dice.roll(256) as u8;
+        }
+        _ => {}
+    }
+    Reaction::Continue
+}
+
+#[test]
+fn fields_of_elements_are_what_the_interpreter_makes_of_them() {
+    let (mut asked, mut finished) = (0, 0);
+    for seed in 0..PROGRAMS {
+        let block = BlockId::ob(1);
+        let build = |b: &mut Builder| {
+            let mut dice = Dice(seed);
+            let (last, statements) = (dice.of(&[0, 7, 15, 20]), 2 + dice.roll(7) as u32);
+            looping(b, last, statements, &mut |b, statement| some_statement(b, &mut dice, statement, statements));
+        };
+        let program = program(&[(block, 16, &build)]);
+        let layout = layout(&program);
+        let entry = Entry { block, start_information: [7; 20], registers: None };
+        let prepare = |machine: &mut Machine| {
+            let mut dice = Dice(seed + 1_000_000);
+            machine.budget = dice.of(&[1, 1, 2, 5, 20, 1000]);
+            let range = machine.memory.layout.data_blocks[&1].clone();
+            machine.memory.arena[range].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
+            INDEXES.iter().for_each(|&at| machine.memory.area_mut(Area::BitMemory)[at as usize + 1] = dice.roll(16) as u8);
+        };
+        let outcome = |engine: Arc<dyn sieben_engine::Engine>| {
+            let dice = RefCell::new(Dice(seed + 2_000_000));
+            let answer = |machine: &mut Machine, _: &str, asked: usize| meddle(machine, &mut dice.borrow_mut(), asked);
+            run(engine.as_ref(), &layout, &entry, &prepare, &answer)
+        };
+        let what = || format!("{seed}\n{}", program.code[&block].code);
+        let expected = all_engines_agree((&program, &layout), true, &outcome, &what);
+        asked += expected.asked.len();
+        finished += usize::from(expected.exit == Exit::Finished);
+    }
+    assert!(asked > 500 && finished > 200, "{asked} questions, {finished} runs to the end");
+}
