@@ -172,6 +172,8 @@ pub struct Rack {
     enabled: bool,
     /// Simulated modules, or what was put out, have changed by something else than an exchange of images.
     changed: bool,
+    /// As the last exchange found it: all modules are simulated ones that answer, and nobody listens to them or records what they say.
+    plain: bool,
     /// What modules raised and the CPU has not seen yet.
     alarms: Vec<Interrupt>,
     /// A module had raised an interrupt when it was written to last.
@@ -311,6 +313,7 @@ impl Rack {
     /// From now on the tape keeps what the modules say, unless all of them can be copied: those go back themselves.
     pub(crate) fn record(&mut self) {
         if self.modules.iter().any(|module| module.copy().is_none()) {
+            self.changed = true;
             self.tape.start();
         }
     }
@@ -367,6 +370,7 @@ impl Rack {
         self.orders.add(Order { at_us, what: Ordered::Alarm(interrupt) });
     }
 
+    #[inline]
     pub(crate) fn advance(&mut self, dt_us: u64) {
         if !self.tape.is_on() {
             return self.go_on(dt_us);
@@ -377,6 +381,7 @@ impl Rack {
         });
     }
 
+    #[inline]
     fn go_on(&mut self, dt_us: u64) {
         let end_us = self.now_us.saturating_add(dt_us);
         while let Some(order) = self.orders.take_due(end_us) {
@@ -389,9 +394,13 @@ impl Rack {
         self.pass_until(end_us);
     }
 
+    #[inline]
     fn pass_until(&mut self, end_us: u64) {
         let dt_us = end_us.saturating_sub(self.now_us);
         self.now_us = self.now_us.max(end_us);
+        if self.plain {
+            return;
+        }
         for (module, _) in self.modules.iter_mut().zip(&self.lively).filter(|&(_, &lively)| lively) {
             module.advance(dt_us);
             collect(&mut self.alarms, &mut **module);
@@ -404,6 +413,7 @@ impl Rack {
         self.get_image(&mut inputs, true);
         let mut listener = Listener::new(inputs.len());
         listener.bytes(self.now_us, 0, &inputs);
+        self.changed = true;
         self.listener = Some(listener);
     }
 
@@ -455,13 +465,33 @@ impl Rack {
     }
 
     /// Whether simulated modules, or what was put out, have changed by something else than an exchange of images; tells it once.
+    #[inline]
     pub(crate) fn take_changed(&mut self) -> bool {
-        std::mem::take(&mut self.changed)
+        let changed = std::mem::take(&mut self.changed);
+        if changed {
+            self.plain = !self.tape.is_on()
+                && self.listener.is_none()
+                && self.modules.iter().zip(&self.lively).all(|(module, &lively)| !lively && module.answers());
+        }
+        changed
     }
 
     /// Process image of the outputs → modules. Of the bytes of simulated modules only those that were `written` may be other ones than
     /// were put out last. Returns the bytes of the modules that do not answer.
     pub(crate) fn put_image(&mut self, image: &[u8], written: Range<usize>) -> Vec<Range<usize>> {
+        self.note_outputs(image, written);
+        if !self.tape.is_on() {
+            return self.hand_out(image);
+        }
+        match self.ask(|rack| Reading::Failed(rack.hand_out(image))) {
+            Reading::Failed(failed) => failed,
+            other => unexpected(&other),
+        }
+    }
+
+    /// What modules are to put out, without asking them.
+    #[inline]
+    fn note_outputs(&mut self, image: &[u8], written: Range<usize>) {
         for run in &self.output_runs {
             let limits = if self.lively[run.module] { 0..image.len() } else { written.start..written.end.min(image.len()) };
             let bytes = run.bytes.start.max(limits.start)..run.bytes.end.min(limits.end);
@@ -471,13 +501,23 @@ impl Rack {
             let all = run.bytes.start.min(image.len())..run.bytes.end.min(image.len());
             debug_assert!(self.outputs[all.clone()] == image[all], "an output was written by somebody who was not expected");
         }
-        if !self.tape.is_on() {
-            return self.hand_out(image);
+    }
+
+    /// Both exchanges at once, where the image of the inputs is as it was read last; `false` and nothing done if they ask or tell somebody
+    /// something.
+    #[inline]
+    pub(crate) fn exchange_quietly(&mut self, outputs: &[u8], written: Range<usize>, inputs: &[u8]) -> bool {
+        if self.plain {
+            self.note_outputs(outputs, written);
+            debug_assert!(
+                self.input_runs.iter().all(|run| {
+                    let read = run.bytes.start.min(inputs.len())..run.bytes.end.min(inputs.len());
+                    is_same(&*self.modules[run.module], run.bytes.start, &inputs[read])
+                }),
+                "an input was written by somebody who was not expected"
+            );
         }
-        match self.ask(|rack| Reading::Failed(rack.hand_out(image))) {
-            Reading::Failed(failed) => failed,
-            other => unexpected(&other),
-        }
+        self.plain
     }
 
     fn hand_out(&mut self, image: &[u8]) -> Vec<Range<usize>> {
@@ -593,6 +633,7 @@ impl Rack {
             outputs: vec![0; size],
             enabled: false,
             changed: true,
+            plain: false,
             alarms: Vec::new(),
             alarmed: false,
             tape: Tape::default(),

@@ -41,8 +41,14 @@ impl Images {
     /// The cycle control point: process image of the outputs → modules, modules → process image of the inputs.
     ///
     /// Outputs go first, so that what the program of the last scan (or OB 100) has written is out before inputs are read.
+    #[inline]
     pub(crate) fn exchange(&mut self, machine: &mut Machine, rack: &mut Rack, overrides: &mut Overrides) -> Failures {
         let all = std::mem::take(&mut self.changed) | rack.take_changed();
+        let memory = &machine.memory;
+        let as_read = !all && overrides.is_empty() && self.writes.inputs.is_empty();
+        if as_read && rack.exchange_quietly(memory.area(Area::Output), self.writes.outputs.clone(), memory.area(Area::Input)) {
+            return Failures::new();
+        }
         let outputs_failed = rack.put_image(machine.memory.area(Area::Output), if all { ANYWHERE } else { self.writes.outputs.clone() });
         let inputs = machine.memory.area_mut(Area::Input);
         let inputs_failed = rack.get_image(inputs, all || !self.writes.inputs.is_empty());

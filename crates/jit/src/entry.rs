@@ -67,12 +67,14 @@ impl Generation {
     /// always there.
     pub(crate) fn call(&self, code: usize, run: &mut Run<'_, '_>, local: usize, link: usize) -> bool {
         let function = self.functions[code].expect("a block that is entered from outside has a general version");
+        run.arena();
         Self::enter(function, run, local, link)
     }
 
-    /// The same with the function of the block.
+    /// The same with the function of the block, where the arena is known to be where the run has found it.
+    #[inline]
     pub(crate) fn enter(function: Function, run: &mut Run<'_, '_>, local: usize, link: usize) -> bool {
-        let arena = run.arena();
+        let arena = run.arena_at_first();
         function(run, arena, local, link) != 0
     }
 }

@@ -260,6 +260,12 @@ impl<'a, 'c> Run<'a, 'c> {
         self.arena
     }
 
+    /// First byte of the arena when the run began.
+    #[inline]
+    pub(crate) fn arena_at_first(&self) -> *mut u8 {
+        self.arena
+    }
+
     /// Address of the local data of the outermost block.
     pub(crate) fn local_start(&self) -> usize {
         self.arena as usize + self.compiled.limits.local_start

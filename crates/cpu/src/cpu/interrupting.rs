@@ -78,6 +78,7 @@ impl Cpu {
         Now { now_us: self.now_us, clock_us: self.machine.clock_us, start: self.settings.date_and_time }
     }
 
+    #[inline]
     pub(super) fn new_watchdog(&self) -> Watchdog {
         Watchdog::new(false, self.now_us, self.watchdog_us(), self.settings.virtual_safe_points)
     }
@@ -152,9 +153,26 @@ impl Cpu {
         next
     }
 
+    /// Whether nothing waits, and nothing comes by itself.
+    #[inline]
+    fn is_quiet(&self) -> bool {
+        self.interrupts.is_quiet() && self.rack.is_quiet()
+    }
+
+    /// Whether nothing happens between two cycles but that time passes.
+    #[inline]
+    pub(super) fn only_waits(&self) -> bool {
+        self.is_quiet() && !self.has_background()
+    }
+
     /// Runs everything that waits now, highest priority class first, while no block runs.
+    #[inline]
     pub(super) fn serve_waiting(&mut self, clock: &mut dyn FnMut() -> u64, tracer: &mut Option<&mut dyn Tracer>) -> ControlFlow<Paused> {
-        while self.mode == OperatingMode::Run && !(self.interrupts.is_quiet() && self.rack.is_quiet()) {
+        if self.is_quiet() { ControlFlow::Continue(()) } else { self.serve_what_waits(clock, tracer) }
+    }
+
+    fn serve_what_waits(&mut self, clock: &mut dyn FnMut() -> u64, tracer: &mut Option<&mut dyn Tracer>) -> ControlFlow<Paused> {
+        while self.mode == OperatingMode::Run && !self.is_quiet() {
             let now = self.now();
             self.interrupts.gather(&now, &self.machine, &self.class);
             for alarm in self.rack.take_alarms() {

@@ -38,6 +38,7 @@ pub(super) struct Rest {
 }
 
 impl Cpu {
+    #[inline]
     pub(super) fn entry(&mut self, block: BlockId, registers: Option<Registers>) -> Entry {
         let time = self.bcd_clock.show(self.date_and_time());
         Entry { block, start_information: self.class.bytes_with(time), registers: registers.map(Box::new) }
@@ -126,6 +127,7 @@ impl Cpu {
         }
     }
 
+    #[inline]
     pub(super) fn watchdog_us(&self) -> u64 {
         u64::try_from(self.settings.watchdog.as_micros()).unwrap_or(u64::MAX)
     }

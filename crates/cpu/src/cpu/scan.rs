@@ -55,13 +55,16 @@ impl Cpu {
             self.engine = newer;
         }
         let begin_us = clock();
-        if let ControlFlow::Break(paused) = self.serve_until(begin_us, clock, again(&mut tracer)) {
+        if !self.only_waits()
+            && let ControlFlow::Break(paused) = self.serve_until(begin_us, clock, again(&mut tracer))
+        {
             return self.pause(paused, Then::Cycle { until_us: begin_us });
         }
         self.cycle_from(begin_us, clock, tracer)
     }
 
     /// The cycle, when the time has passed.
+    #[inline]
     pub(super) fn cycle_from(&mut self, begin_us: u64, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) -> ScanReport {
         self.advance(begin_us);
         // Looked at first: to write what other threads write to takes longer than many a program.
@@ -90,6 +93,7 @@ impl Cpu {
     }
 
     /// OB 1.
+    #[inline]
     pub(super) fn run_program(&mut self, clock: &mut dyn FnMut() -> u64, mut tracer: Option<&mut dyn Tracer>) -> ScanReport {
         if self.mode != OperatingMode::Run {
             return self.report(true, 0);
@@ -157,6 +161,7 @@ impl Cpu {
     }
 
     /// Time passes: modules go on in every mode, the CPU clock in STARTUP and RUN.
+    #[inline]
     pub(super) fn advance(&mut self, now_us: u64) {
         let now = now_us.max(self.now_us);
         if matches!(self.mode, OperatingMode::Startup | OperatingMode::Run) {
@@ -167,6 +172,7 @@ impl Cpu {
         self.rack_us = now;
     }
 
+    #[inline]
     pub(super) fn cycle_control_point(&mut self) {
         let forces = !self.forced.is_empty();
         if forces {
@@ -191,6 +197,7 @@ impl Cpu {
         }
     }
 
+    #[inline]
     pub(super) fn after_cycle(
         &mut self,
         outcome: Outcome,
@@ -219,6 +226,7 @@ impl Cpu {
     }
 
     /// The cycle is over.
+    #[inline]
     pub(super) fn end_cycle(&mut self, clock: &mut dyn FnMut() -> u64) -> ScanReport {
         let end = match self.settings.time {
             TimeSource::Virtual => self.now_us,
@@ -228,6 +236,7 @@ impl Cpu {
         self.report(true, execution)
     }
 
+    #[inline]
     pub(super) fn report(&mut self, executed: bool, execution_us: u64) -> ScanReport {
         let safe_points = if executed { self.watchdog.total } else { 0 };
         let events_missed = if executed { self.interrupts.drop_scheduled() } else { 0 };

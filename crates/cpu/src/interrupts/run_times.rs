@@ -32,16 +32,21 @@ pub(crate) struct RunTimes {
 
 impl RunTimes {
     /// OB `number` starts on top of `depth` blocks.
+    #[inline]
     pub(crate) fn begin(&mut self, number: u16, depth: usize, requested_us: u64, now_us: u64) {
         self.end(depth, now_us);
         self.running.push(Running { number, depth, requested_us, started_us: now_us });
     }
 
     /// Only `depth` blocks are left.
+    #[inline]
     pub(crate) fn end(&mut self, depth: usize, now_us: u64) {
         while let Some(ended) = self.running.pop_if(|one| one.depth >= depth) {
             let run = LastRun { run_us: now_us.saturating_sub(ended.started_us), elapsed_us: now_us.saturating_sub(ended.requested_us) };
-            self.last.insert(ended.number, run);
+            match self.last.get_mut(&ended.number) {
+                Some(last) => *last = run,
+                None => drop(self.last.insert(ended.number, run)),
+            }
         }
     }
 

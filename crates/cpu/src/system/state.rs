@@ -111,9 +111,16 @@ impl State {
 
     /// An organization block starts as an own priority class.
     pub(crate) fn begin(&mut self, info: StartInformation) {
-        self.classes.remove(&u16::from(info.block));
+        let number = u16::from(info.block);
+        if !self.classes.is_empty() {
+            self.classes.remove(&number);
+        }
         self.interrupts.clear();
-        self.started.insert(u16::from(info.block), info);
+        // To look for what is there mostly is faster than to insert it.
+        match self.started.get_mut(&number) {
+            Some(last) => *last = info,
+            None => drop(self.started.insert(number, info)),
+        }
     }
 
     /// Hands out what belongs to the blocks that run, to be put aside with them.

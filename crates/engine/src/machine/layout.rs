@@ -19,6 +19,13 @@ pub const CREATE_DATA_BLOCKS: [u16; 2] = [22, 85];
 /// Priority classes of the largest CPU, 0 to 28.
 const PRIORITY_CLASSES: usize = 29;
 
+/// Addresses whose distance is a multiple of this are taken for the same by processors that look at some bits of them only: where one was
+/// just written, a load of the other waits (`docs/decisions/271-areas-that-are-no-multiples-apart.md`).
+const ALIASES: usize = 1024;
+
+/// Where the process images, bit memory, local data and data blocks begin, modulo [`ALIASES`]: most programs use the first bytes of each.
+const APART: [usize; 5] = [0, 0x100, 0x200, 0x300, 0x380];
+
 /// Places of all areas; fixed while a program is loaded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Layout {
@@ -60,19 +67,23 @@ impl Layout {
     /// The layout of a program on a CPU type.
     pub fn new(cpu: &CpuType, program: &Program) -> Self {
         let mut size = 0;
-        let mut take = |bytes: usize| {
-            let start = size;
-            size += bytes.next_multiple_of(8);
+        let mut place = |bytes: usize, apart: Option<usize>| {
+            let gap = apart.map_or(0, |at| (at + ALIASES - size % ALIASES) % ALIASES);
+            let start = size + gap;
+            size = start + bytes.next_multiple_of(8);
             start..start + bytes
         };
-        let inputs = take(cpu.process_image as usize);
-        let outputs = take(cpu.process_image as usize);
-        let bit_memory = take(cpu.bit_memory as usize);
+        let [at_inputs, at_outputs, at_bit_memory, at_local, at_data] = APART.map(Some);
+        let inputs = place(cpu.process_image as usize, at_inputs);
+        let outputs = place(cpu.process_image as usize, at_outputs);
+        let bit_memory = place(cpu.bit_memory as usize, at_bit_memory);
         let local_class = cpu.local_data as usize;
         // A class is interrupted by one of each organization block at most.
         let blocks = program.code.keys().filter(|block| block.kind == BlockKind::OrganizationBlock).count();
         let classes = if cpu.local_data_shared { 1 } else { blocks.clamp(1, PRIORITY_CLASSES) };
-        let local = take(local_class * classes);
+        let local = place(local_class * classes, at_local);
+        place(0, at_data);
+        let mut take = |bytes: usize| place(bytes, None);
         let data_blocks = program.data.iter().filter(|(_, db)| !db.unlinked).map(|(&number, db)| (number, take(db.image.len()))).collect();
         let reserve = take(if creates_data_blocks(program) { RESERVE } else { 0 }).start;
         let read_only = program.data.values().filter(|db| db.read_only).map(|db| db.number).collect();
