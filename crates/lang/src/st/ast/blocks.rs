@@ -143,6 +143,23 @@ pub struct Modifiers {
     pub span: Span,
 }
 
+impl Modifiers {
+    /// Notes a word; `false` if it is none of them.
+    pub(crate) fn take(&mut self, word: &str) -> bool {
+        match word.to_ascii_uppercase().as_str() {
+            "PUBLIC" => self.access = Some(Access::Public),
+            "PRIVATE" => self.access = Some(Access::Private),
+            "PROTECTED" => self.access = Some(Access::Protected),
+            "INTERNAL" => self.access = Some(Access::Internal),
+            "ABSTRACT" => self.is_abstract = true,
+            "FINAL" => self.is_final = true,
+            "OVERRIDE" => self.is_override = true,
+            _ => return false,
+        }
+        true
+    }
+}
+
 /// Who may use a member.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Access {

@@ -166,6 +166,9 @@ impl Parser<'_> {
         if self.at_word("IMPLEMENTS") {
             block.implements = self.bases();
         }
+        if matches!(kind, BlockKind::FunctionBlock | BlockKind::Class) {
+            self.stray_base(&mut block);
+        }
         if self.raw() == Raw::Colon && (kind == BlockKind::Function || !self.on_new_line()) {
             self.bump(SyntaxKind::Punctuation);
             block.result = self.result_type();

@@ -181,8 +181,8 @@ impl Parser<'_> {
                 || keyword.begins_statement()
                 || matches!(keyword, Keyword::Begin | Keyword::Method | Keyword::Property | Keyword::Action | Keyword::Resource);
         }
-        // Statements begin: the end of the section is missing.
-        let constant = matches!(place, Place::Section(SectionKind::Const));
+        // Statements begin: the end of the section is missing. Behind VAR_CONFIG there are none.
+        let constant = matches!(place, Place::Section(SectionKind::Const | SectionKind::Config));
         let statement = self.at_name() && !constant && place != Place::Struct;
         statement && self.is_statement_start()
     }

@@ -1,9 +1,10 @@
 //! Methods, properties and actions.
 
+use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 
-use super::super::ast::{Access, Accessor, Action, Block, BlockKind, Item, Method, Modifiers, Name, Path, Property, TypeKind, TypeSpec};
-use super::super::dialect::Construct;
+use super::super::ast::{Accessor, Action, Block, BlockKind, Item, Method, Modifiers, Name, Path, Property, TypeKind, TypeSpec};
+use super::super::dialect::{Construct, Judgement};
 use super::super::keywords::Keyword;
 use super::super::lexer::Raw;
 use super::{Parser, SyntaxKind};
@@ -18,15 +19,8 @@ impl Parser<'_> {
             if !self.is_name(self.behind(self.at)) {
                 break;
             }
-            match self.current().to_ascii_uppercase().as_str() {
-                "PUBLIC" => modifiers.access = Some(Access::Public),
-                "PRIVATE" => modifiers.access = Some(Access::Private),
-                "PROTECTED" => modifiers.access = Some(Access::Protected),
-                "INTERNAL" => modifiers.access = Some(Access::Internal),
-                "ABSTRACT" => modifiers.is_abstract = true,
-                "FINAL" => modifiers.is_final = true,
-                "OVERRIDE" => modifiers.is_override = true,
-                _ => break,
+            if !modifiers.take(self.current()) {
+                break;
             }
             self.bump(SyntaxKind::Keyword);
         }
@@ -34,21 +28,47 @@ impl Parser<'_> {
         modifiers
     }
 
+    /// A word behind the name of a block that stands at the wrong place, or whose EXTENDS or IMPLEMENTS is missing.
+    pub(super) fn stray_base(&mut self, block: &mut Block) {
+        let alone = self.raw() == Raw::Word && self.keyword().is_none() && !self.on_new_line();
+        let begins = matches!(self.next_raw(), Raw::Becomes | Raw::ParenOpen | Raw::Semicolon | Raw::Equal | Raw::Colon);
+        if !alone || begins || self.dialect.judge(Construct::ObjectOrientation) == Judgement::Reject {
+            return;
+        }
+        let shown = self.shown();
+        if block.modifiers.take(self.current()) {
+            self.unexpected(Problem::P2010, format!("{shown} stands in front of the name of the block"));
+            self.bump(SyntaxKind::Keyword);
+            return;
+        }
+        let interface = format!("INTERFACE {}", self.current()).to_ascii_uppercase();
+        let interface = self.text.to_ascii_uppercase().contains(&interface);
+        let word = if interface { "IMPLEMENTS" } else { "EXTENDS" };
+        self.missing(Problem::P2010, &format!(" {word}"), format!("{word} is missing in front of {shown}"));
+        let bases = self.names_of_bases();
+        *if interface { &mut block.implements } else { &mut block.extends } = bases;
+    }
+
     /// The names behind EXTENDS or IMPLEMENTS.
     pub(super) fn bases(&mut self) -> Vec<Path> {
         let token = self.token();
         self.judge(Construct::ObjectOrientation, token.start, token.end);
         self.bump(SyntaxKind::Keyword);
+        let bases = self.names_of_bases();
+        if bases.is_empty() {
+            let shown = self.shown();
+            self.unexpected(Problem::P2010, format!("a name is wanted behind {}, not {shown}", self.previous_text()));
+        }
+        bases
+    }
+
+    fn names_of_bases(&mut self) -> Vec<Path> {
         let mut bases = Vec::new();
         while self.at_name() {
             bases.push(self.path(SyntaxKind::TypeWord));
             if !self.eat(Raw::Comma, SyntaxKind::Punctuation) {
                 break;
             }
-        }
-        if bases.is_empty() {
-            let shown = self.shown();
-            self.unexpected(Problem::P2010, format!("a name is wanted behind {}, not {shown}", self.previous_text()));
         }
         bases
     }
@@ -147,6 +167,10 @@ impl Parser<'_> {
         let modifiers = self.modifiers();
         let name: Name = self.block_name("PROPERTY");
         let data_type = match self.eat(Raw::Colon, SyntaxKind::Punctuation) {
+            true if self.on_new_line() && (self.at_word("GET") || self.at_word("SET")) => {
+                self.report(Diagnostic::new(Problem::P2021, self.last_character(), "the type of the property is missing behind `:`"));
+                TypeSpec { kind: TypeKind::Missing, span: self.since(self.previous) }
+            }
             true => self.type_spec(),
             false => {
                 self.missing(Problem::P2020, " : INT", "`:` with the type of the property is missing");

@@ -412,19 +412,7 @@ impl Parser<'_> {
             self.bump(SyntaxKind::Keyword);
             return condition;
         }
-        // What stands between the condition and its keyword on the same line does not belong there.
-        let mut ahead = self.at;
-        while !matches!(self.tokens[ahead].raw, Raw::End | Raw::Semicolon | Raw::Newline) && self.tokens[ahead].keyword != Some(keyword) {
-            ahead += 1;
-        }
-        if self.tokens[ahead].keyword == Some(keyword) {
-            let shown = self.shown();
-            let word = keyword.word();
-            self.unexpected(Problem::P6055, format!("{shown} does not belong here: an operator or `{word}` is wanted"));
-            while !self.at_keyword(keyword) && self.raw() != Raw::End {
-                self.bump_unexpected();
-            }
-            self.eat_keyword(keyword);
+        if self.skipped_to(keyword) {
             return condition;
         }
         debug_assert!(line == self.previous, "nothing was taken");
@@ -694,9 +682,28 @@ impl Parser<'_> {
                 self.slip(Problem::P6056, span, "DO", format!("{} stands where `DO` is wanted", self.shown()));
                 self.bump(SyntaxKind::Keyword);
             }
+            _ if self.skipped_to(Keyword::Do) => {}
             _ => self.expect_keyword(Keyword::Do, &self.previous_text()),
         }
         to
+    }
+
+    /// What stands between an expression and its keyword on the same line does not belong there; `false` if there is no such keyword.
+    fn skipped_to(&mut self, keyword: Keyword) -> bool {
+        let mut ahead = self.at;
+        while !matches!(self.tokens[ahead].raw, Raw::End | Raw::Semicolon | Raw::Newline) && self.tokens[ahead].keyword != Some(keyword) {
+            ahead += 1;
+        }
+        if self.tokens[ahead].keyword != Some(keyword) {
+            return false;
+        }
+        let shown = self.shown();
+        let word = keyword.word();
+        self.unexpected(Problem::P6055, format!("{shown} does not belong here: an operator or `{word}` is wanted"));
+        while !self.at_keyword(keyword) && self.raw() != Raw::End {
+            self.bump_unexpected();
+        }
+        self.eat_keyword(keyword)
     }
 
     fn while_statement(&mut self) -> StatementKind {
