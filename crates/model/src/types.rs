@@ -292,6 +292,14 @@ impl DataType {
         }
     }
 
+    /// Size in bits without what fills an array up to a word.
+    pub fn bits_used(&self) -> u64 {
+        match self {
+            Self::Array { .. } => array_bits(self),
+            other => other.bits(),
+        }
+    }
+
     /// Whether a value starts at an even byte.
     pub fn word_aligned(&self) -> bool {
         !matches!(self.base(), Self::Bool | Self::Byte | Self::Char | Self::SmallInt | Self::UnsignedSmallInt)

@@ -5,7 +5,7 @@ use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::literal::Value as Initial;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
-use sieben_model::types::DataType;
+use sieben_model::types::{DataType, ReferenceKind};
 
 use super::expressions::same_type;
 use super::members::is_super;
@@ -724,11 +724,32 @@ impl Checker<'_> {
             Section::Output => self.output(formal, value, all),
             Section::InOut => self.in_out(formal, value, all),
             _ if is_open(&formal.data_type) => self.open_input(formal, value, all),
+            _ if matches!(&formal.data_type, DataType::Reference(reference) if reference.kind == ReferenceKind::Reference) => {
+                self.referred_input(formal, value, all)
+            }
             _ => {
                 let typed = self.expression_for(value, &formal.data_type);
                 self.input(formal, typed, value.span, &mut all.arguments, &mut all.before)
             }
         }
+    }
+
+    /// A variable for a parameter that is REFERENCE TO.
+    fn referred_input(&mut self, formal: &Variable, value: &Expression, all: &mut Arguments<'_>) -> bool {
+        let DataType::Reference(reference) = &formal.data_type else { return false };
+        let target = match self.reach(value) {
+            Reached::Target(target) => target,
+            Reached::Other(Typed::Poison) => return false,
+            Reached::Other(other) => {
+                let message = format!("`{}` refers to a variable, and this is {}", formal.name, self.what(&other));
+                self.report(Problem::P4011, value.span, message).help = Some("Put the value into a variable first.".to_owned());
+                return false;
+            }
+        };
+        let wanted = self.finished(&reference.target);
+        let Some(value) = self.reference_to(target, &wanted, value.span) else { return false };
+        all.arguments.push(Argument::Value { parameter: formal.offset, value });
+        true
     }
 
     /// An actual parameter that is read.

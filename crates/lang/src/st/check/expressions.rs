@@ -7,7 +7,7 @@ use sieben_model::types::DataType;
 
 use super::literals::{self, Misfit};
 use super::places::Reached;
-use super::pointers::{is_address, is_pointer};
+use super::pointers::{is_address, is_pointer, leaves_text, pointer_as};
 use super::typed::Typed;
 use super::types::{Class, Implicit, Kind, common, implicit};
 use super::{Checker, operators};
@@ -74,6 +74,9 @@ impl Checker<'_> {
         }
         if let Some(typed) = self.long_difference(expression, wanted) {
             return typed;
+        }
+        if let Some(shifted) = self.shifted_as(expression, wanted) {
+            return self.expression(&shifted);
         }
         match self.by_target(expression, wanted) {
             Some(Some(conversion)) => self.expression(&conversion),
@@ -329,6 +332,10 @@ impl Checker<'_> {
                 return None;
             }
         }
+        if is_pointer(from) || is_pointer(wanted) {
+            self.counts_characters |= leaves_text(from, wanted);
+            return Some(operators::convert(pointer_as(value, from, wanted), scalar));
+        }
         let value = operators::convert(lengthened(value, source, target, self.dialect), scalar);
         self.within_subrange(&value, wanted, span).then_some(value)
     }
@@ -489,6 +496,9 @@ impl Checker<'_> {
 
     /// Both operands; a bare name beside a value of an enumeration may be another value of it.
     pub(super) fn both(&mut self, left: &Expression, right: &Expression) -> (Typed, Typed) {
+        if let Some(both) = self.beside_shift(left, right) {
+            return both;
+        }
         let named = |expression: &Expression| matches!(expression.kind, ExpressionKind::Name(_));
         if named(right) {
             let a = self.expression(left);

@@ -446,7 +446,7 @@ impl Checker<'_> {
                         None => return Some(Typed::Poison),
                     },
                 };
-                Typed::Integer { value: i128::from(data_type.bits().div_ceil(8)), radix: 10 }
+                Typed::Integer { value: i128::from(data_type.bits_used().div_ceil(8)), radix: 10 }
             }
             "WORD_TO_BLOCK_DB" => match self.value(argument, &DataType::Word) {
                 Some(value) => Typed::Number { data_type: DataType::BlockData, value },

@@ -20,6 +20,7 @@ mod pointers;
 mod queries;
 mod ranges;
 mod s5;
+mod shifts;
 mod statements;
 mod testing;
 mod texts;
@@ -132,6 +133,7 @@ impl<'a> Checker<'a> {
             known: Vec::new(),
             called: BTreeSet::new(),
             reads_ok: statements::mentions_ok(block),
+            counts_characters: false,
             quiet: false,
             held: None,
             locals: Locals::new(names.local_size()),
@@ -176,6 +178,8 @@ struct Checker<'a> {
     called: BTreeSet<BlockId>,
     /// Whether the block reads or writes ENO or OK, so that operations that fail must tell it.
     reads_ok: bool,
+    /// Whether a pointer to a text became one to something else.
+    counts_characters: bool,
     /// Whether messages are held back: an expression is looked at to see what it is.
     quiet: bool,
     /// The last message that was held back: a place to write to.

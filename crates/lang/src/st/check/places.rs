@@ -70,7 +70,8 @@ impl Checker<'_> {
                 DataType::Reference(reference) if reference.kind == ReferenceKind::Reference => {
                     let data_type = self.finished(&reference.target);
                     let pointer = Value { kind: ValueKind::Load(target.place.clone()), scalar: Scalar::U64, span };
-                    Reached::Target(Target { place: referred(pointer, span), data_type, through: Through::Reference, ..target })
+                    let role = if target.role == Role::Input { Role::Global } else { target.role };
+                    Reached::Target(Target { place: referred(pointer, span), data_type, role, through: Through::Reference, ..target })
                 }
                 _ => Reached::Target(Target { place: Place { span, ..target.place.clone() }, ..target }),
             },

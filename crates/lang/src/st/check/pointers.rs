@@ -1,19 +1,20 @@
 //! Pointers of codesys as numbers: sums, differences, comparisons with 0 and with each other.
 
 use sieben_engine::ir::Op;
+use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::{DataType, ReferenceKind};
 
 use super::Checker;
 use super::memory::{number, two};
 use super::operators::convert;
-use super::typed::Typed;
+use super::typed::{Target, Through, Typed};
 use super::types::{Class, Kind};
 use crate::st::ast::BinaryOperator;
 use crate::st::dialect::{Construct, Judgement};
 use crate::st::standard::build::compute;
 use crate::st::standard::operators::Operation;
-use crate::st::tree::{Scalar, Value};
+use crate::st::tree::{Scalar, Value, ValueKind};
 
 /// Bits from one byte to the next in a pointer.
 const BYTE: i64 = 8;
@@ -48,7 +49,7 @@ impl Checker<'_> {
             (BinaryOperator::Subtract, Typed::Scalar { value: x, data_type: p }, Typed::Scalar { value: y, data_type: q })
                 if is_pointer(p) && is_pointer(q) =>
             {
-                let [x, y] = [x, y].map(|value| Value { scalar: Scalar::I64, ..value.clone() });
+                let [x, y] = side_by_side((x, p), (y, q)).map(|value| Value { scalar: Scalar::I64, ..value });
                 let bits = two(Operation::Subtract, x, y, span);
                 let bytes = two(Operation::Divide, bits, number(BYTE, Scalar::I64, span), span);
                 Some(Typed::Scalar { value: convert(bytes, Scalar::I32), data_type: DataType::DoubleInt })
@@ -72,7 +73,7 @@ impl Checker<'_> {
         if !is_pointer(p) || !is_pointer(q) || !self.counts_with_pointers() {
             return None;
         }
-        let (x, y) = (x.clone(), y.clone());
+        let [x, y] = side_by_side((x, p), (y, q));
         // The number of a data block is above all bytes: in one of them the one that comes first is less.
         Some(match operator {
             BinaryOperator::Equal => compute(Op::Equal, vec![x, y], Scalar::Bool, span),
@@ -86,9 +87,72 @@ impl Checker<'_> {
     }
 }
 
+impl Checker<'_> {
+    /// Says of a 0 that is written through a pointer, in a block that counts through the characters of a text, that it ends no text.
+    pub(super) fn end_of_text(&mut self, target: &Target, value: &Typed, span: Span) {
+        let character = matches!(
+            target.data_type,
+            DataType::Byte | DataType::Char | DataType::SmallInt | DataType::UnsignedSmallInt | DataType::WideChar
+        );
+        if self.counts_characters && character && target.through == Through::Reference && matches!(value, Typed::Integer { value: 0, .. }) {
+            self.counts_characters = false;
+            self.report(Problem::P6328, span, "a 0 behind the characters does not end a text here: its length stands in front of them");
+        }
+    }
+}
+
 /// Whether a type is POINTER TO something.
 pub(super) fn is_pointer(data_type: &DataType) -> bool {
     matches!(data_type, DataType::Reference(reference) if reference.kind == ReferenceKind::Pointer)
+}
+
+/// Two pointers for one operation: where only one of them is to texts, both as addresses of bytes.
+fn side_by_side((x, p): (&Value, &DataType), (y, q): (&Value, &DataType)) -> [Value; 2] {
+    let (x, y) = (x.clone(), y.clone());
+    if lengths(p) == lengths(q) { [x, y] } else { [seen_as(x, lengths(p)), seen_as(y, lengths(q))] }
+}
+
+/// A pointer to something as a pointer to something else: the address of a text is that of its first character for all but POINTER TO STRING.
+pub(super) fn pointer_as(value: Value, from: &DataType, wanted: &DataType) -> Value {
+    seen_as(value, lengths(from) - lengths(wanted))
+}
+
+/// Whether a pointer to texts becomes one to something else.
+pub(super) fn leaves_text(from: &DataType, wanted: &DataType) -> bool {
+    lengths(from) > lengths(wanted)
+}
+
+/// A pointer so many bits further on, or NULL.
+fn seen_as(mut value: Value, bits: i64) -> Value {
+    match &mut value.kind {
+        _ if bits == 0 => value,
+        ValueKind::AddressOf(place) if bits > 0 => {
+            place.offset += u32::try_from(bits).expect("the lengths of a text are few bits");
+            value
+        }
+        _ => {
+            let (scalar, span) = (value.scalar, value.span);
+            let null = Value { kind: ValueKind::Constant(0), scalar, span };
+            let points = convert(compute(Op::Differ, vec![value.clone(), null], Scalar::Bool, span), Scalar::I64);
+            let distance = two(Operation::Multiply, points, number(bits, Scalar::I64, span), span);
+            let sum = two(Operation::Add, Value { scalar: Scalar::I64, ..value }, distance, span);
+            Value { scalar, ..sum }
+        }
+    }
+}
+
+/// Bits with the lengths of a text, in front of its characters, where a pointer is one to texts.
+fn lengths(pointer: &DataType) -> i64 {
+    let DataType::Reference(reference) = pointer else { return 0 };
+    let target = match &reference.target {
+        DataType::Array { element, .. } => element,
+        other => other,
+    };
+    match target {
+        DataType::String(_) => 16,
+        DataType::WideString(_) => 32,
+        _ => 0,
+    }
 }
 
 /// Whether a type is as wide as an address.

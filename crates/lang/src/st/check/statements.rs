@@ -212,16 +212,21 @@ impl Checker<'_> {
     /// Lets the reference at a place refer to a variable of a type.
     pub(super) fn refer_to(&mut self, place: Place, data_type: &DataType, value: &Expression, span: Span) -> Option<StatementKind> {
         let source = self.target(value)?;
-        let extends = match (&source.data_type, data_type) {
+        let value = Value { span, ..self.reference_to(source, data_type, value.span)? };
+        Some(StatementKind::Assign { target: place, value })
+    }
+
+    /// The address of a variable of a type, or of a block that extends it.
+    pub(super) fn reference_to(&mut self, source: Target, wanted: &DataType, span: Span) -> Option<Value> {
+        let extends = match (&source.data_type, wanted) {
             (DataType::Instance { block, .. }, DataType::Instance { block: base, .. }) => self.names.objects().is_a(*block, *base),
             _ => false,
         };
-        if !extends && !same_type(&source.data_type, data_type) {
-            self.no_conversion(&source.data_type, data_type, value.span);
+        if !extends && !same_type(&source.data_type, wanted) {
+            self.no_conversion(&source.data_type, wanted, span);
             return None;
         }
-        let value = Value { kind: ValueKind::AddressOf(source.place), scalar: Scalar::U64, span };
-        Some(StatementKind::Assign { target: place, value })
+        Some(Value { kind: ValueKind::AddressOf(source.place), scalar: Scalar::U64, span })
     }
 
     /// What an expression writes to; whether it can be written is said.
@@ -331,6 +336,7 @@ impl Checker<'_> {
         }
         let typed = self.expression_for(value, &target.data_type);
         let (target, typed) = self.beside_address(target, written, value, typed);
+        self.end_of_text(&target, &typed, value.span);
         if !self.dialect.is_test() {
             return self.store(target, typed, value.span, span);
         }

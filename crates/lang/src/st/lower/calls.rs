@@ -5,7 +5,7 @@ use sieben_engine::machine::Register;
 use sieben_model::address::Width;
 use sieben_model::block::BlockId;
 use sieben_model::interface::{Section, Variable};
-use sieben_model::types::DataType;
+use sieben_model::types::{DataType, ReferenceKind};
 
 use super::pointers::at;
 use super::{Lowering, bytes, width, width_of_bits};
@@ -233,7 +233,7 @@ impl Lowering<'_> {
                 }
             },
             Argument::Value { value, .. } | Argument::Number { value, .. } => {
-                let var = self.value(value);
+                let var = if is_address(&formal.data_type) { self.passed_pointer(value) } else { self.value(value) };
                 // The value of a POINTER: its two parts.
                 if formal.data_type == DataType::Pointer {
                     let hidden = self.hidden_bytes(6);
@@ -349,7 +349,10 @@ impl Lowering<'_> {
         for argument in &call.arguments {
             match argument {
                 Argument::Value { parameter, value } => {
-                    let var = self.value(value);
+                    let var = match value.kind {
+                        ValueKind::AddressOf(_) => self.passed_pointer(value),
+                        _ => self.value(value),
+                    };
                     self.store(&at(&instance, *parameter), width(value.scalar), var);
                     self.release(var);
                 }
@@ -475,4 +478,9 @@ impl Lowering<'_> {
 /// Whether a function gets a pointer to the value itself.
 fn is_elementary(data_type: &DataType) -> bool {
     data_type.is_elementary()
+}
+
+/// Whether a parameter is the address of a variable.
+fn is_address(data_type: &DataType) -> bool {
+    matches!(data_type, DataType::Reference(reference) if matches!(reference.kind, ReferenceKind::Pointer | ReferenceKind::Reference))
 }

@@ -7,13 +7,15 @@ use sieben_model::types::DataType;
 
 use super::places::Located;
 use super::{Lowering, bytes, width_of_bits};
-use crate::st::tree::{Base, Place};
+use crate::st::tree::{Base, Place, Value, ValueKind};
 use crate::stl::meaning::logic_control::{CALLER_LOCAL, any_type};
 
 /// The area of shared data blocks in a pointer.
 const IN_DATA_BLOCK: u32 = 0x8400_0000;
 /// The byte and bit address in AR2, for its place in an instance.
 const ADDRESS_MASK: u64 = 0x0007_FFFF;
+/// Where the area stands in a pointer; that of the local data of the caller is the next one behind that of a block's own.
+const AREA_SHIFT: u64 = 24;
 /// Bytes of an ANY.
 const ANY_BYTES: u32 = 10;
 /// The two parts of a POINTER: offset in bits and width.
@@ -101,6 +103,25 @@ impl Lowering<'_> {
         let (number, pointer) = self.pointer_to(place, outward);
         let high = self.compute_with(Op::Shl64, number, 32);
         self.compute(Op::OrU64, &[high, pointer])
+    }
+
+    /// A pointer as the block that is called has to see it: the local data of this one are those of its caller.
+    pub(super) fn passed_pointer(&mut self, value: &Value) -> Var {
+        let var = match &value.kind {
+            ValueKind::Constant(_) => return self.value(value),
+            ValueKind::AddressOf(place) if !matches!(place.base, Base::Reference(_)) => return self.address_of(place, true),
+            _ => self.value(value),
+        };
+        let (number, pointer) = self.reference_parts(var);
+        let shift = self.constant(AREA_SHIFT);
+        let area = self.compute_from(Op::Shr32, &[pointer, shift]);
+        self.release(shift);
+        let own = self.compute_with(Op::Equal, area, u64::from(Area::Local.pointer_code()));
+        let passed = self.compute(Op::PassOnPointer, &[pointer]);
+        let outward = self.compute_with(Op::Shl32, own, AREA_SHIFT);
+        let passed = self.compute(Op::AddU32, &[passed, outward]);
+        let high = self.compute_with(Op::Shl64, number, 32);
+        self.compute(Op::OrU64, &[high, passed])
     }
 
     /// The address of several bytes, for a move or a text instruction: data blocks are named in the pointer, nothing is opened.

@@ -7,7 +7,7 @@ use super::build::{compute, constant, converted, fail_if, operation};
 use super::call::{Answer, Call, built, built_list};
 use super::generic::Group;
 use super::operators::{Beyond, Operation, Rounding, is_signed};
-use super::{Building, Refusal, Resolved};
+use super::{Building, GivenKind, Refusal, Resolved};
 use crate::st::dialect::Dialect;
 use crate::st::tree::{Scalar, Value};
 
@@ -51,7 +51,14 @@ fn fold(call: &Call<'_>, function: Operation, group: Group) -> Result<Resolved, 
 /// The type of the operand, not that of the target, says how many bits there are.
 fn shift(call: &Call<'_>, function: Operation, group: Group) -> Result<Resolved, Refusal> {
     let given = call.bind(&["IN", "N"])?;
-    let data_type = call.own(given[0], group, &DataType::Int)?;
+    let data_type = match given[0].kind {
+        // Nothing says how wide the result is to be: codesys computes in 32 bits at least.
+        GivenKind::Integer { value, .. } if call.dialect.switches().integer_bits_min > 8 => match u32::try_from(value) {
+            Ok(value) if i32::try_from(value).is_err() => DataType::DoubleWord,
+            _ => call.own(given[0], group, &DataType::DoubleInt)?,
+        },
+        _ => call.own(given[0], group, &DataType::Int)?,
+    };
     let places = call.own(given[1], Group::Integers, &DataType::Int)?;
     let dialect = call.dialect;
     built(vec![("IN", data_type.clone()), ("N", places)], data_type, move |mut args, at| {
