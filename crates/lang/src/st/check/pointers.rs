@@ -113,8 +113,15 @@ fn side_by_side((x, p): (&Value, &DataType), (y, q): (&Value, &DataType)) -> [Va
 }
 
 /// A pointer to something as a pointer to something else: the address of a text is that of its first character for all but POINTER TO STRING.
+/// A structure is where the text is that it begins with, lengths and all.
 pub(super) fn pointer_as(value: Value, from: &DataType, wanted: &DataType) -> Value {
-    seen_as(value, lengths(from) - lengths(wanted))
+    if is_to_structure(from) || is_to_structure(wanted) { value } else { seen_as(value, lengths(from) - lengths(wanted)) }
+}
+
+/// Whether a pointer is one to variables of several types.
+fn is_to_structure(pointer: &DataType) -> bool {
+    let DataType::Reference(reference) = pointer else { return false };
+    matches!(reference.target, DataType::Struct(_) | DataType::Instance { .. })
 }
 
 /// Whether a pointer to texts becomes one to something else.
