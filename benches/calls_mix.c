@@ -9,7 +9,7 @@ struct timer {
     uint8_t running, status, edge, on_delay;
 };
 
-static struct timer T[16];
+static struct timer T[32];
 static struct { uint16_t count; uint8_t up_edge, set_edge; } C[16];
 
 static uint16_t remaining(const struct timer *timer)
