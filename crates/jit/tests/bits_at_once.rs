@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, program, run};
+use noting::{all_engines_agree, layout_with, program, run};
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Entry, Exit, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
@@ -182,13 +182,6 @@ fn one_loop(b: &mut Builder, seed: u64) {
     maker.b.push(Inst::Branch { condition, to });
 }
 
-fn layout(program: &sieben_engine::Program) -> sieben_engine::Layout {
-    let mut layout = noting::layout(program);
-    layout.size += DATA_BYTES;
-    layout.data_blocks.insert(1, layout.size - DATA_BYTES..layout.size);
-    layout
-}
-
 /// Changes a variable, sometimes, and goes on for a while that is long or short.
 fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
     if asked >= QUESTIONS_MAX {
@@ -208,7 +201,7 @@ fn bits_that_loops_fill_and_cross_out_are_those_of_the_interpreter() {
     for seed in 0..PROGRAMS {
         let block = BlockId::ob(1);
         let program = program(&[(block, 16, &|b| one_loop(b, seed))]);
-        let layout = layout(&program);
+        let layout = layout_with(&program, DATA_BYTES);
         let entry = Entry { block, start_information: [7; 20], registers: None };
         let prepare = |machine: &mut Machine| {
             let mut dice = Dice(seed + 1_000_000);

@@ -5,9 +5,9 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, program, run};
+use noting::{all_engines_agree, layout_with, program, run};
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
-use sieben_engine::{Entry, Exit, Layout, Machine, Program, Reaction, StopReason};
+use sieben_engine::{Entry, Exit, Machine, Reaction, StopReason};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
@@ -87,16 +87,9 @@ fn counted(b: &mut Builder, (first, last): (u64, Option<u64>), turn: &dyn Fn(&mu
     b.push(Inst::Return);
 }
 
-fn layout(program: &Program) -> Layout {
-    let mut layout = noting::layout(program);
-    layout.size += DATA_BYTES;
-    layout.data_blocks.insert(1, layout.size - DATA_BYTES..layout.size);
-    layout
-}
-
 fn listing(turn: &dyn Fn(&mut Builder)) -> String {
     let program = program(&[(BlockId::ob(1), 16, &|b| counted(b, (0, Some(199)), turn))]);
-    Jit::listing(&program, &layout(&program)).expect("machine code")
+    Jit::listing(&program, &layout_with(&program, DATA_BYTES)).expect("machine code")
 }
 
 /// Whether eight turns are written behind one another: each has the XOR of `compared`.
@@ -273,7 +266,7 @@ fn bits_that_loops_compute_are_those_of_the_interpreter() {
         let first = dice.of(&[0, 0, 0, 1, 3, 8, 13]);
         let last = dice.of(&[Some(5), Some(63), Some(71), Some(127), Some(180), Some(199), None]);
         let program = program(&[(block, 16, &|b| counted(b, (first, last), &|b| some_turn(b, seed)))]);
-        let layout = layout(&program);
+        let layout = layout_with(&program, DATA_BYTES);
         let entry = Entry { block, start_information: [7; 20], registers: None };
         let prepare = |machine: &mut Machine| {
             let mut dice = Dice(seed + 1_000_000);

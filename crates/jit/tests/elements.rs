@@ -5,9 +5,9 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, program, run};
+use noting::{all_engines_agree, layout_with, program, run};
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
-use sieben_engine::{Entry, Exit, Layout, Machine, Program, Reaction, StopReason};
+use sieben_engine::{Entry, Exit, Machine, Reaction, StopReason};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
@@ -81,13 +81,6 @@ fn looping(b: &mut Builder, last: u64, statements: u32, write: &mut dyn FnMut(&m
     b.push(Inst::Return);
 }
 
-fn layout(program: &Program) -> Layout {
-    let mut layout = noting::layout(program);
-    layout.size += DATA_BYTES;
-    layout.data_blocks.insert(1, layout.size - DATA_BYTES..layout.size);
-    layout
-}
-
 /// How often bytes are stored by a loop that writes bits of elements: by which index, and where.
 fn stores(written: &[(usize, u32)]) -> usize {
     let mut write = |b: &mut Builder, statement: u32| {
@@ -99,7 +92,7 @@ fn stores(written: &[(usize, u32)]) -> usize {
     let write = RefCell::new(&mut write);
     let build = |b: &mut Builder| looping(b, 12, written.len() as u32, *write.borrow_mut());
     let program = program(&[(BlockId::ob(1), 16, &build)]);
-    let listing = Jit::listing(&program, &layout(&program)).expect("machine code");
+    let listing = Jit::listing(&program, &layout_with(&program, DATA_BYTES)).expect("machine code");
     listing.matches("istore8").count()
 }
 
@@ -134,7 +127,7 @@ fn loads(looked_at: bool) -> usize {
         });
     };
     let program = program(&[(BlockId::ob(1), 16, &build)]);
-    Jit::listing(&program, &layout(&program)).expect("machine code").matches("= load.i16").count()
+    Jit::listing(&program, &layout_with(&program, DATA_BYTES)).expect("machine code").matches("= load.i16").count()
 }
 
 #[test]
@@ -198,7 +191,7 @@ fn fields_of_elements_are_what_the_interpreter_makes_of_them() {
             looping(b, last, statements, &mut |b, statement| some_statement(b, &mut dice, statement, statements));
         };
         let program = program(&[(block, 16, &build)]);
-        let layout = layout(&program);
+        let layout = layout_with(&program, DATA_BYTES);
         let entry = Entry { block, start_information: [7; 20], registers: None };
         let prepare = |machine: &mut Machine| {
             let mut dice = Dice(seed + 1_000_000);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use noting::{all_engines_agree, program, run};
+use noting::{all_engines_agree, layout_with, program, run};
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target};
 use sieben_engine::{Entry, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
@@ -44,9 +44,7 @@ fn loops(b: &mut Builder, middle: &dyn Fn(&mut Builder)) {
 fn compare(middle: &dyn Fn(&mut Builder)) {
     let block = BlockId::ob(1);
     let program = program(&[(block, 16, &|b| loops(b, middle))]);
-    let mut layout = noting::layout(&program);
-    layout.size += 600;
-    layout.data_blocks.insert(1, layout.size - 600..layout.size);
+    let layout = layout_with(&program, 600);
     let entry = Entry { block, start_information: [7; 20], registers: None };
     let prepare = |machine: &mut Machine| machine.budget = 100_000;
     let answer = |_: &mut Machine, _: &str, _: usize| Reaction::Stop(StopReason { event: 0x4562, place: None });

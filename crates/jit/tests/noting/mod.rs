@@ -87,6 +87,15 @@ pub(crate) fn layout(program: &Program) -> Layout {
     layout
 }
 
+/// A layout in which data block 1 has so many bytes.
+#[allow(dead_code)] // Not every test that shares this file needs so much data.
+pub(crate) fn layout_with(program: &Program, bytes: usize) -> Layout {
+    let mut layout = layout(program);
+    layout.size += bytes;
+    layout.data_blocks.insert(1, layout.size - bytes..layout.size);
+    layout
+}
+
 pub(crate) fn run(engine: &dyn Engine, layout: &Layout, entry: &Entry, prepare: &dyn Fn(&mut Machine), answer: Answer<'_>) -> Outcome {
     let mut machine = Machine::new(Arc::new(layout.clone()));
     machine.budget = 1;
