@@ -67,6 +67,7 @@ impl Generation {
     /// always there.
     pub(crate) fn call(&self, code: usize, run: &mut Run<'_, '_>, local: usize, link: usize) -> bool {
         let function = self.functions[code].expect("a block that is entered from outside has a general version");
+        // Whoever was asked since the run began may have moved it.
         run.arena();
         Self::enter(function, run, local, link)
     }

@@ -1,13 +1,10 @@
 //! Counted loops that compute bits of arrays one after the other: eight turns make a byte, and turns that are nothing but logic of bits are
 //! made 56 at a time. Whatever bits are read, where they begin and whenever somebody looks, the loops do what the interpreter does.
 
-use std::cell::RefCell;
-use std::sync::Arc;
-
 use dice::Dice;
-use noting::{all_engines_agree, layout_with, program, run};
+use noting::{all_engines_agree_beside, layout_with, program};
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
-use sieben_engine::{Entry, Exit, Machine, Reaction, StopReason};
+use sieben_engine::{Exit, Machine, Reaction, StopReason};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
@@ -267,7 +264,6 @@ fn bits_that_loops_compute_are_those_of_the_interpreter() {
         let last = dice.of(&[Some(5), Some(63), Some(71), Some(127), Some(180), Some(199), None]);
         let program = program(&[(block, 16, &|b| counted(b, (first, last), &|b| some_turn(b, seed)))]);
         let layout = layout_with(&program, DATA_BYTES);
-        let entry = Entry { block, start_information: [7; 20], registers: None };
         let prepare = |machine: &mut Machine| {
             let mut dice = Dice(seed + 1_000_000);
             machine.budget = dice.of(&[1, 40, 70, 1000, 100_000, 100_000]);
@@ -275,13 +271,8 @@ fn bits_that_loops_compute_are_those_of_the_interpreter() {
             machine.memory.arena[range].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
             machine.memory.area_mut(Area::BitMemory)[LAST as usize + 3] = dice.of(&[0, 20, 64, 100, 150, 199]);
         };
-        let outcome = |engine: Arc<dyn sieben_engine::Engine>| {
-            let dice = RefCell::new(Dice(seed + 2_000_000));
-            let answer = |machine: &mut Machine, _: &str, asked: usize| meddle(machine, &mut dice.borrow_mut(), asked);
-            run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-        };
-        let what = || format!("{seed}\n{}", program.code[&block].code);
-        let expected = all_engines_agree((&program, &layout), true, &outcome, &what);
+        let dice = || Dice(seed + 2_000_000);
+        let expected = all_engines_agree_beside((&program, &layout), &prepare, &dice, &meddle, &seed.to_string());
         asked += expected.asked.len();
         finished += usize::from(expected.exit == Exit::Finished);
     }

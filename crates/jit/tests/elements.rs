@@ -2,12 +2,11 @@
 //! elements are written between and whoever changes memory, the code does what the interpreter does.
 
 use std::cell::RefCell;
-use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, layout_with, program, run};
+use noting::{all_engines_agree_beside, layout_with, program};
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
-use sieben_engine::{Entry, Exit, Machine, Reaction, StopReason};
+use sieben_engine::{Exit, Machine, Reaction, StopReason};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
@@ -192,7 +191,6 @@ fn fields_of_elements_are_what_the_interpreter_makes_of_them() {
         };
         let program = program(&[(block, 16, &build)]);
         let layout = layout_with(&program, DATA_BYTES);
-        let entry = Entry { block, start_information: [7; 20], registers: None };
         let prepare = |machine: &mut Machine| {
             let mut dice = Dice(seed + 1_000_000);
             machine.budget = dice.of(&[1, 1, 2, 5, 20, 1000]);
@@ -200,13 +198,8 @@ fn fields_of_elements_are_what_the_interpreter_makes_of_them() {
             machine.memory.arena[range].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
             INDEXES.iter().for_each(|&at| machine.memory.area_mut(Area::BitMemory)[at as usize + 1] = dice.roll(16) as u8);
         };
-        let outcome = |engine: Arc<dyn sieben_engine::Engine>| {
-            let dice = RefCell::new(Dice(seed + 2_000_000));
-            let answer = |machine: &mut Machine, _: &str, asked: usize| meddle(machine, &mut dice.borrow_mut(), asked);
-            run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-        };
-        let what = || format!("{seed}\n{}", program.code[&block].code);
-        let expected = all_engines_agree((&program, &layout), true, &outcome, &what);
+        let dice = || Dice(seed + 2_000_000);
+        let expected = all_engines_agree_beside((&program, &layout), &prepare, &dice, &meddle, &seed.to_string());
         asked += expected.asked.len();
         finished += usize::from(expected.exit == Exit::Finished);
     }

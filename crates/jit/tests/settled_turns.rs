@@ -1,13 +1,10 @@
 //! Counted loops with conditions that are the same in all turns: whatever they are when the loop begins, and whatever the Host makes of them
 //! between turns, the loops do on all engines what the interpreter does.
 
-use std::cell::RefCell;
-use std::sync::Arc;
-
 use dice::Dice;
-use noting::{all_engines_agree, program, run};
+use noting::{all_engines_agree_beside, program};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
-use sieben_engine::{Entry, Exit, FaultPlace, Machine, Reaction, StopReason};
+use sieben_engine::{Exit, FaultPlace, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
@@ -195,7 +192,6 @@ fn conditions_that_all_turns_share_are_what_they_are() {
         let block = BlockId::ob(1);
         let program = program(&[(block, 16, &|b| Maker { b, dice: Dice(seed), statements: 0 }.looping())]);
         let layout = noting::layout(&program);
-        let entry = Entry { block, start_information: [7; 20], registers: None };
         for flags in [0, 1, 2, 3, 5, 7] {
             let prepare = |machine: &mut Machine| {
                 let mut dice = Dice(seed + 1_000_000 + flags);
@@ -205,13 +201,8 @@ fn conditions_that_all_turns_share_are_what_they_are() {
                 memory[SCANS as usize..][..4].copy_from_slice(&[0, 0, 0, dice.of(&[0, 0, 1, 7])]);
                 memory[FLAGS as usize] = flags as u8;
             };
-            let outcome = |engine: Arc<dyn sieben_engine::Engine>| {
-                let dice = RefCell::new(Dice(seed + 2_000_000));
-                let answer = |machine: &mut Machine, _: &str, asked: usize| meddle(machine, &mut dice.borrow_mut(), asked);
-                run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-            };
-            let what = || format!("{seed} with {flags}\n{}", program.code[&block].code);
-            let expected = all_engines_agree((&program, &layout), true, &outcome, &what);
+            let dice = || Dice(seed + 2_000_000);
+            let expected = all_engines_agree_beside((&program, &layout), &prepare, &dice, &meddle, &format!("{seed} with {flags}"));
             asked += expected.asked.len();
             finished += usize::from(expected.exit == Exit::Finished);
         }

@@ -1,5 +1,6 @@
 //! Runs under a Host that notes what it is asked and answers as a test says.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -123,4 +124,24 @@ pub(crate) fn all_engines_agree(
         }
     }
     expected
+}
+
+/// The same for a random run of OB 1: beside each engine somebody meddles with the machine whenever it asks, as dice that begin anew tell.
+#[allow(dead_code)] // Not every test that shares this file meddles.
+pub(crate) fn all_engines_agree_beside<D>(
+    (program, layout): (&Program, &Layout),
+    prepare: &dyn Fn(&mut Machine),
+    dice: &dyn Fn() -> D,
+    meddle: &dyn Fn(&mut Machine, &mut D, usize) -> Reaction,
+    what: &str,
+) -> Outcome {
+    let block = BlockId::ob(1);
+    let entry = Entry { block, start_information: [7; 20], registers: None };
+    let outcome = |engine: Arc<dyn Engine>| {
+        let dice = RefCell::new(dice());
+        let answer = |machine: &mut Machine, _: &str, asked: usize| meddle(machine, &mut dice.borrow_mut(), asked);
+        run(engine.as_ref(), layout, &entry, prepare, &answer)
+    };
+    let what = || format!("{what}\n{}", program.code[&block].code);
+    all_engines_agree((program, layout), true, &outcome, &what)
 }

@@ -632,10 +632,11 @@ impl Reader<'_, '_> {
                         }
                         if !self.ways.is_always() {
                             let divisor = (op.arity() == 2).then(|| self.kernel.constant(nodes[1])).flatten();
-                            match () {
-                                () if is_cheap(op, divisor) => {}
-                                () if divides(op) => self.chosen += DIVISION,
-                                () => return None,
+                            if !is_cheap(op, divisor) {
+                                if !divides(op) {
+                                    return None;
+                                }
+                                self.chosen += DIVISION;
                             }
                         }
                         self.compute(op, nodes)
