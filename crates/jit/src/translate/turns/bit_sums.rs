@@ -12,7 +12,7 @@ use super::super::Translator;
 use super::super::loops::Loop;
 use super::super::value::Val;
 use super::Plan;
-use super::kernel::{Access, Cell, Kernel, Level, Node, Step, What};
+use super::kernel::{Access, Cell, Kernel, Level, Node, What};
 use super::line::{Carried, Line};
 
 /// Turns at a time: what eight bytes hold at least, wherever in the first one the first bit is.
@@ -68,15 +68,7 @@ pub(super) fn read(plan: &Plan) -> Option<BitSums> {
 
 /// Whether no turn reads a bit that this one or one before it has written, nor writes one that another access writes.
 fn bits_are_apart(kernel: &Kernel) -> bool {
-    let accesses: Vec<&Access> = kernel
-        .outer
-        .steps
-        .iter()
-        .filter_map(|step| match *step {
-            Step::Access(number) => Some(&kernel.accesses[number]),
-            Step::Inner => None,
-        })
-        .collect();
+    let accesses: Vec<&Access> = kernel.accesses_in_order().into_iter().map(|(_, access)| access).collect();
     let written = accesses.iter().enumerate().filter(|(_, access)| access.value.is_some());
     written.into_iter().all(|(at, write)| {
         let (base, bytes) = write.bytes();

@@ -168,6 +168,15 @@ pub(super) struct Kernel {
 const SIZE_MAX: u64 = 1_000;
 
 impl Kernel {
+    /// The accesses of a turn in their order, without those of a loop in it.
+    pub(super) fn accesses_in_order(&self) -> Vec<(usize, &Access)> {
+        let access = |step: &Step| match *step {
+            Step::Access(number) => Some((number, &self.accesses[number])),
+            Step::Inner => None,
+        };
+        self.outer.steps.iter().filter_map(access).collect()
+    }
+
     pub(super) fn empty() -> Self {
         Self {
             nodes: Vec::new(),

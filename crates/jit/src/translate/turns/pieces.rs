@@ -11,7 +11,7 @@ use sieben_model::address::Width;
 use super::super::Translator;
 use super::super::memory::data;
 use super::super::value::Val;
-use super::kernel::{Access, Kernel, Level, Step};
+use super::kernel::{Access, Kernel, Level};
 use super::line::Line;
 use super::vector::Lanes;
 use super::write::Writing;
@@ -47,16 +47,8 @@ impl Kernel {
         if values.len() > VALUES_MAX {
             return None;
         }
-        let all: Vec<(usize, &Access)> = self
-            .outer
-            .steps
-            .iter()
-            .filter_map(|step| match *step {
-                Step::Access(number) => Some((number, &self.accesses[number])),
-                Step::Inner => None,
-            })
-            .collect();
-        let follows = |access: &Access| access.width == Width::Bit && access.part.is_none() && self.bits_follow(access);
+        let all = self.accesses_in_order();
+        let follows = |access: &Access| access.part.is_none() && self.bits_follow(access);
         let written: Vec<&Access> =
             all.iter().map(|&(_, access)| access).filter(|access| access.value.is_some() && follows(access)).collect();
         if written.is_empty() {
