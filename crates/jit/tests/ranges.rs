@@ -9,6 +9,7 @@ use noting::{all_engines_agree, layout, program, run};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, TextAction, TextRoom, Var};
 use sieben_engine::{Entry, Exit, FaultPlace, Machine, Reaction, StopReason};
+use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
@@ -283,7 +284,7 @@ fn loops(b: &mut Builder, dice: &mut Dice) {
     let number = b.constant(1);
     b.push(Inst::Open { register: DataRegister::Shared, number });
     let mut statements = 1;
-    for _ in 0..1 + dice.roll(2) {
+    for _ in 0..dice.of(&[1, 2, 2, 5]) {
         let sum = variable(dice);
         counted(b, dice, 2, &mut statements, sum, None);
     }
@@ -334,4 +335,50 @@ fn loops_whose_variables_somebody_changes_do_the_same_on_all_engines() {
         finished += usize::from(expected.exit == Exit::Finished);
     }
     assert!(asked > 5_000 && finished > 100, "{asked} questions, {finished} runs to the end");
+}
+
+/// Loops one after another over texts of two characters, the last of which is the one with this index; each ends at a limit of its own.
+fn loops_over_texts(b: &mut Builder, loops: u32, last: u64) {
+    let place = |byte: u32| Place::Fixed { area: Area::BitMemory, position: 8 * byte };
+    let mut statements = 0;
+    for number in 0..loops {
+        b.begin_statement();
+        let zero = b.constant(0);
+        b.store(place(0), Width::Word, zero);
+        b.begin_statement();
+        let index = b.load(place(0), Width::Word, OnFault::SkipStatement);
+        let index = b.compute(Op::Extend16, &[index]);
+        let step = b.constant(32);
+        let pointer = b.compute(Op::MulU32, &[index, step]);
+        let (to, room) = (Place::Indirect { area: Area::Local, pointer, offset: 16 }, TextRoom::narrow(2));
+        let (dst, none) = (b.temporary(), b.constant(0));
+        b.push(Inst::Text { action: TextAction::Length, dst, to, to_room: room, from: to, from_room: room, piece: [none; 2] });
+        b.begin_statement();
+        let index = b.load(place(0), Width::Word, OnFault::SkipStatement);
+        let one = b.constant(1);
+        let next = b.compute(Op::AddU16, &[index, one]);
+        b.store(place(0), Width::Word, next);
+        // The last loop goes as far as it is said.
+        let most = if number + 1 == loops { last } else { u64::from(number % 8) };
+        let most = b.constant(most);
+        let goes_on = b.compute(Op::LeI16, &[next, most]);
+        b.push(Inst::Branch { condition: goes_on, to: Target(statements + 1) });
+        statements += 3;
+    }
+    b.begin_statement();
+    b.push(Inst::Return);
+}
+
+#[test]
+fn ranges_are_known_in_each_of_many_loops() {
+    // What a question about a text looks like in a listing: it has six arguments.
+    let asks = |loops: u32, last: u64| {
+        let program = program(&[(BlockId::ob(1), 48, &|b| loops_over_texts(b, loops, last))]);
+        Jit::listing(&program, &layout(&program)).expect("machine code").contains("(i64, i64, i64, i64, i64, i64) -> i64 system_v")
+    };
+    let most = u64::from(bytes_of(Area::Local) - 6) / 4;
+    for loops in [1, 4, 12, 60] {
+        assert!(!asks(loops, most), "{loops} loops");
+        assert!(asks(loops, most + 1), "{loops} loops, the last one to a text that is not there");
+    }
 }

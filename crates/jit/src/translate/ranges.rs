@@ -33,8 +33,10 @@ pub(super) use relative::{Relative, pointers};
 const INSTRUCTIONS_MAX: usize = 6_000;
 /// Variables in memory whose ranges are followed in a block.
 const PLACES_MAX: usize = 48;
-/// Passes over a block until nothing changes any more; behind them nothing is known.
+/// Passes over a loop until nothing changes any more; behind them nothing is known.
 const PASSES_MAX: usize = 24;
+/// Those in which a range that grows stops at the next number where it may; in the others it grows as far as its type.
+const STOPPING_PASSES: usize = 16;
 /// Passes in which what grew too far comes back.
 const NARROWING_PASSES: usize = 3;
 /// Where a range that grows in a loop stops, beside the constants that the block compares with: the greatest number whose square is a
@@ -298,8 +300,12 @@ struct Analysis<'a> {
     /// Where ranges that grow stop.
     stops: BTreeSet<i64>,
     origins: Vec<Origin>,
+    /// The statements that passes go over.
+    part: Range<u32>,
     /// What arrives at each statement from in front of it.
     arriving: Vec<Option<State>>,
+    /// What the running pass brings to statements behind its part.
+    leaving: BTreeMap<u32, State>,
     /// What arrived at heads from behind them, in the pass before.
     back: BTreeMap<u32, State>,
     /// What is known at heads in the running pass.
@@ -373,7 +379,9 @@ pub(super) fn find(code: &Code, around: &Surroundings<'_>) -> Ranges {
         heads,
         stops: places::stops(code),
         origins: Vec::new(),
+        part: 0..count as u32,
         arriving: vec![None; count],
+        leaving: BTreeMap::new(),
         back: BTreeMap::new(),
         at_heads: BTreeMap::new(),
         unchanged: BTreeMap::new(),
@@ -450,57 +458,120 @@ impl<'a> Analysis<'a> {
         self.check(&best).then_some(self.found)
     }
 
-    /// Whether some way back lies inside another one.
-    fn has_loops_in_loops(&self) -> bool {
+    /// The ways back: to which statement, and from which one.
+    fn ways_back(&self) -> Vec<(u32, u32)> {
         let ways = (0..self.code.statement_count() as u32).flat_map(|from| {
             let targets = self.code.statement(from as usize).iter().flat_map(|inst| loops::targets(self.code, inst));
             targets.filter(move |&to| to <= from).map(move |to| (to, from))
         });
-        let ways: Vec<(u32, u32)> = ways.collect();
+        ways.collect()
+    }
+
+    /// Whether some way back lies inside another one.
+    fn has_loops_in_loops(&self) -> bool {
+        let ways = self.ways_back();
         ways.iter().any(|outer| ways.iter().any(|inner| inner.0 > outer.0 && inner.0 <= outer.1))
     }
 
+    /// The statements in parts, each with all of a loop and of those inside it, or with none.
+    fn parts(&self) -> Vec<Range<u32>> {
+        let mut ways = self.ways_back();
+        ways.sort_unstable();
+        let (mut parts, mut end): (Vec<Range<u32>>, u32) = (Vec::new(), 0);
+        for (to, from) in ways {
+            match parts.last_mut() {
+                Some(part) if to < end => part.end = part.end.max(from + 1),
+                _ => {
+                    parts.extend((end < to).then_some(end..to));
+                    parts.push(to..from + 1);
+                }
+            }
+            end = end.max(from + 1);
+        }
+        let count = self.code.statement_count() as u32;
+        parts.extend((end < count).then_some(end..count));
+        parts
+    }
+
+    /// Finds out what is known at each statement: one loop after another, then all together.
     fn settle(&mut self) -> Option<Vec<Option<State>>> {
+        self.begin();
+        for part in self.parts() {
+            self.settle_part(part)?;
+        }
+        let mut best = Vec::new();
+        for _ in 0..NARROWING_PASSES {
+            self.begin();
+            best = self.pass(None, true);
+        }
+        best.resize(self.arriving.len(), None);
+        Some(best)
+    }
+
+    /// Goes over a part until nothing grows any more.
+    fn settle_part(&mut self, part: Range<u32>) -> Option<()> {
+        let in_front: Vec<(u32, State)> =
+            part.clone().filter_map(|statement| Some((statement, self.arriving[statement as usize].take()?))).collect();
+        let counted = self.origins.len();
+        let heads: Vec<u32> = self.heads.range(part.clone()).copied().collect();
+        let place = |head: u32| (head - part.start) as usize;
+        self.part = part.clone();
         let mut before: Option<Vec<Option<State>>> = None;
-        let mut passes = 0;
-        loop {
-            let states = self.pass(before.as_deref(), passes > 0, false);
-            let stable = before.as_ref().is_some_and(|before| {
-                self.heads.iter().all(|&head| match (&states[head as usize], &before[head as usize]) {
+        for passes in 0.. {
+            self.origins.truncate(counted);
+            self.leaving.clear();
+            for (statement, state) in &in_front {
+                self.arriving[*statement as usize] = Some(state.clone());
+            }
+            let none = BTreeSet::new();
+            let stops = std::mem::take(&mut self.stops);
+            let states = self.pass(before.as_deref().zip(Some(if passes < STOPPING_PASSES { &stops } else { &none })), false);
+            self.stops = stops;
+            let stable = before.as_ref().map_or(heads.is_empty(), |before| {
+                heads.iter().all(|&head| match (&states[place(head)], &before[place(head)]) {
                     (Some(now), Some(before)) => now.is_within(before),
                     (None, _) => true,
                     (Some(_), None) => false,
                 })
             });
-            before = Some(states);
-            passes += 1;
             if stable {
                 break;
             }
-            if passes == PASSES_MAX {
+            if passes + 1 == PASSES_MAX {
                 return None;
             }
+            before = Some(states);
         }
-        let mut best = before?;
-        for _ in 0..NARROWING_PASSES {
-            best = self.pass(None, false, true);
+        self.part = 0..self.arriving.len() as u32;
+        for (to, state) in std::mem::take(&mut self.leaving) {
+            self.arrive(to, &state, None);
         }
-        Some(best)
+        Some(())
     }
 
-    /// One pass; what is known at the beginning of each statement. With `widens` a range that grew since the pass before grows at once
-    /// to where it may stay. With `narrows` a variable that a loop does not change is in the loop what it is in front of it.
-    fn pass(&mut self, before: Option<&[Option<State>]>, widens: bool, narrows: bool) -> Vec<Option<State>> {
+    /// Begins in front of the block.
+    fn begin(&mut self) {
+        self.part = 0..self.arriving.len() as u32;
         self.origins.clear();
         self.arriving.iter_mut().for_each(|state| *state = None);
-        let back = std::mem::take(&mut self.back);
-        let unchanged = std::mem::take(&mut self.unchanged);
-        self.at_heads.clear();
-        self.taken_as_unchanged.clear();
-        let mut states = vec![None; self.arriving.len()];
         let first = self.beginning();
         self.arrive(0, &first, None);
-        for statement in 0..self.code.statement_count() as u32 {
+    }
+
+    /// One pass over the part; what is known at the beginning of each of its statements. A range that grew since the pass `before` grows
+    /// at once to where it may stay. With `narrows` a variable that a loop does not change is in the loop what it is in front of it.
+    fn pass(&mut self, before: Option<(&[Option<State>], &BTreeSet<i64>)>, narrows: bool) -> Vec<Option<State>> {
+        let part = self.part.start..self.part.end.min(self.code.statement_count() as u32);
+        let heads: Vec<u32> = self.heads.range(part.clone()).copied().collect();
+        let (mut back, mut unchanged) = (BTreeMap::new(), BTreeMap::new());
+        for &head in &heads {
+            back.extend(self.back.remove_entry(&head));
+            unchanged.extend(self.unchanged.remove_entry(&head));
+            self.at_heads.remove(&head);
+            self.taken_as_unchanged.remove(&head);
+        }
+        let mut states = vec![None; part.len()];
+        for (statement, place) in part.zip(0..) {
             let mut state = self.arriving[statement as usize].take();
             if let Some(again) = back.get(&statement) {
                 state = Some(match state {
@@ -508,20 +579,21 @@ impl<'a> Analysis<'a> {
                     None => self.renumbered(again),
                 });
             }
-            if widens
-                && self.heads.contains(&statement)
-                && let (Some(now), Some(Some(before))) = (&mut state, before.map(|before| &before[statement as usize]))
+            let is_head = self.heads.contains(&statement);
+            if is_head
+                && let (Some(now), Some((before, stops))) = (&mut state, before)
+                && let Some(before) = &before[place]
             {
-                widen(now, before, &self.stops);
+                widen(now, before, stops);
             }
             let Some(mut state) = state else { continue };
-            if self.heads.contains(&statement) {
+            if is_head {
                 if let Some(holding) = self.holding.get(&statement) {
                     keep_within(&mut state, holding);
                 }
                 self.at_heads.insert(statement, state.clone());
             }
-            states[statement as usize] = Some(state.clone());
+            states[place] = Some(state.clone());
             self.statement(statement, state, false);
         }
         states
@@ -530,6 +602,7 @@ impl<'a> Analysis<'a> {
     /// Goes through each statement with what is said to be known there. Whether all that follows is what is said, too; notes what
     /// machine code may rely on.
     fn check(&mut self, states: &[Option<State>]) -> bool {
+        self.part = 0..self.arriving.len() as u32;
         self.arriving.iter_mut().for_each(|state| *state = None);
         self.back.clear();
         self.unchanged.clear();
@@ -545,7 +618,7 @@ impl<'a> Analysis<'a> {
                 self.statement(statement as u32, state.clone(), true);
             }
         }
-        let arriving = std::mem::take(&mut self.arriving);
+        let arriving: Vec<Option<State>> = self.arriving.iter_mut().map(Option::take).collect();
         let back = std::mem::take(&mut self.back);
         let all = (0_u32..).zip(arriving).filter_map(|(statement, state)| state.map(|state| (statement, state))).chain(back);
         for (statement, state) in all {
@@ -670,6 +743,12 @@ impl<'a> Analysis<'a> {
                 None => state,
             };
             self.back.insert(to, joined);
+        } else if !self.part.contains(&to) {
+            let joined = match self.leaving.remove(&to) {
+                Some(before) => self.joined(&before, &state),
+                None => state,
+            };
+            self.leaving.insert(to, joined);
         } else if let Some(before) = self.arriving.get_mut(to as usize) {
             let joined = match before.take() {
                 Some(before) => self.joined(&before, &state),

@@ -30,6 +30,7 @@ pub(super) fn relevant(code: &Code) -> FxHashSet<Place> {
                 Inst::Load { place, .. } if is_plain(place) => loads.push(place),
                 Inst::Store { place, .. } if is_plain(place) => stores.push(place),
                 Inst::Load { .. } | Inst::Store { .. } | Inst::Move { .. } | Inst::Require { .. } => begins = true,
+                Inst::Text { to, from, .. } if !(is_plain(to) && is_plain(from)) => begins = true,
                 Inst::Branch { .. } => branches = true,
                 _ => {}
             }
