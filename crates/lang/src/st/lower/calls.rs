@@ -344,6 +344,11 @@ impl Lowering<'_> {
     fn call_instance(&mut self, block: BlockId, instance: &Place, dispatch: Option<&Dispatch>, call: &Call) {
         let instance = self.freeze(instance);
         let number = self.dispatched(dispatch, &instance);
+        let interface = (self.known)(block);
+        let takes_address = |parameter: u32| {
+            let formal = interface.iter().flat_map(|interface| interface.parameters()).find(|formal| formal.offset == parameter);
+            formal.is_some_and(|formal| is_address(&formal.data_type))
+        };
         let mut behind: Vec<&Argument> = Vec::new();
         let mut values: Vec<(Place, Place, Width)> = Vec::new();
         for argument in &call.arguments {
@@ -351,6 +356,7 @@ impl Lowering<'_> {
                 Argument::Value { parameter, value } => {
                     let var = match value.kind {
                         ValueKind::AddressOf(_) => self.passed_pointer(value),
+                        _ if value.scalar == Scalar::U64 && takes_address(*parameter) => self.passed_pointer(value),
                         _ => self.value(value),
                     };
                     self.store(&at(&instance, *parameter), width(value.scalar), var);
