@@ -75,8 +75,8 @@ impl Checker<'_> {
         if let Some(typed) = self.long_difference(expression, wanted) {
             return typed;
         }
-        if let Some(shifted) = self.shifted_as(expression, wanted) {
-            return self.expression(&shifted);
+        if let Some(typed) = self.untyped_as(expression, wanted) {
+            return self.expression(&typed);
         }
         match self.by_target(expression, wanted) {
             Some(Some(conversion)) => self.expression(&conversion),
@@ -496,7 +496,7 @@ impl Checker<'_> {
 
     /// Both operands; a bare name beside a value of an enumeration may be another value of it.
     pub(super) fn both(&mut self, left: &Expression, right: &Expression) -> (Typed, Typed) {
-        if let Some(both) = self.beside_shift(left, right) {
+        if let Some(both) = self.beside_untyped(left, right) {
             return both;
         }
         let named = |expression: &Expression| matches!(expression.kind, ExpressionKind::Name(_));
@@ -800,6 +800,9 @@ impl Checker<'_> {
 
     /// Numbers without types: computed exactly, and still without a type.
     fn fold(&mut self, operator: BinaryOperator, sign: Span, a: &Typed, b: &Typed) -> Option<Typed> {
+        if operator == BinaryOperator::Power {
+            return self.power_of_literals(a, b);
+        }
         if let (&Typed::Integer { value: x, radix }, &Typed::Integer { value: y, .. }) = (a, b) {
             let value = match operator {
                 BinaryOperator::Add => x.checked_add(y),
@@ -830,6 +833,15 @@ impl Checker<'_> {
             _ => return None,
         };
         Some(Typed::Real { value, single })
+    }
+
+    /// `**` of numbers without types is one, where LREAL may want all its digits and where it is a number of a REAL too.
+    fn power_of_literals(&self, a: &Typed, b: &Typed) -> Option<Typed> {
+        let ((x, _), (y, _)) = (reals(a)?, reals(b)?);
+        let value = f64::from_bits(Op::PowF64.eval([x.to_bits(), y.to_bits(), 0, 0]));
+        let single = value as f32;
+        let folds = self.dialect.judge(Construct::LongTypes) != Judgement::Reject && (single.is_normal() || value == 0.0);
+        folds.then_some(Typed::Real { value, single })
     }
 
     /// `**`: REAL or LREAL, as the wider operand says.

@@ -34,14 +34,14 @@ use operators::Operation;
 /// What a function of numbers without a type gives, as a number without a type: the arguments in the order of its inputs, named or not.
 /// `None` for any other function, and for what is no number or none of a REAL, which the program finds out when it runs.
 pub fn of_literals(name: &str, dialect: Dialect, arguments: &[(Option<&str>, f64)]) -> Option<f64> {
-    let (operation, inputs) = numeric::real_operation(&name.to_ascii_uppercase(), dialect)?;
+    let (op, inputs) = numeric::real_operation(&name.to_ascii_uppercase(), dialect)?;
     let mut words = [0; 4];
     for (index, (word, input)) in words.iter_mut().zip(inputs).enumerate() {
         let named = arguments.iter().find(|(name, _)| name.is_some_and(|name| name.eq_ignore_ascii_case(input)));
         let (_, value) = named.or_else(|| arguments.get(index).filter(|(name, _)| name.is_none()))?;
         *word = value.to_bits();
     }
-    let value = f64::from_bits(operators::op_for(operation, Scalar::F64)?.eval(words));
+    let value = f64::from_bits(op.eval(words));
     let single = value as f32;
     (arguments.len() == inputs.len() && (single.is_normal() || value == 0.0)).then_some(value)
 }

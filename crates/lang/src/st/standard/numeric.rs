@@ -6,7 +6,7 @@ use sieben_model::types::DataType;
 use super::build::{after, compute, constant, converted, fail_if, operation, shared};
 use super::call::{Answer, Call, built, built_list};
 use super::generic::{Group, scalar_of};
-use super::operators::{Beyond, Operation, Rounding, is_real};
+use super::operators::{Beyond, Operation, Rounding, is_real, op_for};
 use super::{Building, Refusal, Resolved};
 use crate::st::dialect::{Construct, Dialect, Judgement};
 use crate::st::tree::{Scalar, Statement, Value};
@@ -26,15 +26,17 @@ const REAL_FUNCTIONS: &[(&str, Operation, [bool; 4])] = &[
     ("ATAN", Operation::ArcTangent, [true; 4]),
 ];
 
-/// What a function of REALs computes, and the names of its inputs, where a dialect has it and LREAL too.
-pub(super) fn real_operation(name: &str, dialect: Dialect) -> Option<(Operation, &'static [&'static str])> {
+/// What a function of LREALs computes, and the names of its inputs, where a dialect has it and LREAL too.
+pub(super) fn real_operation(name: &str, dialect: Dialect) -> Option<(Op, &'static [&'static str])> {
     let column = dialect.column();
-    if name == "ATAN2" {
-        return (column == Dialect::Iec.column()).then_some((Operation::ArcTangent2, &["Y", "X"]));
+    match name {
+        "ATAN2" => return (column == Dialect::Iec.column()).then_some((Op::Atan2F64, &["Y", "X"])),
+        "EXPT" => return matches!(dialect.base(), Dialect::Iec | Dialect::Codesys).then_some((Op::PowF64, &["IN1", "IN2"])),
+        _ => {}
     }
     let &(_, operation, dialects) = REAL_FUNCTIONS.iter().find(|(one, ..)| *one == name)?;
     let has_long = dialect.judge(Construct::LongTypes) != Judgement::Reject;
-    (dialects[column] && has_long).then_some((operation, &["IN"]))
+    (dialects[column] && has_long).then_some((op_for(operation, Scalar::F64)?, &["IN"]))
 }
 
 pub(super) fn resolve(call: &Call<'_>) -> Answer {
