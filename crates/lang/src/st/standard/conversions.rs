@@ -209,7 +209,7 @@ fn by_name(call: &Call<'_>) -> Answer {
         };
         let source_word = from.map_or_else(|| source.base().word().unwrap_or("INT").to_owned(), str::to_owned);
         if text(to) || matches!(source, DataType::String(_)) {
-            return of_text(call, &source, &target, source_word.starts_with('L'));
+            return of_text(call, &source, &target, from.map(|word| word.starts_with('L')));
         }
         // Dates of the S7 and LDT count from other days: blocks of the library.
         let by_library = dialect.switches().calendar == Calendar::S7
@@ -350,8 +350,9 @@ fn clock_of(source: &DataType, target: &DataType) -> Option<bool> {
 
 /// A conversion to or from STRING, which is a block.
 ///
-/// `long`: the name of the function tells a type with L, whose text has nanoseconds where the other one has milliseconds.
-fn of_text(call: &Call<'_>, source: &DataType, target: &DataType, long: bool) -> Result<Resolved, Refusal> {
+/// `long`: whether the name of the function tells a type with L, whose text has nanoseconds where the other one has milliseconds. Where the
+/// name tells no type, DT and LDT are one: the text is a DT with all its digits.
+fn of_text(call: &Call<'_>, source: &DataType, target: &DataType, long: Option<bool>) -> Result<Resolved, Refusal> {
     let dialect = call.dialect;
     let s7 = matches!(dialect, Dialect::Scl | Dialect::Tia);
     let class = |data_type: &DataType| {
@@ -371,8 +372,9 @@ fn of_text(call: &Call<'_>, source: &DataType, target: &DataType, long: bool) ->
             DataType::TimeOfDay => Some("TOD"),
             DataType::LongTime => Some("LTIME"),
             DataType::LongTimeOfDay => Some("LTOD"),
-            DataType::LongDate if long => Some("LDATE"),
-            DataType::LongDateAndTime if long => Some("LDT"),
+            DataType::LongDate if long == Some(true) => Some("LDATE"),
+            DataType::LongDateAndTime if long == Some(true) => Some("LDT"),
+            DataType::LongDateAndTime if long.is_none() && matches!(target, DataType::String(_)) => Some("MOMENT"),
             DataType::LongDate => Some("DATE"),
             DataType::LongDateAndTime => Some("DT"),
             other if is_integer(other) => Some(if scalar.is_some_and(is_signed) { "LINT" } else { "ULINT" }),

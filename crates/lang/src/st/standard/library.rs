@@ -79,7 +79,7 @@ sources! {
     "duration_to_string.st" Iec         [1 0 0 0]: TIME_TO_STRING;
     "duration_to_string_codesys.st" Codesys [0 1 0 0]: TIME_TO_STRING;
     "date_to_string.st" Iec             [1 1 0 0]: DIGITS_OF_TWO CLOCK_IN_TEXT DAY_IN_TEXT TOD_TO_STRING DATE_TO_STRING DT_TO_STRING;
-    "long_to_string.st" Iec             [1 1 0 0]: FRACTION_IN_TEXT PART_IN_TEXT LTIME_TO_STRING LTOD_TO_STRING LDATE_TO_STRING LDT_TO_STRING;
+    "long_to_string.st" Iec             [1 1 0 0]: FRACTION_IN_TEXT PART_IN_TEXT LTIME_TO_STRING LTOD_TO_STRING LDATE_TO_STRING LDT_TO_STRING MOMENT_TO_STRING;
     "days.st" Iec                       [1 1 0 1]: DAYS_OF_DATE;
     "parts_of_dates.st" Iec             [1 0 0 0]: CONCAT_DATE CONCAT_LDATE CONCAT_LTOD CONCAT_TOD CONCAT_LDT CONCAT_DT SPLIT_LDATE SPLIT_DATE
                                                    SPLIT_LTOD SPLIT_TOD SPLIT_LDT SPLIT_DT;
