@@ -176,7 +176,7 @@ constructs! {
     ShortCircuit "the operators `AND_THEN` and `OR_ELSE`"          Reject Accept Reject Reject "write `AND` and `OR`, or nested IFs";
     DivOperator "the operator `DIV`"                               Reject Reject Accept Accept "write `/`";
     EndWithoutSemicolon "an end keyword without `;`"               Reject Accept Reject Reject "write `;` behind it";
-    ElseColon "`ELSE:`"                                            Note   Note   Note   Note   "write `ELSE` without a colon";
+    ElseColon "`ELSE:`"                                            Note   Note   Accept Note   "write `ELSE` without a colon";
     CaseOfString "CASE of a STRING"                                Reject Reject Reject Note   "write IF and ELSIF";
     CaseOverlap "two equal labels of one CASE"                     Reject Reject Note   Reject "remove one of them";
     Goto "GOTO"                                                    Reject Reject Accept Accept "write IF, a loop, EXIT or RETURN";
