@@ -8,12 +8,13 @@ use sieben_model::types::DataType;
 
 use super::Checker;
 use super::calls::after;
-use super::memory::{Part, number, two};
+use super::memory::{Moved, Part, number, two};
 use super::operators::convert;
 use super::places::{Reached, element_step};
 use super::texts::text_room;
 use super::typed::{Target, Typed};
 use super::types::{Class, Kind};
+use super::variants::Described;
 use crate::st::ast::{self, Expression, Name};
 use crate::st::open_arrays::End;
 use crate::st::standard::build::compute;
@@ -23,6 +24,8 @@ use crate::st::tree::{Bounds, Branch, Callee, Index, Place, Scalar, Statement, S
 /// Elements from the first one on that are not all in the source, in the target.
 const SOURCE_TOO_SHORT: u64 = 0x8383;
 const TARGET_TOO_SHORT: u64 = 0x8483;
+/// Elements of two VARIANTs that are not of one type, or texts, whose lengths a VARIANT does not tell.
+const OTHER_ELEMENTS: u64 = 0x80B4;
 /// A position outside the array of bytes, and one behind which there is not enough room.
 const POSITION_OUTSIDE: u64 = 0x8382;
 const ARRAY_TOO_SHORT: u64 = 0x8383;
@@ -325,25 +328,55 @@ impl Checker<'_> {
                 let target = self.variant_part(NAME, given[4], given[3], &source.element, span)?;
                 [source, target]
             }
-            [true, true] => {
-                self.report(Problem::P6324, span, "of two VARIANTs nobody knows here how long an element is").help =
-                    Some("Ask with TypeOfElements which type it is, and give an array of that type as one of them.".to_owned());
-                return None;
-            }
+            [true, true] => return self.moved_between_variants(NAME, &given, span),
         };
         let mut statements = Vec::new();
         let moved = self.moved_elements(NAME, source, target, given[1], given[4].span, &mut statements, span)?;
         let place = self.temporary_place(2, span);
-        let answer = |code: u64| answer(&place, code, span);
+        statements.push(self.answered(moved, &place, span));
+        Some((statements, place))
+    }
+
+    /// Moves the elements if all fit; 0, or which array is too short, goes to the place.
+    fn answered(&self, moved: Moved, place: &Place, span: Span) -> Statement {
+        let answer = |code: u64| answer(place, code, span);
         let mut refused = self.not_ok(span);
-        let not = |value: Value| compute(Op::Not, vec![value], Scalar::Bool, span);
-        let which = StatementKind::If {
-            branches: vec![(not(moved.fits), vec![answer(SOURCE_TOO_SHORT)])],
-            otherwise: vec![answer(TARGET_TOO_SHORT)],
-        };
+        let too_few = compute(Op::Not, vec![moved.fits], Scalar::Bool, span);
+        let which =
+            StatementKind::If { branches: vec![(too_few, vec![answer(SOURCE_TOO_SHORT)])], otherwise: vec![answer(TARGET_TOO_SHORT)] };
         refused.push(Statement { kind: which, span });
         let kind = StatementKind::If { branches: vec![(moved.all_fit, vec![moved.repeated, answer(0)])], otherwise: refused };
-        statements.push(Statement { kind, span });
+        Statement { kind, span }
+    }
+
+    /// Elements of one VARIANT to another one: as bits if they are BOOL, else as the bytes that their type has.
+    fn moved_between_variants(&mut self, function: &str, given: &[&Expression], span: Span) -> Option<(Vec<Statement>, Place)> {
+        let [source, target] = [self.described(function, given[0])?, self.described(function, given[4])?];
+        let mut statements = Vec::new();
+        let [count, from, to] = [given[1], given[2], given[3]].map(|value| self.count(value, &mut statements));
+        let (count, from, to) = (count?, from?, to?);
+        let place = self.temporary_place(2, span);
+        let bits = convert(source.bits(span), Scalar::I64);
+        let equal = |a: Value, b: Value| compute(Op::Equal, vec![a, b], Scalar::Bool, span);
+        let same = equal(source.type_number.clone(), target.type_number.clone());
+        let mut branches = Vec::new();
+        let bytes = two(Operation::Divide, bits.clone(), number(8, Scalar::I64, span), span);
+        for (element, size, condition) in [
+            (DataType::Bool, number(1, Scalar::I64, span), equal(bits.clone(), number(1, Scalar::I64, span))),
+            (DataType::Byte, bytes, two(Operation::Greater, bits, number(1, Scalar::I64, span), span)),
+        ] {
+            let times = |value: &Value| two(Operation::Multiply, value.clone(), size.clone(), span);
+            let part = |described: &Described, first: &Value| described.part(&element, times(first), &size, span);
+            let mut body = Vec::new();
+            let (keep, all) = self.kept(times(&count));
+            body.push(keep);
+            let moved = self.moved_counted(part(&source, &from), part(&target, &to), all, &mut body, span)?;
+            body.push(self.answered(moved, &place, span));
+            branches.push((compute(Op::And, vec![same.clone(), condition], Scalar::Bool, span), body));
+        }
+        let mut otherwise = self.not_ok(span);
+        otherwise.push(answer(&place, OTHER_ELEMENTS, span));
+        statements.push(Statement { kind: StatementKind::If { branches, otherwise }, span });
         Some((statements, place))
     }
 

@@ -382,7 +382,7 @@ impl Checker<'_> {
         Some([low, high].map(|value| convert(value, Scalar::I64)))
     }
 
-    fn count(&mut self, expression: &Expression, statements: &mut Vec<Statement>) -> Option<Value> {
+    pub(super) fn count(&mut self, expression: &Expression, statements: &mut Vec<Statement>) -> Option<Value> {
         let (count, _) = self.index_value(expression)?;
         let (keep, count) = self.kept(convert(count, Scalar::I64));
         statements.push(keep);
@@ -417,8 +417,20 @@ impl Checker<'_> {
             self.report(Problem::P4011, at, message);
             return None;
         }
-        let element = target.element.clone();
         let count = self.count(count, statements)?;
+        self.moved_counted(source, target, count, statements, span)
+    }
+
+    /// The same of two parts of one type, by a number that was computed.
+    pub(super) fn moved_counted(
+        &mut self,
+        source: Part,
+        target: Part,
+        count: Value,
+        statements: &mut Vec<Statement>,
+        span: Span,
+    ) -> Option<Moved> {
+        let element = target.element.clone();
         let (source, fits) = self.elements(source, &count, statements, span)?;
         let (target, also) = self.elements(target, &count, statements, span)?;
         let step = element_step(&element);

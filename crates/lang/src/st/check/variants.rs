@@ -42,6 +42,19 @@ impl Described {
         self.target.data_type == DataType::Any
     }
 
+    /// How many bits an element has, as U64; 0 of texts.
+    pub(super) fn bits(&self, span: Span) -> Value {
+        let low = number(0xFFFF_FFFF, Scalar::U64, span);
+        compute(Op::AndU64, vec![self.type_number.clone(), low], Scalar::U64, span)
+    }
+
+    /// A part of it as if it were an array of such elements, of which `size` make one of its own.
+    pub(super) fn part(&self, element: &DataType, first: Value, size: &Value, span: Span) -> Part {
+        let count = two(Operation::Multiply, convert(self.count.clone(), Scalar::I64), size.clone(), span);
+        let high = two(Operation::Subtract, count, number(1, Scalar::I64, span), span);
+        Part { place: self.place.clone(), element: element.clone(), first, bounds: [number(0, Scalar::I64, span), high] }
+    }
+
     /// What it is if it has this type.
     fn as_type(&self, data_type: &DataType) -> Target {
         let data_type = match data_type {
