@@ -13,6 +13,7 @@ use sieben_model::block::{BlockId, BlockKind};
 
 use crate::jit::Native;
 use crate::run::{INTERRUPTS, Run};
+use crate::turn::turn;
 
 /// The program goes on behind what it asked for.
 pub(crate) const GO_ON: u64 = 0;
@@ -80,6 +81,8 @@ asks! {
     SafePoint = safe_point(link, code, statement);
     /// Lets the interpreter go on with a statement: memory is not as the code relies on.
     Interpret = interpret(link, code, statement);
+    /// Lets the interpreter do the rest of a turn; the statement behind it is in `run.value`.
+    Turn = turn(link, code, statement, span, home);
     /// Calls a block that is not known beforehand, or a system block.
     CallOther = call_other(link, site, number, passed);
 }
@@ -275,7 +278,7 @@ impl Run<'_, '_> {
     }
 
     /// Remembers where the newest frame goes on.
-    fn interrupt_at(&mut self, resume: u32) {
+    pub(crate) fn interrupt_at(&mut self, resume: u32) {
         if let Some(frame) = self.context.machine.frames.last_mut() {
             frame.resume = resume;
         }

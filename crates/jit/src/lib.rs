@@ -8,6 +8,7 @@ mod jit;
 mod run;
 mod tiers;
 mod translate;
+mod turn;
 
 pub use jit::{Jit, StatusBits};
 pub use tiers::{Tier, Tiers};

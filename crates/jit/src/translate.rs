@@ -39,6 +39,7 @@ mod inlining;
 mod inside;
 mod instance;
 mod instance_pointer;
+mod interpreted;
 mod intrinsics;
 mod loops;
 mod meeting;
@@ -69,6 +70,7 @@ use flow::Arrival;
 use inlining::{Outer, Plan};
 use instance::Instance;
 use instance_pointer::InstancePointer;
+use interpreted::InterpretedTurn;
 use loops::Loop;
 use meeting::Meeting;
 use outside::{Functions, Outside};
@@ -203,6 +205,8 @@ struct Translator<'a> {
     /// The look at the budget on which blocks that are entered now rely.
     look: Option<usize>,
     looks: Vec<Look>,
+    /// Loops whose turns the interpreter does where the budget does not last for one.
+    interpreted: Vec<InterpretedTurn>,
     loops: Vec<Loop>,
     /// Memory for which registers stand, in the loops met so far.
     promoted: Vec<Promoted>,
@@ -318,6 +322,7 @@ impl<'a> Translator<'a> {
             taken: 0,
             look: None,
             looks: Vec::new(),
+            interpreted: Vec::new(),
             loops: loops::find(&blocks[index].code),
             promoted: Vec::new(),
             ranges: Ranges::default(),
@@ -679,6 +684,7 @@ impl<'a> Translator<'a> {
             self.look = None;
         }
         match after {
+            After::NextStatement if self.rest_is_interpreted(answer) => {}
             After::At(block) => {
                 self.b.ins().brif(answer, self.leave, &[], block, &[]);
             }

@@ -62,7 +62,7 @@ impl Translator<'_> {
     }
 
     /// The weight that a look is for at the end, and more.
-    fn weight_of_look(&mut self, index: usize, added: i64) -> Value {
+    pub(super) fn weight_of_look(&mut self, index: usize, added: i64) -> Value {
         let limit = self.b.ins().iconst(I64, self.looks[index].weight + added);
         if let ValueDef::Result(inst, _) = self.b.func.dfg.value_def(limit) {
             self.looks[index].limits.push((inst, added));

@@ -86,6 +86,9 @@ impl Translator<'_> {
         self.take_from_budget(self.taken);
         let variable = self.budget();
         let left = self.b.use_var(variable);
+        if let Some(turn) = self.turn_of(statement) {
+            return self.look_at_next_turn(turn, left, go_on);
+        }
         let used_up = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, left, 0);
         self.ask_if_used_up(used_up, statement, go_on, asked);
     }
@@ -122,7 +125,12 @@ impl Translator<'_> {
     }
 
     pub(super) fn first_with_code(&self, statement: u32) -> u32 {
-        let code = &self.native().code;
+        self.first_with_code_in(self.index, statement)
+    }
+
+    /// The first statement of a block, from one on, that does something.
+    pub(super) fn first_with_code_in(&self, index: usize, statement: u32) -> u32 {
+        let code = &self.blocks[index].code;
         (statement as usize..code.statement_count()).find(|&index| !code.statement(index).is_empty()).unwrap_or(0) as u32
     }
 
@@ -199,6 +207,7 @@ impl Translator<'_> {
                 let words = self.words.clone();
                 self.turns_at_once(&it);
                 self.words = words;
+                self.look_at_turn(&it);
             }
             self.b.ins().jump(head, &[]);
             self.b.switch_to_block(head);
@@ -268,10 +277,10 @@ impl Translator<'_> {
             let weight = weight((self.statement - to) as usize);
             // Who is asked there finds what the loops around both keep.
             let from = std::mem::replace(&mut self.statement, to);
+            let look = self.look.take();
             let asked = self.behind_question(to, arrival);
             self.count_down(weight, to, arrival, asked);
-            self.statement = from;
-            self.taken = taken;
+            (self.statement, self.taken, self.look) = (from, taken, look);
         }
     }
 

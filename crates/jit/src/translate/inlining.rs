@@ -156,6 +156,11 @@ impl Outer {
         self.ranges.facts_at_call(self.inst).iter().chain(&self.elements)
     }
 
+    /// The block, and the statement that calls.
+    pub(super) fn place(&self) -> (usize, u32) {
+        (self.index, self.statement)
+    }
+
     /// Whether the call is in a loop.
     pub(super) fn is_in_loop(&self) -> bool {
         self.loops.iter().any(|it| it.contains(self.statement))
@@ -268,6 +273,7 @@ impl Translator<'_> {
         self.enter_block();
         self.take_arena();
         self.statements();
+        self.leave_interpreted_turns();
         let Some(outer) = self.outer.pop() else { unreachable!("it was pushed above") };
         let written = self.summaries[code].written;
         (self.index, self.statement, self.arrivals) = (outer.index, outer.statement, outer.arrivals);
