@@ -70,7 +70,7 @@ use flow::Arrival;
 use inlining::{Outer, Plan};
 use instance::Instance;
 use instance_pointer::InstancePointer;
-use interpreted::InterpretedTurn;
+use interpreted::Interpreted;
 use loops::Loop;
 use meeting::Meeting;
 use outside::{Functions, Outside};
@@ -205,8 +205,8 @@ struct Translator<'a> {
     /// The look at the budget on which blocks that are entered now rely.
     look: Option<usize>,
     looks: Vec<Look>,
-    /// Loops whose turns the interpreter does where the budget does not last for one.
-    interpreted: Vec<InterpretedTurn>,
+    /// Pieces around the running statement, and before it, that the interpreter does where it must.
+    interpreted: Vec<Interpreted>,
     loops: Vec<Loop>,
     /// Memory for which registers stand, in the loops met so far.
     promoted: Vec<Promoted>,
@@ -407,6 +407,7 @@ impl<'a> Translator<'a> {
             self.fixed.clear();
             self.passed.clear();
             self.look_at_budget();
+            self.look_at_statements();
             let first = code.statements[statement];
             for (index, inst) in (first..).zip(code.statement(statement)) {
                 self.meet_in_front(index);

@@ -15,7 +15,7 @@ use super::{After, Translator};
 use crate::ask::Question;
 
 /// What a look at the budget may be for: less than the least budget of a CPU, so that the interpreter is seldom needed.
-const WEIGHT_MAX: i64 = 24;
+pub(super) const WEIGHT_MAX: i64 = 24;
 
 /// A look at the budget in front of a statement.
 #[derive(Debug, Default)]

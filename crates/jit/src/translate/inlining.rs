@@ -10,6 +10,7 @@ use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, Value};
 use rustc_hash::FxHashMap;
+use sieben_engine::interpreter::weight;
 use sieben_engine::ir::{Callee, Inst};
 use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
 use sieben_model::address::Width;
@@ -65,12 +66,19 @@ pub(super) struct Plan {
     local: usize,
     /// Whether its function has a loop.
     pub(super) loops: bool,
+    /// What it takes from the budget with all that becomes part of it, at most.
+    weight: i64,
 }
 
 impl Plan {
     /// IR instructions that the block adds to its caller, if it becomes part of that.
     pub(super) fn inlined(&self) -> Option<usize> {
         self.inlined
+    }
+
+    /// What the block takes from the budget with all that becomes part of it, at most.
+    pub(super) fn weight(&self) -> i64 {
+        self.weight
     }
 
     /// What a function needs where it begins.
@@ -110,7 +118,8 @@ pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
 
 /// The plan of a block that is not inlined itself.
 fn reach(plans: &[Plan], blocks: &[Native], index: usize, callees: &[usize]) -> Plan {
-    let own = Plan { loops: !loop_heads(&blocks[index].code).is_empty(), ..Plan::default() };
+    let own = &blocks[index].code;
+    let own = Plan { loops: !loop_heads(own).is_empty(), weight: i64::from(weight(own.statement_count())), ..Plan::default() };
     callees.iter().fold(own, |all, &callee| {
         let inner = if plans[callee].inlined.is_some() { plans[callee] } else { Plan::default() };
         Plan {
@@ -118,6 +127,7 @@ fn reach(plans: &[Plan], blocks: &[Native], index: usize, callees: &[usize]) -> 
             depth: all.depth.max(1 + inner.depth),
             local: all.local.max(blocks[callee].local_size as usize + inner.local),
             loops: all.loops || inner.loops,
+            weight: all.weight.saturating_add(inner.weight),
         }
     })
 }
@@ -273,7 +283,7 @@ impl Translator<'_> {
         self.enter_block();
         self.take_arena();
         self.statements();
-        self.leave_interpreted_turns();
+        self.leave_interpreted();
         let Some(outer) = self.outer.pop() else { unreachable!("it was pushed above") };
         let written = self.summaries[code].written;
         (self.index, self.statement, self.arrivals) = (outer.index, outer.statement, outer.arrivals);

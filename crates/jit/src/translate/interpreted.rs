@@ -1,6 +1,7 @@
-//! Turns that the interpreter does: a loop that enters blocks which become part of it looks at the budget once a turn, so that entering them
-//! costs nothing and nothing that is known is lost. If the budget does not last for all of them, or a statement failed, the interpreter does
-//! the rest of the turn, asks where the program would have asked, and machine code goes on with the next turn or behind the loop.
+//! Statements that the interpreter does in the middle of a function: one look at the budget in front of a piece of code serves for all blocks
+//! that become part of it, so that entering them costs nothing and nothing that is known is lost. A piece is a turn of a loop, or statements
+//! that follow one another. If the budget does not last for it, or a statement failed, the interpreter does it, or the rest of it, asks where
+//! the program would have asked, and machine code goes on behind it.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
@@ -8,31 +9,43 @@ use cranelift_codegen::ir::{self as clif, InstBuilder, Value};
 use sieben_engine::ir::{Callee, Inst};
 use sieben_engine::machine::Register;
 
-use super::Translator;
-use super::budget::Look;
-use super::loops::{Loop, targets};
+use super::budget::{Look, WEIGHT_MAX};
+use super::loops::{self, Loop, targets};
+use super::value::Val;
+use super::{Translator, bit_of};
 use crate::ask::Question;
 use crate::run::Link;
 use crate::turn::span;
 
-/// IR instructions of a turn, with the blocks that it enters: the interpreter takes longer for them than machine code.
+/// IR instructions of a piece, with the blocks that it enters: the interpreter takes longer for them than machine code.
 const INSTRUCTIONS_MAX: usize = 4_000;
+/// Instructions of its own that statements which follow one another have. So many are looked at in front of each of them that enters blocks.
+const OWN_MAX: usize = 400;
 
-/// A loop whose turns the interpreter does where it must.
+/// What a statement enters.
+struct Entered {
+    /// IR instructions, with its own.
+    instructions: usize,
+    /// What that takes from the budget at most.
+    weight: i64,
+}
+
+/// A piece of code that the interpreter does where it must.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct InterpretedTurn {
+pub(super) struct Interpreted {
     /// The block, and in how many others it is inlined.
     index: usize,
     level: usize,
+    /// First and last statement.
     first: u32,
     last: u32,
-    /// The look at the budget for a turn.
+    /// The look at the budget.
     look: usize,
-    /// In front of the loop.
-    front: clif::Block,
-    /// Where a whole turn is handed over.
+    /// In front of the loop, if it is a turn.
+    front: Option<clif::Block>,
+    /// Where the whole piece is handed over.
     whole: clif::Block,
-    /// Behind a turn that the interpreter did.
+    /// Behind it, if the interpreter did it.
     done: clif::Block,
 }
 
@@ -42,19 +55,39 @@ impl Translator<'_> {
         if !self.options.optimize || self.cold.is_some() || self.taken != 0 || !self.enters_small_blocks(it) {
             return;
         }
-        let Some(front) = self.arrivals.get(&it.first).map(|arrival| arrival.block) else { return };
+        let front = self.arrivals.get(&it.first).map(|arrival| arrival.block);
+        self.look_at_piece((it.first, it.last), front, it.written);
+    }
+
+    /// Looks at the budget in front of a statement that enters blocks, if no look before is for them: for all statements from there up to one
+    /// to which each way through them comes.
+    pub(super) fn look_at_statements(&mut self) {
+        if self.look.is_some() || !self.options.optimize || self.cold.is_some() || !self.outer.is_empty() {
+            return;
+        }
+        if let Some(last) = self.last_of_piece() {
+            let code = &self.native().code;
+            let insts = (self.statement..=last).flat_map(|statement| code.statement(statement as usize));
+            let written = insts.fold(0, |all, inst| all | loops::written(inst));
+            self.look_at_piece((self.statement, last), None, written);
+        }
+    }
+
+    fn look_at_piece(&mut self, (first, last): (u32, u32), front: Option<clif::Block>, changed: u32) {
         let look = self.looks.len();
         self.looks.push(Look::default());
         let variable = self.budget();
         let budget = self.b.use_var(variable);
-        let limit = self.weight_of_look(look, 0);
+        let limit = self.weight_of_look(look, self.taken);
         let too_low = self.b.ins().icmp(IntCC::SignedLessThan, budget, limit);
         let (whole, done, head) = (self.cold_block(), self.cold_block(), self.b.create_block());
         self.b.ins().brif(too_low, whole, &[], head, &[]);
-        let turn = InterpretedTurn { index: self.index, level: self.outer.len(), first: it.first, last: it.last, look, front, whole, done };
-        self.interpreted.push(turn);
-        self.hand_over_whole_turn(turn);
-        self.go_on_behind_turn(turn);
+        let piece = Interpreted { index: self.index, level: self.outer.len(), first, last, look, front, whole, done };
+        // Those that have ended contain no statement that follows.
+        self.interpreted.retain(|other| other.level < piece.level || first <= other.last);
+        self.interpreted.push(piece);
+        self.hand_over_whole(piece);
+        self.go_on_behind(piece, changed);
         self.b.switch_to_block(head);
         self.b.seal_block(head);
         self.look = Some(look);
@@ -63,40 +96,74 @@ impl Translator<'_> {
     /// Whether a loop enters blocks that become part of it, and nothing in it could take long.
     fn enters_small_blocks(&self, it: &Loop) -> bool {
         let code = &self.native().code;
-        let statements = || (it.first..=it.last).map(|statement| (statement, code.statement(statement as usize)));
-        let called = |inst: &Inst| match inst {
-            Inst::Call { callee: Callee::Block(id), .. } => Some((self.find)(*id).map(|code| code as usize)),
-            Inst::Call { .. } => Some(None),
-            _ => None,
-        };
-        let small = |callee: Option<usize>| {
-            let callee = callee.filter(|&callee| self.inlines(callee) && !self.plans[callee].loops)?;
-            self.plans[callee].inlined()
-        };
-        let calls = statements().flat_map(|(_, insts)| insts).filter_map(called);
-        let Some(sizes) = calls.map(small).collect::<Option<Vec<usize>>>() else { return false };
-        let own: usize = statements().map(|(_, insts)| insts.len()).sum();
-        let begins_again =
-            |statement: u32, insts: &[Inst]| insts.iter().flat_map(|inst| targets(code, inst)).all(|to| to > statement || to == it.first);
-        !sizes.is_empty()
-            && sizes.iter().fold(own, |all, &size| all.saturating_add(size)) <= INSTRUCTIONS_MAX
-            && statements().all(|(statement, insts)| begins_again(statement, insts))
+        let (mut entered, mut size) = (false, 0_usize);
+        for statement in it.first..=it.last {
+            let Some(Entered { instructions, weight }) = self.entered(statement) else { return false };
+            size = size.saturating_add(instructions);
+            entered |= weight > 0;
+            let targets = code.statement(statement as usize).iter().flat_map(|inst| targets(code, inst));
+            if size > INSTRUCTIONS_MAX || targets.into_iter().any(|to| to <= statement && to != it.first) {
+                return false;
+            }
+        }
+        entered
     }
 
-    /// Forgets the loops of an inlined block that ends.
-    pub(super) fn leave_interpreted_turns(&mut self) {
+    /// The last statement of a piece that begins with the present one: behind it all ways through the piece meet.
+    fn last_of_piece(&self) -> Option<u32> {
+        let code = &self.native().code;
+        let (mut own, mut weight, mut size) = (0, 0, 0_usize);
+        // Behind the last statement that a jump of the piece goes to, and the end of the piece so far.
+        let (mut reached, mut end) = (self.statement, None);
+        if self.entered(self.statement)?.weight == 0 {
+            return None;
+        }
+        for statement in self.statement..code.statement_count() as u32 {
+            let insts = code.statement(statement as usize);
+            let Some(entered) = self.entered(statement) else { break };
+            own += 1 + insts.len();
+            weight += entered.weight;
+            size = size.saturating_add(entered.instructions);
+            let farthest = insts.iter().flat_map(|inst| targets(code, inst)).map(|to| if to > statement { to } else { u32::MAX }).max();
+            reached = reached.max(farthest.unwrap_or(0));
+            let leaves = insts.iter().any(|inst| matches!(inst, Inst::Return)) || reached as usize > code.statement_count();
+            let begins_loop = statement > self.statement && self.arrivals.get(&statement).is_some_and(|it| it.backward);
+            if own > OWN_MAX || weight > WEIGHT_MAX || size > INSTRUCTIONS_MAX || leaves || begins_loop {
+                break;
+            }
+            if reached <= statement + 1 {
+                end = Some(statement);
+            }
+        }
+        end
+    }
+
+    /// What a statement enters, if all of it becomes part of the present block and has no loops.
+    fn entered(&self, statement: u32) -> Option<Entered> {
+        let insts = self.native().code.statement(statement as usize);
+        insts.iter().try_fold(Entered { instructions: insts.len(), weight: 0 }, |all, inst| {
+            let Inst::Call { callee, .. } = inst else { return Some(all) };
+            let Callee::Block(id) = callee else { return None };
+            let code = (self.find)(*id)? as usize;
+            let instructions = self.plans[code].inlined().filter(|_| self.inlines(code) && !self.plans[code].loops)?;
+            Some(Entered { instructions: all.instructions.saturating_add(instructions), weight: all.weight + self.plans[code].weight() })
+        })
+    }
+
+    /// Forgets the pieces of an inlined block that ends.
+    pub(super) fn leave_interpreted(&mut self) {
         let level = self.outer.len();
-        self.interpreted.retain(|turn| turn.level < level);
+        self.interpreted.retain(|piece| piece.level < level);
     }
 
     /// The loop that begins at a statement of the present block, if the budget is looked at once for each of its turns.
-    pub(super) fn turn_of(&self, first: u32) -> Option<InterpretedTurn> {
+    pub(super) fn turn_of(&self, first: u32) -> Option<Interpreted> {
         let here = (self.index, self.outer.len(), first);
-        self.interpreted.iter().rev().find(|turn| (turn.index, turn.level, turn.first) == here).copied()
+        self.interpreted.iter().rev().find(|piece| piece.front.is_some() && (piece.index, piece.level, piece.first) == here).copied()
     }
 
     /// Looks at the budget, behind a way back, for the next turn: it may be used up or not last.
-    pub(super) fn look_at_next_turn(&mut self, turn: InterpretedTurn, left: Value, head: clif::Block) {
+    pub(super) fn look_at_next_turn(&mut self, turn: Interpreted, left: Value, head: clif::Block) {
         let limit = self.weight_of_look(turn.look, 0);
         let too_low = self.b.ins().icmp(IntCC::SignedLessThan, left, limit);
         let (cold, ask) = (self.cold_block(), self.cold_block());
@@ -105,30 +172,30 @@ impl Translator<'_> {
         self.b.seal_block(cold);
         let used_up = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, left, 0);
         self.b.ins().brif(used_up, ask, &[], turn.whole, &[]);
-        self.ask_at_safe_point(ask, turn.first, turn.front);
+        self.ask_at_safe_point(ask, turn.first, turn.front.unwrap_or(head));
     }
 
-    /// Fills the block that hands over a whole turn.
-    fn hand_over_whole_turn(&mut self, turn: InterpretedTurn) {
-        self.b.switch_to_block(turn.whole);
-        let before = self.cold.replace(turn.whole);
+    /// Fills the block that hands over a whole piece.
+    fn hand_over_whole(&mut self, piece: Interpreted) {
+        self.b.switch_to_block(piece.whole);
+        let before = self.cold.replace(piece.whole);
         self.spill(self.dirty);
         self.store_promoted();
         let link = self.shown_link();
-        self.hand_over(turn, turn.first, link);
+        self.hand_over(piece, piece.first, link);
         self.cold = before;
     }
 
-    /// Lets the interpreter go on with a statement of the present block up to the end of a turn. Memory is as the program left it.
-    fn hand_over(&mut self, turn: InterpretedTurn, statement: u32, link: Value) {
-        let home = self.link_of(turn.level);
+    /// Lets the interpreter go on with a statement of the present block up to the end of a piece. Memory is as the program left it.
+    fn hand_over(&mut self, piece: Interpreted, statement: u32, link: Value) {
+        let home = self.link_of(piece.level);
         let code = self.b.ins().iconst(I64, self.index as i64);
         let statement = self.first_with_code(statement);
         let statement = self.b.ins().iconst(I64, i64::from(statement));
-        let first = self.first_with_code_in(turn.index, turn.first);
-        let span = self.b.ins().iconst(I64, span(first, turn.last) as i64);
+        let first = self.first_with_code_in(piece.index, piece.first);
+        let span = self.b.ins().iconst(I64, span(first, piece.last) as i64);
         let answer = self.ask_at_gate(Question::Turn, &[self.run, link, code, statement, span, home]);
-        self.b.ins().brif(answer, self.leave, &[], turn.done, &[]);
+        self.b.ins().brif(answer, self.leave, &[], piece.done, &[]);
     }
 
     /// Address of the link of a block in which the present one is inlined, or of its own.
@@ -136,39 +203,47 @@ impl Translator<'_> {
         if level == 0 { self.link } else { self.b.ins().iadd_imm_u(self.link, (level * size_of::<Link>()) as i64) }
     }
 
-    /// Fills the block behind a turn that the interpreter did: in front of the next one, behind the loop, or elsewhere, where the interpreter
-    /// goes on.
-    fn go_on_behind_turn(&mut self, turn: InterpretedTurn) {
-        self.b.switch_to_block(turn.done);
-        let before = self.cold.replace(turn.done);
+    /// Fills the block behind a piece that the interpreter did: in front of the next turn, behind the piece, or elsewhere, where the interpreter
+    /// goes on. `changed` are the registers that it may have changed.
+    fn go_on_behind(&mut self, piece: Interpreted, changed: u32) {
+        self.b.switch_to_block(piece.done);
+        let before = self.cold.replace(piece.done);
         let kept = (self.current, self.changed, self.dirty, self.taken);
         let statement = self.result();
-        let unknown = Register::ALL.iter().filter(|&&register| self.current[register as usize].is_none());
-        self.reload(unknown.fold(0, |all, &register| all | super::bit_of(register)));
+        // What is no constant may be another value on ways from the middle of the piece.
+        let is_kept = |register: Register| {
+            let constant = matches!(self.current[register as usize], Some(Val::Const(_)));
+            constant && (changed & bit_of(register) == 0 || piece.front.is_some())
+        };
+        let others = Register::ALL.iter().filter(|&&register| !is_kept(register));
+        self.reload(others.fold(0, |all, &register| all | bit_of(register)));
         // A statement inside of a block that was entered came here with the variables of that block.
         self.changed = u32::MAX;
         self.define_variables(u32::MAX);
         self.take_promoted();
-        let [again, elsewhere, behind, nowhere] = [(); 4].map(|()| self.cold_block());
-        let first = self.first_with_code(turn.first);
-        let begins_again = self.b.ins().icmp_imm_u(IntCC::Equal, statement, i64::from(first));
-        self.b.ins().brif(begins_again, again, &[], elsewhere, &[]);
-        self.b.switch_to_block(elsewhere);
-        self.b.seal_block(elsewhere);
-        let end = self.first_with_code(turn.last + 1);
+        if let Some(front) = piece.front {
+            let [again, elsewhere] = [(); 2].map(|()| self.cold_block());
+            let first = self.first_with_code(piece.first);
+            let begins_again = self.b.ins().icmp_imm_u(IntCC::Equal, statement, i64::from(first));
+            self.b.ins().brif(begins_again, again, &[], elsewhere, &[]);
+            self.b.switch_to_block(again);
+            self.b.seal_block(again);
+            let front = self.verified(piece.first, front);
+            self.b.ins().jump(front, &[]);
+            self.write_verifications();
+            self.b.switch_to_block(elsewhere);
+            self.b.seal_block(elsewhere);
+        }
+        let [behind, nowhere] = [(); 2].map(|()| self.cold_block());
+        let end = self.first_with_code(piece.last + 1);
         let is_behind = self.b.ins().icmp_imm_u(IntCC::Equal, statement, i64::from(end));
         self.b.ins().brif(is_behind, behind, &[], nowhere, &[]);
         self.b.switch_to_block(nowhere);
         self.b.seal_block(nowhere);
-        let link = self.link_of(turn.level);
+        let link = self.link_of(piece.level);
         let code = self.b.ins().iconst(I64, self.index as i64);
         self.ask_at_gate(Question::Interpret, &[self.run, link, code, statement]);
         self.b.ins().jump(self.leave, &[]);
-        self.b.switch_to_block(again);
-        self.b.seal_block(again);
-        let front = self.verified(turn.first, turn.front);
-        self.b.ins().jump(front, &[]);
-        self.write_verifications();
         self.b.switch_to_block(behind);
         self.b.seal_block(behind);
         let next = self.edge(end);
@@ -179,23 +254,23 @@ impl Translator<'_> {
         self.cold = before;
     }
 
-    /// Behind a statement that failed in a turn: lets the interpreter do the rest, unless the run is left; whether it does. That costs the
+    /// Behind a statement of a piece that failed: lets the interpreter do the rest, unless the run is left; whether it does. That costs the
     /// statements that follow nothing of what they know.
     pub(super) fn rest_is_interpreted(&mut self, left: Value) -> bool {
-        let contains = |turn: &&InterpretedTurn| {
-            let (index, statement) = match self.outer.get(turn.level) {
+        let contains = |piece: &&Interpreted| {
+            let (index, statement) = match self.outer.get(piece.level) {
                 Some(outer) => outer.place(),
                 None => (self.index, self.statement),
             };
-            turn.index == index && (turn.first..=turn.last).contains(&statement)
+            piece.index == index && (piece.first..=piece.last).contains(&statement)
         };
-        let Some(turn) = self.interpreted.iter().rev().find(contains).copied() else { return false };
+        let Some(piece) = self.interpreted.iter().rev().find(contains).copied() else { return false };
         let rest = self.cold_block();
         self.b.ins().brif(left, self.leave, &[], rest, &[]);
         self.b.switch_to_block(rest);
         self.b.seal_block(rest);
         let link = self.link_of(self.outer.len());
-        self.hand_over(turn, self.statement + 1, link);
+        self.hand_over(piece, self.statement + 1, link);
         true
     }
 }

@@ -231,9 +231,10 @@ impl Translator<'_> {
             return Some(Item { base: self.item_base(is_timer, first), offset });
         }
         let number = self.word(number);
+        // In front of the look: Rust code comes back behind what the other way computes.
+        let base = self.item_base(is_timer, first);
         let missing = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThanOrEqual, number, i64::from(count));
         self.leave_fast(missing, slow);
-        let base = self.item_base(is_timer, first);
         let moved = self.b.ins().imul_imm_u(number, bytes as i64);
         Some(Item { base: self.b.ins().iadd(base, moved), offset: 0 })
     }

@@ -1,10 +1,11 @@
 //! Where a block loops: statements that are entered at their first one only and jump back to it.
 
+use sieben_engine::access::data_registers;
 use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Callee, Code, Inst, Target, Var};
 use sieben_model::block::BlockKind;
 
-use super::analysis::{ALL, open_blocks, restored};
+use super::analysis::{ALL, restored};
 use super::bit_of;
 
 /// Blocks with more loops get no analysis of them: it takes time that grows with the number of loops times that of jumps.
@@ -53,7 +54,7 @@ pub(super) fn written(inst: &Inst) -> u32 {
                 ALL & !restored()
             }
             Inst::Call { .. } => ALL,
-            Inst::Open { .. } => open_blocks(),
+            Inst::Open { register, .. } => data_registers(*register).into_iter().fold(0, |all, register| all | bit_of(register)),
             _ => 0,
         }
 }
