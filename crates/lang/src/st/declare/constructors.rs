@@ -11,11 +11,10 @@ use sieben_model::types::{DataType, Field, Structure};
 
 use super::bodies::Bodies;
 use super::environment::{BlockNames, Environment};
-use super::initial::later;
 use super::types::holds_instance;
-use super::{Declared, ast};
+use super::{Declared, InitialAddress, ast};
 use crate::scope::key;
-use crate::st::ast::{Expression, MemberKind, TypeKind, VarSection};
+use crate::st::ast::{MemberKind, TypeKind, VarSection};
 use crate::st::check::construct::{Begun, Referring, construct, refer};
 use crate::st::check::names::Names;
 use crate::st::check::places::element_step;
@@ -35,6 +34,8 @@ pub(super) struct Beginning {
     pub(super) called: BTreeSet<BlockId>,
     /// The first declaration with an FB_Init.
     pub(super) span: Span,
+    /// Where references begin with an address already: what the variable says goes before what its block says.
+    begun: BTreeSet<(u16, u32)>,
 }
 
 /// Where the walk is: an instance, or a list of global variables.
@@ -57,7 +58,7 @@ impl<'a> Environment<'a> {
         let sections = self.items.code.values().flat_map(|code| &code.block.sections);
         self.misdeclared(bodies);
         if !has_any
-            && !self.refers
+            && self.addresses.is_empty()
             && !sections.chain(self.items.lists.iter().map(|list| list.section)).any(|section| constructed(&section))
         {
             return beginning;
@@ -153,10 +154,24 @@ impl<'a> Environment<'a> {
     }
 
     /// A reference or a pointer that begins with an address.
-    fn begin_reference(&self, within: &Within<'_, 'a>, field: &Field, value: &Expression, beginning: &mut Beginning, bodies: &mut Bodies) {
-        let place = Place { offset: within.place.offset + field.offset, span: value.span, ..within.place.clone() };
+    fn begin_reference(
+        &self,
+        within: &Within<'_, 'a>,
+        field: &Field,
+        address: &InitialAddress,
+        beginning: &mut Beginning,
+        bodies: &mut Bodies,
+    ) {
+        let InitialAddress { offset, data_type, value } = address;
+        let offset = within.place.offset + field.offset + u32::try_from(*offset).unwrap_or(u32::MAX);
+        if let Base::DataBlock(number) = within.place.base
+            && !beginning.begun.insert((number, offset))
+        {
+            return;
+        }
+        let place = Place { offset, span: value.span, ..within.place.clone() };
         let owner = within.owner.map(|_| within.place.clone());
-        let referring = Referring { place, name: &field.name, data_type: &field.data_type, owner, value };
+        let referring = Referring { place, name: &field.name, data_type, owner, value };
         self.take(Some(within), value.span, beginning, bodies, |block, names| refer(block, names, &referring));
     }
 
@@ -200,8 +215,9 @@ impl<'a> Environment<'a> {
             };
             let declared = within.sections.iter().flat_map(|section| &section.declarations);
             let declaration = declared.into_iter().find(|one| one.names.iter().any(|declared| declared.name.is(&field.name)));
-            if let Some(value) = declaration.and_then(|one| later(one.initial.as_ref()?, &field.data_type)) {
-                self.begin_reference(within, field, value, beginning, bodies);
+            let addresses = declaration.and_then(|one| self.addresses.get(&one.initial.as_ref()?.span));
+            for address in addresses.into_iter().flatten() {
+                self.begin_reference(within, field, address, beginning, bodies);
             }
             if !holds_instance(element) || count > ELEMENTS_MAX {
                 continue;

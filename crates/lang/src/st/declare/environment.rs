@@ -14,7 +14,7 @@ use sieben_model::types::{DataType, Structure};
 
 use super::initial::bytes;
 use super::items::{Items, numbered};
-use super::{Declared, Demand, Known, Located, Named, ast};
+use super::{Declared, Demand, InitialAddress, Known, Located, Named, ast};
 use crate::declarations::data_block::DataLayout;
 use crate::declarations::types::{BlockInterface, State};
 use crate::library::LibraryBlock;
@@ -49,8 +49,8 @@ pub(crate) struct Environment<'a> {
     demands: RefCell<Vec<Demand>>,
     /// Variables with an address that begin with a value.
     pub(super) located: Vec<Located>,
-    /// Whether a reference or a pointer begins with an address.
-    pub(super) refers: bool,
+    /// The references and pointers that begin with an address, by the initial value of their variable.
+    pub(super) addresses: HashMap<Span, Vec<InitialAddress>>,
 }
 
 /// Puts together what is known when everything is declared.
@@ -78,7 +78,7 @@ pub(crate) fn environment<'a>(
         suggestions: RefCell::default(),
         demands: RefCell::new(known.demands),
         located: known.located,
-        refers: known.refers,
+        addresses: known.addresses,
     }
 }
 

@@ -5,6 +5,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
+use super::InitialAddress;
 use super::types::Resolver;
 use crate::declarations::values::{Misfit, write, write_initial};
 use crate::scope::did_you_mean;
@@ -243,8 +244,8 @@ impl Resolver<'_, '_> {
 
     /// The initial values of a variable; empty if there are none, or if something was wrong with them, which is reported.
     pub(super) fn initial(&mut self, initializer: &Initializer, data_type: &DataType) -> Vec<Value> {
-        if self.later && later(initializer, data_type).is_some() {
-            self.types.st_known.refers = true;
+        if self.begins_with_address(0, data_type, initializer) {
+            self.keep_addresses(initializer.span);
             return Vec::new();
         }
         let aggregate =
@@ -255,7 +256,28 @@ impl Resolver<'_, '_> {
         }
         let mut image = bytes(data_type, &[]);
         self.fill(&mut image, 0, data_type, initializer);
+        self.keep_addresses(initializer.span);
         vec![Value::Image(image)]
+    }
+
+    /// Whether the address that a reference or a pointer begins with is written by a statement of the restart.
+    fn begins_with_address(&mut self, offset: u64, data_type: &DataType, initializer: &Initializer) -> bool {
+        match (data_type, &initializer.kind) {
+            (DataType::Reference(_), InitializerKind::Expression(value))
+                if self.later && !matches!(value.kind, ExpressionKind::Literal(_)) =>
+            {
+                self.addresses.push(InitialAddress { offset, data_type: data_type.clone(), value: value.clone() });
+                true
+            }
+            _ => false,
+        }
+    }
+
+    fn keep_addresses(&mut self, of: Span) {
+        let addresses = std::mem::take(&mut self.addresses);
+        if !addresses.is_empty() {
+            self.types.st_known.addresses.insert(of, addresses);
+        }
     }
 
     /// A constant where a value of a type is wanted: names of an enumeration mean its values.
@@ -314,6 +336,7 @@ impl Resolver<'_, '_> {
                 let message = format!("{} takes no value as a whole; give one to each of its fields", self.dialect.type_words(data_type));
                 self.report(Problem::P4006, span, message);
             }
+            _ if self.begins_with_address(position, data_type, initializer) => {}
             (_, InitializerKind::Expression(expression)) => {
                 if let Some(constant) = self.constant_for(expression, data_type)
                     && let Some(value) = self.fitting(&constant, data_type, expression.span)
@@ -369,17 +392,12 @@ impl Resolver<'_, '_> {
     /// `n(0, 1)` with a constant `n`.
     fn repetition(&mut self, expression: &Expression) -> Option<(u64, Vec<Initializer>)> {
         let ExpressionKind::Call(call) = &expression.kind else { return None };
+        if matches!(&call.callee.kind, ExpressionKind::Name(name) if ["ADR", "REF"].iter().any(|word| name.is(word))) {
+            return None;
+        }
         let count = u64::try_from(self.integer(&call.callee)?).ok()?;
         let values = call.arguments.iter().filter_map(|argument| argument.value.clone());
         Some((count, values.map(|value| Initializer { span: value.span, kind: InitializerKind::Expression(value) }).collect()))
-    }
-}
-
-/// The address that a reference or a pointer begins with: a statement of the restart writes it.
-pub(super) fn later<'i>(initializer: &'i Initializer, data_type: &DataType) -> Option<&'i Expression> {
-    match (data_type, &initializer.kind) {
-        (DataType::Reference(_), InitializerKind::Expression(value)) if !matches!(value.kind, ExpressionKind::Literal(_)) => Some(value),
-        _ => None,
     }
 }
 

@@ -30,7 +30,7 @@ use std::sync::Arc;
 
 use sieben_model::block::BlockId;
 use sieben_model::literal::Value;
-use sieben_model::source::FileId;
+use sieben_model::source::{FileId, Span};
 use sieben_model::types::DataType;
 
 use super::ast;
@@ -115,10 +115,19 @@ pub(crate) struct Known {
     pub(crate) demands: Vec<Demand>,
     /// Variables with an address that begin with a value.
     pub(crate) located: Vec<Located>,
-    /// Whether a reference or a pointer begins with an address.
-    pub(crate) refers: bool,
+    /// The references and pointers that begin with an address, by the initial value of the variable that they are or belong to.
+    pub(crate) addresses: HashMap<Span, Vec<InitialAddress>>,
     /// Variables whose address VAR_CONFIG tells.
     pub(crate) open: Vec<access::OpenAddress>,
+}
+
+/// A reference or a pointer that begins with an address.
+#[derive(Clone, Debug)]
+pub(crate) struct InitialAddress {
+    /// How many bits behind the begin of the variable it lies.
+    pub(crate) offset: u64,
+    pub(crate) data_type: DataType,
+    pub(crate) value: ast::Expression,
 }
 
 /// A variable with an address and an initial value, which a restart writes.

@@ -12,7 +12,7 @@ use sieben_model::types::{DataType, Enumeration, Field, Reference, ReferenceKind
 
 use super::initial::range;
 use super::items::{Items, numbered};
-use super::{Demand, Named, ast};
+use super::{Demand, InitialAddress, Named, ast};
 use crate::declarations::BLOCK_BYTES_MAX;
 use crate::declarations::types::{State, Types};
 use crate::scope::{did_you_mean, key};
@@ -73,6 +73,8 @@ pub(super) struct Resolver<'t, 'a> {
     pub(super) behind_pointer: bool,
     /// Whether the variable that comes next lasts, so that a restart can write what it begins with.
     pub(super) later: bool,
+    /// What of the variable begins with an address.
+    pub(super) addresses: Vec<InitialAddress>,
 }
 
 /// Words of codesys for what is as wide as a pointer.
@@ -95,6 +97,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
             open_arrays: false,
             behind_pointer: false,
             later: false,
+            addresses: Vec::new(),
         }
     }
 
