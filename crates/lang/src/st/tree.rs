@@ -411,7 +411,8 @@ pub enum Argument {
     /// The number of a timer, counter or block as actual parameter.
     Number { parameter: u32, value: Value },
     /// A POINTER or ANY to a place.
-    Pointer { parameter: u32, place: Place, data_type: DataType, any: bool },
+    /// Of an ANY with the code of its type and the count that it says.
+    Pointer { parameter: u32, place: Place, data_type: DataType, any: Option<(u8, u32)> },
     /// ENO: after the call the place gets BR.
     Eno { target: Place },
 }

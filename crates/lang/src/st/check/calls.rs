@@ -27,6 +27,7 @@ use crate::st::tree::{
     Argument, Base, Call, Callee, Dispatch, Place, Scalar, Statement, StatementKind, Text, TextFunction, Value, ValueKind, room_of,
 };
 use crate::st::variants::is_told;
+use crate::stl::meaning::logic_control::any_type;
 
 /// The output of system functions that is their result.
 const RET_VAL: &str = "RET_VAL";
@@ -772,8 +773,12 @@ impl Checker<'_> {
                 Argument::Text { parameter, text, room }
             }
             DataType::Pointer | DataType::Any => {
-                let any = formal.data_type == DataType::Any;
+                let written = match &typed {
+                    Typed::Pointer(literal) => literals::written_any(literal),
+                    _ => None,
+                };
                 let Some((place, data_type)) = self.pointed(typed, span, formal) else { return false };
+                let any = (formal.data_type == DataType::Any).then(|| written.unwrap_or_else(|| any_type(&data_type)));
                 Argument::Pointer { parameter, place, data_type, any }
             }
             number if number.is_number() => {

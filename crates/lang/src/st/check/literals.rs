@@ -240,6 +240,14 @@ pub(crate) fn pointed(pointer: &Pointer, span: Span) -> Option<(Place, DataType)
     }
 }
 
+/// The code of the type and the count of an ANY that is written as a constant.
+pub(crate) fn written_any(pointer: &Pointer) -> Option<(u8, u32)> {
+    match *pointer {
+        Pointer::Any([_, code, high, low, ..]) => Some((code, u32::from(u16::from_be_bytes([high, low])))),
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -17,7 +17,7 @@ use super::typed::{Target, Typed};
 use crate::st::ast::{self, BinaryOperator, CaseArm, CaseLabel, Expression, ExpressionKind};
 use crate::st::standard::build::compute;
 use crate::st::standard::operators::Operation;
-use crate::st::tree::{Argument, Base, Place, Scalar, Statement, StatementKind, Value, ValueKind};
+use crate::st::tree::{Argument, Place, Scalar, Statement, StatementKind, Value, ValueKind};
 use crate::st::variants::{self, Told, told_name, type_number};
 
 /// Where the number of the data block and the pointer lie in an ANY, in bits.
@@ -153,13 +153,8 @@ impl Checker<'_> {
             self.any_is_no_variant(&target.name, span);
             return None;
         };
-        // A parameter of a function leads to the ten bytes of its ANY.
-        let base = match &target.place.base {
-            Base::ComplexParameter(index) => Base::Parameter(*index),
-            other => other.clone(),
-        };
         let load = |at: u32, scalar: Scalar| {
-            let place = Place { base: base.clone(), offset: target.place.offset + at, indexes: Vec::new(), span };
+            let place = Place { base: target.place.base.clone(), offset: target.place.offset + at, indexes: Vec::new(), span };
             convert(Value { kind: ValueKind::Load(place), scalar, span }, Scalar::U64)
         };
         let block = compute(Op::Shl64, vec![load(NUMBER_AT, Scalar::U16), number(32, Scalar::U32, span)], Scalar::U64, span);

@@ -172,6 +172,11 @@ impl View {
             types.report(Problem::P3001, self.of.span, message);
             return;
         };
+        // The type of the variable is told to be none already.
+        if variable.data_type == DataType::Void {
+            declared.names.insert(key(&self.name.text), unknown(&self.name));
+            return;
+        }
         if self.data_type.bits() > variable.data_type.bits() {
             let message = format!("{} is longer than `{}`, {}", describe(&self.data_type), self.of.text, describe(&variable.data_type));
             types.report(Problem::P6127, self.name.span, message);
@@ -211,12 +216,11 @@ fn placed(one: &Pending, id: BlockId, interface: &Interface, kept: Option<&Struc
         Store::Kept => (Base::DataBlock(keep?), kept?.field(&one.name)?.offset),
         Store::Interface(section) => {
             let variable = interface.variables.iter().find(|variable| variable.section == section && variable.name == one.name)?;
-            let complex = is_complex(&one.data_type) || matches!(one.data_type, DataType::Pointer | DataType::Any);
             match (section, id.kind) {
                 (Section::Temp, _) => (Base::Area(Area::Local), variable.offset),
                 (_, BlockKind::Function) => {
                     let index = u16::try_from(variable.offset).ok()?;
-                    (if complex { Base::ComplexParameter(index) } else { Base::Parameter(index) }, 0)
+                    (if is_complex(&one.data_type) { Base::ComplexParameter(index) } else { Base::Parameter(index) }, 0)
                 }
                 (Section::InOut, _) if is_complex(&one.data_type) => (Base::InstancePointer(variable.offset), 0),
                 _ => (Base::Instance, variable.offset),

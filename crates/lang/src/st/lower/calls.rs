@@ -11,7 +11,7 @@ use super::pointers::at;
 use super::{Lowering, bytes, width, width_of_bits};
 use crate::st::tree::{Argument, Base, Call, Callee, Dispatch, Place, Scalar, TextRoom, ValueKind, room_of};
 use crate::stl::meaning::data_blocks::REGISTER_PAIRS;
-use crate::stl::meaning::logic_control::{CALLER_LOCAL, INSTANCE_START};
+use crate::stl::meaning::logic_control::{CALLER_LOCAL, INSTANCE_START, any_type};
 
 /// No value has more bytes: a data block has at most so many.
 const VALUE_BYTES_MAX: u32 = 65_536;
@@ -174,7 +174,7 @@ impl Lowering<'_> {
                 Argument::Aggregate { source, data_type, .. } if changes => {
                     let place = self.hidden_bytes(bytes(data_type).clamp(1, VALUE_BYTES_MAX));
                     self.copy_typed(&place, source, data_type);
-                    self.pass_pointer(&place, data_type, false)
+                    self.pass_pointer(&place, data_type, None)
                 }
                 _ => self.pass(argument, formal, &mut behind),
             });
@@ -250,7 +250,7 @@ impl Lowering<'_> {
                 self.pass_place(&place, formal)
             }
             Argument::Aggregate { source, data_type, .. } | Argument::OutputAggregate { target: source, data_type, .. } => {
-                self.pass_pointer(source, data_type, false)
+                self.pass_pointer(source, data_type, None)
             }
             Argument::Output { scalar, .. } => {
                 let place = self.hidden_bytes(width(*scalar).bytes());
@@ -276,7 +276,7 @@ impl Lowering<'_> {
                     Pass::Known(pointer)
                 }
             },
-            Argument::InOut { place, data_type, .. } => self.pass_pointer(place, data_type, formal.data_type == DataType::Any),
+            Argument::InOut { place, data_type, .. } => self.pass_pointer(place, data_type, any_of(&formal.data_type, data_type)),
             Argument::Pointer { place, data_type, any, .. } => self.pass_pointer(place, data_type, *any),
             Argument::Eno { .. } => Pass::Known(0),
         }
@@ -288,10 +288,10 @@ impl Lowering<'_> {
             self.seen.show(place.offset..place.offset.saturating_add(64));
             match self.hidden_pointer_of(place) {
                 Some(pointer) => Pass::Known(pointer),
-                None => self.pass_pointer(place, &formal.data_type, false),
+                None => self.pass_pointer(place, &formal.data_type, None),
             }
         } else {
-            self.pass_pointer(place, &formal.data_type, formal.data_type == DataType::Any)
+            self.pass_pointer(place, &formal.data_type, any_of(&formal.data_type, &formal.data_type))
         }
     }
 
@@ -300,7 +300,7 @@ impl Lowering<'_> {
         local.then_some(CALLER_LOCAL + place.offset)
     }
 
-    fn pass_pointer(&mut self, place: &Place, data_type: &DataType, any: bool) -> Pass {
+    fn pass_pointer(&mut self, place: &Place, data_type: &DataType, any: Option<(u8, u32)>) -> Pass {
         Pass::Known(self.hidden_pointer(place, data_type, any))
     }
 
@@ -377,7 +377,7 @@ impl Lowering<'_> {
                     values.push((frozen, inside, width));
                 }
                 Argument::InOut { parameter, place, data_type } => {
-                    self.write_pointer(&at(&instance, *parameter), place, data_type, *data_type == DataType::Any);
+                    self.write_pointer(&at(&instance, *parameter), place, data_type, any_of(data_type, data_type));
                 }
                 Argument::Pointer { parameter, place, data_type, any } => {
                     self.write_pointer(&at(&instance, *parameter), place, data_type, *any);
@@ -484,6 +484,11 @@ impl Lowering<'_> {
 /// Whether a function gets a pointer to the value itself.
 fn is_elementary(data_type: &DataType) -> bool {
     data_type.is_elementary()
+}
+
+/// What an ANY says of a value; `None` where the parameter is none.
+fn any_of(formal: &DataType, data_type: &DataType) -> Option<(u8, u32)> {
+    (*formal == DataType::Any).then(|| any_type(data_type))
 }
 
 /// Whether a parameter is the address of a variable.

@@ -8,7 +8,7 @@ use sieben_model::types::DataType;
 use super::places::Located;
 use super::{Lowering, bytes, width_of_bits};
 use crate::st::tree::{Base, Place, Value, ValueKind};
-use crate::stl::meaning::logic_control::{CALLER_LOCAL, any_type};
+use crate::stl::meaning::logic_control::CALLER_LOCAL;
 
 /// The area of shared data blocks in a pointer.
 const IN_DATA_BLOCK: u32 = 0x8400_0000;
@@ -183,13 +183,12 @@ impl Lowering<'_> {
     }
 
     /// Writes a POINTER (6 bytes) or ANY (10 bytes) to a place, for a block that is called.
-    pub(super) fn write_pointer(&mut self, to: &Place, place: &Place, data_type: &DataType, any: bool) {
-        let passes_on = any && *data_type == DataType::Any || !any && *data_type == DataType::Pointer;
-        if passes_on && self.copy_pointer(to, place, any) {
+    pub(super) fn write_pointer(&mut self, to: &Place, place: &Place, data_type: &DataType, any: Option<(u8, u32)>) {
+        let passes_on = *data_type == if any.is_some() { DataType::Any } else { DataType::Pointer };
+        if passes_on && self.copy_pointer(to, place, any.is_some()) {
             return;
         }
-        let start = if any {
-            let (code, count) = any_type(data_type);
+        let start = if let Some((code, count)) = any {
             let head = self.constant(0x1000 | u64::from(code));
             self.store(to, Width::Word, head);
             self.release(head);
@@ -215,16 +214,13 @@ impl Lowering<'_> {
     /// Copies a POINTER or ANY that this block was given or has put together itself: what is passed on is what it points to.
     fn copy_pointer(&mut self, to: &Place, place: &Place, any: bool) -> bool {
         // A parameter of a function points to its six or ten bytes at once.
-        let from = match place.base {
-            Base::Parameter(_) | Base::Instance => place.clone(),
-            Base::ComplexParameter(index) => Place { base: Base::Parameter(index), ..place.clone() },
-            Base::Area(Area::Local) => place.clone(),
-            _ => return false,
-        };
+        if !matches!(place.base, Base::Parameter(_) | Base::Instance | Base::Area(Area::Local)) {
+            return false;
+        }
         let own = place.base == Base::Area(Area::Local);
         let parts: &[(u32, Width)] = if any { &ANY_PARTS } else { &POINTER_PARTS };
         for &(offset, width) in parts {
-            let mut value = self.load(&at(&from, offset), width);
+            let mut value = self.load(&at(place, offset), width);
             let is_pointer = width == Width::DoubleWord && offset > 0;
             if is_pointer && !own {
                 value = self.compute(Op::PassOnPointer, &[value]);
@@ -243,8 +239,8 @@ impl Lowering<'_> {
     }
 
     /// A POINTER or ANY to a place in hidden local data; the pointer to it for a block that is called.
-    pub(super) fn hidden_pointer(&mut self, place: &Place, data_type: &DataType, any: bool) -> u32 {
-        let hidden = self.hidden_bytes(if any { ANY_BYTES } else { 6 });
+    pub(super) fn hidden_pointer(&mut self, place: &Place, data_type: &DataType, any: Option<(u8, u32)>) -> u32 {
+        let hidden = self.hidden_bytes(if any.is_some() { ANY_BYTES } else { 6 });
         self.write_pointer(&hidden, place, data_type, any);
         CALLER_LOCAL + hidden.offset
     }
