@@ -87,7 +87,8 @@ impl<'a> Places<'a> {
             (target, None) => {
                 let operand = target.operand();
                 let located = &self.build.compiled.program.names.located;
-                let found = located.iter().filter(|(_, (place, _))| Some(*place) == operand).map(|(name, _)| name).min();
+                let found =
+                    located.iter().filter(|(name, (place, _))| Some(*place) == operand && !name.contains('.')).map(|(name, _)| name).min();
                 found.cloned().unwrap_or_default()
             }
         }

@@ -109,7 +109,8 @@ fn used(build: &Build, cpu: &Cpu) -> Vec<Name> {
 fn name_of(address: &Address, build: &Build, mnemonics: Mnemonics, cpu: &Cpu) -> Option<Name> {
     let operand = Operand::Address(*address);
     let (program, symbols) = (cpu.program(), &build.project.symbols);
-    let located = program.names.located.iter().find(|(_, (place, _))| *place == operand).map(|(name, _)| name.clone());
+    let located =
+        program.names.located.iter().find(|(name, (place, _))| *place == operand && !name.contains('.')).map(|(name, _)| name.clone());
     let symbol = symbols.find_operand(&operand).map(|symbol| match symbol.name.contains('.') {
         true => format!("\"{}\"", symbol.name),
         false => symbol.name.clone(),

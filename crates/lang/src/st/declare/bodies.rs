@@ -236,13 +236,13 @@ impl Environment<'_> {
             }
             names.open.push(program.instance);
             if let Some(declared) = self.declared(program.block) {
-                declared.variables.iter().for_each(|variable| locate(&mut names, variable));
+                declared.variables.iter().for_each(|variable| locate(&mut names, &program.name, variable));
             }
         }
         names.open.extend(self.items.lists.iter().map(|list| list.number));
-        for entity in self.globals.values() {
-            if let Entity::Variable(variable) = entity {
-                locate(&mut names, variable);
+        for (name, entity) in &self.globals {
+            if let (Some((list, _)), Entity::Variable(variable)) = (name.rsplit_once('.'), entity) {
+                locate(&mut names, list, variable);
             }
         }
         self.access_names(&mut names, diagnostics);
@@ -273,8 +273,8 @@ fn circle(start: BlockId, calls: &BTreeMap<BlockId, BTreeSet<BlockId>>) -> Optio
     None
 }
 
-/// Takes in the name of a variable with an address.
-fn locate(names: &mut ProgramNames, variable: &Variable) {
+/// Takes in the name of a variable with an address, alone and with that of its program or list.
+fn locate(names: &mut ProgramNames, owner: &str, variable: &Variable) {
     let Base::Area(area) = variable.base else { return };
     let width = match variable.data_type.width() {
         Some(width) => width,
@@ -284,6 +284,8 @@ fn locate(names: &mut ProgramNames, variable: &Variable) {
         return;
     }
     if let Some(operand) = operand(&variable.base, variable.offset, width) {
-        names.located.entry(key(&variable.name)).or_insert((operand, variable.data_type.clone()));
+        for name in [key(&variable.name), key(&format!("{owner}.{}", variable.name))] {
+            names.located.entry(name).or_insert((operand, variable.data_type.clone()));
+        }
     }
 }
