@@ -169,6 +169,9 @@ pub fn compile(sources: &Sources, symbols: &SymbolTable, options: &Options) -> C
                 };
                 let mut parsed = st::parser::parse(id, &source.text, dialect);
                 diagnostics.append(&mut parsed.diagnostics);
+                if dialect == Dialect::Codesys {
+                    st::declare::name_lists(&mut parsed.file, &source.name);
+                }
                 st.push(StFile { id, dialect, file: Arc::new(expand(parsed.file)), library: None });
             }
         }

@@ -66,8 +66,9 @@ impl Resolver<'_, '_> {
             return found;
         }
         let items = self.items;
-        if items.globals.contains_key(&wanted) {
-            return self.global_constant(&wanted, name.span);
+        let of_list = self.list.map(|list| key(&format!("{list}.{}", name.text)));
+        if let Some(found) = of_list.into_iter().chain([wanted.clone()]).find(|name| items.globals.contains_key(name)) {
+            return self.global_constant(&found, name.span);
         }
         match items.values.get(&wanted).map(Vec::as_slice) {
             Some([owner]) => {
@@ -142,7 +143,8 @@ impl Resolver<'_, '_> {
         }
         self.types.st_known.constants.insert(wanted.to_owned(), State::InProgress);
         let dialect = list.dialect;
-        let value = Resolver::new(self.types, self.items, dialect).declared_constant(declaration);
+        let mut resolver = Resolver { list: Some(&list.name), ..Resolver::new(self.types, self.items, dialect) };
+        let value = resolver.declared_constant(declaration);
         self.types.leave();
         self.types.st_known.constants.insert(wanted.to_owned(), State::Done(value.clone()));
         value

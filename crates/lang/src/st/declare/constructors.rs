@@ -45,6 +45,8 @@ struct Within<'w, 'a> {
     sections: Vec<&'a VarSection>,
     /// The function block whose instance it is.
     owner: Option<BlockId>,
+    /// The list of global variables that it is.
+    list: Option<&'w str>,
     dialect: Dialect,
 }
 
@@ -66,7 +68,8 @@ impl<'a> Environment<'a> {
         for list in &self.items.lists {
             let Some(structure) = self.structure_of(list.number) else { continue };
             let place = Place { base: Base::DataBlock(list.number), offset: 0, indexes: Vec::new(), span: list.section.span };
-            let within = Within { place, structure: &structure, sections: vec![list.section], owner: None, dialect: list.dialect };
+            let (sections, name) = (vec![list.section], Some(list.name.as_str()));
+            let within = Within { place, structure: &structure, sections, owner: None, list: name, dialect: list.dialect };
             self.begin_inside(&within, &mut beginning, bodies);
         }
         for program in &self.items.programs {
@@ -126,7 +129,8 @@ impl<'a> Environment<'a> {
             (self.items.code.get(&block), self.items.code.get(&block).and_then(|code| self.names(block, code.dialect)))
             && let Some(structure) = names.instance(block)
         {
-            let inside = Within { place: place.clone(), structure: &structure, sections, owner: Some(block), dialect: code.dialect };
+            let place = place.clone();
+            let inside = Within { place, structure: &structure, sections, owner: Some(block), list: None, dialect: code.dialect };
             self.begin_inside(&inside, beginning, bodies);
         }
         let initializers: Vec<BlockId> = line.iter().filter_map(|&one| self.initializer(one)).collect();
@@ -189,7 +193,10 @@ impl<'a> Environment<'a> {
         let nothing = Declared::default();
         let mut checked = match within.and_then(|within| self.names(within.owner?, dialect)) {
             Some(names) => make(&checked_as, &names),
-            None => make(&checked_as, &BlockNames::outside(self, &nothing, checked_as.id, dialect)),
+            None => {
+                let names = BlockNames::outside(self, &nothing, checked_as.id, dialect);
+                make(&checked_as, &names.in_list(within.and_then(|within| within.list)))
+            }
         };
         // A declaration is wrong once, however many instances it has.
         checked.diagnostics.retain(|new| !bodies.diagnostics.contains(new));

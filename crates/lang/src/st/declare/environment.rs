@@ -97,7 +97,16 @@ impl<'a> Environment<'a> {
         };
         // A method knows what its block has, unless it declares the name itself.
         let owner = this.filter(|&this| this != block).and_then(|this| self.blocks.get(&this));
-        Some(BlockNames { environment: self, declared: self.blocks.get(&block)?, owner, this, dialect, block, space: code.space })
+        Some(BlockNames {
+            environment: self,
+            declared: self.blocks.get(&block)?,
+            owner,
+            this,
+            dialect,
+            block,
+            space: code.space,
+            list: None,
+        })
     }
 
     /// What of the library the program needs and does not have yet.
@@ -192,6 +201,8 @@ pub(crate) struct BlockNames<'e, 'a> {
     block: BlockId,
     /// Where it stands.
     space: usize,
+    /// The list of global variables whose initial values these are: it knows its own names.
+    list: Option<&'e str>,
 }
 
 impl Names for BlockNames<'_, '_> {
@@ -202,7 +213,8 @@ impl Names for BlockNames<'_, '_> {
     fn global(&self, name: &str) -> Option<Entity> {
         let environment = self.environment;
         let wanted = key(name);
-        if let Some(entity) = environment.globals.get(&wanted) {
+        let of_list = self.list.map(|list| key(&format!("{list}.{name}")));
+        if let Some(entity) = of_list.iter().chain([&wanted]).find_map(|name| environment.globals.get(name)) {
             return Some(entity.clone());
         }
         // In a CONFIGURATION the name is that of the instance: `PROGRAM hall : Hall`.
@@ -382,7 +394,12 @@ impl Names for BlockNames<'_, '_> {
 impl<'e, 'a> BlockNames<'e, 'a> {
     /// What names mean outside all blocks, to statements that no source writes.
     pub(super) fn outside(environment: &'e Environment<'a>, declared: &'e Declared, block: BlockId, dialect: Dialect) -> Self {
-        Self { environment, declared, owner: None, this: None, dialect, block, space: OUTSIDE }
+        Self { environment, declared, owner: None, this: None, dialect, block, space: OUTSIDE, list: None }
+    }
+
+    /// The same inside a list of global variables.
+    pub(super) fn in_list(self, list: Option<&'e str>) -> Self {
+        Self { list, ..self }
     }
 
     /// The result of the block, if it is a function with one.

@@ -28,7 +28,7 @@ pub(crate) type Globals = HashMap<String, Entity>;
 pub(super) fn globals<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: &mut HashMap<u16, DataLayout>) -> Globals {
     let mut globals = Globals::new();
     for list in &items.lists {
-        let mut resolver = Resolver::new(types, items, list.dialect);
+        let mut resolver = Resolver { list: Some(&list.name), ..Resolver::new(types, items, list.dialect) };
         let mut structure = Structure { name: Some(list.name.clone()), ..Structure::default() };
         let mut cursor = 0;
         let constant = list.section.has(ast::Qualifier::Constant);

@@ -81,7 +81,7 @@ pub(crate) struct TestBlock<'a> {
 /// A VAR_GLOBAL section.
 #[derive(Clone, Debug)]
 pub(crate) struct List<'a> {
-    /// What its variables can be qualified by, and its data block is called.
+    /// What its variables can be qualified by, and its data block is called, unless several sections have the name.
     pub(crate) name: String,
     pub(crate) section: &'a ast::VarSection,
     pub(crate) dialect: Dialect,
@@ -580,9 +580,12 @@ impl<'a> Collector<'a, '_> {
             self.items.access.push((section, dialect));
             return;
         }
-        let name = section.name.as_ref().map_or("Globals", |name| name.text.as_str());
-        let name = self.free_name(name);
-        self.places.insert((Space::Block, key(&name)), section.span);
+        let written = section.name.as_ref().map_or("Globals", |name| name.text.as_str());
+        let of_data = self.free_name(written);
+        // Several sections may make one list.
+        let goes_on = section.name.is_some() && self.items.lists.iter().any(|list| list.name.eq_ignore_ascii_case(written));
+        let name = if goes_on { written.to_owned() } else { of_data.clone() };
+        self.places.insert((Space::Block, key(&of_data)), section.span);
         let qualified = section.attributes.iter().any(|attribute| attribute.name.is("qualified_only"));
         let list = self.items.lists.len();
         self.items.qualifiers.insert(key(&name));
@@ -598,7 +601,7 @@ impl<'a> Collector<'a, '_> {
                 }
             }
         }
-        let wanted = Wanted { name: name.clone(), kind: BlockKind::DataBlock, fixed: None, span: section.span, library: self.library };
+        let wanted = Wanted { name: of_data, kind: BlockKind::DataBlock, fixed: None, span: section.span, library: self.library };
         self.items.lists.push(List { name, section, dialect, number: 0 });
         self.pending.push((wanted, Pending::List(list)));
     }

@@ -62,6 +62,24 @@ pub struct StFile {
     pub library: Option<&'static Source>,
 }
 
+/// Gives the lists of global variables of a file that has nothing else the name of the file, as each list of codesys has one.
+pub(crate) fn name_lists(file: &mut ast::File, path: &str) {
+    let stem = path.rsplit(['/', '\\']).next().and_then(|name| name.split('.').next()).unwrap_or_default();
+    let is_name = stem.starts_with(|first: char| first.is_ascii_alphabetic() || first == '_')
+        && stem.chars().all(|one| one.is_ascii_alphanumeric() || one == '_');
+    if !is_name || !file.items.iter().all(|item| matches!(item, ast::Item::Globals(_))) {
+        return;
+    }
+    for item in &mut file.items {
+        if let ast::Item::Globals(section) = item
+            && section.kind == ast::SectionKind::Global
+            && section.name.is_none()
+        {
+            section.name = Some(ast::Name { text: stem.to_owned(), span: section.span, ..ast::Name::default() });
+        }
+    }
+}
+
 /// A type with the initial values that its name brings along.
 #[derive(Clone, Debug)]
 pub(crate) struct Named {

@@ -73,6 +73,8 @@ pub(super) struct Resolver<'t, 'a> {
     pub(super) behind_pointer: bool,
     /// Whether the variable that comes next lasts, so that a restart can write what it begins with.
     pub(super) later: bool,
+    /// The list of global variables that is laid out: it knows its own names.
+    pub(super) list: Option<&'a str>,
     /// What of the variable begins with an address.
     pub(super) addresses: Vec<InitialAddress>,
 }
@@ -97,6 +99,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
             open_arrays: false,
             behind_pointer: false,
             later: false,
+            list: None,
             addresses: Vec::new(),
         }
     }
