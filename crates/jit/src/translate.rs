@@ -226,6 +226,8 @@ struct Translator<'a> {
     verify_later: Vec<(clif::Block, u32, clif::Block, Option<usize>)>,
     /// Loops in front of which turns are written that nobody looks at: the block, first and last statement.
     at_once: Vec<(usize, u32, u32)>,
+    /// Where vectors are written to so that they are put together at once, and the number of the next one there.
+    together: Option<(clif::StackSlot, u32)>,
     /// Values whose bits above so many are 0.
     narrow: FxHashMap<Value, u32>,
     /// All registers that the block may change.
@@ -333,6 +335,7 @@ impl<'a> Translator<'a> {
             verifying: FxHashMap::default(),
             verify_later: Vec::new(),
             at_once: Vec::new(),
+            together: None,
             narrow: FxHashMap::default(),
             written: 0,
             instance: Val::Const(0),

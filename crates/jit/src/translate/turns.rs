@@ -13,6 +13,7 @@ use sieben_model::address::Width;
 use super::Translator;
 use super::loops::Loop;
 
+mod accesses;
 mod bit_choices;
 mod bit_sums;
 mod bits;
@@ -22,6 +23,7 @@ mod held;
 mod kernel;
 mod late;
 mod left;
+mod left_beside;
 mod line;
 mod pieces;
 mod quads;
@@ -29,6 +31,8 @@ mod reader;
 mod settled;
 mod signs;
 mod simplest;
+mod spread;
+mod sums;
 mod vector;
 mod ways;
 mod write;
@@ -121,7 +125,7 @@ impl Translator<'_> {
         let inner = self.loops.iter().find(|inner| inner.first > it.first && inner.last <= it.last).cloned();
         let kernel = inner.and_then(|inner| reader::read(self, &inner));
         let plan = kernel.filter(|kernel| !kernel.repeats_itself()).and_then(Plan::of);
-        plan.is_some_and(|plan| !plan.lanes().is_empty())
+        plan.is_some_and(|plan| !plan.kernel.is_spread() && !plan.lanes().is_empty())
     }
 }
 
@@ -170,6 +174,8 @@ impl Plan {
         match kernel.inner {
             Some(_) if quads => vec![16, least],
             Some(_) => vec![SIDE_BY_SIDE_MAX, least],
+            // More than four of what lies apart would not stay in registers.
+            None if kernel.is_spread() => vec![4],
             None if quads => vec![least],
             None => vec![2 * least],
         }
@@ -196,12 +202,16 @@ impl Plan {
             (Some(Shape::Halves | Shape::Words | Shape::Reals), Shape::Words) => true,
             (Some(Shape::Words | Shape::Reals), Shape::Reals) => true,
             (Some(Shape::Quads | Shape::Lreals), Shape::Lreals) => true,
+            (Some(Shape::Mask), Shape::Mask) => true,
             _ => false,
         };
-        for (_, end, carried) in kernel.carried(Level::Outer) {
+        for (cell, end, carried) in kernel.carried(Level::Outer) {
             let possible = match carried {
                 Carried::Line(_) => true,
-                Carried::Chain => false,
+                Carried::Chain => kernel.left_beside(cell, end).is_some_and(|left| {
+                    let conditions = left.conditions.iter().all(|&(condition, _)| fits(condition, Shape::Mask));
+                    conditions && (fits(left.value, left.shape) || left.shape == Shape::Words && fits(left.value, Shape::Reals))
+                }),
                 Carried::Sum { added: other, bits } | Carried::Extreme { other, bits, .. } => fits(other, Shape::of_bits(bits)),
                 Carried::Nothing => kernel.sum_at_start(end).is_some() || kernel.shape(end).is_some(),
             };
@@ -230,17 +240,19 @@ impl Plan {
                 Some(value) => {
                     let follows = matches!(kernel.shape(access.pointer), Some(Shape::Line(line)) if line.bits == 32
                         && line.step == access.width.bytes() * 8);
+                    let is_apart = kernel.apart(access).is_some();
                     let form = match access.width {
                         Width::Word => fits(value, Shape::Halves),
                         Width::DoubleWord => fits(value, Shape::Words) || fits(value, Shape::Reals),
                         Width::QuadWord => fits(value, Shape::Quads),
-                        _ => false,
+                        Width::Byte => is_apart && fits(value, Shape::Words),
+                        Width::Bit => is_apart && fits(value, Shape::Mask),
                     };
-                    follows && form && self.turns_write_apart(access)
+                    (follows || is_apart) && form && self.turns_write_apart(access)
                 }
             };
             form && kernel.accesses[..number].iter().all(|other| kernel.are_apart(access, other))
-        })
+        }) && (!kernel.is_spread() || kernel.few_are_one_by_one())
     }
 }
 
@@ -288,7 +300,7 @@ impl Kernel {
             return true;
         }
         let same = (a.pointer, a.offset, a.width, a.area) == (b.pointer, b.offset, b.width, b.area);
-        same && a.level == Level::Outer && b.level == Level::Outer && self.inner.is_none()
+        same && a.level == Level::Outer && b.level == Level::Outer && self.inner.is_none() || self.turns_stay_apart(a, b)
     }
 
     /// A value when the inner loop begins, if it is a constant.

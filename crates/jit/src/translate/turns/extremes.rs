@@ -138,14 +138,14 @@ impl Translator<'_> {
     }
 
     /// The least or greatest number in all lanes of some vectors.
-    pub(super) fn extreme_in_lanes(&mut self, extreme: Extreme, vectors: &[Value]) -> Value {
+    pub(super) fn extreme_in_lanes(&mut self, extreme: Extreme, vectors: &[Value], lanes: u32) -> Value {
         let mut all = vectors[0];
         for &vector in &vectors[1..] {
             all = self.extreme_of_lanes(extreme, all, vector);
         }
         let ty = self.b.func.dfg.value_type(all);
         let mut found = None;
-        for lane in 0..ty.lane_count() as u8 {
+        for lane in 0..ty.lane_count().min(lanes) as u8 {
             let value = self.b.ins().extractlane(all, lane);
             let value = if ty == I16X8 { self.b.ins().sextend(I32, value) } else { value };
             found = Some(match found {

@@ -364,7 +364,8 @@ impl Kernel {
             What::Compute(Op::Select, [_, a, b, _]) => self.is_16_bits(a) && self.is_16_bits(b),
             What::Compute(Op::Gate, [a, ..]) => self.is_16_bits(a),
             What::Compute(op, _) => {
-                matches!(op, Op::AddU16 | Op::SubU16 | Op::MulU16 | Op::Low16 | Op::Low8 | Op::Decrement16)
+                let divides = matches!(op, Op::DivI16 | Op::RemI16);
+                divides || matches!(op, Op::AddU16 | Op::SubU16 | Op::MulU16 | Op::Low16 | Op::Low8 | Op::Decrement16)
             }
         }
     }
@@ -388,7 +389,8 @@ impl Kernel {
             What::Start(_, cell) | What::After(cell) => matches!(self.kept(cell), Kept::Memory { width: Width::Bit, .. }),
             What::Compute(Op::Select, [_, a, b, _]) => self.is_bit(a) && self.is_bit(b),
             What::Compute(op, _) => {
-                Self::compares(op) || matches!(op, Op::Not | Op::And | Op::AndNot | Op::Or | Op::Xor | Op::IsNonzero | Op::Below)
+                let fails = matches!(op, Op::DivFailsI16 | Op::DivFailsI32 | Op::DivFailsI64);
+                fails || Self::compares(op) || matches!(op, Op::Not | Op::And | Op::AndNot | Op::Or | Op::Xor | Op::IsNonzero | Op::Below)
             }
             What::Constant(value) => value <= 1,
         }

@@ -84,7 +84,7 @@ impl Kernel {
     }
 
     /// The conditions under which a turn writes a cell, and what, if nothing else looks at what the cell held.
-    fn written_where(&self, cell: Cell, end: Node) -> Option<(Vec<(Node, bool)>, Node)> {
+    pub(super) fn written_where(&self, cell: Cell, end: Node) -> Option<(Vec<(Node, bool)>, Node)> {
         let mut conditions = Vec::new();
         let mut value = end;
         while let What::Compute(Op::Select, [condition, a, b, _]) = self.what(value) {

@@ -345,31 +345,38 @@ impl Kernel {
                     Width::Word if line.step == 16 => Some(Shape::Halves),
                     Width::DoubleWord if line.step == 32 => Some(Shape::Words),
                     Width::QuadWord if line.step == 64 => Some(Shape::Quads),
-                    _ => None,
+                    _ => self.shape_of_apart(access),
                 }
             }
-            What::Compute(op, args) => {
-                let mut shapes = [Shape::Line(Line::SAME); 4];
-                for (shape, &arg) in shapes.iter_mut().zip(&args[..op.arity()]) {
-                    *shape = match self.shape(arg)? {
-                        Shape::Line(line) if line.is_same() && !self.is_32_bits(arg) => Shape::Quads,
-                        shape => shape,
-                    };
-                }
-                let divisor = (op.arity() == 2).then(|| self.constant(args[1])).flatten();
-                match op {
-                    Op::DivI32 | Op::RemI32 if !divisor.is_some_and(is_power) => None,
-                    Op::Shl32 | Op::Shr32 | Op::Sar32 if divisor.is_none_or(|count| count & 0xFF >= 32) => None,
-                    // A choice between numbers of 16 bits has 16 bits.
-                    Op::Select if self.is_16_bits(node) && shapes[1..3].iter().all(is_halves) => {
-                        matches!(shapes[0], Shape::Mask | Shape::Line(Line { step: 0, .. })).then_some(Shape::Halves)
-                    }
-                    Op::Gate if self.is_16_bits(node) && is_halves(&shapes[0]) => {
-                        matches!(shapes[1], Shape::Mask | Shape::Line(Line { step: 0, .. })).then_some(Shape::Halves)
-                    }
-                    _ => shape_of_result(op, &shapes[..op.arity()]),
-                }
+            What::Compute(op, args) => match args[..op.arity()].iter().all(|&arg| self.shape(arg).is_some()) {
+                true => self.vector_shape(node).or_else(|| self.shape_one_by_one(node, op)),
+                false => None,
+            },
+        }
+    }
+
+    /// The form of what an operation makes of vectors, if there is such an operation.
+    pub(super) fn vector_shape(&self, node: Node) -> Option<Shape> {
+        let What::Compute(op, args) = self.what(node) else { return None };
+        let mut shapes = [Shape::Line(Line::SAME); 4];
+        for (shape, &arg) in shapes.iter_mut().zip(&args[..op.arity()]) {
+            *shape = match self.shape(arg)? {
+                Shape::Line(line) if line.is_same() && !self.is_32_bits(arg) => Shape::Quads,
+                shape => shape,
+            };
+        }
+        let divisor = (op.arity() == 2).then(|| self.constant(args[1])).flatten();
+        match op {
+            Op::DivI32 | Op::RemI32 if !divisor.is_some_and(is_power) => None,
+            Op::Shl32 | Op::Shr32 | Op::Sar32 if divisor.is_none_or(|count| count & 0xFF >= 32) => None,
+            // A choice between numbers of 16 bits has 16 bits.
+            Op::Select if self.is_16_bits(node) && shapes[1..3].iter().all(is_halves) => {
+                matches!(shapes[0], Shape::Mask | Shape::Line(Line { step: 0, .. })).then_some(Shape::Halves)
             }
+            Op::Gate if self.is_16_bits(node) && is_halves(&shapes[0]) => {
+                matches!(shapes[1], Shape::Mask | Shape::Line(Line { step: 0, .. })).then_some(Shape::Halves)
+            }
+            _ => shape_of_result(op, &shapes[..op.arity()]),
         }
     }
 
@@ -422,10 +429,16 @@ fn shape_of_result(op: Op, args: &[Shape]) -> Option<Shape> {
     match op {
         _ if args.iter().all(same) => Some(Shape::Line(Line::SAME)),
         O::AddU16 | O::SubU16 | O::MulU16 | O::MinI16 | O::MaxI16 => all(&is_halves, Shape::Halves),
+        // Bits that make a byte.
+        O::AndU32 | O::OrU32 | O::Shl32 if args.contains(&Shape::Mask) => {
+            args.iter().all(|shape| words(shape) || *shape == Shape::Mask).then_some(Shape::Words)
+        }
         O::AddU32 | O::SubU32 | O::MulU32 | O::AndU32 | O::OrU32 | O::XorU32 | O::MinI32 | O::MaxI32 => all(&words, Shape::Words),
         O::NegI32 | O::NegF32 | O::AbsF32 | O::DivI32 | O::RemI32 | O::Shl32 | O::Shr32 | O::Sar32 => all(&words, Shape::Words),
         O::Extend16 if matches!(args[0], Shape::Halves | Shape::Line(Line { bits: 16, .. })) => Some(Shape::Words),
         O::AddI16Wide | O::SubI16Wide | O::MulI16Wide => all(&is_halves, Shape::Words),
+        O::Low16 => all(&words, Shape::Halves),
+        O::DivFailsI32 => all(&words, Shape::Mask),
         O::I32ToF32 => all(&words, Shape::Reals),
         O::AddF32 | O::SubF32 | O::MulF32 | O::DivF32 | O::SqrtF32 | O::MinF32 | O::MaxF32 => all(&reals, Shape::Reals),
         O::AddU64 | O::SubU64 | O::MulU64 | O::AndU64 | O::OrU64 | O::XorU64 => all(&quads, Shape::Quads),

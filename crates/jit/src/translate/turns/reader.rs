@@ -81,6 +81,7 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
     reader.choose_pointers()?;
     let mut kernel = reader.kernel;
     kernel.shorten_choices();
+    kernel.add_at_once();
     kernel.forget_unread();
     kernel.live = !(translator.dead_at(it.first) & translator.dead_at(it.last + 1));
     let live_inside = inside.map_or(!0, |(first, last)| !(translator.dead_at(first) & translator.dead_at(last + 1)));
@@ -800,8 +801,11 @@ impl Reader<'_, '_> {
         };
         let sure = always.is_some() || self.ways.is_always() && inside.is_some();
         let whole = self.range(pointer, DEPTH_MAX);
-        let is_part = always.is_some() && whole.zeros >= 3 && whole.unsigned(24).1 + i128::from(offset) < 1 << 24;
-        let part = is_part.then_some(Part { bytes: (offset / 8) as i32, bit: (offset % 8) as u8 });
+        // An element may lie in front of where the pointer goes: positions have 24 bits.
+        let (least, most) = whole.unsigned(24);
+        let signed = (offset << 8) as i32 >> 8;
+        let is_part = always.is_some() && whole.zeros >= 3 && least + i128::from(signed) >= 0 && most + i128::from(signed) < 1 << 24;
+        let part = is_part.then_some(Part { bytes: signed >> 3, bit: (offset % 8) as u8 });
         let access = Access { level: self.level, area, pointer, offset, width, value: None, inside, sure, part };
         Some(match self.element_at(&access) {
             Some(cell) => Reached::Cell(cell),

@@ -40,7 +40,8 @@ impl Shape {
     /// Its vectors: their type, and how many there are for so many turns.
     pub(super) fn vectors(self, lanes: u32) -> (Type, u32) {
         match self {
-            Self::Halves => (I16X8, lanes / 8),
+            // Four numbers have half of one.
+            Self::Halves => (I16X8, lanes.div_ceil(8)),
             Self::Reals => (F32X4, lanes / 4),
             Self::Quads => (I64X2, lanes / 2),
             Self::Lreals => (F64X2, lanes / 2),
@@ -61,7 +62,7 @@ impl Shape {
     }
 }
 
-fn little() -> MemFlagsData {
+pub(super) fn little() -> MemFlagsData {
     MemFlagsData::new().with_endianness(Endianness::Little)
 }
 
@@ -100,12 +101,17 @@ impl Translator<'_> {
     pub(super) fn words(&mut self, value: &Lanes, lanes: u32) -> Vec<Value> {
         let (first, line) = match value {
             Lanes::Words(vectors) => return vectors.clone(),
-            Lanes::Halves(vectors) => return self.widened(&vectors.clone(), false),
+            Lanes::Halves(vectors) => return self.widened(&vectors.clone(), false, lanes),
             Lanes::One(first) => (*first, Line::SAME),
             Lanes::Line(first, line) => (*first, *line),
             // What is no number has one form as bits.
             Lanes::Reals(reals) => return reals.clone().into_iter().map(|real| self.quiet_vector(real)).collect(),
-            Lanes::Mask(_) | Lanes::LongMask(_) | Lanes::Quads(_) | Lanes::Lreals(_) => unreachable!("the shapes were looked at"),
+            Lanes::Mask(masks) => return masks.clone().into_iter().map(|mask| self.b.ins().ushr_imm_u(mask, 31)).collect(),
+            Lanes::LongMask(masks) => {
+                let masks = self.short_masks(masks);
+                return masks.into_iter().map(|mask| self.b.ins().ushr_imm_u(mask, 31)).collect();
+            }
+            Lanes::Quads(_) | Lanes::Lreals(_) => unreachable!("the shapes were looked at"),
         };
         let first = self.int(first);
         let all = self.b.ins().splat(I32X4, first);
@@ -143,7 +149,7 @@ impl Translator<'_> {
     }
 
     fn along(&mut self, all: Value, ty: Type, line: Line, lanes: u32) -> Vec<Value> {
-        let count = lanes / ty.lane_count();
+        let count = lanes.div_ceil(ty.lane_count());
         if line.is_same() {
             return vec![all; count as usize];
         }
@@ -154,7 +160,7 @@ impl Translator<'_> {
         (0..count).map(one).collect()
     }
 
-    fn widened(&mut self, halves: &[Value], signed: bool) -> Vec<Value> {
+    fn widened(&mut self, halves: &[Value], signed: bool, lanes: u32) -> Vec<Value> {
         let mut words = Vec::new();
         for &half in halves {
             let both = match signed {
@@ -163,6 +169,7 @@ impl Translator<'_> {
             };
             words.extend(both);
         }
+        words.truncate((lanes / 4) as usize);
         words
     }
 
@@ -208,12 +215,12 @@ impl Translator<'_> {
             }
             Op::Extend16 => {
                 let halves = self.halves(&args[0], lanes);
-                self.widened(&halves, true)
+                self.widened(&halves, true, lanes)
             }
             Op::AddI16Wide | Op::SubI16Wide | Op::MulI16Wide => {
                 let [a, b] = [0, 1].map(|at: usize| {
                     let halves = self.halves(&args[at], lanes);
-                    self.widened(&halves, true)
+                    self.widened(&halves, true, lanes)
                 });
                 let both = a.into_iter().zip(b);
                 let one = |(a, b)| match op {
@@ -222,6 +229,12 @@ impl Translator<'_> {
                     _ => self.b.ins().imul(a, b),
                 };
                 both.map(one).collect()
+            }
+            Op::Low16 => {
+                let words = self.words(&args[0], lanes);
+                let low = self.constant_vector(I32X4, 0xFFFF_u32.to_le_bytes().repeat(4));
+                let words: Vec<Value> = words.into_iter().map(|word| self.b.ins().band(word, low)).collect();
+                words.chunks(2).map(|pair| self.b.ins().unarrow(pair[0], pair[pair.len() - 1])).collect()
             }
             Op::I32ToF32 => {
                 let words = self.words(&args[0], lanes);
@@ -310,13 +323,27 @@ impl Translator<'_> {
         if let Some(condition) = halves {
             let [a, b] = [0, 1].map(|at: usize| self.halves(&args[at], lanes));
             let masks: Vec<Value> = a.into_iter().zip(b).map(|(a, b)| self.b.ins().icmp(condition, a, b)).collect();
-            return Some(self.widened(&masks, true));
+            return Some(self.widened(&masks, true, lanes));
         }
         if let Some(condition) = reals {
             let [a, b] = [0, 1].map(|at: usize| self.reals(&args[at], lanes));
             return Some(a.into_iter().zip(b).map(|(a, b)| self.b.ins().fcmp(condition, a, b)).collect());
         }
         match op {
+            // By 0, and the least number by -1.
+            Op::DivFailsI32 => {
+                let [a, b] = [0, 1].map(|at: usize| self.words(&args[at], lanes));
+                let [least, minus_one] = [i32::MIN, -1].map(|number| self.constant_vector(I32X4, number.to_le_bytes().repeat(4)));
+                let zero = self.zeros(I32X4);
+                let one = |(a, b)| {
+                    let by_zero = self.b.ins().icmp(I::Equal, b, zero);
+                    let of_least = self.b.ins().icmp(I::Equal, a, least);
+                    let by_minus_one = self.b.ins().icmp(I::Equal, b, minus_one);
+                    let too_great = self.b.ins().band(of_least, by_minus_one);
+                    self.b.ins().bor(by_zero, too_great)
+                };
+                Some(a.into_iter().zip(b).map(one).collect())
+            }
             // One is less than the other: there is no such comparison of vectors.
             Op::NeF32 => {
                 let [a, b] = [0, 1].map(|at: usize| self.reals(&args[at], lanes));
@@ -349,7 +376,7 @@ impl Translator<'_> {
                     _ => self.words(&args[at], lanes),
                 });
                 if shape == Shape::Halves {
-                    masks = masks.chunks(2).map(|pair| self.b.ins().snarrow(pair[0], pair[1])).collect();
+                    masks = masks.chunks(2).map(|pair| self.b.ins().snarrow(pair[0], pair[pair.len() - 1])).collect();
                 }
                 let both = a.into_iter().zip(b).zip(masks);
                 Some(both.map(|((a, b), mask)| self.b.ins().bitselect(mask, a, b)).collect())
@@ -361,7 +388,7 @@ impl Translator<'_> {
                     _ => self.words(&args[0], lanes),
                 };
                 if shape == Shape::Halves {
-                    masks = masks.chunks(2).map(|pair| self.b.ins().snarrow(pair[0], pair[1])).collect();
+                    masks = masks.chunks(2).map(|pair| self.b.ins().snarrow(pair[0], pair[pair.len() - 1])).collect();
                 }
                 Some(values.into_iter().zip(masks).map(|(value, mask)| self.b.ins().band(value, mask)).collect())
             }
@@ -370,7 +397,7 @@ impl Translator<'_> {
     }
 
     /// Turns the bytes of each number of a vector around.
-    fn turned(&mut self, vector: Value, bytes: u8) -> Value {
+    pub(super) fn turned(&mut self, vector: Value, bytes: u8) -> Value {
         let mask: Vec<u8> = (0..VECTOR_BYTES as u8).map(|at| at / bytes * bytes + (bytes - 1 - at % bytes)).collect();
         let mask: Immediate = self.b.func.dfg.immediates.push(ConstantData::from(mask));
         self.b.ins().shuffle(vector, vector, mask)
@@ -381,7 +408,14 @@ impl Translator<'_> {
         let (ty, count) = shape.vectors(lanes);
         let bytes = ty.lane_type().bytes() as u8;
         let one = |number: u32| {
-            let vector = self.b.ins().load(I8X16, data(), address, offset + (number * VECTOR_BYTES) as i32);
+            let offset = offset + (number * VECTOR_BYTES) as i32;
+            let vector = if lanes < ty.lane_count() {
+                let half = self.b.ins().load(I64, data(), address, offset);
+                let half = self.b.ins().scalar_to_vector(I64X2, half);
+                self.b.ins().bitcast(I8X16, little(), half)
+            } else {
+                self.b.ins().load(I8X16, data(), address, offset)
+            };
             let vector = self.turned(vector, bytes);
             self.b.ins().bitcast(ty, little(), vector)
         };
@@ -390,16 +424,28 @@ impl Translator<'_> {
 
     /// Writes numbers of so many bytes that follow one another.
     pub(super) fn write_lanes(&mut self, address: Value, offset: i32, value: &Lanes, bytes: u8, lanes: u32) {
-        let vectors = match (bytes, value) {
+        let vectors = self.vectors_to_write(value, bytes, lanes);
+        for (number, vector) in (0..).zip(vectors) {
+            let vector = self.b.ins().bitcast(I8X16, little(), vector);
+            let vector = self.turned(vector, bytes);
+            let offset = offset + number * VECTOR_BYTES as i32;
+            if lanes * u32::from(bytes) < VECTOR_BYTES {
+                let both = self.b.ins().bitcast(F64X2, little(), vector);
+                let half = self.b.ins().extractlane(both, 0);
+                self.b.ins().store(data(), half, address, offset);
+                continue;
+            }
+            self.b.ins().store(data(), vector, address, offset);
+        }
+    }
+
+    /// Numbers of so many bytes as memory gets them, but for the order of their bytes.
+    pub(super) fn vectors_to_write(&mut self, value: &Lanes, bytes: u8, lanes: u32) -> Vec<Value> {
+        match (bytes, value) {
             (2, value) => self.halves(value, lanes),
             (8, value) => self.quads(value, lanes),
             (_, Lanes::Reals(reals)) => reals.clone().into_iter().map(|real| self.quiet_vector(real)).collect(),
             (_, value) => self.words(value, lanes),
-        };
-        for (number, vector) in (0..).zip(vectors) {
-            let vector = self.b.ins().bitcast(I8X16, little(), vector);
-            let vector = self.turned(vector, bytes);
-            self.b.ins().store(data(), vector, address, offset + number * VECTOR_BYTES as i32);
         }
     }
 
@@ -417,7 +463,7 @@ impl Translator<'_> {
             Lanes::One(value) => *value,
             Lanes::Line(first, line) => self.further(*first, *line, lanes - 1),
             Lanes::Halves(vectors) => {
-                let half = self.b.ins().extractlane(vectors[vectors.len() - 1], 7);
+                let half = self.b.ins().extractlane(vectors[vectors.len() - 1], (lanes - 1) as u8 % 8);
                 Val::Int(self.b.ins().uextend(I32, half))
             }
             Lanes::Words(vectors) => Val::Int(self.b.ins().extractlane(vectors[vectors.len() - 1], 3)),
@@ -469,15 +515,15 @@ impl Translator<'_> {
         self.on_line(sum, line)
     }
 
-    /// The sum of all lanes of some vectors.
-    pub(super) fn sum_of_lanes(&mut self, vectors: &[Value]) -> Value {
+    /// The sum of so many lanes of some vectors.
+    pub(super) fn sum_of_lanes(&mut self, vectors: &[Value], lanes: u32) -> Value {
         let mut sum = vectors[0];
         for &vector in &vectors[1..] {
             sum = self.b.ins().iadd(sum, vector);
         }
         let ty = self.b.func.dfg.value_type(sum);
         let mut total = None;
-        for lane in 0..ty.lane_count() as u8 {
+        for lane in 0..ty.lane_count().min(lanes) as u8 {
             let value = self.b.ins().extractlane(sum, lane);
             let value = if ty == I16X8 { self.b.ins().uextend(I32, value) } else { value };
             total = Some(match total {

@@ -3,20 +3,21 @@
 use std::collections::{BTreeSet, HashMap};
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::{F32, F64, I32, I64};
+use cranelift_codegen::ir::types::{F32, F64, I16, I32, I64};
 use cranelift_codegen::ir::{self as clif, BlockArg, InstBuilder, MemFlagsData, Type, Value};
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
 
 use super::super::loops::Loop;
-use super::super::memory::{Address, Bit, data};
+use super::super::memory::{Address, Bit};
 use super::super::promote::Base;
 use super::super::value::Val;
 use super::super::{Translator, is_bit};
 use super::Plan;
 use super::extremes::Extreme;
-use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Part, Step, What};
+use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Step, What};
 use super::left::{Progress, Waiting};
+use super::left_beside::LeftBeside;
 use super::line::{Carried, Line, Shape, Sum};
 use super::pieces::{self, Gathered, Piece};
 use super::vector::Lanes;
@@ -26,14 +27,14 @@ const COUNTED_MORE: usize = 2;
 
 /// What one of the loops has while its turns are written.
 #[derive(Default)]
-struct Scope {
-    values: HashMap<Node, Lanes>,
+pub(super) struct Scope {
+    pub(super) values: HashMap<Node, Lanes>,
     /// What cells hold when a turn begins.
     starts: HashMap<Cell, Lanes>,
     /// Addresses that are counted on, by their pointers and offsets.
-    addresses: HashMap<(Base, Node, u32), Value>,
-    /// Bytes of which one bit was read or written, by their addresses and accesses to them.
-    bytes: Vec<(Value, i32, usize, Value)>,
+    pub(super) addresses: HashMap<(Base, Node, u32), Value>,
+    /// Bytes of which one bit was read or written, by their addresses and accesses to them: one of each turn, or vectors of them.
+    pub(super) bytes: Vec<(Value, i32, usize, Vec<Value>)>,
 }
 
 /// What a loop hands from turn to turn, and how.
@@ -46,6 +47,10 @@ enum Handed {
     /// The least or greatest numbers: their vectors.
     Extreme(Cell, Node, Extreme, Shape),
     Chain(Cell, Node, Form),
+    /// Which turn of each lane was the last that wrote cells that are left, by the first of them.
+    Mark(usize),
+    /// What it left in a cell, by its number among them, and where its mark is.
+    Left(usize, usize),
     Address(Base, Node, u32, i64),
 }
 
@@ -69,7 +74,7 @@ pub(super) struct Writing<'t, 'a, 'k> {
     plan: &'k Plan,
     pub(super) kernel: &'k Kernel,
     /// Turns side by side.
-    lanes: u32,
+    pub(super) lanes: u32,
     /// Accesses whose bits make whole bytes, if eight turns are written behind one another.
     pub(super) gathered: Gathered,
     /// Which of these turns is written, and their bytes so far.
@@ -80,6 +85,9 @@ pub(super) struct Writing<'t, 'a, 'k> {
     /// What cells hold in front of the loop.
     before: HashMap<Cell, Val>,
     sums: HashMap<Cell, Vec<Value>>,
+    /// Cells that some of the turns side by side write, and the marks and values of the last ones of each lane.
+    left_beside: Vec<LeftBeside>,
+    lefts: HashMap<Cell, (Vec<Value>, Vec<Value>)>,
     /// Choices that leave the less or greater of two REALs or LREALs for the next turn.
     extremes: BTreeSet<Node>,
     /// What blocks have taken from the budget that not all turns enter.
@@ -116,6 +124,8 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             inner: Scope::default(),
             before: HashMap::new(),
             sums: HashMap::new(),
+            left_beside: Vec::new(),
+            lefts: HashMap::new(),
             extremes: BTreeSet::new(),
             taken: None,
             waiting: Vec::new(),
@@ -317,7 +327,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         }
     }
 
-    fn scope(&mut self, level: Level) -> &mut Scope {
+    pub(super) fn scope(&mut self, level: Level) -> &mut Scope {
         match level {
             Level::Outer => &mut self.outer,
             Level::Inner => &mut self.inner,
@@ -391,7 +401,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 None => vec![self.t.b.ins().iadd_imm_s(now[0], -i64::from(step))],
             };
             for (one, own) in handed.iter().zip(self.owned(&handed, &now[others..])) {
-                self.next_of(level, one, &own, &mut next);
+                self.next_of(level, one, &own, now[0], &mut next);
             }
             now = next;
         }
@@ -410,12 +420,21 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         self.t.b.switch_to_block(behind);
         self.t.b.seal_block(behind);
         let mut all = Vec::new();
+        let mut marks = Vec::new();
         let mut at = others;
         for one in &handed {
             let count = self.count_of(one);
             if let Handed::Sum(cell, ..) | Handed::Extreme(cell, ..) = one {
                 self.sums.insert(*cell, next[at..at + count].to_vec());
                 all.extend(&next[at..at + count]);
+            }
+            match one {
+                Handed::Mark(_) => marks = next[at..at + count].to_vec(),
+                Handed::Left(number, _) => {
+                    let cell = self.left_beside[*number].cell;
+                    self.lefts.insert(cell, (marks.clone(), next[at..at + count].to_vec()));
+                }
+                _ => {}
             }
             at += count;
         }
@@ -506,7 +525,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             match carried {
                 Carried::Line(line) if looked_at && !line.is_same() && counted.is_none() => handed.push(Handed::Line(cell, line)),
                 Carried::Line(_) | Carried::Nothing => {}
-                Carried::Chain if level == Level::Outer && self.is_left(cell) => {}
+                Carried::Chain if level == Level::Outer && (self.lanes > 1 || self.is_left(cell)) => {}
                 Carried::Sum { added, bits } if self.lanes > 1 && level == Level::Outer => {
                     handed.push(Handed::Sum(cell, added, Shape::of_bits(bits)));
                 }
@@ -520,6 +539,17 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     }
                     handed.push(Handed::Chain(cell, end, form));
                 }
+            }
+        }
+        if level == Level::Outer && self.lanes > 1 {
+            self.left_beside = kernel.all_left_beside();
+            let mut mark = 0;
+            for (number, left) in self.left_beside.iter().enumerate() {
+                if number == 0 || self.left_beside[number - 1].conditions != left.conditions {
+                    mark = number;
+                    handed.push(Handed::Mark(number));
+                }
+                handed.push(Handed::Left(number, mark));
             }
         }
         let step_of = |access: &Access| self.plan.counted_on(access, level);
@@ -638,6 +668,8 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 shape.vectors(self.lanes).1 as usize
             }
             Handed::Chain(..) => 1,
+            Handed::Mark(_) => self.lanes as usize / 4,
+            Handed::Left(number, _) => self.left_beside[*number].shape.vectors(self.lanes).1 as usize,
         }
     }
 
@@ -691,6 +723,12 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 let value = self.entry(level, cell);
                 self.in_form(&value, form, all);
             }
+            Handed::Mark(_) => all.extend(self.t.no_turns(self.lanes)),
+            // Nobody looks at it while its mark says that no turn left anything.
+            Handed::Left(number, _) => {
+                let (ty, count) = self.left_beside[number].shape.vectors(self.lanes);
+                all.extend((0..count).map(|_| self.t.zeros(ty)));
+            }
             Handed::Address(base, pointer, offset, _) => {
                 let value = match level {
                     Level::Outer => self.value_before(pointer),
@@ -731,7 +769,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         self.t.b.ins().iadd(base, byte)
     }
 
-    fn base(&self, base: Base) -> Value {
+    pub(super) fn base(&self, base: Base) -> Value {
         self.t.address_of_base(base)
     }
 
@@ -758,7 +796,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     }
                     self.scope(level).values.insert(node, Lanes::One(Val::Int(own[0])));
                 }
-                Handed::Sum(..) | Handed::Extreme(..) => {}
+                Handed::Sum(..) | Handed::Extreme(..) | Handed::Mark(_) | Handed::Left(..) => {}
                 Handed::Chain(cell, _, form) => {
                     let value = match form {
                         Form::Bit => Lanes::One(Val::Bit { value: own[0], clean: true }),
@@ -786,7 +824,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     }
 
     /// What is handed on to the next turn.
-    fn next_of(&mut self, level: Level, one: &Handed, own: &[Value], all: &mut Vec<Value>) {
+    fn next_of(&mut self, level: Level, one: &Handed, own: &[Value], left: Value, all: &mut Vec<Value>) {
         match *one {
             Handed::Line(_, line) | Handed::Counted(_, line) => {
                 let turns = if level == Level::Outer { self.lanes } else { 1 };
@@ -813,12 +851,64 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 let value = self.value(end, level);
                 self.in_form(&value, form, all);
             }
+            Handed::Mark(number) => {
+                let masks = self.where_left(number, level);
+                let marks = self.t.marks(left, self.lanes);
+                all.extend(self.t.chosen_in_lanes(&masks, &marks, own, Shape::Words));
+            }
+            Handed::Left(number, mark) => {
+                let masks = self.where_left(mark, level);
+                let LeftBeside { value, shape, .. } = self.left_beside[number];
+                let value = self.value(value, level);
+                let mut new = Vec::new();
+                match shape {
+                    Shape::Mask => new = self.t.masks(&value, self.lanes),
+                    shape => self.in_form(&value, Form::Lanes(shape), &mut new),
+                }
+                all.extend(self.t.chosen_in_lanes(&masks, &new, own, shape));
+            }
             Handed::Address(.., step) => all.push(self.t.b.ins().iadd_imm_s(own[0], step)),
         }
     }
 
+    /// The lanes whose turns write cells that are left.
+    fn where_left(&mut self, number: usize, level: Level) -> Vec<Value> {
+        let conditions = self.left_beside[number].conditions.clone();
+        let conditions: Vec<(Lanes, bool)> =
+            conditions.into_iter().map(|(condition, holds)| (self.value(condition, level), holds)).collect();
+        self.t.where_all(&conditions, self.lanes)
+    }
+
+    /// What a cell holds behind turns side by side, if some of them write it.
+    fn was_left_beside(&mut self, cell: Cell) -> Option<Val> {
+        let left = self.left_beside.iter().find(|left| left.cell == cell)?;
+        let (marks, vectors) = self.lefts.get(&cell)?.clone();
+        let shape = left.shape;
+        let before = self.before[&cell];
+        let before = match shape {
+            Shape::Quads => self.t.word(before),
+            Shape::Halves => {
+                let before = self.t.int(before);
+                self.t.b.ins().ireduce(I16, before)
+            }
+            // A bit is as many as a number has in its lane.
+            Shape::Mask => {
+                let before = self.t.flag(before);
+                self.t.b.ins().ineg(before)
+            }
+            _ => self.t.int(before),
+        };
+        let value = self.t.last_of_lanes(&marks, &vectors, before);
+        Some(match shape {
+            Shape::Quads => Val::Word(value),
+            Shape::Halves => Val::Int(self.t.b.ins().uextend(I32, value)),
+            Shape::Mask => Val::Bit { value, clean: false },
+            _ => Val::Int(value),
+        })
+    }
+
     /// A value in the running turn.
-    fn value(&mut self, node: Node, level: Level) -> Lanes {
+    pub(super) fn value(&mut self, node: Node, level: Level) -> Lanes {
         if let Some(value) = self.outer.values.get(&node) {
             return value.clone();
         }
@@ -897,88 +987,14 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             }
         }
         let shape = self.kernel.shape(node).expect("the shapes were looked at");
+        if self.kernel.is_one_by_one(node) {
+            let bounds = match self.kernel.what(node) {
+                What::Compute(_, [number, ..]) => self.kernel.bounds.get(&number).copied(),
+                _ => None,
+            };
+            return self.t.compute_one_by_one(op, shape, args, bounds, self.lanes);
+        }
         self.t.compute_lanes(op, shape, args, self.lanes)
-    }
-
-    fn access(&mut self, number: usize, level: Level) {
-        if self.access_piece(number) {
-            return;
-        }
-        let access = &self.kernel.accesses[number];
-        let (_, start, _) = access.area;
-        let part = access.part.unwrap_or(Part { bytes: 0, bit: 0 });
-        let address = match self.scope(level).addresses.get(&access.counted()) {
-            Some(&base) => Address { base, offset: start + part.bytes, bit: Bit::Number(part.bit) },
-            None => {
-                let pointer = self.first(access.pointer, level);
-                let base = self.base(access.area.0);
-                let area = (base, start, access.area.2);
-                self.t.address_inside(area, pointer, access.offset, (access.width, access.width.bytes()))
-            }
-        };
-        let shape = self.kernel.shape(self.kernel.read_of(number));
-        match access.value {
-            None => {
-                let value = match shape {
-                    Some(shape @ (Shape::Halves | Shape::Words | Shape::Quads)) if self.lanes > 1 => {
-                        self.t.read_lanes(address.base, address.offset, shape, self.lanes)
-                    }
-                    _ => Lanes::One(match (access.width, address.bit) {
-                        (Width::Bit, Bit::Number(bit)) => {
-                            let byte = self.byte(number, address, level);
-                            Translator::bit_value(byte, bit, false)
-                        }
-                        _ => self.t.read(address, access.width),
-                    }),
-                };
-                let node = self.kernel.read_of(number);
-                self.scope(level).values.insert(node, value);
-            }
-            Some(value) => {
-                let value = self.value(value, level);
-                if self.lanes > 1 {
-                    self.t.write_lanes(address.base, address.offset, &value, access.width.bytes() as u8, self.lanes);
-                } else if let Lanes::One(value) = value {
-                    let new = (access.width == Width::Bit && matches!(address.bit, Bit::Number(_))).then(|| {
-                        let old = self.byte(number, address, level);
-                        self.t.with_bit(old, address.bit, value)
-                    });
-                    match new {
-                        Some(new) => drop(self.t.b.ins().istore8(data(), new, address.base, address.offset)),
-                        None => self.t.write(address, access.width, value),
-                    }
-                    self.forget_bytes(number, address, level);
-                    if let Some(new) = new {
-                        self.scope(level).bytes.push((address.base, address.offset, number, new));
-                    }
-                }
-            }
-        }
-    }
-
-    /// The byte with the bit to which an access goes.
-    fn byte(&mut self, number: usize, Address { base, offset, .. }: Address, level: Level) -> Value {
-        let bytes = &self.scope(level).bytes;
-        if let Some(&(.., byte)) = bytes.iter().find(|&&(known, at, ..)| (known, at) == (base, offset)) {
-            return byte;
-        }
-        let byte = self.t.b.ins().uload8(I32, data(), base, offset);
-        self.scope(level).bytes.push((base, offset, number, byte));
-        byte
-    }
-
-    /// Forgets the bytes that an access may have written.
-    fn forget_bytes(&mut self, number: usize, Address { base, offset, .. }: Address, level: Level) {
-        let accesses = &self.kernel.accesses;
-        let written = offset..offset + accesses[number].width.bytes() as i32;
-        let (area, touched) = accesses[number].bytes();
-        self.scope(level).bytes.retain(|&(other, at, access, _)| {
-            if other == base {
-                return !written.contains(&at);
-            }
-            let (other_area, others) = accesses[access].bytes();
-            !area.may_share(&touched, other_area, &others)
-        });
     }
 
     /// Writes what cells hold behind the turns.
@@ -995,7 +1011,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 }
                 Carried::Sum { bits, .. } if self.lanes > 1 => {
                     let vectors = self.sums.get(&cell).cloned().unwrap_or_default();
-                    let sum = self.t.sum_of_lanes(&vectors);
+                    let sum = self.t.sum_of_lanes(&vectors, self.lanes);
                     let before = self.before[&cell];
                     let before = self.t.int(before);
                     let sum = self.t.b.ins().iadd(before, sum);
@@ -1003,7 +1019,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 }
                 Carried::Extreme { extreme, bits, .. } if self.lanes > 1 => {
                     let vectors = self.sums.get(&cell).cloned().unwrap_or_default();
-                    let found = self.t.extreme_in_lanes(extreme, &vectors);
+                    let found = self.t.extreme_in_lanes(extreme, &vectors, self.lanes);
                     self.t.on_line(found, Line { step: 0, bits })
                 }
                 Carried::Nothing
@@ -1014,6 +1030,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     continue;
                 }
                 Carried::Chain if let Some(value) = self.was_left(cell, turns) => value,
+                Carried::Chain if let Some(value) = self.was_left_beside(cell) => value,
                 _ => {
                     let value = self.value(end, Level::Outer);
                     self.t.last_lane(&value, self.lanes)
@@ -1036,13 +1053,6 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             self.t.write_cell(self.kernel, cell, value);
         }
         self.t.settle_bytes();
-    }
-}
-
-impl Access {
-    /// What its address is counted on with.
-    fn counted(&self) -> (Base, Node, u32) {
-        (self.area.0, self.pointer, if self.part.is_some() { 0 } else { self.offset })
     }
 }
 

@@ -1,0 +1,169 @@
+//! How a turn reads and writes memory at addresses that it computes.
+
+use cranelift_codegen::ir::types::I32;
+use cranelift_codegen::ir::{InstBuilder, Value};
+use sieben_model::address::Width;
+
+use super::super::Translator;
+use super::super::memory::{Address, Bit, data};
+use super::super::promote::Base;
+use super::kernel::{Access, Level, Node, Part};
+use super::line::Shape;
+use super::spread::Apart;
+use super::vector::Lanes;
+use super::write::Writing;
+
+impl Writing<'_, '_, '_> {
+    pub(super) fn access(&mut self, number: usize, level: Level) {
+        if self.access_piece(number) {
+            return;
+        }
+        let access = &self.kernel.accesses[number];
+        let (_, start, _) = access.area;
+        let part = access.part.unwrap_or(Part { bytes: 0, bit: 0 });
+        let address = match self.scope(level).addresses.get(&access.counted()) {
+            Some(&base) => Address { base, offset: start + part.bytes, bit: Bit::Number(part.bit) },
+            None => {
+                let pointer = self.first(access.pointer, level);
+                let base = self.base(access.area.0);
+                let area = (base, start, access.area.2);
+                self.t.address_inside(area, pointer, access.offset, (access.width, access.width.bytes()))
+            }
+        };
+        if self.lanes > 1
+            && let Some(step) = self.kernel.apart(access)
+        {
+            self.access_apart(
+                number,
+                Apart {
+                    first: address,
+                    step,
+                    only_read: self.kernel.is_only_read(number),
+                    more: self.kernel.has_more(access, self.t.layout.size),
+                },
+                level,
+            );
+            return;
+        }
+        let shape = self.kernel.shape(self.kernel.read_of(number));
+        match access.value {
+            None => {
+                let value = match shape {
+                    Some(shape @ (Shape::Halves | Shape::Words | Shape::Quads)) if self.lanes > 1 => {
+                        self.t.read_lanes(address.base, address.offset, shape, self.lanes)
+                    }
+                    _ => Lanes::One(match (access.width, address.bit) {
+                        (Width::Bit, Bit::Number(bit)) => {
+                            let byte = self.byte(number, address, level);
+                            Translator::bit_value(byte, bit, false)
+                        }
+                        _ => self.t.read(address, access.width),
+                    }),
+                };
+                let node = self.kernel.read_of(number);
+                self.scope(level).values.insert(node, value);
+            }
+            Some(value) => {
+                let value = self.value(value, level);
+                if self.lanes > 1 {
+                    self.t.write_lanes(address.base, address.offset, &value, access.width.bytes() as u8, self.lanes);
+                } else if let Lanes::One(value) = value {
+                    let new = (access.width == Width::Bit && matches!(address.bit, Bit::Number(_))).then(|| {
+                        let old = self.byte(number, address, level);
+                        self.t.with_bit(old, address.bit, value)
+                    });
+                    match new {
+                        Some(new) => drop(self.t.b.ins().istore8(data(), new, address.base, address.offset)),
+                        None => self.t.write(address, access.width, value),
+                    }
+                    self.forget_bytes(number, address, level);
+                    if let Some(new) = new {
+                        self.scope(level).bytes.push((address.base, address.offset, number, vec![new]));
+                    }
+                }
+            }
+        }
+    }
+
+    /// The same where the variables of turns side by side lie apart.
+    fn access_apart(&mut self, number: usize, apart: Apart, level: Level) {
+        let access = &self.kernel.accesses[number];
+        let node = self.kernel.read_of(number);
+        let bit = match apart.first.bit {
+            Bit::Number(bit) if access.width == Width::Bit => Some(bit),
+            _ => None,
+        };
+        let Some(value) = access.value else {
+            let value = match bit {
+                Some(bit) => {
+                    let bytes = self.bytes_apart(number, apart, level);
+                    bytes.iter().for_each(|&vector| self.t.put_together(apart, vector));
+                    self.t.bits_of_bytes(&bytes, bit)
+                }
+                None => {
+                    let shape = self.kernel.shape(node).expect("the shapes were looked at");
+                    self.t.read_apart(apart, shape, access.width, self.lanes)
+                }
+            };
+            self.scope(level).values.insert(node, value);
+            return;
+        };
+        let value = self.value(value, level);
+        let new = bit.map(|bit| {
+            let bytes = self.bytes_apart(number, apart, level);
+            self.t.with_bits(&bytes, bit, &value, self.lanes)
+        });
+        match &new {
+            Some(new) => self.t.write_bytes_apart(apart, new),
+            None => self.t.write_apart(apart, access.width, &value, self.lanes),
+        }
+        self.forget_bytes(number, apart.first, level);
+        if let Some(new) = new {
+            self.scope(level).bytes.push((apart.first.base, apart.first.offset, number, new));
+        }
+    }
+
+    /// The bytes with the bits to which an access goes in turns side by side.
+    fn bytes_apart(&mut self, number: usize, apart: Apart, level: Level) -> Vec<Value> {
+        let (base, offset) = (apart.first.base, apart.first.offset);
+        let known = self.scope(level).bytes.iter().find(|(known, at, ..)| (*known, *at) == (base, offset));
+        if let Some((.., bytes)) = known {
+            return bytes.clone();
+        }
+        let bytes = self.t.bytes_apart(apart, self.lanes);
+        self.scope(level).bytes.push((base, offset, number, bytes.clone()));
+        bytes
+    }
+
+    /// The byte with the bit to which an access goes.
+    fn byte(&mut self, number: usize, Address { base, offset, .. }: Address, level: Level) -> Value {
+        let bytes = &self.scope(level).bytes;
+        if let Some((.., byte)) = bytes.iter().find(|(known, at, ..)| (*known, *at) == (base, offset)) {
+            return byte[0];
+        }
+        let byte = self.t.b.ins().uload8(I32, data(), base, offset);
+        self.scope(level).bytes.push((base, offset, number, vec![byte]));
+        byte
+    }
+
+    /// Forgets the bytes that an access may have written.
+    fn forget_bytes(&mut self, number: usize, Address { base, offset, .. }: Address, level: Level) {
+        let accesses = &self.kernel.accesses;
+        let written = offset..offset + accesses[number].width.bytes() as i32;
+        let (area, touched) = accesses[number].bytes();
+        self.scope(level).bytes.retain(|&(other, at, access, _)| {
+            if other == base {
+                return !written.contains(&at);
+            }
+            let (other_area, others) = accesses[access].bytes();
+            !area.may_share(&touched, other_area, &others)
+        });
+    }
+}
+
+impl Access {
+    /// What its address is counted on with.
+    pub(super) fn counted(&self) -> (Base, Node, u32) {
+        (self.area.0, self.pointer, if self.part.is_some() { 0 } else { self.offset })
+    }
+}

@@ -1,0 +1,399 @@
+//! Turns side by side with variables that lie apart from turn to turn, as fields of structures and instances in arrays do: they are read
+//! one by one into the lanes of vectors, and written one by one out of them.
+
+use std::collections::BTreeSet;
+use std::ops::{Range, RangeInclusive};
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{F32, F32X4, F64, F64X2, I8, I8X16, I16, I16X8, I32, I32X4, I64, I64X2};
+use cranelift_codegen::ir::{InstBuilder, StackSlotData, StackSlotKind, Type, Value};
+use sieben_engine::ir::Op;
+use sieben_model::address::Width;
+
+use super::super::Translator;
+use super::super::memory::{Address, data};
+use super::super::promote::Base;
+use super::super::value::Val;
+use super::kernel::{Access, Kernel, Level, Node, What};
+use super::line::Shape;
+use super::vector::{Lanes, VECTOR_BYTES, little};
+
+/// Turns side by side at most where variables lie apart.
+const TURNS_MAX: i64 = 8;
+/// Operations and accesses of a turn for each operation that has no form for vectors.
+const OTHERS_MIN: usize = 4;
+
+/// Vectors that are put together at different places on the stack.
+const TOGETHER: u32 = 16;
+
+/// How the variables of turns side by side lie: the first one, and the bytes to the next one.
+#[derive(Clone, Copy)]
+pub(super) struct Apart {
+    pub(super) first: Address,
+    pub(super) step: i32,
+    /// Whether no turn writes it.
+    pub(super) only_read: bool,
+    /// Whether at least four bytes may be read at each place.
+    pub(super) more: bool,
+}
+
+impl Apart {
+    fn of_lane(self, lane: u32) -> Address {
+        Address { offset: self.first.offset + self.step * lane as i32, ..self.first }
+    }
+}
+
+impl Kernel {
+    /// The bytes from where an access goes in one turn to where it goes in the next, if something lies between.
+    pub(super) fn apart(&self, access: &Access) -> Option<i32> {
+        if self.inner.is_some() {
+            return None;
+        }
+        let step = self.counted_on(access, Level::Outer)?;
+        let follows = access.width != Width::Bit && step == access.width.bytes() * 8;
+        (step != 0 && !follows).then_some(step as i32 / 8)
+    }
+
+    /// The form of variables that lie apart.
+    pub(super) fn shape_of_apart(&self, access: &Access) -> Option<Shape> {
+        self.apart(access)?;
+        Some(match access.width {
+            Width::Bit => Shape::Mask,
+            Width::Byte | Width::DoubleWord => Shape::Words,
+            Width::Word => Shape::Halves,
+            Width::QuadWord => Shape::Quads,
+        })
+    }
+
+    /// Whether a turn reads or writes something that lies apart from that of the next turn.
+    pub(super) fn is_spread(&self) -> bool {
+        self.accesses.iter().any(|access| self.apart(access).is_some())
+    }
+
+    /// Whether what a turn touches later is not what one of the turns beside it has touched before, which is done first then. Both
+    /// are counted on.
+    pub(super) fn turns_stay_apart(&self, later: &Access, earlier: &Access) -> bool {
+        self.stay_apart(later, earlier, 1..=TURNS_MAX)
+    }
+
+    /// Whether what an access touches is not what another one touches so many turns later. Both are counted on.
+    fn stay_apart(&self, later: &Access, earlier: &Access, turns: RangeInclusive<i64>) -> bool {
+        let steps = [later, earlier].map(|access| self.counted_on(access, Level::Outer));
+        let [Some(step), Some(other)] = steps else { return false };
+        if self.inner.is_some() || step != other || later.area != earlier.area || later.pointer != earlier.pointer {
+            return false;
+        }
+        // Positions have 24 bits.
+        let byte = |access: &Access| (access.offset as i32) << 8 >> 11;
+        let ahead = byte(later).wrapping_sub(byte(earlier)) << 11 >> 11;
+        let (step, ahead) = (i64::from(step as i32) / 8, i64::from(ahead));
+        let [later, earlier] = [later, earlier].map(|access| i64::from(access.width.bytes()));
+        let is_apart = |turns: i64| turns * step + earlier <= ahead || ahead + later <= turns * step;
+        turns.into_iter().all(is_apart)
+    }
+
+    /// Whether four bytes may be read where an access goes: an arena ends at `size`.
+    pub(super) fn has_more(&self, access: &Access, size: usize) -> bool {
+        let (base, bytes) = access.bytes();
+        let last = bytes.end - i64::from(access.width.bytes());
+        base == Base::Arena && usize::try_from(last + 4).is_ok_and(|end| end <= size)
+    }
+
+    /// Whether no turn writes what turns read with an access, and nobody needs it behind them: others may have written it then.
+    pub(super) fn is_only_read(&self, number: usize) -> bool {
+        let own = &self.accesses[number];
+        let mut left = BTreeSet::new();
+        self.all_ends().for_each(|end| self.rests(end, &mut left));
+        if left.contains(&self.read_of(number)) {
+            return false;
+        }
+        let meets = |other: &Access| {
+            let ((base, bytes), (other_base, others)) = (own.bytes(), other.bytes());
+            other.value.is_some() && base.may_share(&bytes, other_base, &others) && !self.stay_apart(own, other, -TURNS_MAX..=TURNS_MAX)
+        };
+        !self.accesses.iter().any(meets)
+    }
+
+    /// The form of what an operation makes that is done one by one, if others are worth it.
+    pub(super) fn shape_one_by_one(&self, node: Node, op: Op) -> Option<Shape> {
+        if op.arity() > 3 || !self.is_spread() {
+            return None;
+        }
+        Some(match () {
+            () if self.is_bit(node) => Shape::Mask,
+            () if self.is_16_bits(node) => Shape::Halves,
+            () if self.is_32_bits(node) => Shape::Words,
+            () => Shape::Quads,
+        })
+    }
+
+    /// Whether so few operations are done one by one that it is worth it.
+    pub(super) fn few_are_one_by_one(&self) -> bool {
+        let mut reached = BTreeSet::new();
+        let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
+        self.all_ends().chain(of_accesses).for_each(|node| self.rests(node, &mut reached));
+        let is_computed = |node: &Node| matches!(self.what(*node), What::Compute(..)) && self.line(*node, Level::Outer).is_none();
+        let computed: Vec<Node> = reached.into_iter().filter(is_computed).collect();
+        let alone = computed.iter().filter(|&&node| self.is_one_by_one(node)).count();
+        let others = computed.len() - alone + self.accesses.len();
+        others >= OTHERS_MIN * alone
+    }
+
+    /// Whether turns side by side do an operation one by one.
+    pub(super) fn is_one_by_one(&self, node: Node) -> bool {
+        let is_computed = matches!(self.what(node), What::Compute(..)) && self.line(node, Level::Outer).is_none();
+        is_computed && self.shape(node).is_some() && self.vector_shape(node).is_none()
+    }
+}
+
+impl Translator<'_> {
+    /// Reads variables that lie apart.
+    pub(super) fn read_apart(&mut self, apart: Apart, shape: Shape, width: Width, lanes: u32) -> Lanes {
+        if width == Width::Byte {
+            let low = self.all_words(0xFF);
+            let words = self.bytes_apart(apart, lanes);
+            words.iter().for_each(|&word| self.put_together(apart, word));
+            return Lanes::Words(words.into_iter().map(|word| self.b.ins().band(word, low)).collect());
+        }
+        let (ty, count) = shape.vectors(lanes);
+        let mut vectors = Vec::new();
+        let own = lanes / count;
+        for number in 0..count {
+            let vector = self.read_vector(apart, number * own..(number + 1) * own, ty);
+            self.put_together(apart, vector);
+            let vector = self.turned(vector, ty.lane_type().bytes() as u8);
+            vectors.push(self.b.ins().bitcast(ty, little(), vector));
+        }
+        shape.of(vectors)
+    }
+
+    /// Reads what so many turns from one on need, as bytes of a vector. Short numbers are read with what follows them, if there is more.
+    fn read_vector(&mut self, apart: Apart, turns: Range<u32>, ty: Type) -> Value {
+        let bytes = ty.lane_type().bytes();
+        let read = match bytes {
+            8 => F64,
+            4 => F32,
+            _ if apart.more => F32,
+            _ => ty.lane_type(),
+        };
+        let numbers: Vec<Value> = turns.map(|lane| self.read_lane(apart, lane, read)).collect();
+        if bytes != 2 || read != F32 {
+            return self.vector_of(&numbers);
+        }
+        // The numbers of every second turn are moved between those of the others.
+        let [even, odd] = [0, 1].map(|first| {
+            let numbers: Vec<Value> = numbers.iter().skip(first).step_by(2).copied().collect();
+            let vector = self.vector_of(&numbers);
+            self.b.ins().bitcast(I32X4, little(), vector)
+        });
+        let low = self.all_words(0xFFFF);
+        let even = self.b.ins().band(even, low);
+        let odd = self.b.ins().ishl_imm_u(odd, 16);
+        let both = self.b.ins().bor(even, odd);
+        self.b.ins().bitcast(I8X16, little(), both)
+    }
+
+    /// Reads what one of the turns needs, where it is needed if nothing writes it.
+    fn read_lane(&mut self, apart: Apart, lane: u32, ty: Type) -> Value {
+        let flags = if apart.only_read { data().with_readonly().with_can_move() } else { data() };
+        let Address { base, offset, .. } = apart.of_lane(lane);
+        self.b.ins().load(ty, flags, base, offset)
+    }
+
+    /// Sees to it that numbers become a vector as soon as they are read: Cranelift would keep each of them until the vector is needed.
+    pub(super) fn put_together(&mut self, apart: Apart, vector: Value) {
+        if apart.only_read {
+            return;
+        }
+        let (slot, number) = *self.together.get_or_insert_with(|| {
+            let bytes = StackSlotData::new(StackSlotKind::ExplicitSlot, TOGETHER * VECTOR_BYTES, 4);
+            (self.b.create_sized_stack_slot(bytes), 0)
+        });
+        // What is written twice is written only once, and too late.
+        self.together = Some((slot, (number + 1) % TOGETHER));
+        self.b.ins().stack_store(I64, vector, slot, (number * VECTOR_BYTES) as i32);
+    }
+
+    /// The bytes of a vector that begins with these numbers.
+    fn vector_of(&mut self, numbers: &[Value]) -> Value {
+        let ty = self.b.func.dfg.value_type(numbers[0]);
+        let ty = ty.by(VECTOR_BYTES / ty.bytes()).expect("a vector of them");
+        let mut vector = self.b.ins().scalar_to_vector(ty, numbers[0]);
+        for (lane, &number) in (1..).zip(&numbers[1..]) {
+            vector = self.b.ins().insertlane(vector, number, lane);
+        }
+        self.b.ins().bitcast(I8X16, little(), vector)
+    }
+
+    /// Bytes that lie apart, each as the lowest one of 32 bits.
+    pub(super) fn bytes_apart(&mut self, apart: Apart, lanes: u32) -> Vec<Value> {
+        let one = |number: u32| {
+            if apart.more {
+                let vector = self.read_vector(apart, 4 * number..4 * number + 4, I32X4);
+                return self.b.ins().bitcast(I32X4, little(), vector);
+            }
+            let numbers = [0, 1, 2, 3].map(|lane| {
+                let byte = self.read_lane(apart, 4 * number + lane, I8);
+                self.b.ins().uextend(I32, byte)
+            });
+            let vector = self.vector_of(&numbers);
+            self.b.ins().bitcast(I32X4, little(), vector)
+        };
+        (0..lanes / 4).map(one).collect()
+    }
+
+    fn all_words(&mut self, number: u32) -> Value {
+        self.constant_vector(I32X4, number.to_le_bytes().repeat(4))
+    }
+
+    /// A bit of bytes that lie apart.
+    pub(super) fn bits_of_bytes(&mut self, bytes: &[Value], bit: u8) -> Lanes {
+        let own = self.all_words(1 << bit);
+        let one = |&byte: &Value| {
+            let alone = self.b.ins().band(byte, own);
+            self.b.ins().icmp(IntCC::Equal, alone, own)
+        };
+        Lanes::Mask(bytes.iter().map(one).collect())
+    }
+
+    /// Bytes that lie apart with another value of one of their bits.
+    pub(super) fn with_bits(&mut self, bytes: &[Value], bit: u8, value: &Lanes, lanes: u32) -> Vec<Value> {
+        let own = self.all_words(1 << bit);
+        let masks = match value {
+            Lanes::One(Val::Const(0)) => None,
+            value => Some(self.masks(value, lanes)),
+        };
+        let mut new = Vec::new();
+        for (number, &byte) in bytes.iter().enumerate() {
+            let others = self.b.ins().band_not(byte, own);
+            new.push(match &masks {
+                None => others,
+                Some(masks) => {
+                    let set = self.b.ins().band(masks[number], own);
+                    self.b.ins().bor(others, set)
+                }
+            });
+        }
+        new
+    }
+
+    /// Writes the lowest byte of each number to bytes that lie apart.
+    pub(super) fn write_bytes_apart(&mut self, apart: Apart, words: &[Value]) {
+        for (number, &word) in (0..).zip(words) {
+            let vector = self.b.ins().bitcast(I8X16, little(), word);
+            for lane in 0..4 {
+                let byte = self.b.ins().extractlane(vector, 4 * lane as u8);
+                let Address { base, offset, .. } = apart.of_lane(4 * number + lane);
+                self.b.ins().store(data(), byte, base, offset);
+            }
+        }
+    }
+
+    /// Writes one of the numbers of a vector.
+    fn write_lane(&mut self, apart: Apart, lane: u32, vector: Value) {
+        let ty = self.b.func.dfg.value_type(vector);
+        let Address { base, offset, .. } = apart.of_lane(lane);
+        let at = lane % ty.lane_count();
+        // The lowest one is written out of the vector in one step as a REAL.
+        let (vector, data_type) = match ty {
+            I32X4 if at == 0 => (self.b.ins().bitcast(F32X4, little(), vector), F32),
+            I64X2 if at == 0 => (self.b.ins().bitcast(F64X2, little(), vector), F64),
+            ty => (vector, ty.lane_type()),
+        };
+        let one = self.b.ins().extractlane(vector, at as u8);
+        debug_assert_eq!(self.b.func.dfg.value_type(one), data_type);
+        self.b.ins().store(data(), one, base, offset);
+    }
+
+    /// Writes variables that lie apart.
+    pub(super) fn write_apart(&mut self, apart: Apart, width: Width, value: &Lanes, lanes: u32) {
+        if let Lanes::One(value) = *value {
+            (0..lanes).for_each(|lane| self.write(apart.of_lane(lane), width, value));
+            return;
+        }
+        if width == Width::Byte {
+            let words = self.words(value, lanes);
+            self.write_bytes_apart(apart, &words);
+            return;
+        }
+        let bytes = width.bytes() as u8;
+        let ty = match bytes {
+            2 => I16X8,
+            4 => I32X4,
+            _ => I64X2,
+        };
+        for (number, vector) in (0..).zip(self.vectors_to_write(value, bytes, lanes)) {
+            let vector = self.b.ins().bitcast(I8X16, little(), vector);
+            let vector = self.turned(vector, bytes);
+            let vector = self.b.ins().bitcast(ty, little(), vector);
+            for lane in 0..ty.lane_count().min(lanes) {
+                self.write_lane(apart, number * ty.lane_count() + lane, vector);
+            }
+        }
+    }
+
+    /// The value of one of the turns side by side.
+    fn of_lane(&mut self, value: &Lanes, lane: u32) -> Val {
+        let at = |vectors: &[Value], this: &mut Self| {
+            let count = this.b.func.dfg.value_type(vectors[0]).lane_count();
+            this.b.ins().extractlane(vectors[(lane / count) as usize], (lane % count) as u8)
+        };
+        match value {
+            Lanes::One(value) => *value,
+            Lanes::Line(first, _) if lane == 0 => *first,
+            Lanes::Line(first, line) => self.further(*first, *line, lane),
+            Lanes::Halves(vectors) => {
+                let half = at(vectors, self);
+                let number = self.b.ins().uextend(I32, half);
+                self.narrow.insert(number, 16);
+                Val::Int(number)
+            }
+            Lanes::Words(vectors) => Val::Int(at(vectors, self)),
+            Lanes::Mask(vectors) => Val::Bit { value: at(vectors, self), clean: false },
+            Lanes::LongMask(vectors) => {
+                let mask = at(vectors, self);
+                Val::Bit { value: self.b.ins().ireduce(I32, mask), clean: false }
+            }
+            Lanes::Quads(vectors) => Val::Word(at(vectors, self)),
+            Lanes::Reals(vectors) => {
+                let real = at(vectors, self);
+                self.quiet(real)
+            }
+            Lanes::Lreals(vectors) => {
+                let real = at(vectors, self);
+                self.quiet_f64(real)
+            }
+        }
+    }
+
+    /// The result of an operation that is done for each turn alone, on numbers that are known to have these bounds.
+    pub(super) fn compute_one_by_one(&mut self, op: Op, shape: Shape, args: &[Lanes], bounds: Option<(u32, u32)>, lanes: u32) -> Lanes {
+        let mut numbers = Vec::new();
+        for lane in 0..lanes {
+            let own: Vec<Val> = args.iter().map(|arg| self.of_lane(arg, lane)).collect();
+            if let (Some(bounds), Some(&Val::Int(number))) = (bounds, own.first()) {
+                self.bounds.insert(number, bounds);
+            }
+            let result = self.compute_now(op, &own);
+            numbers.push(match shape {
+                Shape::Quads => self.word(result),
+                Shape::Halves => {
+                    let number = self.int(result);
+                    self.b.ins().ireduce(I16, number)
+                }
+                Shape::Mask => {
+                    let flag = self.flag(result);
+                    self.b.ins().ineg(flag)
+                }
+                _ => self.int(result),
+            });
+        }
+        debug_assert!(shape != Shape::Quads || self.b.func.dfg.value_type(numbers[0]) == I64);
+        let (ty, _) = shape.vectors(lanes);
+        let one = |numbers: &[Value]| {
+            let vector = self.vector_of(numbers);
+            self.b.ins().bitcast(ty, little(), vector)
+        };
+        shape.of(numbers.chunks(ty.lane_count() as usize).map(one).collect())
+    }
+}

@@ -1,0 +1,289 @@
+//! Counted loops over arrays of records with fields of every width: whatever they compute with them, whichever variables only some turns
+//! write, and whatever the Host makes of memory and budget, they do on all engines what the interpreter does.
+
+use dice::Dice;
+use noting::{all_engines_agree_beside, program};
+use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::{Exit, FaultPlace, Machine, Reaction, StopReason};
+use sieben_jit::Jit;
+use sieben_model::address::{Area, Width};
+use sieben_model::block::BlockId;
+
+mod dice;
+mod noting;
+
+const PROGRAMS: u64 = 500;
+const QUESTIONS_MAX: usize = 30;
+/// Two arrays of records: where they begin, and bytes of a record.
+const ARRAYS: [(u32, u32); 2] = [(0, 24), (512, 34)];
+const RECORDS: u32 = 14;
+/// Where the variables lie, in bytes.
+const COUNTER: u32 = 1_000;
+const NUMBERS: u32 = 1_008;
+const FLAGS: u32 = 1_040;
+
+/// What a field holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Bit,
+    Byte,
+    Half,
+    Double,
+    Real,
+    Quad,
+    Lreal,
+}
+
+use Kind::{Bit, Byte, Double, Half, Lreal, Quad, Real};
+
+/// Where the fields lie in a record, in bits.
+const FIELDS: &[(u32, Kind)] = &[
+    (0, Double),
+    (32, Real),
+    (64, Half),
+    (80, Bit),
+    (81, Bit),
+    (87, Bit),
+    (88, Byte),
+    (96, Quad),
+    (96, Lreal),
+    (160, Real),
+    (160, Double),
+    (176, Half),
+];
+
+impl Kind {
+    fn width(self) -> Width {
+        match self {
+            Bit => Width::Bit,
+            Byte => Width::Byte,
+            Half => Width::Word,
+            Double | Real => Width::DoubleWord,
+            Quad | Lreal => Width::QuadWord,
+        }
+    }
+
+    fn of_two(self) -> &'static [Op] {
+        match self {
+            Bit => &[Op::And, Op::Or, Op::Xor, Op::AndNot],
+            Byte => &[Op::AndU32, Op::OrU32],
+            Half => &[Op::AddU16, Op::SubU16, Op::MulU16, Op::DivI16, Op::RemI16],
+            Double => &[Op::AddU32, Op::SubU32, Op::MulU32, Op::XorU32, Op::MinI32, Op::DivI32, Op::RemI32],
+            Real => &[Op::AddF32, Op::SubF32, Op::MulF32, Op::DivF32, Op::MinF32, Op::MaxF32],
+            Quad => &[Op::AddU64, Op::SubU64, Op::XorU64],
+            Lreal => &[Op::AddF64, Op::SubF64, Op::MulF64, Op::DivF64, Op::MaxF64],
+        }
+    }
+
+    fn comparisons(self) -> &'static [Op] {
+        match self {
+            Bit => &[Op::Xor],
+            Byte | Double => &[Op::LtI32, Op::GeI32, Op::Equal, Op::Differ, Op::DivFailsI32],
+            Half => &[Op::LtI16, Op::GeI16, Op::EqI16],
+            Real => &[Op::LtF32, Op::GeF32, Op::DifferF32, Op::NeF32],
+            Quad => &[Op::LtI64, Op::Equal],
+            Lreal => &[Op::LtF64, Op::GeF64, Op::DifferF64],
+        }
+    }
+
+    /// Conversions to it.
+    fn conversions(self) -> &'static [(Kind, Op)] {
+        match self {
+            Bit => &[(Double, Op::IsNonzero), (Half, Op::IsNonzero)],
+            Byte => &[(Half, Op::Low8), (Double, Op::Low8)],
+            Half => &[(Double, Op::Low16), (Byte, Op::Low16)],
+            Double => &[(Half, Op::Extend16), (Quad, Op::Low32)],
+            Real => &[(Double, Op::I32ToF32), (Lreal, Op::F64ToF32)],
+            Quad => &[(Double, Op::ExtendI32I64)],
+            Lreal => &[(Real, Op::F32ToF64), (Double, Op::I32ToF64)],
+        }
+    }
+}
+
+fn fixed(position: u32) -> Place {
+    Place::Fixed { area: Area::BitMemory, position }
+}
+
+/// A loop over the records in the making.
+struct Maker<'b> {
+    b: &'b mut Builder,
+    dice: Dice,
+    statements: u32,
+}
+
+impl Maker<'_> {
+    fn begin(&mut self) {
+        self.b.begin_statement();
+        self.statements += 1;
+    }
+
+    fn get(&mut self, place: Place, kind: Kind) -> Var {
+        self.b.load(place, kind.width(), OnFault::SkipStatement)
+    }
+
+    /// A field of the record of a turn, now and then one of the record before or behind it.
+    fn field(&mut self) -> (Place, Kind) {
+        let (start, record) = self.dice.of(&ARRAYS);
+        let (offset, kind) = self.dice.of(FIELDS);
+        let neighbour = self.dice.of(&[0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 1_i32]);
+        let counter = self.get(fixed(8 * COUNTER), Double);
+        let bits = self.b.constant(u64::from(8 * record));
+        let pointer = self.b.compute(Op::MulU32, &[counter, bits]);
+        // The counter begins with 1.
+        let offset = (8 * start + offset) as i32 + (neighbour - 1) * 8 * record as i32;
+        (Place::Indirect { area: Area::BitMemory, pointer, offset: offset as u32 & 0x00FF_FFFF }, kind)
+    }
+
+    fn number(&mut self, kind: Kind, depth: usize) -> Var {
+        match self.dice.roll(if depth == 0 { 6 } else { 12 }) {
+            0..=3 => {
+                // Another field often has another kind: those of the same width look at its bits.
+                for _ in 0..8 {
+                    let (place, found) = self.field();
+                    if found.width() == kind.width() {
+                        return self.get(place, kind);
+                    }
+                }
+                self.constant(kind)
+            }
+            4 => self.constant(kind),
+            5 if kind == Double => self.get(fixed(8 * COUNTER), Double),
+            5 if kind == Bit => {
+                let bit = self.dice.roll(3) as u32;
+                self.get(fixed(8 * FLAGS + bit), Bit)
+            }
+            5 => self.constant(kind),
+            6 | 7 => {
+                let (from, op) = self.dice.of(kind.conversions());
+                let value = self.number(from, depth - 1);
+                self.b.compute(op, &[value])
+            }
+            8 if kind == Bit => {
+                let of = self.dice.of(&[Byte, Half, Double, Real, Quad, Lreal]);
+                let op = self.dice.of(of.comparisons());
+                let parts = [self.number(of, depth - 1), self.number(of, depth - 1)];
+                self.b.compute(op, &parts)
+            }
+            8 => {
+                let parts = [self.number(Bit, depth - 1), self.number(kind, depth - 1), self.number(kind, depth - 1)];
+                self.b.compute(Op::Select, &parts)
+            }
+            _ => {
+                let op = self.dice.of(kind.of_two());
+                let parts = [self.number(kind, depth - 1), self.number(kind, depth - 1)];
+                self.b.compute(op, &parts)
+            }
+        }
+    }
+
+    fn constant(&mut self, kind: Kind) -> Var {
+        let value = match kind {
+            Bit => self.dice.of(&[0, 1]),
+            Real => u64::from(self.dice.of(&[0.5_f32, 3.0, -1.0]).to_bits()),
+            Lreal => self.dice.of(&[0.5_f64, 3.0, -1.0]).to_bits(),
+            _ => self.dice.of(&[1, 2, 3, 7, 100]),
+        };
+        self.b.constant(value)
+    }
+
+    fn statement(&mut self) {
+        self.begin();
+        match self.dice.roll(8) {
+            0 => {
+                let place = fixed(8 * NUMBERS);
+                let (before, more) = (self.get(place, Double), self.number(Double, 2));
+                let op = self.dice.of(&[Op::AddU32, Op::AddU32, Op::SubU32]);
+                let sum = self.b.compute(op, &[before, more]);
+                self.b.store(place, Width::DoubleWord, sum);
+            }
+            // A variable that this turn writes, which may be read in none before.
+            1 | 2 => {
+                let kind = self.dice.of(&[Half, Double, Real, Quad, Bit]);
+                let value = self.number(kind, 2);
+                let place = match kind {
+                    Bit => fixed(8 * FLAGS + 7),
+                    Half => fixed(8 * NUMBERS + 32),
+                    Quad => fixed(8 * NUMBERS + 128),
+                    _ => fixed(8 * NUMBERS + 64),
+                };
+                self.b.store(place, kind.width(), value);
+            }
+            _ => {
+                let (place, kind) = self.field();
+                let value = self.number(kind, 3);
+                self.b.store(place, kind.width(), value);
+            }
+        }
+    }
+
+    /// Statements of a turn, some of which are jumped over under a condition.
+    fn parts(&mut self, parts: &[usize]) {
+        for &jumped_over in parts {
+            if jumped_over > 0 {
+                self.begin();
+                let condition = self.number(Bit, 2);
+                let behind = self.statements + jumped_over as u32;
+                self.b.push(Inst::Branch { condition, to: Target(behind) });
+            }
+            (0..jumped_over.max(1)).for_each(|_| self.statement());
+        }
+    }
+
+    fn looping(&mut self) {
+        self.begin();
+        let one = self.b.constant(1);
+        self.b.store(fixed(8 * COUNTER), Width::DoubleWord, one);
+        let parts: Vec<usize> = (0..2 + self.dice.roll(4)).map(|_| self.dice.roll(3) as usize).collect();
+        self.parts(&parts);
+        self.begin();
+        let counter = self.get(fixed(8 * COUNTER), Double);
+        let one = self.b.constant(1);
+        let next = self.b.compute(Op::AddU32, &[counter, one]);
+        self.b.store(fixed(8 * COUNTER), Width::DoubleWord, next);
+        let last = self.dice.of(&[5, 8, 12]);
+        let last = self.b.constant(last);
+        let again = self.b.compute(Op::LeI32, &[next, last]);
+        self.b.push(Inst::Branch { condition: again, to: Target(1) });
+        self.begin();
+        self.b.push(Inst::Return);
+    }
+}
+
+/// Changes a byte, sometimes, and goes on for a while that is long or short.
+fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
+    if asked >= QUESTIONS_MAX {
+        return Reaction::Stop(StopReason { event: 0x4562, place: None::<FaultPlace> });
+    }
+    machine.budget = dice.of(&[0, 1, 3, 8, 30, 60, 100_000]);
+    if dice.roll(2) == 0 {
+        let place = dice.of(&[COUNTER + 3, FLAGS, NUMBERS, 0, 4, 34, 530]) as usize;
+        machine.memory.area_mut(Area::BitMemory)[place] = dice.of(&[0, 1, 2, 7, 0xFF]);
+    }
+    Reaction::Continue
+}
+
+#[test]
+fn records_hold_what_the_interpreter_writes() {
+    let (mut asked, mut finished, mut beside) = (0, 0, 0);
+    for seed in 0..PROGRAMS {
+        let block = BlockId::ob(1);
+        let program = program(&[(block, 16, &|b| Maker { b, dice: Dice(seed), statements: 0 }.looping())]);
+        let layout = noting::layout(&program);
+        let listing = Jit::listing(&program, &layout).expect("machine code");
+        beside += usize::from(listing.contains("insertlane"));
+        for round in 0..3 {
+            let prepare = |machine: &mut Machine| {
+                let mut dice = Dice(seed + 1_000_000 + round);
+                machine.budget = dice.of(&[1, 4, 12, 40, 100_000, 100_000, 100_000]);
+                let memory = machine.memory.area_mut(Area::BitMemory);
+                memory.iter_mut().take(1_100).for_each(|byte| *byte = dice.of(&[0, 1, 2, 0x3F, 0x80, 0x7F, 0xC0, 0xFF]));
+            };
+            let dice = || Dice(seed + 2_000_000);
+            let expected = all_engines_agree_beside((&program, &layout), &prepare, &dice, &meddle, &format!("{seed} in round {round}"));
+            asked += expected.asked.len();
+            finished += usize::from(expected.exit == Exit::Finished);
+        }
+    }
+    const { assert!(ARRAYS[1].0 + ARRAYS[1].1 * RECORDS <= COUNTER) };
+    assert!(asked > 500 && finished > 1_000 && beside > 100, "{asked} questions, {finished} runs to the end, {beside} loops side by side");
+}
