@@ -214,6 +214,10 @@ struct Translator<'a> {
     ranges: Ranges,
     /// Ranges of values in the running statement.
     bounds: FxHashMap<Value, (u32, u32)>,
+    /// Ranges of values that were computed for one instruction of the IR and nothing before: they hold wherever the value is used.
+    bounds_of_results: FxHashMap<Value, (u32, u32)>,
+    /// The first value that the running instruction may have added.
+    newest: u32,
     /// Quotients and rests that are sums in machine code: their ranges are known, those of what they are made of do not count.
     divided: FxHashSet<Value>,
     /// Values in the running statement that the smallest loop around it does not change.
@@ -329,6 +333,8 @@ impl<'a> Translator<'a> {
             promoted: Vec::new(),
             ranges: Ranges::default(),
             bounds: FxHashMap::default(),
+            bounds_of_results: FxHashMap::default(),
+            newest: 0,
             divided: FxHashSet::default(),
             fixed: FxHashSet::default(),
             writes: FxHashMap::default(),
@@ -715,6 +721,7 @@ impl<'a> Translator<'a> {
     }
 
     fn inst(&mut self, index: u32, inst: &Inst) {
+        self.newest = self.b.func.dfg.num_values() as u32;
         self.write_inst(index, inst);
         self.forget_words_behind(index, inst);
         if sieben_engine::ir::verify::writes(inst) == Some(Register::Ar2.into()) {

@@ -36,6 +36,9 @@ const FIELDS: &[(u32, Width)] = &[
     (80, Width::Word),
 ];
 
+/// Where a pointer is kept from one statement to others.
+const KEPT: Place = Place::Fixed { area: Area::Local, position: 64 };
+
 fn index(number: usize) -> Place {
     Place::Fixed { area: Area::BitMemory, position: 8 * INDEXES[number] }
 }
@@ -134,11 +137,44 @@ fn an_element_that_is_written_is_not_read_if_its_index_is_known_to_be_inside() {
     assert_eq!(loads(true), loads(false));
 }
 
+/// How often a loop masks the position of a pointer to an element that one of its statements keeps in local data for the next one, or that
+/// the next one computes again.
+fn masks(kept: bool) -> usize {
+    let build = |b: &mut Builder| {
+        looping(b, 12, 2, &mut |b, statement| {
+            let Place::Indirect { pointer, .. } = field(b, 0, 0) else { return };
+            // The area in a pointer is left aside.
+            let area = b.constant(0x8400_0000);
+            let mut pointer = b.compute(Op::AddU32, &[pointer, area]);
+            if kept && statement == 2 {
+                return b.store(KEPT, Width::DoubleWord, pointer);
+            }
+            if kept {
+                pointer = b.load(KEPT, Width::DoubleWord, OnFault::SkipStatement);
+            }
+            let place = Place::Indirect { area: Area::SharedData, pointer, offset: 16 };
+            let value = b.load(index(1), Width::Word, OnFault::SkipStatement);
+            b.store(place, Width::Word, value);
+        });
+    };
+    let program = program(&[(BlockId::ob(1), 16, &build)]);
+    Jit::listing(&program, &layout_with(&program, DATA_BYTES)).expect("machine code").matches("0x00ff_ffff").count()
+}
+
+#[test]
+fn a_pointer_that_one_statement_keeps_for_the_next_is_as_good_as_one_that_is_computed_there() {
+    assert_eq!((masks(true), masks(false)), (0, 0));
+}
+
 /// Some statement of a turn.
 fn some_statement(b: &mut Builder, dice: &mut Dice, statement: u32, statements: u32) {
     let place = |b: &mut Builder, dice: &mut Dice| {
         let number = dice.of(&[0, 0, 0, 1, 2]);
         let (offset, width) = dice.of(FIELDS);
+        if dice.roll(6) == 0 {
+            let pointer = b.load(KEPT, Width::DoubleWord, OnFault::SkipStatement);
+            return (Place::Indirect { area: Area::SharedData, pointer, offset }, width);
+        }
         (field(b, number, offset), width)
     };
     let (from, width) = place(b, dice);
@@ -148,7 +184,13 @@ fn some_statement(b: &mut Builder, dice: &mut Dice, statement: u32, statements: 
         let other = b.load(from, width, OnFault::SkipStatement);
         value = b.compute(dice.of(&[Op::XorU32, Op::AddU32, Op::AndU32]), &[value, other]);
     }
-    match dice.roll(6) {
+    match dice.roll(7) {
+        6 => {
+            let number = dice.of(&[0, 0, 1]);
+            if let Place::Indirect { pointer, .. } = field(b, number, 0) {
+                b.store(KEPT, Width::DoubleWord, pointer);
+            }
+        }
         0 => {
             let condition = b.compute(Op::IsNonzero, &[value]);
             let to = statement + 1 + dice.roll(u64::from(2 + statements - statement)) as u32;

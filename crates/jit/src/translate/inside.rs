@@ -126,6 +126,9 @@ impl Translator<'_> {
             && let Some(range) = self.ranges.result(index)
         {
             self.bounds.insert(value, range);
+            if value.as_u32() >= self.newest && self.choice.is_none() {
+                self.bounds_of_results.insert(value, range);
+            }
         }
     }
 
@@ -251,7 +254,7 @@ impl Translator<'_> {
         sum.terms.retain(|&(_, times)| times != 0);
         let (mut least, mut most) = (0_u64, 0_u64);
         for &(value, times) in &sum.terms {
-            let &(low, high) = self.bounds.get(&value)?;
+            let &(low, high) = self.bounds.get(&value).or_else(|| self.bounds_of_results.get(&value))?;
             least = least.checked_add(u64::from(low) * u64::from(times))?;
             most = most.checked_add(u64::from(high) * u64::from(times))?;
         }
