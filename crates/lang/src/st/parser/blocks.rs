@@ -313,7 +313,8 @@ impl Parser<'_> {
         if !body.is_empty() || !self.at_name() || !matches!(self.next_raw(), Raw::Colon | Raw::Comma) {
             return false;
         }
-        let mut keywords = self.tokens[self.at..].iter().filter_map(|token| token.keyword);
+        let of_types = [Keyword::Struct, Keyword::EndStruct, Keyword::Union, Keyword::EndUnion];
+        let mut keywords = self.tokens[self.at..].iter().filter_map(|token| token.keyword).filter(|keyword| !of_types.contains(keyword));
         keywords.find(|keyword| keyword.is_end() || keyword.begins_statement() || keyword.begins_section()) == Some(Keyword::EndVar)
     }
 

@@ -310,13 +310,18 @@ impl<'t> Parser<'t> {
         }
         let shown = self.shown();
         self.unexpected(problem, format!("`{text}` or an operator is wanted here, not {shown}"));
-        // The bracket may still come on this line.
-        let mut ahead = self.at;
-        while !matches!(self.tokens[ahead].raw, Raw::End | Raw::Semicolon | Raw::Newline) && self.tokens[ahead].raw != raw {
+        // The bracket may still come on this line, behind others that are whole.
+        let (mut ahead, mut open) = (self.at, 0_usize);
+        while !matches!(self.tokens[ahead].raw, Raw::End | Raw::Semicolon | Raw::Newline) && (open > 0 || self.tokens[ahead].raw != raw) {
+            match self.tokens[ahead].raw {
+                Raw::ParenOpen | Raw::BracketOpen => open += 1,
+                Raw::ParenClose | Raw::BracketClose => open = open.saturating_sub(1),
+                _ => {}
+            }
             ahead += 1;
         }
         if self.tokens[ahead].raw == raw {
-            while self.raw() != raw && self.raw() != Raw::End {
+            while self.at < ahead && self.raw() != Raw::End {
                 self.bump_unexpected();
             }
             self.eat(raw, SyntaxKind::Punctuation);
@@ -374,6 +379,11 @@ impl<'t> Parser<'t> {
 
     fn no_operand(&mut self) -> Tall {
         let start = self.previous;
+        if self.keyword().is_some_and(|keyword| self.refused.contains(&keyword)) {
+            // As the name of a variable it was refused where it is declared.
+            self.bump_unexpected();
+            return self.nothing(start);
+        }
         let shown = self.shown();
         let behind = self.previous_text();
         let message = match self.keyword() {
@@ -395,6 +405,10 @@ impl<'t> Parser<'t> {
 
     fn parenthesized(&mut self) -> Tall {
         let start = self.here();
+        if self.callee_is_lost(true) {
+            self.without_callee();
+            return self.nothing(start);
+        }
         if !self.deeper() {
             self.skip_brackets();
             return self.nothing(start);
@@ -501,6 +515,13 @@ impl<'t> Parser<'t> {
             let named = self.at_name() && matches!(self.next_raw(), Raw::Becomes | Raw::Delivers);
             if named && self.at > before {
                 self.missing(Problem::P2030, ",", "a comma is missing between two parameters");
+                continue;
+            }
+            let value = self.at_name() || matches!(self.raw(), Raw::Number | Raw::Literal | Raw::Characters);
+            let by_position = arguments.iter().all(|argument: &Argument| argument.name.is_none());
+            if value && by_position && self.at > before && self.reported != self.at && !self.on_new_line() {
+                let (behind, shown) = (self.previous_text(), self.shown());
+                self.unexpected(Problem::P2030, format!("a comma or an operator is missing between {behind} and {shown}"));
                 continue;
             }
             break;

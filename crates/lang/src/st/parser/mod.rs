@@ -10,6 +10,7 @@ mod configuration;
 mod declarations;
 mod expressions;
 mod header;
+mod lost;
 mod members;
 mod pragmas;
 mod statements;
@@ -125,6 +126,7 @@ pub fn parse(file: FileId, text: &str, dialect: Dialect) -> Parsed {
         pragmas: Vec::new(),
         awaited: Vec::new(),
         else_ifs: Vec::new(),
+        refused: Vec::new(),
         depth: 0,
         too_high: false,
     };
@@ -226,6 +228,8 @@ struct Parser<'t> {
     awaited: Vec<Keyword>,
     /// Places of `ELSE IF` on one line.
     else_ifs: Vec<(u32, u32)>,
+    /// Keywords that were refused as names: what uses them says nothing new.
+    refused: Vec<Keyword>,
     depth: usize,
     /// An expression of the current statement was too high.
     too_high: bool,
@@ -563,6 +567,7 @@ impl<'t> Parser<'t> {
                 || !(keyword.begins_section() || keyword.is_end() || keyword.begins_block() || keyword == Keyword::Begin);
             self.unexpected(Problem::P6060, format!("{shown} is a keyword of {} and cannot be {what}", self.dialect.title()));
             if likely {
+                self.refused.push(keyword);
                 let name = ast::Name { text: self.current().to_owned(), ..ast::Name::default() };
                 let span = self.bump(SyntaxKind::Declared);
                 return Some(ast::Name { span, ..name });

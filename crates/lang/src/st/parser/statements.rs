@@ -76,9 +76,16 @@ impl Parser<'_> {
         self.start_at(checkpoint, SyntaxKind::Statement);
         self.finish();
         if self.at == first && self.raw() != Raw::End {
-            let shown = self.shown();
-            self.unexpected(Problem::P6054, format!("{shown} begins no statement"));
+            let told = self.keyword().is_some_and(|keyword| self.refused.contains(&keyword));
+            if !told {
+                let shown = self.shown();
+                self.unexpected(Problem::P6054, format!("{shown} begins no statement"));
+            }
             self.bump_unexpected();
+            if told || self.raw() == Raw::Becomes {
+                self.skip_statement();
+                self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+            }
         }
     }
 
@@ -206,6 +213,10 @@ impl Parser<'_> {
         let start = self.here();
         if let Some(mock) = self.mock() {
             return Some(mock);
+        }
+        if self.callee_is_lost(false) {
+            self.without_callee();
+            return Some(StatementKind::Missing);
         }
         if self.at_name() && self.next_raw() == Raw::Colon && !self.colon_is_slip() {
             let label = self.name(SyntaxKind::Declared);
@@ -366,6 +377,9 @@ impl Parser<'_> {
     }
 
     fn assignment(&mut self, target: Expression, operator: AssignOperator) -> StatementKind {
+        if self.bracket_is_lost() {
+            return self.without_bracket(&target);
+        }
         let mut targets = vec![target];
         let mut value = self.expression();
         while self.raw() == Raw::Becomes && operator == AssignOperator::Becomes {

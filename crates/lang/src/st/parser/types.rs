@@ -183,7 +183,12 @@ impl Parser<'_> {
         self.judge(Construct::Enumeration, token.start, token.end);
         self.bump(SyntaxKind::Punctuation);
         let mut values: Vec<(Name, Option<Expression>)> = Vec::new();
-        while self.at_name() || self.keyword().is_some_and(|keyword| !keyword.is_end()) {
+        while self.at_name() || self.raw() == Raw::Comma || self.keyword().is_some_and(|keyword| !keyword.is_end()) {
+            if self.raw() == Raw::Comma {
+                self.unexpected(Problem::P2020, "the name of a value is wanted here, not `,`");
+                self.bump_unexpected();
+                continue;
+            }
             let Some(name) = self.declared_name("the name of a value") else { break };
             let value = match self.raw() {
                 Raw::Becomes => {
@@ -193,9 +198,13 @@ impl Parser<'_> {
                 _ => None,
             };
             values.push((name, value));
-            if !self.eat(Raw::Comma, SyntaxKind::Punctuation) {
+            if self.eat(Raw::Comma, SyntaxKind::Punctuation) {
+                continue;
+            }
+            if !self.at_name() {
                 break;
             }
+            self.missing(Problem::P2020, ",", format!("`,` is missing between {} and {}", self.previous_text(), self.shown()));
         }
         self.close(Raw::ParenClose, ")");
         let behind = self.at_name() && !self.on_new_line() && base.is_none();
