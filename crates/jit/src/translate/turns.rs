@@ -290,7 +290,7 @@ impl Kernel {
         self.line(access.pointer, level).filter(|line| line.bits == 32 && line.step % 8 == 0).map(|line| line.step)
     }
 
-    /// Whether two accesses touch different bytes, or the same ones in each turn, or only read.
+    /// Whether two accesses only read, or what turns touch with the first is not what turns behind them have touched with the other one.
     fn are_apart(&self, a: &Access, b: &Access) -> bool {
         if a.value.is_none() && b.value.is_none() {
             return true;
@@ -299,8 +299,7 @@ impl Kernel {
         if base != other_base || bytes.end <= other.start || other.end <= bytes.start {
             return true;
         }
-        let same = (a.pointer, a.offset, a.width, a.area) == (b.pointer, b.offset, b.width, b.area);
-        same && a.level == Level::Outer && b.level == Level::Outer && self.inner.is_none() || self.turns_stay_apart(a, b)
+        self.turns_stay_apart(a, b)
     }
 
     /// A value when the inner loop begins, if it is a constant.
