@@ -59,7 +59,8 @@ impl NumberForm {
     }
 
     /// That of an instruction.
-    fn of(word: u64) -> Self {
+    #[must_use]
+    pub fn of(word: u64) -> Self {
         let spelling = Spelling::ALL[(word & 0xFF) as usize % Spelling::ALL.len()];
         let kind = NumberKind::ALL[(word >> Self::KIND_SHIFT & 0xFF) as usize % NumberKind::ALL.len()];
         Self { spelling, kind }
@@ -89,7 +90,8 @@ impl NumberKind {
     ];
 
     /// Its bits in memory.
-    fn bits(self) -> u32 {
+    #[must_use]
+    pub fn bits(self) -> u32 {
         match self {
             Self::I8 | Self::U8 | Self::Bits8 => 8,
             Self::I16 | Self::U16 | Self::Bits16 => 16,
@@ -99,7 +101,8 @@ impl NumberKind {
     }
 
     /// The least and the greatest whole number.
-    fn range(self) -> (i128, i128) {
+    #[must_use]
+    pub fn range(self) -> (i128, i128) {
         match self {
             Self::I8 | Self::I16 | Self::I32 | Self::I64 => (-1 << (self.bits() - 1), (1 << (self.bits() - 1)) - 1),
             Self::U8 | Self::U16 | Self::U32 | Self::U64 => (0, (1 << self.bits()) - 1),

@@ -55,6 +55,7 @@ mod ranges;
 mod shifts;
 mod sized;
 mod text_bytes;
+mod text_numbers;
 mod texts;
 mod turns;
 mod value;

@@ -58,7 +58,7 @@ impl Translator<'_> {
     pub(super) fn text_written_out(
         &mut self,
         (action, to, from, piece): (TextAction, &Whole, &Whole, [Var; 2]),
-        (index, dst): (u32, Var),
+        (index, dst, word): (u32, Var, Value),
     ) -> Option<Value> {
         // Code that has to be there at once is for the time until better code is there.
         let quick = !self.options.optimize && !self.options.exact;
@@ -74,6 +74,12 @@ impl Translator<'_> {
             TextAction::Assign | TextAction::Piece | TextAction::Append => Some(self.put(action, to, from, piece)),
             TextAction::Find if to.room.characters_max >= I8X16.bytes() as u16 => Some(self.find_one(to, from)),
             TextAction::Compare if self.only_equality_counts(index, dst) => Some(self.differ(to, from)),
+            TextAction::Unsigned | TextAction::Signed | TextAction::SignedAlways => self.put_digits(action, to, word),
+            TextAction::Number => {
+                let form = self.get(piece[0]);
+                let form = self.force(form).constant()?;
+                self.whole_number(to, from, form)
+            }
             _ => None,
         }
     }
@@ -143,7 +149,7 @@ impl Translator<'_> {
     }
 
     /// Writes both lengths of a text.
-    fn store_lengths(&mut self, text: &Whole, most: Value, length: Value) {
+    pub(super) fn store_lengths(&mut self, text: &Whole, most: Value, length: Value) {
         let Address { base, offset, .. } = text.address;
         self.b.ins().istore8(data(), most, base, offset);
         self.b.ins().istore8(data(), length, base, offset + 1);
@@ -294,7 +300,7 @@ impl Translator<'_> {
     }
 
     /// Goes on in a block to which everything that leads there has been written.
-    fn go_on_in(&mut self, block: Block) {
+    pub(super) fn go_on_in(&mut self, block: Block) {
         self.b.switch_to_block(block);
         self.b.seal_block(block);
     }

@@ -90,7 +90,7 @@ impl Translator<'_> {
         });
         let result = match &target {
             None => self.text_length(&source),
-            Some(target) => match self.text_written_out((action, target, &source, piece), (index, dst)) {
+            Some(target) => match self.text_written_out((action, target, &source, piece), (index, dst, word)) {
                 Some(result) => result,
                 None => self.call_for_texts(action, target, &source, word),
             },

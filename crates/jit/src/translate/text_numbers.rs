@@ -1,0 +1,218 @@
+//! Whole numbers as STRINGs, and STRINGs that spell them: up to eight characters are one word of machine code, whose bytes are worked on
+//! at once. Everything else is left to Rust code.
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{I8, I16, I32, I64};
+use cranelift_codegen::ir::{BlockArg, InstBuilder, Value};
+use sieben_engine::ir::TextAction;
+use sieben_engine::numbers_in_texts::{NumberForm, NumberKind, Spelling};
+
+use super::Translator;
+use super::memory::{Address, data};
+use super::texts::Whole;
+
+/// Characters that are worked on at once.
+const CHARACTERS: u32 = 8;
+/// The least number that has no room for a sign in front of its digits.
+const MANY: i64 = 10_000_000;
+/// Each byte 1.
+const ONES: i64 = 0x0101_0101_0101_0101;
+/// Each byte the character of the digit 0.
+const ZEROS: i64 = ONES * b'0' as i64;
+
+impl Translator<'_> {
+    /// Writes the digits of a whole number; how many characters there are.
+    pub(super) fn put_digits(&mut self, action: TextAction, to: &Whole, number: Value) -> Option<Value> {
+        let room = u32::from(to.room.characters_max);
+        if to.most.is_some() || room < CHARACTERS {
+            return None;
+        }
+        let magnitude = if action == TextAction::Unsigned { number } else { self.b.ins().iabs(number) };
+        let [few, many, done] = [(); 3].map(|()| self.b.create_block());
+        self.b.set_cold_block(many);
+        let result = self.b.append_block_param(done, I32);
+        let is_few = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, magnitude, MANY);
+        self.b.ins().brif(is_few, few, &[], many, &[]);
+        self.go_on_in(many);
+        let count = self.call_for_texts(action, to, to, number);
+        self.b.ins().jump(done, &[BlockArg::Value(count)]);
+        self.go_on_in(few);
+        let digits = self.eight_digits(magnitude);
+        // The zeros in front, but not the last digit; where there is a sign, one of them makes room for it.
+        let last = self.b.ins().bor_imm_u(digits, 1 << 56);
+        let zeros = self.b.ins().ctz(last);
+        let zeros = self.b.ins().band_imm_u(zeros, 0x38);
+        let [minus, plus] = [b'-', b'+'].map(|sign| i64::from(sign ^ b'0'));
+        let (skipped, sign) = match action {
+            TextAction::Unsigned => (zeros, None),
+            TextAction::SignedAlways => {
+                let negative = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, number, 0);
+                let [minus, plus] = [minus, plus].map(|sign| self.b.ins().iconst(I64, sign));
+                let sign = self.b.ins().select(negative, minus, plus);
+                (self.b.ins().iadd_imm_s(zeros, -8), Some(sign))
+            }
+            _ => {
+                let negative = self.b.ins().sshr_imm_u(number, 63);
+                let byte = self.b.ins().band_imm_u(negative, 8);
+                (self.b.ins().isub(zeros, byte), Some(self.b.ins().band_imm_u(negative, minus)))
+            }
+        };
+        let ascii = self.b.ins().iconst(I64, ZEROS);
+        let ascii = self.b.ins().bor(digits, ascii);
+        let characters = self.b.ins().ushr(ascii, skipped);
+        let characters = match sign {
+            Some(sign) => self.b.ins().bxor(characters, sign),
+            None => characters,
+        };
+        // What stands behind them stays.
+        let Address { base, offset, .. } = to.address;
+        let there = self.b.ins().load(I64, data(), base, offset + to.room.head() as i32);
+        let all = self.b.ins().iconst(I64, -1);
+        let written = self.b.ins().ushr(all, skipped);
+        let behind = self.b.ins().band_not(there, written);
+        let characters = self.b.ins().bor(characters, behind);
+        self.b.ins().store(data(), characters, base, offset + to.room.head() as i32);
+        let skipped = self.b.ins().ushr_imm_u(skipped, 3);
+        let skipped = self.b.ins().ireduce(I32, skipped);
+        let most = self.constant(CHARACTERS);
+        let count = self.b.ins().isub(most, skipped);
+        let room = self.constant(room);
+        self.store_lengths(to, room, count);
+        self.b.ins().jump(done, &[BlockArg::Value(count)]);
+        self.go_on_in(done);
+        Some(result)
+    }
+
+    /// The eight decimal digits of a number below [`MANY`], the highest one in the lowest byte: halves, quarters and digits are divided side
+    /// by side, as products with reciprocals that are exact for numbers so small.
+    fn eight_digits(&mut self, number: Value) -> Value {
+        let upper = self.b.ins().imul_imm_u(number, 109_951_163);
+        let upper = self.b.ins().ushr_imm_u(upper, 40);
+        let halves = self.split(number, upper, 10_000, 32);
+        let upper = self.b.ins().imul_imm_u(halves, 10_486);
+        let upper = self.b.ins().ushr_imm_u(upper, 20);
+        let upper = self.b.ins().band_imm_u(upper, 0x7F_0000_007F);
+        let quarters = self.split(halves, upper, 100, 16);
+        let upper = self.b.ins().imul_imm_u(quarters, 103);
+        let upper = self.b.ins().ushr_imm_u(upper, 10);
+        let upper = self.b.ins().band_imm_u(upper, 0x000F_000F_000F_000F);
+        self.split(quarters, upper, 10, 8)
+    }
+
+    /// Quotients in the lower half of their places and what remains in the upper one, which begins at a bit.
+    fn split(&mut self, numbers: Value, quotients: Value, divisor: i64, bits: i64) -> Value {
+        let moved = self.b.ins().ishl_imm_u(numbers, bits);
+        let taken = self.b.ins().imul_imm_u(quotients, (divisor << bits) - 1);
+        self.b.ins().isub(moved, taken)
+    }
+
+    /// Writes the whole number that at most eight digits spell, or fewer behind a sign; whether it is one of its type.
+    pub(super) fn whole_number(&mut self, to: &Whole, from: &Whole, word: u64) -> Option<Value> {
+        let form = NumberForm::of(word);
+        let (least, most) = form.kind.range();
+        let [least, most] = [least, most].map(|limit| limit.clamp(i64::MIN.into(), i64::MAX.into()) as i64);
+        if matches!(form.kind, NumberKind::F32 | NumberKind::F64) {
+            return None;
+        }
+        let fits = least <= 1 - MANY && most >= 10 * MANY;
+        let is_limited = form.spelling == Spelling::S7 && !fits;
+        // STRNG_I takes no longer texts.
+        let longest = if is_limited { 6 } else { CHARACTERS };
+        let [shorter, longer, done] = [(); 3].map(|()| self.b.create_block());
+        self.b.set_cold_block(longer);
+        let result = self.b.append_block_param(done, I32);
+        let count = self.text_length(from);
+        let word = self.characters_before(from, CHARACTERS);
+        let bytes = self.b.ins().uextend(I64, count);
+        let first = self.b.ins().band_imm_u(word, 0xFF);
+        let is_minus = self.b.ins().icmp_imm_u(IntCC::Equal, first, i64::from(b'-'));
+        let is_plus = self.b.ins().icmp_imm_u(IntCC::Equal, first, i64::from(b'+'));
+        let signed = self.b.ins().bor(is_minus, is_plus);
+        // A sign is a digit 0 from here on. The last digit is in the highest byte, and below the first one there are more zeros.
+        let zeros = self.b.ins().iconst(I64, ZEROS);
+        let digits = self.b.ins().bxor(word, zeros);
+        let lowest = self.b.ins().iconst(I64, 0xFF);
+        let without = self.b.ins().band_not(digits, lowest);
+        let digits = self.b.ins().select(signed, without, digits);
+        let missing = self.b.ins().ishl_imm_u(bytes, 3);
+        let missing = self.b.ins().ineg(missing);
+        let digits = self.b.ins().ishl(digits, missing);
+        let more = self.b.ins().iconst(I64, ONES * (0x80 - 10));
+        let more = self.b.ins().iadd(digits, more);
+        let more = self.b.ins().bor(more, digits);
+        let high = self.b.ins().iconst(I64, ONES << 7);
+        let others = self.b.ins().band(more, high);
+        let are_digits = self.b.ins().icmp_imm_u(IntCC::Equal, others, 0);
+        let signed = self.b.ins().uextend(I32, signed);
+        let least_count = self.b.ins().iadd_imm_u(signed, 1);
+        let above = self.b.ins().isub(count, least_count);
+        let most_above = self.constant(longest);
+        let most_above = self.b.ins().isub(most_above, least_count);
+        let has_length = self.b.ins().icmp(IntCC::UnsignedLessThanOrEqual, above, most_above);
+        let magnitude = self.number_of_eight(digits);
+        let negated = self.b.ins().ineg(magnitude);
+        let number = self.b.ins().select(is_minus, negated, magnitude);
+        let good = if fits {
+            self.constant(1)
+        } else {
+            let above = self.b.ins().iadd_imm_s(number, least.wrapping_neg());
+            let good = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, above, most.wrapping_sub(least));
+            self.b.ins().uextend(I32, good)
+        };
+        let mut is_short = self.b.ins().band(are_digits, has_length);
+        if is_limited {
+            // It becomes the limit that is nearest.
+            let good = self.b.ins().ireduce(I8, good);
+            is_short = self.b.ins().band(is_short, good);
+        }
+        self.b.ins().brif(is_short, shorter, &[], longer, &[]);
+        self.go_on_in(longer);
+        let piece = self.b.ins().iconst(I64, form.word() as i64);
+        let answer = self.call_for_texts(TextAction::Number, to, from, piece);
+        self.b.ins().jump(done, &[BlockArg::Value(answer)]);
+        self.go_on_in(shorter);
+        let number = self.b.ins().ishl_imm_u(number, i64::from(64 - form.kind.bits()));
+        let number = self.b.ins().bswap(number);
+        self.b.ins().store(data(), number, to.address.base, to.address.offset);
+        self.b.ins().jump(done, &[BlockArg::Value(good)]);
+        self.go_on_in(done);
+        Some(result)
+    }
+
+    /// The number of which the digits are bytes, the highest one in the lowest byte: digits, pairs and fours are put together side by side.
+    fn number_of_eight(&mut self, digits: Value) -> Value {
+        let pairs = self.b.ins().imul_imm_u(digits, 10 << 8 | 1);
+        let pairs = self.b.ins().ushr_imm_u(pairs, 8);
+        let pairs = self.b.ins().band_imm_u(pairs, 0x00FF_00FF_00FF_00FF);
+        let fours = self.b.ins().imul_imm_u(pairs, 100 << 16 | 1);
+        let fours = self.b.ins().ushr_imm_u(fours, 16);
+        let fours = self.b.ins().band_imm_u(fours, 0x0000_FFFF_0000_FFFF);
+        let all = self.b.ins().imul_imm_u(fours, 10_000 << 32 | 1);
+        self.b.ins().ushr_imm_u(all, 32)
+    }
+
+    /// The first characters of a text, up to eight, the first one in the lowest byte. What is behind its length is anything that is there;
+    /// what there is no room for is 0.
+    fn characters_before(&mut self, text: &Whole, most: u32) -> Value {
+        let Address { base, offset, .. } = text.address;
+        let offset = offset + text.room.head() as i32;
+        let room = u32::from(text.room.characters_max).min(most);
+        if room >= I64.bytes() {
+            return self.b.ins().load(I64, data(), base, offset);
+        }
+        // Two loads that overlap reach no further than the text.
+        let half = match room {
+            0 => return self.b.ins().iconst(I64, 0),
+            1 => return self.b.ins().uload8(I64, data(), base, offset),
+            2..4 => I16,
+            _ => I32,
+        };
+        let behind = room - half.bytes();
+        let [first, last] = [0, behind].map(|skipped| match half {
+            I16 => self.b.ins().uload16(I64, data(), base, offset + skipped as i32),
+            _ => self.b.ins().uload32(data(), base, offset + skipped as i32),
+        });
+        let last = self.b.ins().ishl_imm_u(last, i64::from(8 * behind));
+        self.b.ins().bor(first, last)
+    }
+}

@@ -1,0 +1,241 @@
+//! Text instructions nobody wrote, on STRINGs of a few characters that say anything: machine code works on their characters side by side,
+//! and leaves the same bytes, behind the texts too, as the interpreter.
+
+use dice::Dice;
+use noting::{layout, program, run};
+use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, TextAction, TextRoom, Var};
+use sieben_engine::numbers_in_texts::{NumberForm, NumberKind, Spelling};
+use sieben_engine::{Engine, Entry, Interpreter, Machine, Reaction};
+use sieben_jit::{Jit, StatusBits};
+use sieben_model::address::{Area, Width};
+use sieben_model::block::BlockId;
+
+mod dice;
+mod noting;
+
+const PROGRAMS: u64 = 250;
+/// Memories with which a program runs.
+const MEMORIES: u64 = 12;
+const STATEMENTS: u64 = 5;
+/// Texts lie in so many bytes of bit memory or local data.
+const BYTES: u64 = 100;
+/// Local data of the block, of which the last ones are those of literals.
+const LOCAL: u32 = 160;
+const LITERAL: u32 = 120;
+/// Bit memory in front of the texts: results and numbers.
+const RESULTS: u32 = 0;
+const NUMBERS: u32 = 40;
+const TEXTS: u32 = 80;
+
+const KINDS: [NumberKind; 14] = [
+    NumberKind::I8,
+    NumberKind::I16,
+    NumberKind::I32,
+    NumberKind::I64,
+    NumberKind::U8,
+    NumberKind::U16,
+    NumberKind::U32,
+    NumberKind::U64,
+    NumberKind::Bits8,
+    NumberKind::Bits16,
+    NumberKind::Bits32,
+    NumberKind::Bits64,
+    NumberKind::F32,
+    NumberKind::F64,
+];
+
+fn at(area: Area, byte: u32) -> Place {
+    Place::Fixed { area, position: 8 * byte }
+}
+
+/// Where a text lies and how much room it says that it has.
+fn text(b: &mut Builder, dice: &mut Dice) -> (Place, TextRoom) {
+    let room = dice.of(&[0, 1, 2, 3, 5, 7, 8, 10, 12, 15, 16, 17, 20, 24, 31, 32, 33, 40, 254]);
+    let (area, byte) = match dice.roll(3) {
+        0 => (Area::Local, dice.roll(BYTES) as u32),
+        _ => (Area::BitMemory, TEXTS + dice.roll(BYTES) as u32),
+    };
+    // Some lie behind a pointer that is not known.
+    if area == Area::BitMemory && dice.roll(8) == 0 {
+        let index = b.load(at(Area::BitMemory, NUMBERS), Width::Byte, OnFault::SkipStatement);
+        let [few, bits, begin] = [3, 8, 8 * u64::from(byte)].map(|number| b.constant(number));
+        let index = b.compute(Op::AndU32, &[index, few]);
+        let index = b.compute(Op::MulU32, &[index, bits]);
+        let pointer = b.compute(Op::AddU32, &[index, begin]);
+        return (Place::Indirect { area, pointer, offset: 0 }, TextRoom::narrow(room));
+    }
+    (at(area, byte), TextRoom::narrow(room))
+}
+
+/// The bytes of a literal in local data.
+fn literal(b: &mut Builder, dice: &mut Dice) -> (Place, TextRoom) {
+    let count = dice.roll(LOCAL as u64 - LITERAL as u64 - 1) as u32;
+    let count = if dice.roll(2) == 0 { count % 10 } else { count };
+    let bytes: Vec<u8> = [count as u8; 2].into_iter().chain((0..count).map(|_| character(dice))).collect();
+    let mut byte = LITERAL;
+    for piece in bytes.chunks(4).flat_map(|piece| if piece.len() == 3 { piece.chunks(2) } else { piece.chunks(4) }) {
+        let number = piece.iter().fold(0, |number, &byte| number << 8 | u64::from(byte));
+        let number = b.constant(number);
+        let width = [Width::Byte, Width::Word, Width::DoubleWord, Width::DoubleWord][piece.len() - 1];
+        b.store(at(Area::Local, byte), width, number);
+        byte += piece.len() as u32;
+    }
+    (at(Area::Local, LITERAL), TextRoom::narrow(count as u8))
+}
+
+fn character(dice: &mut Dice) -> u8 {
+    match dice.roll(20) {
+        0 => dice.roll(256) as u8,
+        1..4 => dice.of(b"+- _.#aA"),
+        4..10 => b'1',
+        _ => b'0' + dice.roll(10) as u8,
+    }
+}
+
+/// A number that a piece has, or of which the digits are written.
+fn number(b: &mut Builder, dice: &mut Dice, action: TextAction) -> [Var; 2] {
+    if action == TextAction::Number {
+        let spelling = dice.of(&[Spelling::Literal, Spelling::Beginning, Spelling::S7]);
+        let kind = if dice.roll(3) == 0 { NumberKind::I16 } else { dice.of(&KINDS) };
+        let form = b.constant(NumberForm { spelling, kind }.word());
+        return [form, form];
+    }
+    [(); 2].map(|()| match dice.roll(5) {
+        0 => b.load(at(Area::BitMemory, NUMBERS + 8), Width::QuadWord, OnFault::SkipStatement),
+        1 => b.constant(dice.of(&[0, 1, 5, 16, 0x7FFF_FFFF, 9_999_999, 10_000_000, u64::MAX, 1 << 63])),
+        2 => {
+            let wide = b.load(at(Area::BitMemory, NUMBERS), Width::DoubleWord, OnFault::SkipStatement);
+            let zero = b.constant(0);
+            b.compute(Op::AddI32Wide, &[wide, zero])
+        }
+        _ => {
+            let word = b.load(at(Area::BitMemory, NUMBERS + 2), Width::Byte, OnFault::SkipStatement);
+            let most = b.constant(31);
+            b.compute(Op::AndU32, &[word, most])
+        }
+    })
+}
+
+fn statements(b: &mut Builder, dice: &mut Dice) {
+    let mut actions = TextAction::ALL.to_vec();
+    actions.retain(|action| !matches!(action, TextAction::Real | TextAction::LongReal | TextAction::RealS7));
+    for statement in 0..STATEMENTS {
+        b.begin_statement();
+        let action = dice.of(&actions);
+        let (to, mut to_room) = text(b, dice);
+        let (from, from_room) = if dice.roll(3) == 0 { literal(b, dice) } else { text(b, dice) };
+        if action == TextAction::Number {
+            to_room = TextRoom::NUMBER;
+        }
+        let piece = number(b, dice, action);
+        let dst = b.temporary();
+        b.push(Inst::Text { action, dst, to, to_room, from, from_room, piece });
+        let result = at(Area::BitMemory, RESULTS + 4 * statement as u32);
+        if action == TextAction::Compare && dice.roll(2) == 0 {
+            let zero = b.constant(0);
+            let same = b.compute(dice.of(&[Op::Equal, Op::Differ]), &[dst, zero]);
+            b.store(result, Width::Bit, same);
+        } else {
+            b.store(result, Width::DoubleWord, dst);
+        }
+    }
+    b.begin_statement();
+    b.push(Inst::Return);
+}
+
+/// Texts everywhere: lengths that are near to each other, and characters of which some are the same.
+fn fill(machine: &mut Machine, dice: &mut Dice) {
+    let memory = machine.memory.area_mut(Area::BitMemory);
+    let most = dice.of(&[2, 8, 9, 12, 20, 40, 255]);
+    for byte in &mut memory[TEXTS as usize..TEXTS as usize + BYTES as usize + 300] {
+        *byte = if dice.roll(3) == 0 { dice.roll(most) as u8 } else { character(dice) };
+    }
+    for byte in &mut memory[NUMBERS as usize..NUMBERS as usize + 8] {
+        *byte = dice.roll(256) as u8;
+    }
+    let number = match dice.roll(3) {
+        0 => dice.roll(1 << 30) << (30 + dice.roll(4)),
+        _ => {
+            let bits = dice.roll(31);
+            dice.roll(1 << bits)
+        }
+    };
+    let number = if dice.roll(2) == 0 { number } else { number.wrapping_neg() };
+    memory[NUMBERS as usize + 8..][..8].copy_from_slice(&number.to_be_bytes());
+    let local = machine.memory.layout.local.clone();
+    for byte in &mut machine.memory.arena[local][..LOCAL as usize] {
+        *byte = if dice.roll(3) == 0 { dice.roll(most) as u8 } else { character(dice) };
+    }
+}
+
+#[test]
+fn short_texts_are_the_same_on_all_engines() {
+    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+    for seed in 0..PROGRAMS {
+        let body = |b: &mut Builder| statements(b, &mut Dice(seed));
+        let program = program(&[(BlockId::ob(1), LOCAL, &body)]);
+        let layout = layout(&program);
+        let engines = [StatusBits::All, StatusBits::Needed].map(|status| Jit::compiled(&program, &layout, status).expect("machine code"));
+        let reference = Interpreter::load(&program, &layout);
+        for memory in 0..MEMORIES {
+            let outcome = |engine: &dyn Engine| {
+                let prepare = |machine: &mut Machine| {
+                    machine.budget = 100;
+                    fill(machine, &mut Dice(seed * MEMORIES + memory));
+                };
+                run(engine, &layout, &entry, &prepare, &|_, _, _| Reaction::Continue)
+            };
+            let expected = outcome(reference.as_ref());
+            for engine in &engines {
+                let what = || format!("program {seed}, memory {memory}\n{}", program.code[&BlockId::ob(1)].code);
+                outcome(engine.as_ref()).assert_ends_as(&expected, &what);
+            }
+        }
+    }
+}
+
+/// Whole numbers around every power of ten, as digits and back.
+#[test]
+fn digits_of_numbers_are_the_same_on_all_engines() {
+    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+    let actions = [TextAction::Unsigned, TextAction::Signed, TextAction::SignedAlways];
+    let body = |b: &mut Builder| {
+        for (index, action) in (0..).zip(actions) {
+            b.begin_statement();
+            let number = b.load(at(Area::BitMemory, NUMBERS), Width::QuadWord, OnFault::SkipStatement);
+            let dst = b.temporary();
+            let (place, room) = (at(Area::BitMemory, TEXTS + 30 * index), TextRoom::narrow(24));
+            b.push(Inst::Text { action, dst, to: place, to_room: room, from: place, from_room: room, piece: [number, number] });
+            b.store(at(Area::BitMemory, RESULTS + 2 * index), Width::Word, dst);
+            for (number, kind) in (0..).zip([NumberKind::I16, NumberKind::I32, NumberKind::U16]) {
+                b.begin_statement();
+                let form = b.constant(NumberForm { spelling: Spelling::Literal, kind }.word());
+                let dst = b.temporary();
+                let to = at(Area::BitMemory, TEXTS + 100 + 8 * (3 * index + number));
+                let (action, to_room) = (TextAction::Number, TextRoom::NUMBER);
+                b.push(Inst::Text { action, dst, to, to_room, from: place, from_room: room, piece: [form, form] });
+                b.store(at(Area::BitMemory, RESULTS + 8 + 2 * (3 * index + number)), Width::Word, dst);
+            }
+        }
+        b.begin_statement();
+        b.push(Inst::Return);
+    };
+    let program = program(&[(BlockId::ob(1), 20, &body)]);
+    let layout = layout(&program);
+    let engine = Jit::compiled(&program, &layout, StatusBits::Needed).expect("machine code");
+    let reference = Interpreter::load(&program, &layout);
+    let powers = (0..20).map(|power| 10_u64.pow(power));
+    let around =
+        powers.flat_map(|power| (1..10).map(move |digit| power.wrapping_mul(digit))).flat_map(|number| [number - 1, number, number + 7]);
+    let mut dice = Dice(3);
+    let numbers: Vec<u64> = around.chain((0..3000).map(|_| dice.roll(1 << (1 + dice.0 % 28)))).collect();
+    for number in numbers.into_iter().flat_map(|number| [number, number.wrapping_neg()]) {
+        let prepare = |machine: &mut Machine| {
+            machine.budget = 100;
+            machine.memory.area_mut(Area::BitMemory)[NUMBERS as usize..][..8].copy_from_slice(&number.to_be_bytes());
+            machine.memory.area_mut(Area::BitMemory)[TEXTS as usize..][..90].fill(b'?');
+        };
+        let of = |engine: &dyn Engine| run(engine, &layout, &entry, &prepare, &|_, _, _| Reaction::Continue);
+        of(engine.as_ref()).assert_ends_as(&of(reference.as_ref()), &|| number.to_string());
+    }
+}
