@@ -56,6 +56,7 @@ mod shifts;
 mod sized;
 mod text_bytes;
 mod text_numbers;
+mod text_order;
 mod texts;
 mod turns;
 mod value;

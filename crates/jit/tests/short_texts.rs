@@ -13,7 +13,7 @@ use sieben_model::block::BlockId;
 mod dice;
 mod noting;
 
-const PROGRAMS: u64 = 250;
+const PROGRAMS: u64 = 600;
 /// Memories with which a program runs.
 const MEMORIES: u64 = 12;
 const STATEMENTS: u64 = 5;
@@ -147,8 +147,14 @@ fn statements(b: &mut Builder, dice: &mut Dice) {
 fn fill(machine: &mut Machine, dice: &mut Dice) {
     let memory = machine.memory.area_mut(Area::BitMemory);
     let most = dice.of(&[2, 8, 9, 12, 20, 40, 255]);
-    for byte in &mut memory[TEXTS as usize..TEXTS as usize + BYTES as usize + 300] {
-        *byte = if dice.roll(3) == 0 { dice.roll(most) as u8 } else { character(dice) };
+    let alike = dice.roll(2) == 0;
+    let byte = |dice: &mut Dice| match dice.roll(24) {
+        0..8 => dice.roll(most) as u8,
+        8..23 if alike => b'1',
+        _ => character(dice),
+    };
+    for at in &mut memory[TEXTS as usize..TEXTS as usize + BYTES as usize + 300] {
+        *at = byte(dice);
     }
     for byte in &mut memory[NUMBERS as usize..NUMBERS as usize + 8] {
         *byte = dice.roll(256) as u8;
@@ -163,8 +169,8 @@ fn fill(machine: &mut Machine, dice: &mut Dice) {
     let number = if dice.roll(2) == 0 { number } else { number.wrapping_neg() };
     memory[NUMBERS as usize + 8..][..8].copy_from_slice(&number.to_be_bytes());
     let local = machine.memory.layout.local.clone();
-    for byte in &mut machine.memory.arena[local][..LOCAL as usize] {
-        *byte = if dice.roll(3) == 0 { dice.roll(most) as u8 } else { character(dice) };
+    for at in &mut machine.memory.arena[local][..LOCAL as usize] {
+        *at = byte(dice);
     }
 }
 

@@ -4,8 +4,8 @@
 //! them a text keeps what it has. Longer ones are left to Rust code, which takes little time for each byte.
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::{I8, I8X16, I16, I32, I64};
-use cranelift_codegen::ir::{Block, BlockArg, InstBuilder, Type, Value};
+use cranelift_codegen::ir::types::{I8X16, I16, I32, I64};
+use cranelift_codegen::ir::{Block, InstBuilder, Type, Value};
 use sieben_engine::ir::verify::{reads, writes};
 use sieben_engine::ir::{Inst, Op, TextAction, Var};
 
@@ -16,13 +16,18 @@ use super::texts::Whole;
 use super::value::Val;
 use crate::ask::Question;
 
+/// Characters that are worked on without a call.
+pub(super) const CHARACTERS_MAX: u32 = 32;
 /// Values that two overlapping loads cover: twice as many bytes at most. The largest first.
-const PAIRS: [Type; 4] = [I8X16, I64, I32, I16];
+pub(super) const PAIRS: [Type; 4] = [I8X16, I64, I32, I16];
 
 impl Translator<'_> {
     /// How many characters of a text count.
     pub(super) fn text_length(&mut self, text: &Whole) -> Value {
         let Address { base, offset, .. } = text.address;
+        if let Some(&[_, length]) = self.constant_head(text).as_deref() {
+            return self.constant(u32::from(length).min(text.room.characters_max.into()));
+        }
         let length = match text.room.wide {
             false => self.b.ins().uload8(I32, data(), base, offset + 1),
             true => {
@@ -35,13 +40,26 @@ impl Translator<'_> {
         self.fewer(length, most)
     }
 
+    /// Both lengths of a STRING, if they are known, as those of a literal are.
+    fn constant_head(&self, text: &Whole) -> Option<Vec<u8>> {
+        let Address { base, offset, .. } = text.address;
+        let is_known = base == self.local && !text.room.wide && text.most.is_none();
+        is_known.then(|| self.constant_bytes(offset, 2)).flatten()
+    }
+
+    /// The characters that count, if all of them are known, as those of a literal are, and they are few.
+    pub(super) fn constant_characters(&self, text: &Whole) -> Option<Vec<u8>> {
+        let length = u32::from(*self.constant_head(text)?.last()?).min(text.room.characters_max.into());
+        (length <= CHARACTERS_MAX).then(|| self.constant_bytes(text.address.offset + 2, length)).flatten()
+    }
+
     /// How many characters there is room for.
     fn room(&mut self, text: &Whole) -> Value {
         text.most.unwrap_or_else(|| self.constant(text.room.characters_max.into()))
     }
 
     /// The smaller one of two counts.
-    fn fewer(&mut self, a: Value, b: Value) -> Value {
+    pub(super) fn fewer(&mut self, a: Value, b: Value) -> Value {
         let more = self.b.ins().icmp(IntCC::UnsignedGreaterThan, a, b);
         self.b.ins().select(more, b, a)
     }
@@ -72,8 +90,9 @@ impl Translator<'_> {
                 Some(none)
             }
             TextAction::Assign | TextAction::Piece | TextAction::Append => Some(self.put(action, to, from, piece)),
-            TextAction::Find if to.room.characters_max >= I8X16.bytes() as u16 => Some(self.find_one(to, from)),
+            TextAction::Find => self.find_characters(to, from),
             TextAction::Compare if self.only_equality_counts(index, dst) => Some(self.differ(to, from)),
+            TextAction::Compare => Some(self.order(to, from)),
             TextAction::Unsigned | TextAction::Signed | TextAction::SignedAlways => self.put_digits(action, to, word),
             TextAction::Number => {
                 let form = self.get(piece[0]);
@@ -89,6 +108,7 @@ impl Translator<'_> {
         let [most, most_read] = [to.room, from.room].map(|room| u32::from(room.characters_max));
         let length = self.text_length(from);
         let behind = (action == TextAction::Append).then(|| self.text_length(to));
+        let mut known = Some((0, usize::MAX));
         let (first, count) = match action {
             TextAction::Assign => (None, length),
             _ => {
@@ -96,6 +116,9 @@ impl Translator<'_> {
                     let value = self.get(var);
                     self.force(value)
                 });
+                // A negative number is 0.
+                let number = |value: Val| value.constant().map(|number| usize::try_from(number as u32 as i32).unwrap_or(0));
+                known = number(first).zip(number(count));
                 let (first, left) = match first {
                     Val::Const(first) if first as u32 as i32 <= 0 => (None, length),
                     first => {
@@ -135,7 +158,32 @@ impl Translator<'_> {
             };
             Address { base, offset: offset + text.room.head() as i32, bit: Bit::Number(0) }
         });
-        self.copy_characters(source, target, (put, most.min(most_read)));
+        let characters = self.constant_characters(from).zip(known).map(|(characters, (first, count))| {
+            let first = first.min(characters.len());
+            let behind = first + count.min(characters.len() - first);
+            characters[first..behind].to_vec()
+        });
+        let copied = (put, most.min(most_read));
+        match characters {
+            // Nothing is cut where the room is known.
+            Some(characters) if behind.is_none() && to.most.is_none() && characters.len() as u32 <= most => {
+                self.store_characters(target, &characters)
+            }
+            Some(characters) => {
+                let [whole, cut, done] = [(); 3].map(|()| self.b.create_block());
+                self.b.set_cold_block(cut);
+                let fits = self.b.ins().icmp_imm_u(IntCC::Equal, put, characters.len() as i64);
+                self.b.ins().brif(fits, whole, &[], cut, &[]);
+                self.go_on_in(cut);
+                self.copy_characters(source, target, copied);
+                self.b.ins().jump(done, &[]);
+                self.go_on_in(whole);
+                self.store_characters(target, &characters);
+                self.b.ins().jump(done, &[]);
+                self.go_on_in(done);
+            }
+            None => self.copy_characters(source, target, copied),
+        }
         let end = behind.map_or(put, |behind| self.b.ins().iadd(behind, put));
         self.store_lengths(to, room, end);
         match action {
@@ -155,11 +203,32 @@ impl Translator<'_> {
         self.b.ins().istore8(data(), length, base, offset + 1);
     }
 
+    /// Writes characters that are known.
+    fn store_characters(&mut self, to: Address, characters: &[u8]) {
+        let mut at = 0;
+        for ty in PAIRS.into_iter().skip(1) {
+            let size = ty.bytes() as usize;
+            while at < characters.len() && characters.len() >= size {
+                // The last ones are written with some of those before.
+                let first = at.min(characters.len() - size);
+                let bytes = characters[first..first + size].iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte));
+                let number = self.b.ins().iconst(I64, bytes as i64);
+                let number = if ty == I64 { number } else { self.b.ins().ireduce(ty, number) };
+                self.b.ins().store(data(), number, to.base, to.offset + first as i32);
+                at = first + size;
+            }
+        }
+        if let Some(&byte) = characters.get(at) {
+            let byte = self.constant(byte.into());
+            self.b.ins().istore8(data(), byte, to.base, to.offset + at as i32);
+        }
+    }
+
     /// Copies so many bytes, of which there are no more than the number behind.
     fn copy_characters(&mut self, from: Address, to: Address, (count, most): (Value, u32)) {
         let done = self.b.create_block();
         let bytes = self.b.ins().uextend(I64, count);
-        let long = 2 * I8X16.bytes();
+        let long = CHARACTERS_MAX;
         if most > long {
             let [copied, short] = [self.b.create_block(), self.b.create_block()];
             let is_long = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThan, count, i64::from(long));
@@ -195,108 +264,6 @@ impl Translator<'_> {
         self.b.ins().istore8(data(), byte, to.base, to.offset);
         self.b.ins().jump(done, &[]);
         self.go_on_in(done);
-    }
-
-    /// Where one character stands in a text; several are looked for by Rust code.
-    fn find_one(&mut self, to: &Whole, from: &Whole) -> Value {
-        let [length, count] = [to, from].map(|text| self.text_length(text));
-        let [several, one, look, found, next, done] = [(); 6].map(|()| self.b.create_block());
-        let at = self.b.append_block_param(look, I32);
-        let result = self.b.append_block_param(done, I32);
-        let is_one = self.b.ins().icmp_imm_u(IntCC::Equal, count, 1);
-        self.b.ins().brif(is_one, one, &[], several, &[]);
-        self.go_on_in(several);
-        let nothing = self.b.ins().iconst(I64, 0);
-        let place = self.call_for_texts(TextAction::Find, to, from, nothing);
-        self.b.ins().jump(done, &[BlockArg::Value(place)]);
-        self.go_on_in(one);
-        let [all, wanted] = [to, from].map(|text| Address { offset: text.address.offset + text.room.head() as i32, ..text.address });
-        let wanted = self.b.ins().load(I8, data(), wanted.base, wanted.offset);
-        let wanted = self.b.ins().splat(I8X16, wanted);
-        let zero = self.constant(0);
-        self.b.ins().jump(look, &[BlockArg::Value(zero)]);
-        self.b.switch_to_block(look);
-        // The last ones that there is room for: those before are looked at twice, and the character is not among them.
-        let last = self.constant(u32::from(to.room.characters_max) - I8X16.bytes());
-        let first = self.fewer(at, last);
-        let skipped = self.b.ins().uextend(I64, first);
-        let base = self.b.ins().iadd(all.base, skipped);
-        let characters = self.b.ins().load(I8X16, data(), base, all.offset);
-        let same = self.b.ins().icmp(IntCC::Equal, characters, wanted);
-        let bits = self.b.ins().vhigh_bits(I32, same);
-        self.b.ins().brif(bits, found, &[], next, &[]);
-        self.go_on_in(found);
-        let place = self.b.ins().ctz(bits);
-        let place = self.b.ins().iadd(place, first);
-        let counts = self.b.ins().icmp(IntCC::UnsignedLessThan, place, length);
-        let place = self.b.ins().iadd_imm_u(place, 1);
-        let place = self.b.ins().select(counts, place, zero);
-        self.b.ins().jump(done, &[BlockArg::Value(place)]);
-        self.go_on_in(next);
-        let at = self.b.ins().iadd_imm_u(at, i64::from(I8X16.bytes()));
-        let more = self.b.ins().icmp(IntCC::UnsignedLessThan, at, length);
-        self.b.ins().brif(more, look, &[BlockArg::Value(at)], done, &[BlockArg::Value(zero)]);
-        self.b.seal_block(look);
-        self.go_on_in(done);
-        result
-    }
-
-    /// 0 if two texts have the same characters, else another number.
-    fn differ(&mut self, a: &Whole, b: &Whole) -> Value {
-        let [length, other] = [a, b].map(|text| self.text_length(text));
-        let most = u32::from(a.room.characters_max.min(b.room.characters_max));
-        let done = self.b.create_block();
-        let result = self.b.append_block_param(done, I32);
-        let [same, differ] = [self.b.create_block(), self.b.create_block()];
-        let as_long = self.b.ins().icmp(IntCC::Equal, length, other);
-        self.b.ins().brif(as_long, same, &[], differ, &[]);
-        self.go_on_in(differ);
-        let one = self.b.ins().iconst(I32, 1);
-        self.b.ins().jump(done, &[BlockArg::Value(one)]);
-        self.go_on_in(same);
-        let bytes = self.b.ins().uextend(I64, length);
-        let [a, b] = [a, b].map(|text| Address { offset: text.address.offset + text.room.head() as i32, ..text.address });
-        let long = 2 * I64.bytes();
-        if most > long {
-            let [compared, short] = [self.b.create_block(), self.b.create_block()];
-            let is_long = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThan, length, i64::from(long));
-            self.b.ins().brif(is_long, compared, &[], short, &[]);
-            self.go_on_in(compared);
-            let [first, second] = [a, b].map(|address| self.arena_byte(address));
-            let function = self.functions.get(self.module, Outside::Question(Question::BytesDiffer));
-            let answer = self.call(function, &[self.run, first, second, bytes]);
-            let answer = self.b.ins().ireduce(I32, answer);
-            self.b.ins().jump(done, &[BlockArg::Value(answer)]);
-            self.go_on_in(short);
-        }
-        for ty in PAIRS.into_iter().skip(1) {
-            if most < ty.bytes() {
-                continue;
-            }
-            let [compared, shorter] = [self.b.create_block(), self.b.create_block()];
-            let is_it = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThanOrEqual, length, i64::from(ty.bytes()));
-            self.b.ins().brif(is_it, compared, &[], shorter, &[]);
-            self.go_on_in(compared);
-            let size = ty.bytes() as i32;
-            let ends = [a, b].map(|address| self.b.ins().iadd(address.base, bytes));
-            let firsts = [a, b].map(|address| self.b.ins().load(ty, data(), address.base, address.offset));
-            let lasts = [(a, ends[0]), (b, ends[1])].map(|(address, end)| self.b.ins().load(ty, data(), end, address.offset - size));
-            let first = self.b.ins().bxor(firsts[0], firsts[1]);
-            let last = self.b.ins().bxor(lasts[0], lasts[1]);
-            let bits = self.b.ins().bor(first, last);
-            let other = self.b.ins().icmp_imm_u(IntCC::NotEqual, bits, 0);
-            let other = self.b.ins().uextend(I32, other);
-            self.b.ins().jump(done, &[BlockArg::Value(other)]);
-            self.go_on_in(shorter);
-        }
-        let one = self.b.create_block();
-        self.b.ins().brif(length, one, &[], done, &[BlockArg::Value(length)]);
-        self.go_on_in(one);
-        let bytes = [a, b].map(|address| self.b.ins().uload8(I32, data(), address.base, address.offset));
-        let bits = self.b.ins().bxor(bytes[0], bytes[1]);
-        self.b.ins().jump(done, &[BlockArg::Value(bits)]);
-        self.go_on_in(done);
-        result
     }
 
     /// Goes on in a block to which everything that leads there has been written.

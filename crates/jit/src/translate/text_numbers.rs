@@ -2,7 +2,7 @@
 //! at once. Everything else is left to Rust code.
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::{I8, I16, I32, I64};
+use cranelift_codegen::ir::types::{I8, I32, I64};
 use cranelift_codegen::ir::{BlockArg, InstBuilder, Value};
 use sieben_engine::ir::TextAction;
 use sieben_engine::numbers_in_texts::{NumberForm, NumberKind, Spelling};
@@ -122,7 +122,7 @@ impl Translator<'_> {
         self.b.set_cold_block(longer);
         let result = self.b.append_block_param(done, I32);
         let count = self.text_length(from);
-        let word = self.characters_before(from, CHARACTERS);
+        let word = self.characters_at(from, 0..from.characters_there());
         let bytes = self.b.ins().uextend(I64, count);
         let first = self.b.ins().band_imm_u(word, 0xFF);
         let is_minus = self.b.ins().icmp_imm_u(IntCC::Equal, first, i64::from(b'-'));
@@ -189,30 +189,5 @@ impl Translator<'_> {
         let fours = self.b.ins().band_imm_u(fours, 0x0000_FFFF_0000_FFFF);
         let all = self.b.ins().imul_imm_u(fours, 10_000 << 32 | 1);
         self.b.ins().ushr_imm_u(all, 32)
-    }
-
-    /// The first characters of a text, up to eight, the first one in the lowest byte. What is behind its length is anything that is there;
-    /// what there is no room for is 0.
-    fn characters_before(&mut self, text: &Whole, most: u32) -> Value {
-        let Address { base, offset, .. } = text.address;
-        let offset = offset + text.room.head() as i32;
-        let room = u32::from(text.room.characters_max).min(most);
-        if room >= I64.bytes() {
-            return self.b.ins().load(I64, data(), base, offset);
-        }
-        // Two loads that overlap reach no further than the text.
-        let half = match room {
-            0 => return self.b.ins().iconst(I64, 0),
-            1 => return self.b.ins().uload8(I64, data(), base, offset),
-            2..4 => I16,
-            _ => I32,
-        };
-        let behind = room - half.bytes();
-        let [first, last] = [0, behind].map(|skipped| match half {
-            I16 => self.b.ins().uload16(I64, data(), base, offset + skipped as i32),
-            _ => self.b.ins().uload32(data(), base, offset + skipped as i32),
-        });
-        let last = self.b.ins().ishl_imm_u(last, i64::from(8 * behind));
-        self.b.ins().bor(first, last)
     }
 }

@@ -36,6 +36,11 @@ pub(super) struct Whole {
 }
 
 impl Whole {
+    /// How many characters are sure to be there.
+    pub(super) fn characters_there(&self) -> u32 {
+        ((self.there - self.room.head()) / self.room.unit()).min(self.room.characters_max.into())
+    }
+
     /// What the instruction says that there is room for.
     fn said(&self) -> TextRoom {
         if self.most.is_some() { self.room.unknown() } else { self.room }
@@ -138,7 +143,14 @@ impl Translator<'_> {
         }
         let Address { base, offset, .. } = text.address;
         // Both lengths of a literal.
-        let empty = base == self.local && self.constant_word(offset, Width::Word) == Some(0);
+        let lengths = (base == self.local).then(|| self.constant_bytes(offset, 2)).flatten();
+        if let Some(&[most, _]) = lengths.as_deref()
+            && most > 0
+            && u32::from(most) + text.room.head() <= text.there
+        {
+            return (Whole { room: TextRoom::narrow(most), ..text }, None);
+        }
+        let empty = lengths.is_some_and(|lengths| lengths == [0, 0]);
         let most = self.b.ins().uload8(I32, data(), base, offset);
         let there = i64::from(text.there - text.room.head());
         let inside = (there < u8::MAX.into() && !empty).then(|| self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, most, there));

@@ -62,6 +62,18 @@ impl Translator<'_> {
         self.known_word(address, width)?.constant()
     }
 
+    /// The constants that are known to be at an offset, one behind the other, as bytes.
+    pub(super) fn constant_bytes(&self, offset: i32, count: u32) -> Option<Vec<u8>> {
+        (offset..offset + count as i32)
+            .map(|at| {
+                let holds = |&&(first, width, _): &&(i32, Width, Val)| (first..first + width.bytes() as i32).contains(&at);
+                let &(first, width, value) = self.words.known.iter().find(holds)?;
+                let behind = first + width.bytes() as i32 - 1 - at;
+                Some((value.constant()? >> (8 * behind)) as u8)
+            })
+            .collect()
+    }
+
     /// What is still known where a loop begins: constants that none of its turns writes.
     pub(super) fn words_in_loop(&self, it: &Loop, mut words: Words) -> Words {
         let end = self.local_behind() as i32;
