@@ -13,7 +13,7 @@ use sieben_model::block::BlockId;
 mod dice;
 mod noting;
 
-const PROGRAMS: u64 = 600;
+const PROGRAMS: u64 = 500;
 /// Memories with which a program runs.
 const MEMORIES: u64 = 12;
 const STATEMENTS: u64 = 5;
@@ -24,6 +24,7 @@ const LOCAL: u32 = 160;
 const LITERAL: u32 = 120;
 /// Bit memory in front of the texts: results and numbers.
 const RESULTS: u32 = 0;
+const COUNTER: u32 = 30;
 const NUMBERS: u32 = 40;
 const TEXTS: u32 = 80;
 
@@ -119,8 +120,14 @@ fn number(b: &mut Builder, dice: &mut Dice, action: TextAction) -> [Var; 2] {
 fn statements(b: &mut Builder, dice: &mut Dice) {
     let mut actions = TextAction::ALL.to_vec();
     actions.retain(|action| !matches!(action, TextAction::Real | TextAction::LongReal | TextAction::RealS7));
+    // In some programs all of it is a loop of a few turns.
+    let loops = dice.roll(3) == 0;
+    let begin = b.next();
     for statement in 0..STATEMENTS {
         b.begin_statement();
+        if dice.roll(2) == 0 {
+            something_else(b, dice);
+        }
         let action = dice.of(&actions);
         let (to, mut to_room) = text(b, dice);
         let (from, from_room) = if dice.roll(3) == 0 { literal(b, dice) } else { text(b, dice) };
@@ -139,8 +146,34 @@ fn statements(b: &mut Builder, dice: &mut Dice) {
             b.store(result, Width::DoubleWord, dst);
         }
     }
+    if loops {
+        b.begin_statement();
+        let counter = b.load(at(Area::BitMemory, COUNTER), Width::Word, OnFault::SkipStatement);
+        let one = b.constant(1);
+        let counter = b.compute(Op::AddU16, &[counter, one]);
+        b.store(at(Area::BitMemory, COUNTER), Width::Word, counter);
+        let last = b.constant(3);
+        let condition = b.compute(Op::LtI16, &[counter, last]);
+        b.push(Inst::Branch { condition, to: begin });
+    }
     b.begin_statement();
     b.push(Inst::Return);
+}
+
+/// Reads or writes bits, bytes or words that may be those of a text.
+fn something_else(b: &mut Builder, dice: &mut Dice) {
+    let width = dice.of(&[Width::Bit, Width::Byte, Width::Word, Width::DoubleWord]);
+    let mut place = || {
+        let (area, byte) = if dice.roll(2) == 0 { (Area::Local, 0) } else { (Area::BitMemory, TEXTS) };
+        let bit = if width == Width::Bit { dice.roll(8) as u32 } else { 0 };
+        Place::Fixed { area, position: 8 * (byte + dice.roll(BYTES) as u32) + bit }
+    };
+    let [from, to] = [place(), place()];
+    let value = match dice.roll(2) {
+        0 => b.load(from, width, OnFault::SkipStatement),
+        _ => b.constant(dice.roll(1 << 32) & dice.of(&[1, 0x0707_0707, 0xFFFF_FFFF])),
+    };
+    b.store(to, width, value);
 }
 
 /// Texts everywhere: lengths that are near to each other, and characters of which some are the same.

@@ -254,7 +254,7 @@ impl Translator<'_> {
     }
 
     /// What an address that is known to be there is counted from.
-    fn known_base(&self, base: Value) -> Base {
+    pub(super) fn known_base(&self, base: Value) -> Base {
         match self.computed.get(&base) {
             Some(&computed) => Base::Computed(computed),
             None if base == self.local => Base::Local,
@@ -273,7 +273,7 @@ impl Translator<'_> {
     /// Stores bits that wait in pieces which may share bytes with this one and are counted from elsewhere, and forgets what may lie there
     /// if it is written.
     fn settle_shared(&mut self, piece: Piece, written: bool) {
-        if self.computed.is_empty() {
+        if self.computed.is_empty() && self.bytes.numbers.is_empty() {
             return;
         }
         let bytes = piece.start..piece.start + piece.bytes;

@@ -1,27 +1,36 @@
-//! Numbers at computed addresses, in the instance of a function block in an array mostly: what was written there or read is not read again
-//! as long as nothing is written that may be the same bytes, and nobody is asked.
+//! Numbers at computed addresses, in the instance of a function block in an array mostly, and how many characters of texts count: what was
+//! written there or read is not read again as long as nothing is written that may be the same bytes, and nobody is asked.
 
 use std::ops::Range;
 
+use cranelift_codegen::ir::Value;
+use sieben_engine::ir::TextRoom;
 use sieben_model::address::Width;
 
 use super::Translator;
 use super::memory::Address;
 use super::promote::Base;
+use super::texts::Whole;
 use super::value::Val;
 
 /// Numbers that are remembered, the newest ones: more would keep registers that the code needs.
 const KNOWN_MAX: usize = 8;
+/// The same of lengths.
+const LENGTHS_MAX: usize = 6;
 
 /// What is known of numbers at computed addresses: base, offset, width, and the value as a load would have it. No two may share bytes
 /// unless both were read.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Numbers(Vec<(Base, i32, Width, Val)>);
+pub(super) struct Numbers(Vec<(Base, i32, Width, Val)>, Lengths);
+
+/// How many characters count in texts that begin at an offset behind a base and have so much room.
+pub(super) type Lengths = Vec<(Base, i32, TextRoom, Value)>;
 
 impl Numbers {
     /// Keeps what others know, too.
     pub(super) fn keep_common(&mut self, other: &Self) {
         self.0.retain(|known| other.0.contains(known));
+        self.1.retain(|known| other.1.contains(known));
     }
 
     /// Forgets what may share bytes with these.
@@ -31,11 +40,30 @@ impl Numbers {
             let at = i64::from(at);
             !own.may_share(&(at..at + i64::from(width.bytes())), base, &bytes)
         });
+        self.1.retain(|&(own, at, room, _)| {
+            let at = i64::from(at);
+            !own.may_share(&(at..at + i64::from(room.head())), base, &bytes)
+        });
+    }
+
+    /// What is known of lengths, which a text instruction keeps.
+    pub(super) fn take_lengths(&mut self) -> Lengths {
+        std::mem::take(&mut self.1)
+    }
+
+    pub(super) fn keep_lengths(&mut self, lengths: Lengths) {
+        self.1 = lengths;
+    }
+
+    /// Whether nothing is known.
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty() && self.1.is_empty()
     }
 
     /// Forgets everything.
     pub(super) fn clear(&mut self) {
         self.0.clear();
+        self.1.clear();
     }
 }
 
@@ -58,5 +86,32 @@ impl Translator<'_> {
             self.bytes.numbers.0.remove(0);
         }
         self.bytes.numbers.0.push((Base::Computed(computed), address.offset, width, value));
+    }
+
+    /// How many characters of a text count, if it is known.
+    pub(super) fn known_length(&self, text: &Whole) -> Option<Value> {
+        let base = self.base_of_text(text)?;
+        let is_it = |known: &&(Base, i32, TextRoom, Value)| (known.0, known.1, known.2) == (base, text.address.offset, text.room);
+        self.bytes.numbers.1.iter().find(is_it).map(|known| known.3)
+    }
+
+    /// Remembers how many characters of a text count. What shares bytes with its lengths is forgotten already if they were written.
+    pub(super) fn remember_length(&mut self, text: &Whole, length: Value) {
+        let Some(base) = self.base_of_text(text) else { return };
+        if !self.options.optimize || self.cold.is_some() {
+            return;
+        }
+        let lengths = &mut self.bytes.numbers.1;
+        if lengths.len() == LENGTHS_MAX {
+            lengths.remove(0);
+        }
+        lengths.push((base, text.address.offset, text.room, length));
+    }
+
+    /// What a text is counted from that does not say itself how much room it has, and of which the place is known.
+    fn base_of_text(&self, text: &Whole) -> Option<Base> {
+        let base = text.address.base;
+        let is_known = base == self.local || base == self.arena || self.computed.contains_key(&base);
+        (is_known && text.most.is_none()).then(|| self.known_base(base))
     }
 }

@@ -21,12 +21,29 @@ pub(super) const CHARACTERS_MAX: u32 = 32;
 /// Values that two overlapping loads cover: twice as many bytes at most. The largest first.
 pub(super) const PAIRS: [Type; 4] = [I8X16, I64, I32, I16];
 
+/// What an instruction that is written out leaves.
+pub(super) struct Written {
+    pub(super) result: Value,
+    /// How many characters its target has, if it wrote a text there.
+    pub(super) length: Option<Value>,
+}
+
+impl Written {
+    /// A result of an instruction that writes no text.
+    fn nothing(result: Value) -> Self {
+        Self { result, length: None }
+    }
+}
+
 impl Translator<'_> {
     /// How many characters of a text count.
     pub(super) fn text_length(&mut self, text: &Whole) -> Value {
         let Address { base, offset, .. } = text.address;
         if let Some(&[_, length]) = self.constant_head(text).as_deref() {
             return self.constant(u32::from(length).min(text.room.characters_max.into()));
+        }
+        if let Some(length) = self.known_length(text) {
+            return length;
         }
         let length = match text.room.wide {
             false => self.b.ins().uload8(I32, data(), base, offset + 1),
@@ -37,7 +54,9 @@ impl Translator<'_> {
             }
         };
         let most = self.room(text);
-        self.fewer(length, most)
+        let length = self.fewer(length, most);
+        self.remember_length(text, length);
+        length
     }
 
     /// Both lengths of a STRING, if they are known, as those of a literal are.
@@ -77,7 +96,7 @@ impl Translator<'_> {
         &mut self,
         (action, to, from, piece): (TextAction, &Whole, &Whole, [Var; 2]),
         (index, dst, word): (u32, Var, Value),
-    ) -> Option<Value> {
+    ) -> Option<Written> {
         // Code that has to be there at once is for the time until better code is there.
         let quick = !self.options.optimize && !self.options.exact;
         if quick || self.cold.is_some() || to.room.wide || from.room.wide {
@@ -87,24 +106,28 @@ impl Translator<'_> {
             TextAction::Assign if from.empty => {
                 let (room, none) = (self.room(to), self.constant(0));
                 self.store_lengths(to, room, none);
-                Some(none)
+                Some(Written { result: none, length: Some(none) })
             }
             TextAction::Assign | TextAction::Piece | TextAction::Append => Some(self.put(action, to, from, piece)),
-            TextAction::Find => self.find_characters(to, from),
-            TextAction::Compare if self.only_equality_counts(index, dst) => Some(self.differ(to, from)),
-            TextAction::Compare => Some(self.order(to, from)),
-            TextAction::Unsigned | TextAction::Signed | TextAction::SignedAlways => self.put_digits(action, to, word),
+            TextAction::Unsigned | TextAction::Signed | TextAction::SignedAlways => {
+                let result = self.put_digits(action, to, word)?;
+                let room = self.room(to);
+                Some(Written { result, length: Some(self.fewer(result, room)) })
+            }
+            TextAction::Find => self.find_characters(to, from).map(Written::nothing),
+            TextAction::Compare if self.only_equality_counts(index, dst) => Some(Written::nothing(self.differ(to, from))),
+            TextAction::Compare => Some(Written::nothing(self.order(to, from))),
             TextAction::Number => {
                 let form = self.get(piece[0]);
                 let form = self.force(form).constant()?;
-                self.whole_number(to, from, form)
+                self.whole_number(to, from, form).map(Written::nothing)
             }
             _ => None,
         }
     }
 
     /// Writes characters of a text to another one.
-    fn put(&mut self, action: TextAction, to: &Whole, from: &Whole, piece: [Var; 2]) -> Value {
+    fn put(&mut self, action: TextAction, to: &Whole, from: &Whole, piece: [Var; 2]) -> Written {
         let [most, most_read] = [to.room, from.room].map(|room| u32::from(room.characters_max));
         let length = self.text_length(from);
         let behind = (action == TextAction::Append).then(|| self.text_length(to));
@@ -186,14 +209,15 @@ impl Translator<'_> {
         }
         let end = behind.map_or(put, |behind| self.b.ins().iadd(behind, put));
         self.store_lengths(to, room, end);
-        match action {
+        let result = match action {
             TextAction::Assign if fits => self.constant(0),
             TextAction::Assign => {
                 let cut = self.b.ins().icmp(IntCC::UnsignedLessThan, put, length);
                 self.b.ins().uextend(I32, cut)
             }
             _ => count,
-        }
+        };
+        Written { result, length: Some(end) }
     }
 
     /// Writes both lengths of a text.

@@ -76,7 +76,9 @@ impl Translator<'_> {
             Some(target) if action.takes_number() => target.clone(),
             _ => self.whole_text(index, (from, false), false)?,
         };
+        let lengths = self.bytes.numbers.take_lengths();
         self.settle_bytes();
+        self.bytes.numbers.keep_lengths(lengths);
         self.store_promoted_in(&source.touched);
         if let Some(target) = &target {
             self.store_promoted_in(&target.touched);
@@ -93,13 +95,18 @@ impl Translator<'_> {
             self.b.seal_block(fast);
             slow
         });
+        let mut length = None;
         let result = match &target {
             None => self.text_length(&source),
             Some(target) => match self.text_written_out((action, target, &source, piece), (index, dst, word)) {
-                Some(result) => result,
+                Some(written) => {
+                    length = written.length;
+                    written.result
+                }
                 None => self.call_for_texts(action, target, &source, word),
             },
         };
+        let is_known = slow.is_none();
         let result = match slow {
             Some(slow) => self.or_asked((index, inst), slow, (result, word)),
             None => result,
@@ -107,6 +114,10 @@ impl Translator<'_> {
         if let Some(target) = target.filter(|_| action.writes()) {
             self.take_promoted_in(&target.touched);
             self.forget_words_in(&target.touched);
+            self.settle_touched(&target.touched, true);
+            if let Some(length) = length.filter(|_| is_known) {
+                self.remember_length(&target, length);
+            }
         }
         Some(Val::Int(result))
     }
