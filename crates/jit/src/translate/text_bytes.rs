@@ -4,7 +4,7 @@
 //! them a text keeps what it has. Longer ones are left to Rust code, which takes little time for each byte.
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::{I8X16, I16, I32, I64};
+use cranelift_codegen::ir::types::{I8, I8X16, I16, I32, I64};
 use cranelift_codegen::ir::{Block, InstBuilder, Type, Value};
 use sieben_engine::ir::verify::{reads, writes};
 use sieben_engine::ir::{Inst, Op, TextAction, Var};
@@ -18,6 +18,8 @@ use crate::ask::Question;
 
 /// Characters that are worked on without a call.
 pub(super) const CHARACTERS_MAX: u32 = 32;
+/// Characters that one store writes.
+const BLOCK: u32 = 16;
 /// Values that two overlapping loads cover: twice as many bytes at most. The largest first.
 pub(super) const PAIRS: [Type; 4] = [I8X16, I64, I32, I16];
 
@@ -205,6 +207,9 @@ impl Translator<'_> {
                 self.b.ins().jump(done, &[]);
                 self.go_on_in(done);
             }
+            None if behind.is_none() && first.is_none() && to.most.is_none() && most >= BLOCK && from.characters_there() >= BLOCK => {
+                self.copy_block(source, target, copied);
+            }
             None => self.copy_characters(source, target, copied),
         }
         let end = behind.map_or(put, |behind| self.b.ins().iadd(behind, put));
@@ -246,6 +251,29 @@ impl Translator<'_> {
             let byte = self.constant(byte.into());
             self.b.ins().istore8(data(), byte, to.base, to.offset + at as i32);
         }
+    }
+
+    /// Copies so many bytes from the beginning of a text to that of another one, both of which have room for a block: few of them with one
+    /// store, so that who reads them next does not wait for several. What stands behind them stays.
+    fn copy_block(&mut self, from: Address, to: Address, (count, most): (Value, u32)) {
+        let [few, many, done] = [(); 3].map(|()| self.b.create_block());
+        let are_few = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, count, i64::from(BLOCK));
+        self.b.ins().brif(are_few, few, &[], many, &[]);
+        self.go_on_in(many);
+        self.copy_characters(from, to, (count, most));
+        self.b.ins().jump(done, &[]);
+        self.go_on_in(few);
+        let places = self.b.func.dfg.constants.insert((0..BLOCK as u8).collect::<Vec<u8>>().into());
+        let places = self.b.ins().vconst(I8X16, places);
+        let end = self.b.ins().ireduce(I8, count);
+        let end = self.b.ins().splat(I8X16, end);
+        let copied = self.b.ins().icmp(IntCC::SignedLessThan, places, end);
+        let characters = self.b.ins().load(I8X16, data(), from.base, from.offset);
+        let behind = self.b.ins().load(I8X16, data(), to.base, to.offset);
+        let all = self.b.ins().bitselect(copied, characters, behind);
+        self.b.ins().store(data(), all, to.base, to.offset);
+        self.b.ins().jump(done, &[]);
+        self.go_on_in(done);
     }
 
     /// Copies so many bytes, of which there are no more than the number behind.

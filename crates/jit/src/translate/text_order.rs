@@ -126,8 +126,17 @@ impl Translator<'_> {
             return self.constant(1);
         }
         let length = self.text_length(text);
-        let mut bits = self.b.ins().bxor_imm_u(length, i64::from(count));
-        bits = self.b.ins().uextend(I64, bits);
+        if count == 0 {
+            return length;
+        }
+        // The length is known early; the characters of a text that was just written with another one are waited for.
+        let [as_long, done] = [(); 2].map(|()| self.b.create_block());
+        let result = self.b.append_block_param(done, I32);
+        let one = self.constant(1);
+        let is_as_long = self.b.ins().icmp_imm_u(IntCC::Equal, length, i64::from(count));
+        self.b.ins().brif(is_as_long, as_long, &[], done, &[BlockArg::Value(one)]);
+        self.go_on_in(as_long);
+        let mut bits = self.b.ins().iconst(I64, 0);
         for first in (0..count).step_by(WORD as usize) {
             // The last ones are looked at with some of those before.
             let first = if count > WORD { first.min(count - WORD) } else { first };
@@ -137,7 +146,10 @@ impl Translator<'_> {
             bits = self.b.ins().bor(bits, others);
         }
         let differ = self.b.ins().icmp_imm_u(IntCC::NotEqual, bits, 0);
-        self.b.ins().uextend(I32, differ)
+        let differ = self.b.ins().uextend(I32, differ);
+        self.b.ins().jump(done, &[BlockArg::Value(differ)]);
+        self.go_on_in(done);
+        result
     }
 
     /// −1, 0 or 1: the first word in which two texts differ as far as both go, the first character highest, or their lengths.
