@@ -1,12 +1,12 @@
 //! A token that is missing in a program of Structured Text has few messages, and a program that is cut off has no panic: over all
-//! programs of the pages, with all that the compiler says.
+//! programs of the pages and of the corpus, with all that the compiler says.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use sieben_lang::st::syntax::SyntaxKind;
 use sieben_lang::st::{self, Dialect};
-use sieben_lang::{Options, compile};
+use sieben_lang::{Options, compile, encoding};
 use sieben_model::diagnostic::Severity;
 use sieben_model::source::{FileId, Sources};
 use sieben_model::symbols::SymbolTable;
@@ -14,8 +14,11 @@ use sieben_model::symbols::SymbolTable;
 /// Most messages that a lost token may have, but in one of a hundred cases.
 const MESSAGES_MAX: usize = 3;
 
-/// Of so many tokens one is left out: all of them would take minutes.
-const STEP: usize = 5;
+/// Of so many tokens of the pages one is left out: all of them would take minutes.
+const STEP_PAGES: usize = 5;
+
+/// Of so many tokens of the corpus, whose programs are longer.
+const STEP_CORPUS: usize = 3;
 
 struct Program {
     page: String,
@@ -47,6 +50,23 @@ fn programs() -> Vec<Program> {
     programs
 }
 
+/// The programs of the corpus that compile.
+fn corpus() -> Vec<Program> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec/corpus/st");
+    let mut programs = Vec::new();
+    for dialect in Dialect::ALL {
+        let files = fs::read_dir(root.join(dialect.name())).expect("the corpus is there");
+        let mut paths: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
+        paths.sort();
+        for path in paths.iter().filter(|path| path.extension().is_some_and(|ending| ending != "txt")) {
+            let text = encoding::read_source(&fs::read(path).expect("a source can be read")).expect("a source is a text").text;
+            let page = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+            programs.push(Program { page, dialect, text });
+        }
+    }
+    programs
+}
+
 /// The codes of all errors.
 fn errors(text: &str, dialect: Dialect, options: &Options) -> Vec<&'static str> {
     let mut sources = Sources::default();
@@ -56,12 +76,12 @@ fn errors(text: &str, dialect: Dialect, options: &Options) -> Vec<&'static str> 
     errors.map(|diagnostic| diagnostic.problem.code()).collect()
 }
 
-#[test]
-fn a_lost_token_of_a_program_has_few_messages() {
+/// Leaves out one of so many tokens, at least so many times.
+fn lose(programs: Vec<Program>, step: usize, tokens_min: usize) {
     let options = Options { system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
     let mut counts: Vec<(usize, String)> = Vec::new();
     let mut seen = 0;
-    for Program { page, dialect, text } in programs() {
+    for Program { page, dialect, text } in programs {
         // Pages about mistakes, and programs with parts in STL.
         if !errors(&text, dialect, &options).is_empty() {
             continue;
@@ -70,7 +90,7 @@ fn a_lost_token_of_a_program_has_few_messages() {
         let tokens = tree.descendants_with_tokens().filter_map(|element| element.into_token());
         for token in tokens.filter(|token| token.kind() > SyntaxKind::Inactive) {
             seen += 1;
-            if seen % STEP != 0 {
+            if seen % step != 0 {
                 continue;
             }
             let range = token.text_range();
@@ -84,7 +104,17 @@ fn a_lost_token_of_a_program_has_few_messages() {
     counts.sort();
     let share = |part: usize| &counts[counts.len() * part / 100];
     let worst: Vec<&str> = counts.iter().rev().take(150).map(|(_, which)| which.as_str()).collect();
-    assert!(counts.len() > 2_500, "{} tokens", counts.len());
+    assert!(counts.len() > tokens_min, "{} tokens", counts.len());
     assert!(share(50).0 <= 1, "the median is {}\n{}", share(50).0, worst.join("\n"));
     assert!(share(99).0 <= MESSAGES_MAX, "of {} tokens one of a hundred has {} messages\n{}", counts.len(), share(99).0, worst.join("\n"));
+}
+
+#[test]
+fn a_lost_token_of_a_program_has_few_messages() {
+    lose(programs(), STEP_PAGES, 2_500);
+}
+
+#[test]
+fn a_lost_token_of_a_program_of_the_corpus_has_few_messages() {
+    lose(corpus(), STEP_CORPUS, 1_000);
 }

@@ -182,7 +182,7 @@ pub fn compile(sources: &Sources, symbols: &SymbolTable, options: &Options) -> C
     };
     let untold: &[Problem] = match () {
         () if has(LOSES_BLOCKS) => OF_LOST_BLOCKS,
-        () if has(&[Problem::P2020]) => OF_LOST_DECLARATIONS,
+        () if has(&[Problem::P2020, Problem::P2021]) => OF_LOST_DECLARATIONS,
         () => &[],
     };
     let mut compiled = compile_languages(sources, &files, st, &diagnostics, symbols, options);
@@ -203,8 +203,12 @@ const OF_LOST_BLOCKS: &[Problem] = &[
     Problem::P6280, Problem::P6281, Problem::P6282, Problem::P6283, Problem::P6286, Problem::P6310, Problem::P6311, Problem::P6312,
 ];
 
-/// What is said of parameters and paths that a declaration declares which is not understood: nothing, until it can be read.
-const OF_LOST_DECLARATIONS: &[Problem] = &[Problem::P3009, Problem::P6219, Problem::P6310, Problem::P6311];
+/// What is said of names, fields, types and parameters that a declaration may declare which is not understood: nothing, until it can
+/// be read.
+#[rustfmt::skip] // A table.
+const OF_LOST_DECLARATIONS: &[Problem] = &[
+    Problem::P3001, Problem::P3007, Problem::P3008, Problem::P3009, Problem::P3015, Problem::P6219, Problem::P6310, Problem::P6311,
+];
 
 /// A source that is parsed already.
 #[derive(Clone, Debug)]

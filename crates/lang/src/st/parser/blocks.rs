@@ -3,7 +3,7 @@
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 
-use super::super::ast::{Block, BlockKind, DataBlock, Interface, Item, Name, Namespace, Path, Statement, TypeKind, TypeSpec};
+use super::super::ast::{Block, BlockKind, DataBlock, Interface, Item, Name, Namespace, Path, TypeKind, TypeSpec};
 use super::super::dialect::Construct;
 use super::super::keywords::Keyword;
 use super::super::lexer::Raw;
@@ -48,16 +48,21 @@ impl Parser<'_> {
                 }
                 Some(Keyword::Setup | Keyword::Teardown | Keyword::Test) => self.test_part(&mut items),
                 Some(Keyword::Var) if self.dialect.is_test() => self.test_variables(&mut items),
-                Some(Keyword::Method | Keyword::Property | Keyword::Action) => self.member_behind(&mut items),
+                Some(keyword @ (Keyword::Method | Keyword::Property | Keyword::Action)) => self.member_behind(&mut items, keyword),
                 Some(keyword) if keyword.is_end() && self.dangling(keyword) => {}
                 None if token.raw == Raw::Semicolon => {
                     self.bump(SyntaxKind::Semicolon);
                 }
+                _ if let Some(keyword) = self.lost_member() => self.member_behind(&mut items, keyword),
                 _ => match self.lost_beginning() {
                     Some(Keyword::Type) => self.types(&mut items),
                     Some(Keyword::DataBlock) => {
                         let block = self.data_block();
                         items.push(Item::DataBlock(Box::new(block)));
+                    }
+                    Some(Keyword::Interface) => {
+                        let interface = self.interface();
+                        items.push(Item::Interface(Box::new(interface)));
                     }
                     Some(Keyword::Configuration) => {
                         let configuration = self.configuration();
@@ -93,7 +98,9 @@ impl Parser<'_> {
                 Some(Keyword::EndDataBlock) => Some(Keyword::DataBlock),
                 Some(Keyword::EndType) => Some(Keyword::Type),
                 Some(Keyword::EndConfiguration) => Some(Keyword::Configuration),
-                Some(keyword) if keyword.begins_block() => None,
+                Some(Keyword::EndInterface) => Some(Keyword::Interface),
+                // A word of a title begins no block.
+                Some(keyword) if keyword.begins_block() && self.begins_line(index) => None,
                 _ => continue,
             };
             break;
@@ -151,9 +158,10 @@ impl Parser<'_> {
             self.judge(construct, token.start, token.end);
         }
         self.start(SyntaxKind::Block);
+        let lost = token.keyword.is_none();
         self.first_keyword();
         let modifiers = self.modifiers();
-        let name = self.block_name(what);
+        let name = if lost && self.at_name() { self.name(SyntaxKind::Declared) } else { self.block_name(what) };
         let mut block = self.new_block(kind, name, token.start);
         block.modifiers = modifiers;
         block.attributes = attributes;
@@ -269,7 +277,7 @@ impl Parser<'_> {
                     let path = self.using();
                     block.usings.extend(path);
                 }
-                Some(Keyword::Method | Keyword::Property | Keyword::Action) if end.is_some() => self.member(block),
+                Some(keyword @ (Keyword::Method | Keyword::Property | Keyword::Action)) if end.is_some() => self.member(block, keyword),
                 Some(Keyword::Method | Keyword::Property | Keyword::Action) => return,
                 Some(keyword) if keyword.begins_block() => return,
                 Some(keyword) if keyword.is_end() && !keyword.ends_statement() => {
@@ -290,12 +298,13 @@ impl Parser<'_> {
                 }
                 Some(_) if self.at_body_end() => self.stray(),
                 _ if self.begins_lost_declarations(&block.body) => {
-                    let at = self.span(token.start, token.start);
-                    let message = "`VAR` is missing before these declarations";
-                    let span = self.span(token.start, token.end);
-                    self.report(Diagnostic::new(Problem::P2020, span, message).fix(at, "VAR ", "write `VAR`"));
-                    let section = self.lost_section(token.start);
+                    let section = self.lost_section();
                     block.sections.push(section);
+                }
+                _ if end.is_some()
+                    && let Some(keyword) = self.lost_member() =>
+                {
+                    self.member(block, keyword)
                 }
                 _ => self.statement_into(&mut block.body),
             }
@@ -306,16 +315,6 @@ impl Parser<'_> {
     fn ends_with(&self, end: Keyword) -> bool {
         let mut keywords = self.tokens[self.at + 1..].iter().filter_map(|token| token.keyword);
         keywords.find(|&keyword| keyword == end || keyword.begins_block() || is_end_of_block(keyword)) == Some(end)
-    }
-
-    /// `name : INT` with END_VAR behind it, where no statement was yet.
-    fn begins_lost_declarations(&self, body: &[Statement]) -> bool {
-        if !body.is_empty() || !self.at_name() || !matches!(self.next_raw(), Raw::Colon | Raw::Comma) {
-            return false;
-        }
-        let of_types = [Keyword::Struct, Keyword::EndStruct, Keyword::Union, Keyword::EndUnion];
-        let mut keywords = self.tokens[self.at..].iter().filter_map(|token| token.keyword).filter(|keyword| !of_types.contains(keyword));
-        keywords.find(|keyword| keyword.is_end() || keyword.begins_statement() || keyword.begins_section()) == Some(Keyword::EndVar)
     }
 
     /// ELSE, UNTIL or the end of a statement that did not begin.
@@ -506,12 +505,16 @@ impl Parser<'_> {
         self.judge(Construct::ObjectOrientation, token.start, token.end);
         self.take_attributes();
         self.start(SyntaxKind::Block);
-        self.bump(SyntaxKind::Keyword);
+        self.first_keyword();
         let name = self.block_name("INTERFACE");
         let extends = if self.at_word("EXTENDS") { self.bases() } else { Vec::new() };
         let mut holder = self.new_block(BlockKind::Class, Name::default(), token.start);
-        while matches!(self.keyword(), Some(Keyword::Method | Keyword::Property)) {
-            self.member(&mut holder);
+        loop {
+            match self.keyword() {
+                Some(keyword @ (Keyword::Method | Keyword::Property)) => self.member(&mut holder, keyword),
+                None if let Some(keyword) = self.lost_member() => self.member(&mut holder, keyword),
+                _ => break,
+            }
             self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
         }
         self.block_end(Keyword::EndInterface, token.start, "INTERFACE");
@@ -572,7 +575,7 @@ fn is_end_of_member(keyword: Keyword) -> bool {
 }
 
 /// The words behind blocks with statements.
-fn is_end_of_block(keyword: Keyword) -> bool {
+pub(super) fn is_end_of_block(keyword: Keyword) -> bool {
     use Keyword::{EndClass, EndFunction, EndFunctionBlock, EndInterface, EndOrganizationBlock, EndProgram};
     matches!(keyword, EndClass | EndFunction | EndFunctionBlock | EndInterface | EndOrganizationBlock | EndProgram)
 }

@@ -74,21 +74,35 @@ impl Parser<'_> {
     }
 
     /// Declarations whose VAR is missing.
-    pub(super) fn lost_section(&mut self, start: u32) -> VarSection {
+    pub(super) fn lost_section(&mut self) -> VarSection {
+        let token = self.token();
+        let (start, at) = (token.start, self.span(token.start, token.start));
+        let message = "`VAR` is missing before these declarations";
+        let span = self.span(start, token.end);
+        self.report(Diagnostic::new(Problem::P2020, span, message).fix(at, "VAR ", "write `VAR`"));
         self.start(SyntaxKind::Section);
-        let mut declarations = Vec::new();
-        self.declarations(&mut declarations, Place::Section(SectionKind::Var));
-        self.section_end(Keyword::EndVar, start);
-        self.finish();
-        VarSection {
+        let mut section = VarSection {
             kind: SectionKind::Var,
             qualifiers: Vec::new(),
             name: None,
             attributes: Vec::new(),
-            declarations,
-            partial: false,
+            declarations: Vec::new(),
+            partial: true,
             span: self.since(start),
-        }
+        };
+        self.qualifiers(&mut section);
+        self.declarations(&mut section.declarations, Place::Section(SectionKind::Var));
+        self.section_end(Keyword::EndVar, start);
+        self.finish();
+        section.span = self.since(start);
+        section
+    }
+
+    /// Whether a word such as CONSTANT, which stands behind VAR, begins this line, and declarations stand behind it.
+    pub(super) fn at_lost_qualifier(&self) -> bool {
+        let next = self.behind(self.at);
+        let declares = self.is_name(next) && matches!(self.tokens[self.behind(next)].raw, Raw::Colon | Raw::Comma);
+        declares && QUALIFIERS.iter().any(|(word, ..)| self.at_word(word))
     }
 
     fn qualifiers(&mut self, section: &mut VarSection) {

@@ -546,8 +546,10 @@ impl<'t> Parser<'t> {
         let exchanged = behind.raw == Raw::Equal && self.tokens.get(next + 1).is_some_and(|token| token.raw == Raw::Colon);
         let word = matches!(self.raw(), Raw::Word | Raw::Local | Raw::Quoted | Raw::Backquoted);
         // `PT T#5s`: a sign between two values can only be missing.
-        let begins_value =
-            matches!(behind.raw, Raw::Word | Raw::Number | Raw::Literal | Raw::Characters | Raw::Quoted | Raw::Local | Raw::Backquoted);
+        let begins_value = matches!(
+            behind.raw,
+            Raw::Word | Raw::Number | Raw::Literal | Raw::Characters | Raw::Quoted | Raw::Local | Raw::Backquoted | Raw::Percent
+        );
         let is_value = matches!(behind.keyword, None | Some(Keyword::True | Keyword::False | Keyword::Not));
         let absent = self.at_name() && begins_value && is_value;
         let named = word && (matches!(behind.raw, Raw::Becomes | Raw::Delivers) || exchanged || absent);

@@ -4,7 +4,9 @@ use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 
 use super::Parser;
-use crate::st::ast::{Expression, StatementKind};
+use super::blocks::is_end_of_block;
+use crate::st::ast::{Expression, Statement, StatementKind, TypeKind};
+use crate::st::keywords::Keyword;
 use crate::st::lexer::Raw;
 
 impl Parser<'_> {
@@ -35,6 +37,16 @@ impl Parser<'_> {
         let span = if called { self.span(token.start, token.end) } else { target.span };
         let message = "`(` is missing: these are the parameters of a call";
         self.push(Diagnostic::new(Problem::P2030, span, message).help("Write `(` behind the name of what is called."));
+        // The parameters may stand on lines of their own.
+        let mut open = 0_usize;
+        while !matches!(self.raw(), Raw::End | Raw::Semicolon) && (open > 0 || self.raw() != Raw::ParenClose) {
+            match self.raw() {
+                Raw::ParenOpen => open += 1,
+                Raw::ParenClose => open -= 1,
+                _ => {}
+            }
+            self.bump_unexpected();
+        }
         self.skip_statement();
         StatementKind::Missing
     }
@@ -64,5 +76,107 @@ impl Parser<'_> {
     pub(super) fn without_callee(&mut self) {
         self.unexpected(Problem::P6055, "the name of what is called is missing in front of `(`");
         self.skip_brackets();
+    }
+
+    /// `name : INT` or `CONSTANT name : INT` with END_VAR behind it, where no statement was yet.
+    pub(super) fn begins_lost_declarations(&self, body: &[Statement]) -> bool {
+        let next = self.tokens[self.behind(self.at)];
+        let located = next.raw == Raw::Word && self.slice(next).eq_ignore_ascii_case("AT");
+        let declares = self.at_name() && (matches!(self.next_raw(), Raw::Colon | Raw::Comma) || located);
+        if !body.is_empty() || !declares && !self.at_lost_qualifier() {
+            return false;
+        }
+        let of_types = [
+            Keyword::Array,
+            Keyword::Of,
+            Keyword::True,
+            Keyword::False,
+            Keyword::Struct,
+            Keyword::EndStruct,
+            Keyword::Union,
+            Keyword::EndUnion,
+        ];
+        let mut keywords = self.tokens[self.at..].iter().filter_map(|token| token.keyword).filter(|keyword| !of_types.contains(keyword));
+        keywords.find(|keyword| keyword.is_end() || keyword.begins_statement() || keyword.begins_section()) == Some(Keyword::EndVar)
+    }
+
+    /// METHOD, PROPERTY or ACTION that is missing before the current name: its end comes before the beginning of anything else.
+    pub(super) fn lost_member(&mut self) -> Option<Keyword> {
+        let next = self.behind(self.at);
+        let line_ends = self.begins_line(next) && (self.is_name(next) || self.tokens[next].keyword.is_some());
+        if !self.at_name() || !self.begins_line(self.at) || self.tokens[next].raw != Raw::Colon && !line_ends {
+            return None;
+        }
+        let found = self.tokens[self.at..].iter().find_map(|token| match token.keyword? {
+            Keyword::EndMethod => Some(Some(Keyword::Method)),
+            Keyword::EndProperty => Some(Some(Keyword::Property)),
+            Keyword::EndAction => Some(Some(Keyword::Action)),
+            Keyword::Method | Keyword::Property | Keyword::Action | Keyword::EndInterface => Some(None),
+            keyword if keyword.begins_block() || is_end_of_block(keyword) => Some(None),
+            _ => None,
+        })??;
+        let token = self.token();
+        let (word, at) = (found.word(), self.span(token.start, token.start));
+        let span = self.span(token.start, token.end);
+        let message = format!("`{word}` is missing before {}", self.shown());
+        self.report(Diagnostic::new(Problem::P6056, span, message).fix(at, format!("{word} "), format!("write `{word}`")));
+        Some(found)
+    }
+
+    /// Whether nothing but blanks and comments stands before a token on its line.
+    pub(super) fn begins_line(&self, index: usize) -> bool {
+        let before = self.tokens[..index].iter().rev().find(|token| token.raw == Raw::Newline || !token.raw.is_trivia());
+        before.is_none_or(|token| token.raw == Raw::Newline)
+    }
+
+    /// Fields of a structure whose STRUCT is missing where a type should stand.
+    pub(super) fn structure_is_lost(&self) -> bool {
+        if !self.at_name() || self.next_raw() != Raw::Colon {
+            return false;
+        }
+        let mut open = 0_usize;
+        for token in &self.tokens[self.at..] {
+            match token.keyword {
+                Some(Keyword::Struct | Keyword::Union) => open += 1,
+                Some(Keyword::EndStruct) if open == 0 => return true,
+                Some(Keyword::EndStruct | Keyword::EndUnion) => open = open.saturating_sub(1),
+                Some(keyword) if keyword.is_end() || keyword.begins_section() || keyword.begins_block() => return false,
+                _ => {}
+            }
+        }
+        false
+    }
+
+    /// Tells the STRUCT that is lost, and takes the fields.
+    pub(super) fn without_struct(&mut self) -> TypeKind {
+        let start = self.here();
+        let at = self.span(start, start);
+        let span = self.span(start, self.token().end);
+        let message = "`STRUCT` is missing before the first field";
+        self.report(Diagnostic::new(Problem::P2020, span, message).fix(at, "STRUCT ", "write `STRUCT`"));
+        self.lost_structure(start).kind
+    }
+
+    /// Whether a label of the CASE around the statements stands here: one of them has lost its end.
+    pub(super) fn at_label_of_outer_case(&self) -> bool {
+        if !self.awaited.contains(&Keyword::EndCase) || !self.begins_line(self.at) || !self.at_case_label() {
+            return false;
+        }
+        // `name:` may be the label of a jump, where there are any.
+        let alone = self.raw() == Raw::Word && self.next_raw() == Raw::Colon;
+        let is_jump = |word: &str| word.eq_ignore_ascii_case("GOTO") || word.eq_ignore_ascii_case("JMP");
+        !alone || !self.tokens.iter().any(|token| token.raw == Raw::Word && is_jump(self.slice(*token)))
+    }
+
+    /// `a = b THEN`: a condition whose IF is missing, and no assignment with a slip.
+    pub(super) fn at_lost_condition(&self) -> bool {
+        let mut index = self.at;
+        while !matches!(self.tokens[index].raw, Raw::End | Raw::Semicolon | Raw::Becomes) {
+            if matches!(self.tokens[index].keyword, Some(Keyword::Then | Keyword::Do)) {
+                return self.raw() == Raw::Equal;
+            }
+            index = self.behind(index);
+        }
+        false
     }
 }

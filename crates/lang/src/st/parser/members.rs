@@ -6,7 +6,7 @@ use sieben_model::problems::Problem;
 use super::super::ast::{Accessor, Action, Block, BlockKind, Item, Method, Modifiers, Name, Path, Property, TypeKind, TypeSpec};
 use super::super::dialect::{Construct, Judgement};
 use super::super::keywords::Keyword;
-use super::super::lexer::Raw;
+use super::super::lexer::{Raw, Token};
 use super::{Parser, SyntaxKind};
 
 impl Parser<'_> {
@@ -73,14 +73,14 @@ impl Parser<'_> {
         bases
     }
 
-    /// A member of a block; the current token is METHOD, PROPERTY or ACTION.
-    pub(super) fn member(&mut self, block: &mut Block) {
-        match self.keyword() {
-            Some(Keyword::Method) => {
+    /// A member of a block: METHOD, PROPERTY or ACTION, which is the current token unless it is missing.
+    pub(super) fn member(&mut self, block: &mut Block, keyword: Keyword) {
+        match keyword {
+            Keyword::Method => {
                 let method = self.method();
                 block.methods.push(method);
             }
-            Some(Keyword::Property) => {
+            Keyword::Property => {
                 let property = self.property();
                 block.properties.push(property);
             }
@@ -92,13 +92,13 @@ impl Parser<'_> {
     }
 
     /// A member that stands behind its block, as text exports write them.
-    pub(super) fn member_behind(&mut self, items: &mut [Item]) {
+    pub(super) fn member_behind(&mut self, items: &mut [Item], keyword: Keyword) {
         let owner = items.iter_mut().rev().find_map(|item| match item {
             Item::Block(block) if matches!(block.kind, BlockKind::FunctionBlock | BlockKind::Program | BlockKind::Class) => Some(block),
             _ => None,
         });
         if let Some(block) = owner {
-            self.member(block);
+            self.member(block, keyword);
             return;
         }
         let token = self.token();
@@ -109,9 +109,9 @@ impl Parser<'_> {
             token.end,
             format!("{shown} belongs to a FUNCTION_BLOCK, PROGRAM or CLASS, and none is before it"),
         );
-        match token.keyword {
-            Some(Keyword::Method) => drop(self.method()),
-            Some(Keyword::Property) => drop(self.property()),
+        match keyword {
+            Keyword::Method => drop(self.method()),
+            Keyword::Property => drop(self.property()),
             _ => drop(self.action()),
         }
     }
@@ -121,9 +121,9 @@ impl Parser<'_> {
         let token = self.token();
         self.judge(Construct::ObjectOrientation, token.start, token.end);
         self.start(SyntaxKind::Block);
-        self.bump(SyntaxKind::Keyword);
+        self.first_keyword();
         let modifiers = self.modifiers();
-        let name = self.block_name("METHOD");
+        let name = self.member_name(token, "METHOD");
         let result = match self.eat(Raw::Colon, SyntaxKind::Punctuation) {
             true => self.result_type(),
             false if self.at_name() && !self.on_new_line() => {
@@ -143,6 +143,12 @@ impl Parser<'_> {
         Method { name, modifiers, attributes, result, sections, body, end, span }
     }
 
+    /// The name of a member that begins with this token; its keyword may be missing.
+    fn member_name(&mut self, first: Token, what: &str) -> Name {
+        let lost = first.keyword.is_none() && self.at_name();
+        if lost { self.name(SyntaxKind::Declared) } else { self.block_name(what) }
+    }
+
     /// VAR sections and statements up to an end keyword of a block.
     fn sections_and_body(&mut self) -> (Vec<super::super::ast::VarSection>, Vec<super::super::ast::Statement>) {
         let (mut sections, mut body) = (Vec::new(), Vec::new());
@@ -153,6 +159,10 @@ impl Parser<'_> {
                     sections.push(section);
                 }
                 _ if self.at_body_end() => return (sections, body),
+                _ if self.begins_lost_declarations(&body) => {
+                    let section = self.lost_section();
+                    sections.push(section);
+                }
                 _ => self.statement_into(&mut body),
             }
         }
@@ -163,15 +173,19 @@ impl Parser<'_> {
         let token = self.token();
         self.judge(Construct::Property, token.start, token.end);
         self.start(SyntaxKind::Block);
-        self.bump(SyntaxKind::Keyword);
+        self.first_keyword();
         let modifiers = self.modifiers();
-        let name: Name = self.block_name("PROPERTY");
+        let name = self.member_name(token, "PROPERTY");
         let data_type = match self.eat(Raw::Colon, SyntaxKind::Punctuation) {
             true if self.on_new_line() && (self.at_word("GET") || self.at_word("SET")) => {
                 self.report(Diagnostic::new(Problem::P2021, self.last_character(), "the type of the property is missing behind `:`"));
                 TypeSpec { kind: TypeKind::Missing, span: self.since(self.previous) }
             }
             true => self.type_spec(),
+            false if self.at_name() && !self.on_new_line() => {
+                self.missing(Problem::P2020, " :", format!("`:` is missing between {} and {}", self.previous_text(), self.shown()));
+                self.type_spec()
+            }
             false => {
                 self.missing(Problem::P2020, " : INT", "`:` with the type of the property is missing");
                 TypeSpec { kind: TypeKind::Missing, span: self.since(self.previous) }
@@ -227,8 +241,8 @@ impl Parser<'_> {
         self.judge(Construct::Action, token.start, token.end);
         self.take_attributes();
         self.start(SyntaxKind::Block);
-        self.bump(SyntaxKind::Keyword);
-        let name = self.block_name("ACTION");
+        self.first_keyword();
+        let name = self.member_name(token, "ACTION");
         self.eat(Raw::Colon, SyntaxKind::Punctuation);
         self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
         let (_, body) = self.sections_and_body();

@@ -23,7 +23,7 @@ impl Parser<'_> {
     fn body(&mut self, inside: Inside) -> Vec<Statement> {
         self.start(SyntaxKind::Body);
         let mut statements = Vec::new();
-        while !(self.at_body_end() || inside == Inside::Case && self.at_case_label()) {
+        while !(self.at_body_end() || inside == Inside::Case && self.at_case_label() || self.at_label_of_outer_case()) {
             self.statement_into(&mut statements);
         }
         self.finish();
@@ -232,8 +232,13 @@ impl Parser<'_> {
             }
             return (self.previous > start).then_some(StatementKind::Missing);
         }
-        if let Some(operator) = self.assign_operator() {
+        let condition = self.at_lost_condition();
+        if !condition && let Some(operator) = self.assign_operator() {
             return Some(self.assignment(target, operator));
+        }
+        let parameter = self.at_name() && !self.on_new_line() && matches!(self.next_raw(), Raw::Becomes | Raw::Delivers);
+        if parameter && self.bracket_is_lost() {
+            return Some(self.without_bracket(&target));
         }
         // The first keyword of a statement may be what is missing.
         match self.keyword() {
@@ -251,7 +256,8 @@ impl Parser<'_> {
             }
             _ => {}
         }
-        if let Some((sign, start)) = self.operator_here() {
+        let equal = condition.then(|| (1, self.here()));
+        if let Some((sign, start)) = equal.or_else(|| self.operator_here()) {
             // `a < b THEN`, or a comparison that stands alone.
             let left = target.span;
             let rest = self.rest_of_expression(target);
@@ -618,7 +624,7 @@ impl Parser<'_> {
     }
 
     /// Whether a list of constants with a colon behind it begins here.
-    fn at_case_label(&self) -> bool {
+    pub(super) fn at_case_label(&self) -> bool {
         let mut index = self.at;
         let mut first = true;
         let mut open = 0_usize;

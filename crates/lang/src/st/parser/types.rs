@@ -101,6 +101,9 @@ impl Parser<'_> {
             let target = Box::new(self.type_spec());
             return if pointer { TypeKind::Pointer(target) } else { TypeKind::Alias(target) };
         }
+        if self.structure_is_lost() {
+            return self.without_struct();
+        }
         if !self.at_name() {
             let shown = self.shown();
             self.unexpected(Problem::P2021, format!("a data type is wanted here, not {shown}"));
@@ -183,16 +186,27 @@ impl Parser<'_> {
         self.judge(Construct::Enumeration, token.start, token.end);
         self.bump(SyntaxKind::Punctuation);
         let mut values: Vec<(Name, Option<Expression>)> = Vec::new();
-        while self.at_name() || self.raw() == Raw::Comma || self.keyword().is_some_and(|keyword| !keyword.is_end()) {
+        while self.at_name() || matches!(self.raw(), Raw::Comma | Raw::Becomes) || self.keyword().is_some_and(|keyword| !keyword.is_end()) {
             if self.raw() == Raw::Comma {
                 self.unexpected(Problem::P2020, "the name of a value is wanted here, not `,`");
                 self.bump_unexpected();
+                continue;
+            }
+            if self.raw() == Raw::Becomes {
+                self.unexpected(Problem::P2020, "the name of a value is wanted in front of `:=`");
+                self.bump_unexpected();
+                self.expression();
+                self.eat(Raw::Comma, SyntaxKind::Punctuation);
                 continue;
             }
             let Some(name) = self.declared_name("the name of a value") else { break };
             let value = match self.raw() {
                 Raw::Becomes => {
                     self.bump(SyntaxKind::Operator);
+                    Some(self.expression())
+                }
+                Raw::Number | Raw::Literal => {
+                    self.missing(Problem::P2020, " :=", format!("`:=` is missing between {} and {}", self.previous_text(), self.shown()));
                     Some(self.expression())
                 }
                 _ => None,
@@ -235,17 +249,13 @@ impl Parser<'_> {
         let mut dimensions = Vec::new();
         if self.raw() == Raw::BracketOpen {
             self.bump(SyntaxKind::Punctuation);
-            loop {
-                dimensions.push(self.dimension());
-                if !self.eat(Raw::Comma, SyntaxKind::Punctuation) {
-                    break;
-                }
-            }
-            self.close(Raw::BracketClose, "]");
+            self.dimensions(&mut dimensions);
         } else {
             let message = "`[` with the bounds is missing behind ARRAY, as in `ARRAY [1..5] OF INT`";
             self.missing(Problem::P2021, " [0..1]", message);
-            dimensions.push(Dimension::Open);
+            if matches!(self.tokens[self.behind(self.at)].raw, Raw::Range) {
+                self.dimensions(&mut dimensions);
+            }
             // Bounds without their bracket.
             while !matches!(self.raw(), Raw::End | Raw::Semicolon) && self.keyword().is_none() && !self.on_new_line() {
                 self.bump_unexpected();
@@ -254,7 +264,19 @@ impl Parser<'_> {
         if !self.eat_keyword(Keyword::Of) {
             self.missing(Problem::P6056, " OF", format!("`OF` is missing behind {}", self.previous_text()));
         }
-        TypeKind::Array { dimensions, element: Box::new(self.type_spec()) }
+        let element = Box::new(self.type_spec());
+        if dimensions.is_empty() { TypeKind::Missing } else { TypeKind::Array { dimensions, element } }
+    }
+
+    /// The bounds of an array up to their bracket.
+    fn dimensions(&mut self, dimensions: &mut Vec<Dimension>) {
+        loop {
+            dimensions.push(self.dimension());
+            if !self.eat(Raw::Comma, SyntaxKind::Punctuation) {
+                break;
+            }
+        }
+        self.close(Raw::BracketClose, "]");
     }
 
     fn dimension(&mut self) -> Dimension {
@@ -383,7 +405,7 @@ impl Parser<'_> {
         };
         attributes.extend(self.take_attributes());
         let colon = self.eat(Raw::Colon, SyntaxKind::Punctuation);
-        if !colon && !matches!(self.keyword(), Some(Keyword::Struct)) {
+        if !colon && !matches!(self.keyword(), Some(Keyword::Struct)) && !self.structure_is_lost() {
             let shown = self.shown();
             if self.keyword().is_some_and(|keyword| keyword.is_end()) || self.raw() == Raw::End {
                 self.missing(Problem::P2020, " : INT", format!("`:` and a type are missing behind {}", self.previous_text()));

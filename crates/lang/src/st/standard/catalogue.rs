@@ -10,6 +10,7 @@ use sieben_model::symbols::SymbolTable;
 use super::generic::named;
 use crate::project::{Options, compile};
 use crate::st::dialect::Dialect;
+use crate::st::keywords::Keyword;
 
 /// A page of `spec/functions/`.
 #[derive(Debug, PartialEq, Eq)]
@@ -293,7 +294,9 @@ fn known_at_once(names: &[&str], dialect: Dialect, options: &Options) -> Vec<boo
     let given: String = lines(&|index, name| format!("given{index} : {};", source(name).unwrap_or_else(|| "INT".to_owned())));
     let values: String = lines(&|index, name| format!("result := {name}(given{index});"));
     let statements: String = lines(&|index, name| format!("{name}(given{index});"));
-    let instances: String = lines(&|index, name| format!("instance{index} : {name};"));
+    // Where a declaration cannot be read, nothing is said of types that are unknown.
+    let is_keyword = |name: &str| Keyword::of(name, dialect).is_some();
+    let instances: String = lines(&|index, name| format!("instance{index} : {name}{};", if is_keyword(name) { "_" } else { "" }));
     let body = if matches!(dialect.base(), Dialect::Scl | Dialect::Tia) { "BEGIN\n" } else { "" };
     let head = format!("FUNCTION_BLOCK Names\nVAR\nresult : INT;\n{given}END_VAR\n{body}");
     let value = problems(&head, &values, "", dialect, options);
