@@ -194,9 +194,9 @@ impl Checker<'_> {
         let whole = Value { kind: ValueKind::Constant(u64::from(kind.is_integer())), scalar: Scalar::Bool, span };
         let mut arguments: Vec<(Typed, Span)> = given[..3].iter().map(|value| (self.expression(value), value.span)).collect();
         arguments.push((Typed::Scalar { value: whole, data_type: DataType::Bool }, span));
-        let found = self.by_block("TIA_STRG_VAL", arguments, span);
+        let found = self.by_block("TIA_STRG_TEXT", arguments, span);
         let word = kind.data_type().word().unwrap_or("LREAL");
-        let found = if kind == Kind::LREAL { found } else { self.converted_by(&format!("LREAL_TO_{word}"), found, span) };
+        let found = self.converted_by(&format!("STRING_TO_{word}"), found, span);
         self.store(target, found, given[0].span, span)
     }
 
@@ -205,10 +205,14 @@ impl Checker<'_> {
         const PARAMETERS: [&str; 6] = ["IN", "SIZE", "PREC", "FORMAT", "P", "OUT"];
         let given = self.named("VAL_STRG", call, &PARAMETERS, span)?;
         let typed = self.expression(given[0]);
+        // How the digits of a whole number come into a text.
         let whole = match &typed {
-            Typed::Integer { .. } => true,
-            Typed::Real { .. } => false,
-            Typed::Scalar { data_type, .. } if let Some(kind) = Kind::of(data_type).filter(|kind| kind.is_number()) => kind.is_integer(),
+            Typed::Integer { .. } => Some("LINT_TO_STRING"),
+            Typed::Real { .. } => None,
+            Typed::Scalar { data_type: DataType::UnsignedLongInt, .. } => Some("ULINT_TO_STRING"),
+            Typed::Scalar { data_type, .. } if let Some(kind) = Kind::of(data_type).filter(|kind| kind.is_number()) => {
+                kind.is_integer().then_some("LINT_TO_STRING")
+            }
             Typed::Poison => return None,
             other => {
                 let what = self.what(other);
@@ -228,10 +232,21 @@ impl Checker<'_> {
             span: value.span,
             value: Some(value),
         };
-        let whole = ast::Literal { kind: ast::LiteralKind::Bool(whole), prefix: None };
-        let whole = Expression { kind: ExpressionKind::Literal(whole), span };
-        let arguments = PARAMETERS.iter().zip(&given).map(|(name, value)| named(name, (*value).clone())).chain([named("WHOLE", whole)]);
-        let call = ast::Call { callee: call.callee.clone(), arguments: arguments.collect() };
+        let mut arguments: Vec<ast::Argument> = PARAMETERS.iter().zip(&given).map(|(name, value)| named(name, (*value).clone())).collect();
+        let literal = |kind| Expression { kind: ExpressionKind::Literal(ast::Literal { kind, prefix: None }), span };
+        let digits = match whole {
+            None => literal(ast::LiteralKind::Characters(Vec::new())),
+            Some(function) => {
+                let nothing = named("IN", literal(ast::LiteralKind::Real { value: 0.0, single: 0.0 }));
+                let number = std::mem::replace(&mut arguments[0], nothing);
+                let name = Name { text: function.to_owned(), span, quoting: Quoting::Bare };
+                let callee = Expression { kind: ExpressionKind::Name(name), span };
+                let call = ast::Call { callee, arguments: vec![ast::Argument { name: None, ..number }] };
+                Expression { kind: ExpressionKind::Call(Box::new(call)), span }
+            }
+        };
+        arguments.push(named("WHOLE", digits));
+        let call = ast::Call { callee: call.callee.clone(), arguments };
         let block = self.of_library("TIA_VAL_STRG")?;
         let interface = self.interface(block, span)?;
         let (call, mut before) = self.arguments(Callee::Function(block), &interface, &call, span)?;

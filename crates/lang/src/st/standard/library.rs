@@ -87,7 +87,7 @@ sources! {
                                                    DATE_TO_DTL CONCAT_DATE_TOD CONCAT_DATE_LTOD TIA_COMBINE_DTL TIA_ADD_DTL TIA_SUB_DTL TIA_DIFF_DTL
                                                    TIA_READ_DTL TIA_READ_LDT TIA_WRITE_DTL TIA_WRITE_LDT;
     "long_to_string_tia.st" Iec         [0 0 0 1]: TIA_LINT_TO_STRING;
-    "values_in_texts.st" Iec            [0 0 0 1]: TIA_STRG_VAL TIA_VAL_STRG;
+    "values_in_texts.st" Iec            [0 0 0 1]: TIA_STRG_TEXT TIA_VAL_STRG;
     "hexadecimal.st" Iec                [0 0 0 1]: TIA_ATH TIA_HTA TIA_SCATTER TIA_GATHER;
     "runtime.st" Iec                    [0 0 0 1]: TIA_RUNTIME;
     "characters.st" Iec                 [0 0 0 1]: Strg_TO_Chars Chars_TO_Strg;
