@@ -65,6 +65,8 @@ struct Formatter {
     line: String,
     used: bool,
     before: Before,
+    /// The last token that is neither blank nor comment, on whichever line.
+    behind: Before,
     /// The blanks before the next token, as written.
     blank: String,
     /// Empty lines since the last line; at most one is kept.
@@ -88,6 +90,7 @@ impl Formatter {
             line: String::new(),
             used: false,
             before: Before::default(),
+            behind: Before::default(),
             blank: String::new(),
             empty: 0,
             nodes: Vec::new(),
@@ -161,6 +164,7 @@ impl Formatter {
         self.before = Before { kind: Some(kind), text: text.to_owned(), unary };
         self.blank.clear();
         if !trivia {
+            self.behind = self.before.clone();
             self.after_body = false;
             for node in &mut self.nodes {
                 node.fresh = false;
@@ -170,8 +174,8 @@ impl Formatter {
 
     /// Whether an operand stands next, and no operator between two.
     fn operand_wanted(&self) -> bool {
-        let text = self.before.text.as_str();
-        match self.before.kind {
+        let text = self.behind.text.as_str();
+        match self.behind.kind {
             None => true,
             Some(SyntaxKind::Operator) => text != "^",
             Some(SyntaxKind::Keyword) => true,
@@ -252,11 +256,21 @@ impl Formatter {
             && !matches!(kind, Keyword | SyntaxKind::Semicolon)
             && text != ")";
         let extra = match continues {
-            true if comment && self.after_body => INDENT,
+            true if comment && (self.after_body || self.before_body()) => INDENT,
             true => 2 * INDENT,
             false => 0,
         };
         INDENT * levels.saturating_sub(usize::from(edge)) + extra
+    }
+
+    /// Whether a body begins behind the last token, and only comments came since.
+    fn before_body(&self) -> bool {
+        let opens = ["THEN", "ELSE", "DO", "REPEAT", "OF", "__TRY", "__FINALLY"];
+        match self.behind.kind {
+            Some(SyntaxKind::Keyword) => opens.iter().any(|word| self.behind.text.eq_ignore_ascii_case(word)),
+            Some(SyntaxKind::HeaderText) => true,
+            _ => false,
+        }
     }
 
     fn end_line(&mut self) {
@@ -304,6 +318,14 @@ mod tests {
         let formatted = format(text, Dialect::Codesys).unwrap_or_else(|errors| panic!("{errors:?}"));
         assert_eq!(formatted, once);
         assert_eq!(format(&formatted, Dialect::Codesys).as_deref(), Ok(formatted.as_str()));
+    }
+
+    #[test]
+    fn comments_before_a_body_stand_like_it_and_signs_on_a_new_line_keep_their_blank() {
+        let text = "IF a THEN // yes\n// first\nx := 1\n+ 2 - -3;\nELSE // no\n(* other *)\nx := (\n-1);\nEND_IF;\n";
+        let once = "IF a THEN // yes\n  // first\n  x := 1\n      + 2 - -3;\nELSE // no\n  (* other *)\n  x := (\n      -1);\nEND_IF;\n";
+        assert_eq!(format(text, Dialect::Iec).as_deref(), Ok(once));
+        assert_eq!(format(once, Dialect::Iec).as_deref(), Ok(once));
     }
 
     #[test]
