@@ -292,6 +292,7 @@ problems! {
     P6326 Warning "a STRING that is longer than those of the S7" "Mind that characters beyond the 254th are cut off, or declare STRING(254).";
     P6327 Error "arguments of an instance that its FB_Init does not take" "Give what FB_Init declares, as constants or variables.";
     P6328 Warning "a 0 behind the characters of a text" "Give the text its length first, for example by assigning as many blanks, or join it with CONCAT.";
+    P6329 Error "the number of a block of the library is taken" "Give the block of the program another number.";
 
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";

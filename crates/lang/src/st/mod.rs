@@ -13,6 +13,7 @@ pub mod lower;
 pub mod objects;
 mod open_arrays;
 pub mod parser;
+mod points;
 pub mod standard;
 pub mod syntax;
 pub mod tree;

@@ -154,12 +154,25 @@ impl Checker<'_> {
         }
     }
 
+    /// Says why a block of the library is not there: the program has another one with its number, or it is not built.
+    fn not_provided(&mut self, provided: &standard::Provided, span: Span) -> Typed {
+        let standard::Provided::Library(library) = provided else { return self.not_built(span, "this function") };
+        if self.names.interface(library.block).is_none() {
+            return self.not_built(span, "this function");
+        }
+        let (name, number) = (self.names.block_name(library.block), library.block);
+        let own = if name == number.to_string() { "one of its own".to_owned() } else { format!("`{name}`") };
+        let message = format!("`{}` is {number} of the library, and the program has {own} with this number", library.name);
+        self.report(Problem::P6329, span, message);
+        Typed::Poison
+    }
+
     /// A call of a block of the library that has outputs; `None` if it has none, or is no block.
     fn library_statement(&mut self, name: &Name, call: &ast::Call, span: Span) -> Option<Option<StatementKind>> {
         let provided = standard::library::function(&name.text, self.dialect).filter(|_| !self.is_inner(&name.text))?;
         let standard::Provided::Source { .. } = provided else { return None };
         let Some(block) = self.names.provided(&provided) else {
-            self.not_built(span, "this function");
+            self.not_provided(&provided, span);
             return Some(None);
         };
         let interface = self.interface(block, call.callee.span)?;
@@ -263,7 +276,7 @@ impl Checker<'_> {
             Meaning::Choose { block, inputs, last } => self.chosen_text((block, inputs, last), &resolved.parameters, call, arguments, span),
             Meaning::Fold(provided) => {
                 let Some(block) = self.names.provided(&provided) else {
-                    return self.not_built(span, "this function");
+                    return self.not_provided(&provided, span);
                 };
                 let Some(interface) = self.interface(block, call.callee.span) else { return Typed::Poison };
                 let written_out = TextFunction::of(&provided, name, self.dialect).filter(|_| self.names.is_of_library(block));
@@ -292,7 +305,7 @@ impl Checker<'_> {
             }
             Meaning::Block(provided) => {
                 let Some(block) = self.names.provided(&provided) else {
-                    return self.not_built(span, "this function");
+                    return self.not_provided(&provided, span);
                 };
                 let Some(interface) = self.interface(block, call.callee.span) else { return Typed::Poison };
                 let written_out = TextFunction::of(&provided, name, self.dialect).filter(|_| self.names.is_of_library(block));
@@ -311,7 +324,7 @@ impl Checker<'_> {
         span: Span,
     ) -> Typed {
         let Some(block) = self.names.provided(&provided) else {
-            return self.not_built(span, "this function");
+            return self.not_provided(&provided, span);
         };
         let Some(interface) = self.interface(block, call.callee.span) else { return Typed::Poison };
         let mut rest: Vec<Option<(Typed, Span)>> = arguments.into_iter().map(Some).collect();

@@ -19,11 +19,11 @@ use crate::scope::{did_you_mean, key};
 use crate::st::ast::{Dimension, TypeKind, TypeSpec};
 use crate::st::check::names::Entity;
 use crate::st::dialect::{Calendar, Construct, Dialect, Judgement};
-use crate::st::dtl;
 use crate::st::open_arrays::OPEN;
 use crate::st::standard::Provided;
 use crate::st::standard::library::block_type;
 use crate::st::variants;
+use crate::st::{dtl, points};
 
 /// Dimensions that an array may have.
 const DIMENSIONS_MAX: usize = 16;
@@ -354,6 +354,9 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 true => DataType::Reference(Arc::new(Reference { target, kind: ReferenceKind::Interface })),
                 false => target,
             });
+        }
+        if last.eq_ignore_ascii_case(points::WORD) && block_type("CHARCURVE", self.dialect).is_some() {
+            return plain(points::data_type());
         }
         match self.of_library(last) {
             Some(Some(id)) => return plain(self.types.type_of_block(id, span)?),

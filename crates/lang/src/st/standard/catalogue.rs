@@ -212,6 +212,7 @@ chapters! {
     }
     "Scaling" false {
         "norm_x" "analog values" ["NORM_X" "SCALE_X"] "NORM_X(MIN: ANY_NUM; VALUE: ANY_NUM; MAX: ANY_NUM): ANY_REAL" "SCALE_X(MIN: ANY_NUM; VALUE: ANY_REAL; MAX: ANY_NUM): ANY_NUM";
+        "charcurve" "a curve through points" ["CHARCURVE"] "CHARCURVE(IN: INT; N: BYTE; P: ARRAY[0..10] OF POINT) → OUT: INT; ERR: BYTE";
         "lin_trafo" "from one range to another" ["LIN_TRAFO"] "LIN_TRAFO(IN: REAL; IN_MIN: REAL; IN_MAX: REAL; OUT_MIN: REAL; OUT_MAX: REAL) → OUT: REAL; ERROR: BOOL";
     }
 }

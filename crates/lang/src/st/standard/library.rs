@@ -63,6 +63,7 @@ sources! {
     "counters_codesys.st" Codesys       [0 1 0 0]: CTU CTD CTUD;
     "util_signals.st" Codesys           [0 1 0 0]: BLINK GEN;
     "util_analog.st" Codesys            [0 1 0 0]: HYSTERESIS LIMITALARM LIN_TRAFO RAMP_REAL RAMP_INT;
+    "util_curves.st" Codesys            [0 1 0 0]: CHARCURVE;
     "util_mathematics.st" Codesys       [0 1 0 0]: DERIVATIVE INTEGRAL STATISTICS_REAL STATISTICS_INT VARIANCE;
     "util_controllers.st" Codesys       [0 1 0 0]: PID_FIXCYCLE PID PD;
     "util_bits.st" Codesys              [0 1 0 0]: EXTRACT PUTBIT PACK UNPACK;
