@@ -209,7 +209,12 @@ impl Checker<'_> {
             DataType::Void => Called::Nothing,
             _ => {
                 let message = format!("`{}` is {} and cannot be called", target.name, self.words(&target.data_type));
+                let hides = matches!(self.names.global(&target.name), Some(Entity::Block(_)));
                 let diagnostic = self.report(Problem::P6217, span, message);
+                if hides {
+                    let help = format!("The variable hides the block `{}`: give one of them another name.", target.name);
+                    diagnostic.help = Some(help);
+                }
                 if matches!(target.data_type, DataType::Array { .. } | DataType::String(_) | DataType::WideString(_)) {
                     diagnostic.help = Some("An element is written with square brackets, `a[1]`.".to_owned());
                 }

@@ -843,9 +843,8 @@ impl Checker<'_> {
             Reached::Other(Typed::Block(block)) if block.kind == BlockKind::DataBlock => {
                 // A field that is called like an address goes before the address.
                 let view = self.names.data_block(block.number);
-                if let Some(field) = view.as_ref().and_then(|view| view.structure.field(&address.written.text)) {
-                    let written = Name { text: field.name.clone(), ..address.written.clone() };
-                    return self.member(&address.block, &written, span);
+                if view.is_some_and(|view| view.structure.field(&address.written.text).is_some()) {
+                    return self.named_like_an_address(address, span);
                 }
                 (Base::DataBlock(block.number), self.names.block_name(block))
             }
@@ -859,15 +858,33 @@ impl Checker<'_> {
                     _ => return POISON,
                 }
             }
-            Reached::Target(target) => return self.field(target, &address.written, span),
+            Reached::Target(_) => return self.named_like_an_address(address, span),
             Reached::Other(other) => {
                 let what = self.what(&other);
                 self.report(Problem::P4010, address.block.span, format!("{what} is no data block"));
                 return POISON;
             }
         };
+        let computed = matches!(address.position, Position::Computed(_));
+        if computed && !self.judge(Construct::ComputedAddress, address.written.span) {
+            return POISON;
+        }
         let Some(place) = self.position(base, address.width, &address.position, false, span) else { return POISON };
         Reached::Target(Target { place, data_type, role: Role::Global, name, through: Through::Part })
+    }
+
+    /// `"Data".dw[4]`, `"Data".d0.1` where `dw` and `d0` are fields.
+    fn named_like_an_address(&mut self, address: &ast::DataAddress, span: Span) -> Reached {
+        let field = ExpressionKind::Member(Box::new(address.block.clone()), address.written.clone());
+        let field = Box::new(Expression { kind: field, span: address.block.span.to(address.written.span) });
+        let kind = match &address.position {
+            Position::Computed(indexes) => ExpressionKind::Index(field, indexes.clone()),
+            Position::Fixed(numbers) if let Some(&index) = numbers.get(1) => {
+                ExpressionKind::Slice(field, ast::Slice { bits: 1, index, percent: false, span })
+            }
+            _ => field.kind,
+        };
+        self.reach(&Expression { kind, span })
     }
 
     /// What an expression is, for messages.

@@ -30,12 +30,31 @@ impl Checker<'_> {
         if !bits && kind != Kind::LREAL {
             return None;
         }
-        let family = if bits { Family::Shifts } else { Family::Choices };
+        let whole = kind.is_integer() && self.chooses_whole_numbers(expression, kind);
+        let family = if bits && !whole { Family::Shifts } else { Family::Choices };
         if self.family(expression)? != family {
             return None;
         }
         let mut typed = expression.clone();
         self.give_type(&mut typed, wanted.base()).then_some(typed)
+    }
+
+    /// `LIMIT(0, 5, 7)`: whole numbers only, which all fit a type.
+    fn chooses_whole_numbers(&self, expression: &Expression, kind: Kind) -> bool {
+        match &expression.kind {
+            ExpressionKind::Parenthesized(inner) => self.chooses_whole_numbers(inner, kind),
+            ExpressionKind::Call(call) => {
+                let (least, most) = limits(kind.scalar(self.dialect));
+                let of = chosen(call).unwrap_or_default();
+                let mut values = of.iter().filter_map(|&index| call.arguments[index].value.as_ref());
+                let fits = |value: &Expression| match number_of(value) {
+                    Some((number, _)) => (least..=most).contains(&number),
+                    None => self.chooses_whole_numbers(value, kind),
+                };
+                !of.is_empty() && values.all(fits)
+            }
+            _ => false,
+        }
     }
 
     /// Two operands, one of which is made of shifted or chosen numbers without a type.

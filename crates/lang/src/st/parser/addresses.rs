@@ -305,9 +305,6 @@ impl Parser<'_> {
         if !(computed || (!digits.is_empty() && (!bit || bit_behind))) {
             return None;
         }
-        if computed {
-            self.judge(Construct::ComputedAddress, token.start, token.end);
-        }
         let written = Name { text: text.to_owned(), quoting: Quoting::Bare, span: self.span(token.start, token.end) };
         self.bump(SyntaxKind::Address);
         let position = if computed {
