@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::Layout;
-use sieben_engine::ir::{Code, Inst, Op, Place};
+use sieben_engine::ir::{Code, Inst, Op, Place, TextRoom};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
@@ -60,6 +60,8 @@ pub(super) struct TextPlace {
     pub(super) there: u32,
     /// The data block that its pointer names.
     pub(super) block: Option<Range<usize>>,
+    /// What it has room for: what the instruction says, or what the text says where that is known.
+    pub(super) room: TextRoom,
 }
 
 /// A variable in memory and its range.

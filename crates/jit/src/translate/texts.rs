@@ -112,11 +112,18 @@ impl Translator<'_> {
             None => result,
         };
         if let Some(target) = target.filter(|_| action.writes()) {
+            let Address { base, offset, .. } = target.address;
+            let is_text = action != TextAction::Number && !target.room.wide && target.most.is_none();
+            let says = base == self.local && is_text && self.constant_bytes(offset, 1).is_some();
             self.take_promoted_in(&target.touched);
             self.forget_words_in(&target.touched);
             self.settle_touched(&target.touched, true);
             if let Some(length) = length.filter(|_| is_known) {
                 self.remember_length(&target, length);
+            }
+            if says {
+                // It says so again.
+                self.remember_word(target.address, Width::Byte, Val::Const(target.room.characters_max.into()));
             }
         }
         Some(Val::Int(result))
@@ -159,7 +166,9 @@ impl Translator<'_> {
             && most > 0
             && u32::from(most) + text.room.head() <= text.there
         {
-            return (Whole { room: TextRoom::narrow(most), ..text }, None);
+            let (room, (base, bytes)) = (TextRoom::narrow(most), text.touched.clone());
+            let end = if bytes.end - bytes.start == text.there.into() { bytes.start + i64::from(room.bytes()) } else { bytes.end };
+            return (Whole { room, touched: (base, bytes.start..end), ..text }, None);
         }
         let empty = lengths.is_some_and(|lengths| lengths == [0, 0]);
         let most = self.b.ins().uload8(I32, data(), base, offset);
@@ -183,7 +192,7 @@ impl Translator<'_> {
         if let Some(known) = self.known_text((place, room), write) {
             return Some(Whole { address: known.1, touched: touched(known, room), there: room.bytes(), room, most: None, empty: false });
         }
-        let TextPlace { bytes: touched, there, block } = self.ranges.text(index, is_to)?;
+        let TextPlace { bytes: touched, there, block, room: said } = self.ranges.text(index, is_to)?;
         let begins = touched.1.end - touched.1.start == i64::from(there);
         let address = match place {
             Place::Fixed { .. } | Place::Indirect { .. } if !room.is_unknown() => self.span(place, room.bytes(), write)?,
@@ -200,7 +209,7 @@ impl Translator<'_> {
             }
             _ => return None,
         };
-        Some(Whole { address, touched, there, room, most: None, empty: false })
+        Some(Whole { address, touched, there, room: said, most: None, empty: false })
     }
 
     /// The piece in one word.

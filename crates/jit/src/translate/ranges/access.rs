@@ -8,7 +8,7 @@ use sieben_engine::ir::{DataRegister, OnFault, Op, Place, TextRoom, Var};
 use sieben_model::address::{Area, Width};
 
 use super::interval::{self, Interval};
-use super::{Analysis, Element, Known, Reach, Same, Span, State, TextPlace};
+use super::{Analysis, Bytes, Element, Known, Reach, Same, Span, State, TextPlace};
 use crate::translate::memory::moved;
 use crate::translate::promote::Base;
 use crate::translate::texts::NUMBER_SHIFT;
@@ -155,7 +155,22 @@ impl Analysis<'_> {
                 None => most = middle - 1,
             }
         }
-        Some(TextPlace { bytes, there, block })
+        match self.said_room(state, &bytes, there).filter(|_| room.is_unknown()) {
+            Some(room) => {
+                bytes.1.end = bytes.1.start + i64::from(room.bytes());
+                Some(TextPlace { bytes, there: room.bytes(), block, room })
+            }
+            None => Some(TextPlace { bytes, there, block, room }),
+        }
+    }
+
+    /// What a STRING says that it has room for, if its first byte is known and so many characters are there.
+    pub(super) fn said_room(&self, state: &State, (base, bytes): &Bytes, there: u32) -> Option<TextRoom> {
+        let offset = i32::try_from(bytes.start).ok().filter(|_| bytes.end - bytes.start == i64::from(there))?;
+        let exact = |width: Width| state.cells.get(&(*base, offset, width))?.range.exact();
+        let most = exact(Width::Byte).or_else(|| Some(exact(Width::Word)? >> 8))?;
+        let room = TextRoom::narrow(u8::try_from(most).ok().filter(|&most| most > 0)?);
+        (room.bytes() <= there).then_some(room)
     }
 
     /// A pointer moved by an offset.

@@ -6,6 +6,7 @@ use sieben_engine::fault::NOTED;
 use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Inst, Op, Place, Target, TextAction, TextRoom, Var};
 use sieben_engine::machine::Register;
+use sieben_model::address::Width;
 
 use super::interval::{self, Interval, Number, comparison};
 use super::{Analysis, Known, Origin, Reach, Same, Span, State, TextPlace};
@@ -68,7 +69,7 @@ impl Analysis<'_> {
                 Inst::Text { action, dst, to, to_room, from, from_room, .. } => {
                     let mut bytes = |place: Place, room: TextRoom, write: bool| {
                         let text = self.text(&state, &temporaries, (place, room), write)?;
-                        fails |= text.there < room.bytes();
+                        fails |= text.there < text.room.bytes();
                         Some(text)
                     };
                     let is_read = !action.takes_number();
@@ -76,7 +77,16 @@ impl Analysis<'_> {
                     let other = if action == TextAction::Length { None } else { bytes(to, to_room, action.writes()) };
                     let inside = (read.is_some() || !is_read) && (other.is_some() || action == TextAction::Length);
                     match &other {
-                        Some(TextPlace { bytes: (base, range), .. }) if inside && action.writes() => state.forget(*base, range),
+                        Some(TextPlace { bytes, there, room, .. }) if inside && action.writes() => {
+                            let says = self.said_room(&state, bytes, *there).is_some() && !room.wide && action != TextAction::Number;
+                            let (base, range) = bytes;
+                            state.forget(*base, range);
+                            if says && !room.is_unknown() {
+                                // It says so again.
+                                let most = self.value(Interval::constant(room.characters_max.into()));
+                                state.cells.insert((*base, range.start as i32, Width::Byte), most);
+                            }
+                        }
                         _ if inside => {}
                         _ => {
                             fails = true;
