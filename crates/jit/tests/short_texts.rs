@@ -87,7 +87,7 @@ fn literal(b: &mut Builder, dice: &mut Dice) -> (Place, TextRoom) {
 fn character(dice: &mut Dice) -> u8 {
     match dice.roll(20) {
         0 => dice.roll(256) as u8,
-        1..4 => dice.of(b"+- _.#aA"),
+        1..4 => dice.of(b"+- _..#aAe"),
         4..10 => b'1',
         _ => b'0' + dice.roll(10) as u8,
     }
@@ -276,5 +276,50 @@ fn digits_of_numbers_are_the_same_on_all_engines() {
         };
         let of = |engine: &dyn Engine| run(engine, &layout, &entry, &prepare, &|_, _, _| Reaction::Continue);
         of(engine.as_ref()).assert_ends_as(&of(reference.as_ref()), &|| number.to_string());
+    }
+}
+
+/// Short texts with digits and points, and some with anything else among them, as REAL and LREAL.
+#[test]
+fn decimals_in_texts_are_the_same_on_all_engines() {
+    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+    let forms = [Spelling::Literal, Spelling::Beginning, Spelling::S7]
+        .map(|spelling| [NumberKind::F32, NumberKind::F64].map(|kind| (spelling, kind)));
+    let body = |b: &mut Builder| {
+        for (index, (spelling, kind)) in (0..).zip(forms.into_iter().flatten()) {
+            b.begin_statement();
+            let form = b.constant(NumberForm { spelling, kind }.word());
+            let dst = b.temporary();
+            let (to, from) = (at(Area::BitMemory, TEXTS + 20 + 8 * index), at(Area::BitMemory, TEXTS));
+            let (action, from_room) = (TextAction::Number, TextRoom::narrow(if index % 2 == 0 { 12 } else { 7 }));
+            b.push(Inst::Text { action, dst, to, to_room: TextRoom::NUMBER, from, from_room, piece: [form, form] });
+            b.store(at(Area::BitMemory, RESULTS + 2 * index), Width::Word, dst);
+        }
+        b.begin_statement();
+        b.push(Inst::Return);
+    };
+    let program = program(&[(BlockId::ob(1), 20, &body)]);
+    let layout = layout(&program);
+    let engine = Jit::compiled(&program, &layout, StatusBits::Needed).expect("machine code");
+    let reference = Interpreter::load(&program, &layout);
+    let mut dice = Dice(11);
+    for _ in 0..6000 {
+        let count = dice.roll(10) as usize;
+        let mut characters: Vec<u8> = (0..count).map(|_| b'0' + dice.roll(10) as u8).collect();
+        for (kinds, rolled) in [(&b"."[..], 1), (b"+-", 3), (b".. _e-", 6)] {
+            if count > 0 && (kinds == b"." || dice.roll(rolled) == 0) {
+                let place = if kinds == b"+-" { 0 } else { dice.roll(count as u64) as usize };
+                characters[place] = dice.of(kinds);
+            }
+        }
+        let prepare = |machine: &mut Machine| {
+            machine.budget = 100;
+            let memory = machine.memory.area_mut(Area::BitMemory);
+            memory[TEXTS as usize..][..20].fill(b'.');
+            memory[TEXTS as usize..][..2].copy_from_slice(&[12, count as u8]);
+            memory[TEXTS as usize + 2..][..count].copy_from_slice(&characters);
+        };
+        let of = |engine: &dyn Engine| run(engine, &layout, &entry, &prepare, &|_, _, _| Reaction::Continue);
+        of(engine.as_ref()).assert_ends_as(&of(reference.as_ref()), &|| String::from_utf8_lossy(&characters).into_owned());
     }
 }

@@ -122,7 +122,7 @@ impl Translator<'_> {
             TextAction::Number => {
                 let form = self.get(piece[0]);
                 let form = self.force(form).constant()?;
-                self.whole_number(to, from, form).map(Written::nothing)
+                self.number_of_text(to, from, form).map(Written::nothing)
             }
             _ => None,
         }

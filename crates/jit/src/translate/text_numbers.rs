@@ -1,9 +1,9 @@
-//! Whole numbers as STRINGs, and STRINGs that spell them: up to eight characters are one word of machine code, whose bytes are worked on
+//! Whole numbers as STRINGs, and STRINGs that spell numbers: up to eight characters are one word of machine code, whose bytes are worked on
 //! at once. Everything else is left to Rust code.
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::{I8, I32, I64};
-use cranelift_codegen::ir::{BlockArg, InstBuilder, Value};
+use cranelift_codegen::ir::types::{F32, F64, I8, I32, I64};
+use cranelift_codegen::ir::{BlockArg, InstBuilder, MemFlagsData, Type, Value};
 use sieben_engine::ir::TextAction;
 use sieben_engine::numbers_in_texts::{NumberForm, NumberKind, Spelling};
 
@@ -106,14 +106,18 @@ impl Translator<'_> {
         self.b.ins().isub(moved, taken)
     }
 
-    /// Writes the whole number that at most eight digits spell, or fewer behind a sign; whether it is one of its type.
-    pub(super) fn whole_number(&mut self, to: &Whole, from: &Whole, word: u64) -> Option<Value> {
+    /// Writes the number that at most eight digits spell, or fewer with a sign and, where it becomes a REAL or an LREAL, a point; whether it
+    /// is one of its type.
+    pub(super) fn number_of_text(&mut self, to: &Whole, from: &Whole, word: u64) -> Option<Value> {
         let form = NumberForm::of(word);
         let (least, most) = form.kind.range();
         let [least, most] = [least, most].map(|limit| limit.clamp(i64::MIN.into(), i64::MAX.into()) as i64);
-        if matches!(form.kind, NumberKind::F32 | NumberKind::F64) {
-            return None;
-        }
+        let real = match form.kind {
+            NumberKind::F32 if form.spelling == Spelling::S7 => return None,
+            NumberKind::F32 => Some(F32),
+            NumberKind::F64 => Some(F64),
+            _ => None,
+        };
         let fits = least <= 1 - MANY && most >= 10 * MANY;
         let is_limited = form.spelling == Spelling::S7 && !fits;
         // STRNG_I takes no longer texts.
@@ -137,6 +141,10 @@ impl Translator<'_> {
         let missing = self.b.ins().ishl_imm_u(bytes, 3);
         let missing = self.b.ins().ineg(missing);
         let digits = self.b.ins().ishl(digits, missing);
+        let (digits, point) = match real {
+            Some(_) => self.without_point(digits),
+            None => (digits, None),
+        };
         let more = self.b.ins().iconst(I64, ONES * (0x80 - 10));
         let more = self.b.ins().iadd(digits, more);
         let more = self.b.ins().bor(more, digits);
@@ -144,7 +152,11 @@ impl Translator<'_> {
         let others = self.b.ins().band(more, high);
         let are_digits = self.b.ins().icmp_imm_u(IntCC::Equal, others, 0);
         let signed = self.b.ins().uextend(I32, signed);
-        let least_count = self.b.ins().iadd_imm_u(signed, 1);
+        let mut least_count = self.b.ins().iadd_imm_u(signed, 1);
+        if let Some((is_there, _)) = point {
+            let is_there = self.b.ins().uextend(I32, is_there);
+            least_count = self.b.ins().iadd(least_count, is_there);
+        }
         let above = self.b.ins().isub(count, least_count);
         let most_above = self.constant(longest);
         let most_above = self.b.ins().isub(most_above, least_count);
@@ -171,12 +183,61 @@ impl Translator<'_> {
         let answer = self.call_for_texts(TextAction::Number, to, from, piece);
         self.b.ins().jump(done, &[BlockArg::Value(answer)]);
         self.go_on_in(shorter);
+        let number = match (real, point) {
+            (Some(ty), Some((_, unit))) => self.real_of((magnitude, is_minus), unit, ty),
+            _ => number,
+        };
         let number = self.b.ins().ishl_imm_u(number, i64::from(64 - form.kind.bits()));
         let number = self.b.ins().bswap(number);
         self.b.ins().store(data(), number, to.address.base, to.address.offset);
         self.b.ins().jump(done, &[BlockArg::Value(good)]);
         self.go_on_in(done);
         Some(result)
+    }
+
+    /// Digits, the last one in the highest byte, without a point among them; whether there was one, and the digit 1 where the digit of the
+    /// ones was.
+    fn without_point(&mut self, digits: Value) -> (Value, Option<(Value, Value)>) {
+        let points = self.b.ins().iconst(I64, ONES * i64::from(b'.' ^ b'0'));
+        let others = self.b.ins().bxor(digits, points);
+        // The lowest byte that is 0 gets its highest bit, and none below it.
+        let ones = self.b.ins().iconst(I64, ONES);
+        let less = self.b.ins().isub(others, ones);
+        let less = self.b.ins().band_not(less, others);
+        let high = self.b.ins().iconst(I64, ONES << 7);
+        let found = self.b.ins().band(less, high);
+        let is_there = self.b.ins().icmp_imm_u(IntCC::NotEqual, found, 0);
+        let at = self.b.ins().ctz(found);
+        let at = self.b.ins().band_imm_u(at, 0x38);
+        let all = self.b.ins().iconst(I64, -1);
+        let from_there = self.b.ins().ishl(all, at);
+        let behind = self.b.ins().ishl_imm_u(from_there, 8);
+        let behind = self.b.ins().band(digits, behind);
+        let before = self.b.ins().band_not(digits, from_there);
+        let before = self.b.ins().ishl_imm_u(before, 8);
+        let without = self.b.ins().bor(before, behind);
+        let last = self.b.ins().iconst(I64, 56);
+        let at = self.b.ins().select(is_there, at, last);
+        let one = self.b.ins().iconst(I64, 1);
+        let unit = self.b.ins().ishl(one, at);
+        (self.b.ins().select(is_there, without, digits), Some((is_there, unit)))
+    }
+
+    /// The bits of a number with digits behind the one that is marked. Both sides of the division are exact, as a REAL too where there is a
+    /// point, so that the quotient is the nearest one; without digits behind it, the conversion is.
+    fn real_of(&mut self, (magnitude, is_minus): (Value, Value), unit: Value, ty: Type) -> Value {
+        let unit = self.number_of_eight(unit);
+        let [magnitude, unit] = [magnitude, unit].map(|number| self.b.ins().fcvt_from_sint(ty, number));
+        let number = self.b.ins().fdiv(magnitude, unit);
+        let zero = if ty == F32 { self.b.ins().f32const(0.0) } else { self.b.ins().f64const(0.0) };
+        // So -0 is 0.
+        let negated = self.b.ins().fsub(zero, number);
+        let number = self.b.ins().select(is_minus, negated, number);
+        if ty == F64 {
+            return self.b.ins().bitcast(I64, MemFlagsData::new(), number);
+        }
+        let bits = self.b.ins().bitcast(I32, MemFlagsData::new(), number);
+        self.b.ins().uextend(I64, bits)
     }
 
     /// The number of which the digits are bytes, the highest one in the lowest byte: digits, pairs and fours are put together side by side.
