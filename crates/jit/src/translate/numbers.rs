@@ -90,6 +90,10 @@ impl Translator<'_> {
 
     /// How many characters of a text count, if it is known.
     pub(super) fn known_length(&self, text: &Whole) -> Option<Value> {
+        if self.cold.is_some() {
+            // Somebody may have been asked.
+            return None;
+        }
         let base = self.base_of_text(text)?;
         let is_it = |known: &&(Base, i32, TextRoom, Value)| (known.0, known.1, known.2) == (base, text.address.offset, text.room);
         self.bytes.numbers.1.iter().find(is_it).map(|known| known.3)
