@@ -195,10 +195,10 @@ impl Translator<'_> {
 
             // Word logic, and shifts by a constant that move something.
             Op::AndU32 => self.and_u32(a, b),
-            Op::OrU32 => { let (a, b) = (self.int(a), self.int(b)); Val::Int(self.b.ins().bor(a, b)) }
-            Op::XorU32 => { let (a, b) = (self.int(a), self.int(b)); Val::Int(self.b.ins().bxor(a, b)) }
+            Op::OrU32 => { let most = self.most_bits(a).max(self.most_bits(b)); let (a, b) = (self.int(a), self.int(b)); let result = self.b.ins().bor(a, b); self.know_bits(result, most) }
+            Op::XorU32 => { let most = self.most_bits(a).max(self.most_bits(b)); let (a, b) = (self.int(a), self.int(b)); let result = self.b.ins().bxor(a, b); self.know_bits(result, most) }
             Op::Shl16 if let Some(n) = count(b, 15) => { let a = self.int(a); let moved = self.b.ins().ishl_imm_u(a, n); Val::Int(self.b.ins().band_imm_u(moved, 0xFFFF)) }
-            Op::Shr16 if let Some(n) = count(b, 15) => { let a = self.int(a); let low = self.b.ins().band_imm_u(a, 0xFFFF); Val::Int(self.b.ins().ushr_imm_u(low, n)) }
+            Op::Shr16 if let Some(n) = count(b, 15) => { let low = self.low_bits(a, Width::Word); let most = self.most_bits(Val::Int(low)); let moved = self.b.ins().ushr_imm_u(low, n); self.know_bits(moved, most.saturating_sub(n as u32)) }
             Op::Sar16 if let Some(n) = count(b, 15) => { let a = self.i16(a); let moved = self.b.ins().sshr_imm_u(a, n); Val::Int(self.b.ins().band_imm_u(moved, 0xFFFF)) }
             Op::Shl32 if let Some(n) = count(b, 31) => { let a = self.int(a); Val::Int(self.b.ins().ishl_imm_u(a, n)) }
             Op::Shr32 if let Some(n) = count(b, 31) => { let a = self.int(a); Val::Int(self.b.ins().ushr_imm_u(a, n)) }
@@ -372,8 +372,10 @@ impl Translator<'_> {
             return Val::Int(self.b.ins().ishl_imm_u(condition, i64::from(a.trailing_zeros())));
         }
         if self.is_32_bits(a) && self.is_32_bits(b) {
+            let most = self.most_bits(a).max(self.most_bits(b));
             let (a, b) = (self.int(a), self.int(b));
-            return Val::Int(self.b.ins().select(condition, a, b));
+            let result = self.b.ins().select(condition, a, b);
+            return self.know_bits(result, most);
         }
         let (a, b) = (self.word(a), self.word(b));
         Val::Word(self.b.ins().select(condition, a, b))
@@ -522,19 +524,28 @@ impl Translator<'_> {
         Val::Int(self.b.ins().bor(high, low))
     }
 
-    fn and_u32(&mut self, a: Val, b: Val) -> Val {
-        let bits = |this: &Self, value: Val| match value {
+    /// How many low bits of 32 may be 1.
+    pub(super) fn most_bits(&self, value: Val) -> u32 {
+        match value {
             Val::Const(value) => 32 - (value as u32).leading_zeros(),
-            Val::Int(value) => this.narrow.get(&value).copied().unwrap_or(32),
+            Val::Int(value) => self.narrow.get(&value).copied().unwrap_or(32),
             _ => 32,
-        };
-        let most = bits(self, a).min(bits(self, b));
-        let (a, b) = (self.int(a), self.int(b));
-        let result = self.b.ins().band(a, b);
+        }
+    }
+
+    /// A result in 32 bits of which no more low bits than these may be 1.
+    pub(super) fn know_bits(&mut self, result: Value, most: u32) -> Val {
         if self.options.optimize && most <= 16 {
             self.narrow.insert(result, most);
         }
         Val::Int(result)
+    }
+
+    fn and_u32(&mut self, a: Val, b: Val) -> Val {
+        let most = self.most_bits(a).min(self.most_bits(b));
+        let (a, b) = (self.int(a), self.int(b));
+        let result = self.b.ins().band(a, b);
+        self.know_bits(result, most)
     }
 
     /// The low half of 64 bits; of a sum it is the sum of the low halves.

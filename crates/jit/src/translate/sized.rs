@@ -444,13 +444,15 @@ impl Translator<'_> {
     fn bits_of_both(&mut self, op: Op, a: Val, b: Val) -> Val {
         let (a, b) = (self.force(a), self.force(b));
         let narrow = self.is_32_bits(a) && self.is_32_bits(b);
+        let [most, other] = [a, b].map(|value| self.most_bits(value));
+        let most = if op == Op::AndU64 { most.min(other) } else { most.max(other) };
         let (a, b) = if narrow { (self.int(a), self.int(b)) } else { (self.word(a), self.word(b)) };
         let result = match op {
             Op::AndU64 => self.b.ins().band(a, b),
             Op::OrU64 => self.b.ins().bor(a, b),
             _ => self.b.ins().bxor(a, b),
         };
-        if narrow { Val::Int(result) } else { Val::Word(result) }
+        if narrow { self.know_bits(result, most) } else { Val::Word(result) }
     }
 
     fn inverted(&mut self, a: Val, mask: i64) -> Val {

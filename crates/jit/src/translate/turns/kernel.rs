@@ -350,16 +350,19 @@ impl Kernel {
 }
 
 impl Kernel {
+    /// Whether a cell has 16 bits or fewer.
+    pub(super) fn is_word(&self, cell: Cell) -> bool {
+        matches!(
+            self.kept(cell),
+            Kept::Memory { width: Width::Bit | Width::Byte | Width::Word, .. }
+                | Kept::Element { width: Width::Bit | Width::Byte | Width::Word, .. }
+        )
+    }
+
     pub(super) fn is_16_bits(&self, node: Node) -> bool {
         match self.what(node) {
             What::Constant(value) => value <= 0xFFFF,
-            What::Start(_, cell) | What::After(cell) => {
-                matches!(
-                    self.kept(cell),
-                    Kept::Memory { width: Width::Bit | Width::Byte | Width::Word, .. }
-                        | Kept::Element { width: Width::Bit | Width::Byte | Width::Word, .. }
-                )
-            }
+            What::Start(_, cell) | What::After(cell) => self.is_word(cell),
             What::Read(access) => self.accesses[access].width.bytes() <= 2,
             What::Compute(Op::Select, [_, a, b, _]) => self.is_16_bits(a) && self.is_16_bits(b),
             What::Compute(Op::Gate, [a, ..]) => self.is_16_bits(a),

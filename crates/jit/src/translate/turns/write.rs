@@ -800,7 +800,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 Handed::Chain(cell, _, form) => {
                     let value = match form {
                         Form::Bit => Lanes::One(Val::Bit { value: own[0], clean: true }),
-                        Form::Int => Lanes::One(Val::Int(own[0])),
+                        Form::Int => {
+                            // A word that turns hand on is cut to its bits where it is written.
+                            let bits = if self.kernel.is_word(cell) { 16 } else { 32 };
+                            Lanes::One(self.t.know_bits(own[0], bits))
+                        }
                         Form::Quad => Lanes::One(Val::Word(own[0])),
                         Form::Lreal => {
                             debug_assert_eq!(self.t.b.func.dfg.value_type(own[0]), F64);
