@@ -10,30 +10,56 @@ use super::value::Val;
 
 /// The upper part of a product.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Product {
-    factor: i64,
-    shift: u32,
+pub(super) struct Product {
+    pub(super) factor: i64,
+    pub(super) shift: u32,
     /// Whether the product has more than 32 bits.
-    wide: bool,
+    pub(super) wide: bool,
+}
+
+/// The same as the upper 32 bits of a product of two numbers of 32 bits, moved on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Upper {
+    pub(super) factor: u32,
+    pub(super) shift: u32,
+}
+
+/// The number a little greater than the reciprocal, times a power of two, if it is near enough for numbers up to `reach` of either sign.
+fn factor(divisor: u32, reach: i128, shift: u32) -> Option<i128> {
+    let divisor = i128::from(divisor);
+    let factor = (1 << shift) / divisor + 1;
+    // With a factor that is e / divisor greater than the exact one, a number n comes out n * e / divisor / 2^shift too great, which
+    // must be less than one divisor-th.
+    let more = factor * divisor - (1 << shift);
+    (more * reach < 1 << shift).then_some(factor)
+}
+
+fn reach((least, most): (i64, i64)) -> i128 {
+    i128::from(most.max(least.wrapping_neg()).max(1))
 }
 
 impl Product {
     /// What gives the quotients of all numbers in a range by a divisor of two or more, where those of negative numbers come out one too
     /// small; `None` if the products have more than 64 bits.
-    fn of(divisor: u32, (least, most): (i64, i64)) -> Option<Self> {
-        let divisor = i128::from(divisor);
-        let reach = i128::from(most.max(least.wrapping_neg()).max(1));
-        // With a factor that is e / divisor greater than the exact one, a number n comes out n * e / divisor / 2^shift too great, which
-        // must be less than one divisor-th.
-        let exact_enough = |shift: &u32| ((1_i128 << shift) / divisor + 1) * divisor - (1 << shift);
-        let shift = (0..63).find(|shift| exact_enough(shift) * reach < 1 << shift)?;
-        let factor = (1_i128 << shift) / divisor + 1;
+    pub(super) fn of(divisor: u32, range: (i64, i64)) -> Option<Self> {
+        let reach = reach(range);
+        let (shift, factor) = (0..63).find_map(|shift| Some((shift, factor(divisor, reach, shift)?)))?;
         let product = factor * reach;
         (product <= i128::from(i64::MAX)).then_some(Self {
             factor: factor as i64,
             shift,
             wide: shift > 31 || product > i128::from(i32::MAX),
         })
+    }
+}
+
+impl Upper {
+    /// What gives the quotients of all numbers in a range of at most 32 bits with a sign, on the same terms.
+    pub(super) fn of(divisor: u32, range: (i64, i64)) -> Self {
+        let reach = reach(range);
+        // 31 bits more than the divisor has are enough, with which the factor has 32.
+        let upper = (0..32).find_map(|shift| Some(Self { factor: u32::try_from(factor(divisor, reach, 32 + shift)?).ok()?, shift }));
+        upper.unwrap_or_else(|| unreachable!("a divisor of 2 or more, and numbers of 32 bits"))
     }
 }
 
@@ -114,6 +140,7 @@ mod tests {
         for divisor in divisors.filter(|divisor: &u32| !divisor.is_power_of_two()) {
             for (least, most) in ranges {
                 let product = Product::of(divisor, (least, most)).expect("numbers of 32 bits");
+                let upper = Upper::of(divisor, (least, most));
                 let d = i64::from(divisor);
                 let multiples = [least / d, least / d + 1, -1, 0, 1, most / d - 1, most / d, most / d / 2];
                 let around = multiples.into_iter().flat_map(|times| (-2..=2).map(move |more| times * d + more));
@@ -121,6 +148,8 @@ mod tests {
                     let whole = number.checked_mul(product.factor).expect("64 bits");
                     assert!(product.wide || i32::try_from(whole).is_ok(), "{number} / {divisor}: {product:?}");
                     assert_eq!((whole >> product.shift) + i64::from(number < 0), number / d, "{number} / {divisor}: {product:?}");
+                    let whole = i128::from(number) * i128::from(upper.factor) >> 32 >> upper.shift;
+                    assert_eq!(whole as i64 + i64::from(number < 0), number / d, "{number} / {divisor}: {upper:?}");
                 }
             }
         }

@@ -18,6 +18,7 @@ mod bit_choices;
 mod bit_sums;
 mod bits;
 mod count;
+mod divide;
 mod extremes;
 mod held;
 mod kernel;

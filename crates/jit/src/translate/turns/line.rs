@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
 
+use super::divide::greatest;
 use super::extremes::Extreme;
 use super::kernel::{Cell, Kernel, Level, Node, Step, What};
 
@@ -367,7 +368,7 @@ impl Kernel {
         }
         let divisor = (op.arity() == 2).then(|| self.constant(args[1])).flatten();
         match op {
-            Op::DivI32 | Op::RemI32 if !divisor.is_some_and(is_power) => None,
+            Op::DivI16 | Op::RemI16 | Op::DivI32 | Op::RemI32 if !divisor.is_some_and(|divisor| greatest(op).is_some_and(|most| (1..=most).contains(&divisor))) => None,
             Op::Shl32 | Op::Shr32 | Op::Sar32 if divisor.is_none_or(|count| count & 0xFF >= 32) => None,
             // A choice between numbers of 16 bits has 16 bits.
             Op::Select if self.is_16_bits(node) && shapes[1..3].iter().all(is_halves) => {
@@ -402,11 +403,6 @@ impl Kernel {
     }
 }
 
-/// Whether a number divides as shifts do.
-pub(super) fn is_power(divisor: u64) -> bool {
-    u32::try_from(divisor).is_ok_and(|divisor| divisor.is_power_of_two() && divisor < 1 << 31)
-}
-
 fn is_halves(shape: &Shape) -> bool {
     matches!(shape, Shape::Line(_) | Shape::Halves)
 }
@@ -428,7 +424,7 @@ fn shape_of_result(op: Op, args: &[Shape]) -> Option<Shape> {
     let all = |fits: &dyn Fn(&Shape) -> bool, shape: Shape| args.iter().all(fits).then_some(shape);
     match op {
         _ if args.iter().all(same) => Some(Shape::Line(Line::SAME)),
-        O::AddU16 | O::SubU16 | O::MulU16 | O::MinI16 | O::MaxI16 => all(&is_halves, Shape::Halves),
+        O::AddU16 | O::SubU16 | O::MulU16 | O::MinI16 | O::MaxI16 | O::DivI16 | O::RemI16 => all(&is_halves, Shape::Halves),
         // Bits that make a byte.
         O::AndU32 | O::OrU32 | O::Shl32 if args.contains(&Shape::Mask) => {
             args.iter().all(|shape| words(shape) || *shape == Shape::Mask).then_some(Shape::Words)

@@ -2,25 +2,22 @@
 
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
 use cranelift_codegen::ir::types::{F32X4, F64X2, I8X16, I32X4, I64X2};
-use cranelift_codegen::ir::{ConstantData, Endianness, Immediate, InstBuilder, MemFlagsData, Value};
+use cranelift_codegen::ir::{ConstantData, Immediate, InstBuilder, Value};
 use sieben_engine::ir::Op;
 
 use super::super::Translator;
 use super::super::value::Val;
 use super::line::Shape;
-use super::vector::Lanes;
+use super::vector::{Lanes, little};
 
 /// The bytes of a vector made of the lower halves of two, of their upper halves, and of every second word of both.
 const LOWER: [u8; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23];
 const UPPER: [u8; 16] = [8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31];
 const EVEN_WORDS: [u8; 16] = [0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27];
 
-fn little() -> MemFlagsData {
-    MemFlagsData::new().with_endianness(Endianness::Little)
-}
-
 impl Translator<'_> {
-    fn shuffled(&mut self, a: Value, b: Value, bytes: [u8; 16]) -> Value {
+    /// A vector of these bytes of two of them.
+    pub(super) fn shuffled(&mut self, a: Value, b: Value, bytes: [u8; 16]) -> Value {
         let [a, b] = [a, b].map(|vector| self.b.ins().bitcast(I8X16, little(), vector));
         let mask: Immediate = self.b.func.dfg.immediates.push(ConstantData::from(bytes.to_vec()));
         self.b.ins().shuffle(a, b, mask)

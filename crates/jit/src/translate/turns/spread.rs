@@ -242,7 +242,8 @@ impl Translator<'_> {
         (0..lanes / 4).map(one).collect()
     }
 
-    fn all_words(&mut self, number: u32) -> Value {
+    /// The same number of 32 bits in all lanes.
+    pub(super) fn all_words(&mut self, number: u32) -> Value {
         self.constant_vector(I32X4, number.to_le_bytes().repeat(4))
     }
 

@@ -160,7 +160,7 @@ impl Translator<'_> {
         (0..count).map(one).collect()
     }
 
-    fn widened(&mut self, halves: &[Value], signed: bool, lanes: u32) -> Vec<Value> {
+    pub(super) fn widened(&mut self, halves: &[Value], signed: bool, lanes: u32) -> Vec<Value> {
         let mut words = Vec::new();
         for &half in halves {
             let both = match signed {
@@ -256,7 +256,7 @@ impl Translator<'_> {
                 let one = |word| if op == Op::NegF32 { self.b.ins().bxor(word, sign) } else { self.b.ins().band_not(word, sign) };
                 words.into_iter().map(one).collect()
             }
-            Op::DivI32 | Op::RemI32 | Op::Shl32 | Op::Shr32 | Op::Sar32 => {
+            Op::Shl32 | Op::Shr32 | Op::Sar32 => {
                 let Lanes::One(Val::Const(number)) = args[1] else { unreachable!("the shapes were looked at") };
                 let words = self.words(&args[0], lanes);
                 words.into_iter().map(|word| self.shifted(op, word, number)).collect()
@@ -266,28 +266,14 @@ impl Translator<'_> {
         shape.of(vectors)
     }
 
-    /// Numbers of 32 bits shifted, or divided by a power of two.
+    /// Numbers of 32 bits shifted.
     fn shifted(&mut self, op: Op, word: Value, number: u64) -> Value {
         let count = i64::from(number as u32 & 0xFF);
         match op {
-            Op::Shl32 => return self.b.ins().ishl_imm_u(word, count),
-            Op::Shr32 => return self.b.ins().ushr_imm_u(word, count),
-            Op::Sar32 => return self.b.ins().sshr_imm_u(word, count),
-            _ if number == 1 && op == Op::DivI32 => return word,
-            _ if number == 1 => return self.zeros(I32X4),
-            _ => {}
+            Op::Shl32 => self.b.ins().ishl_imm_u(word, count),
+            Op::Shr32 => self.b.ins().ushr_imm_u(word, count),
+            _ => self.b.ins().sshr_imm_u(word, count),
         }
-        let bits = i64::from(number.trailing_zeros());
-        // A quotient is cut towards 0.
-        let sign = self.b.ins().sshr_imm_u(word, 31);
-        let more = self.b.ins().ushr_imm_u(sign, 32 - bits);
-        let sum = self.b.ins().iadd(word, more);
-        let quotient = self.b.ins().sshr_imm_u(sum, bits);
-        if op == Op::DivI32 {
-            return quotient;
-        }
-        let whole = self.b.ins().ishl_imm_u(quotient, bits);
-        self.b.ins().isub(word, whole)
     }
 
     /// Comparisons, what is made of them, and choices.

@@ -14,6 +14,7 @@ use super::super::promote::Base;
 use super::super::value::Val;
 use super::super::{Translator, is_bit};
 use super::Plan;
+use super::divide::greatest;
 use super::extremes::Extreme;
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Step, What};
 use super::left::{Progress, Waiting};
@@ -998,7 +999,24 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             };
             return self.t.compute_one_by_one(op, shape, args, bounds, self.lanes);
         }
+        if let (Some(most), &[ref number, Lanes::One(Val::Const(divisor))]) = (greatest(op), args) {
+            let range = self.range_of_divided(node, most);
+            return self.t.divide_lanes(op, number, divisor as u32, range, self.lanes);
+        }
         self.t.compute_lanes(op, shape, args, self.lanes)
+    }
+
+    /// The range of the numbers that an operation divides, which are at most so great.
+    fn range_of_divided(&self, node: Node, most: u64) -> (i64, i64) {
+        let What::Compute(_, [number, ..]) = self.kernel.what(node) else { unreachable!("something divides") };
+        if let Some(&(least, most)) = self.kernel.bounds.get(&number) {
+            return (least.into(), most.into());
+        }
+        let most = match self.kernel.what(number) {
+            What::Compute(Op::Extend16, _) => i16::MAX.into(),
+            _ => most as i64,
+        };
+        (-most - 1, most)
     }
 
     /// Writes what cells hold behind the turns.
