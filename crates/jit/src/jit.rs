@@ -1,13 +1,14 @@
 //! The engine: a program as machine code, with an interpreter beside it for what machine code cannot do.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, OnceLock};
 
-use sieben_engine::ir::{Callee, Code, Inst, Place, Target};
+use sieben_engine::ir::{Callee, Code, Inst, Place};
+use sieben_engine::machine::Register;
 use sieben_engine::machine::memory::DataBlockEntry;
 use sieben_engine::machine::{Memory, Registers};
 use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
-use sieben_model::address::Width;
+use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
 
 use crate::entry::{Function, Generation};
@@ -26,11 +27,13 @@ const BLOCK_INSTRUCTIONS_MAX: usize = 400_000;
 const LOOPS_MAX: usize = 1_000;
 /// Longer programs are compiled without Cranelift's optimizations: they would keep a core busy for seconds.
 const OPTIMIZED_STATEMENTS_MAX: usize = 50_000;
-/// Blocks with more loops too: a hundred of them in one another take Cranelift a second, eight hundred a minute.
-const OPTIMIZED_LOOPS_MAX: usize = 32;
+/// Blocks with more loops in one another too: a hundred take Cranelift a second, eight hundred a minute.
+const OPTIMIZED_NESTED_MAX: usize = 32;
 /// Blocks with more accesses by computed addresses too: each may ask, and the time to share out the registers of a function grows with
 /// the square of their number (12,000 of them take minutes).
 const OPTIMIZED_ACCESSES_MAX: usize = 2_000;
+/// The same with those that go to the instance of the block: most blocks are compiled for instances that are known.
+const OPTIMIZED_INSTANCE_ACCESSES_MAX: usize = 20_000;
 
 /// A block as machine code needs it.
 #[derive(Debug)]
@@ -97,9 +100,12 @@ impl Source {
     /// Whether Cranelift's optimizations take a bounded time.
     pub(crate) fn may_optimize(&self) -> bool {
         let statements: usize = self.blocks.iter().map(|block| block.code.statement_count()).sum();
-        let loops = self.blocks.iter().map(|block| loop_heads(&block.code).len()).max().unwrap_or(0);
-        let accesses = self.blocks.iter().map(|block| computed_accesses(&block.code)).max().unwrap_or(0);
-        statements <= OPTIMIZED_STATEMENTS_MAX && loops <= OPTIMIZED_LOOPS_MAX && accesses <= OPTIMIZED_ACCESSES_MAX
+        let nested = self.blocks.iter().map(|block| nested_loops(&block.code)).max().unwrap_or(0);
+        let accesses = |in_instance| self.blocks.iter().map(|block| computed_accesses(&block.code, in_instance)).max().unwrap_or(0);
+        statements <= OPTIMIZED_STATEMENTS_MAX
+            && nested <= OPTIMIZED_NESTED_MAX
+            && accesses(false) <= OPTIMIZED_ACCESSES_MAX
+            && accesses(true) <= OPTIMIZED_INSTANCE_ACCESSES_MAX
     }
 
     /// Organization blocks that may begin as machine code, by number. In others the interpreter looks at each call whether it has room.
@@ -435,31 +441,45 @@ pub(crate) fn end(code: &Code) -> Option<u32> {
     (code.statement(last) == [Inst::Return]).then_some(last as u32)
 }
 
-/// Statements to which a later one jumps.
-pub(crate) fn loop_heads(code: &Code) -> BTreeSet<u32> {
-    let mut heads = BTreeSet::new();
+/// Each jump back of a block: from where, and to where.
+fn jumps_back(code: &Code) -> Vec<(usize, u32)> {
+    let mut jumps = Vec::new();
     for statement in 0..code.statement_count() {
-        let mut jump = |Target(to): Target| {
-            if to as usize <= statement {
-                heads.insert(to);
-            }
-        };
-        for inst in code.statement(statement) {
-            match *inst {
-                Inst::Jump { to } | Inst::Branch { to, .. } => jump(to),
-                Inst::JumpTable { first, count, otherwise, .. } => {
-                    code.tables.iter().skip(first as usize).take(count as usize).copied().chain([otherwise]).for_each(&mut jump);
-                }
-                _ => {}
-            }
-        }
+        let targets = code.statement(statement).iter().flat_map(|inst| translate::targets(code, inst));
+        jumps.extend(targets.filter(|&to| to as usize <= statement).map(|to| (statement, to)));
     }
-    heads
+    jumps
 }
 
-/// How many loads and stores of a block compute their address.
-fn computed_accesses(code: &Code) -> usize {
-    let computed = |place: &Place| !matches!(place, Place::Fixed { .. });
+/// The statements to which a block jumps back.
+pub(crate) fn loop_heads(code: &Code) -> BTreeSet<u32> {
+    jumps_back(code).into_iter().map(|(_, to)| to).collect()
+}
+
+/// How many loops of a block contain the same statement at most.
+fn nested_loops(code: &Code) -> usize {
+    let mut last = BTreeMap::new();
+    for (from, to) in jumps_back(code) {
+        let last = last.entry(to as usize).or_insert(from);
+        *last = from.max(*last);
+    }
+    let mut running: Vec<usize> = Vec::new();
+    let mut most = 0;
+    for (first, last) in last {
+        running.retain(|&last| last >= first);
+        running.push(last);
+        most = most.max(running.len());
+    }
+    most
+}
+
+/// How many loads and stores of a block compute their address: those to variables of its instance, or the others.
+fn computed_accesses(code: &Code, in_instance: bool) -> usize {
+    let computed = |place: &Place| match place {
+        Place::Fixed { .. } => false,
+        Place::Indirect { area: Area::InstanceData, pointer, .. } if pointer.register() == Some(Register::Ar2) => in_instance,
+        _ => !in_instance,
+    };
     let accesses = |inst: &Inst| match inst {
         Inst::Load { place, .. } | Inst::Store { place, .. } => usize::from(computed(place)),
         Inst::Move { from, to, .. } => usize::from(computed(from)) + usize::from(computed(to)),

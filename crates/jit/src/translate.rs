@@ -74,6 +74,7 @@ use instance::Instance;
 use instance_pointer::InstancePointer;
 use interpreted::Interpreted;
 use loops::Loop;
+pub(crate) use loops::targets;
 use meeting::Meeting;
 use outside::{Functions, Outside};
 #[cfg(feature = "aarch64")]

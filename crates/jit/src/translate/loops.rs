@@ -9,7 +9,7 @@ use super::analysis::{ALL, restored};
 use super::bit_of;
 
 /// Blocks with more loops get no analysis of them: it takes time that grows with the number of loops times that of jumps.
-const LOOPS_MAX: usize = 32;
+const LOOPS_MAX: usize = 400;
 
 /// A loop.
 #[derive(Clone, Debug)]
@@ -34,7 +34,7 @@ impl Loop {
 }
 
 /// Statements to which an instruction may jump.
-pub(super) fn targets<'a>(code: &'a Code, inst: &Inst) -> impl Iterator<Item = u32> + use<'a> {
+pub(crate) fn targets<'a>(code: &'a Code, inst: &Inst) -> impl Iterator<Item = u32> + use<'a> {
     let (one, table): (Option<Target>, &[Target]) = match *inst {
         Inst::Jump { to } | Inst::Branch { to, .. } => (Some(to), &[]),
         Inst::JumpTable { first, count, otherwise, .. } => {

@@ -44,7 +44,7 @@ use line::{Carried, Shape};
 use write::Writing;
 
 /// Loops of a function of which there are such versions.
-const LOOPS_MAX: usize = 24;
+const LOOPS_MAX: usize = 100;
 
 /// Turns that are done side by side.
 const SIDE_BY_SIDE_MAX: u32 = 32;
