@@ -365,9 +365,6 @@ pub(super) fn find(code: &Code, around: &Surroundings<'_>) -> Ranges {
         return Ranges::default();
     }
     let relevant = places::relevant(code);
-    if relevant.len() > PLACES_MAX {
-        return Ranges::default();
-    }
     let mut heads = BTreeSet::new();
     for statement in 0..code.statement_count() as u32 {
         let targets = code.statement(statement as usize).iter().flat_map(|inst| loops::targets(code, inst));

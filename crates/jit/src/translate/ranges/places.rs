@@ -54,19 +54,36 @@ pub(super) fn relevant(code: &Code) -> FxHashSet<Place> {
     if relevant.is_empty() {
         return relevant;
     }
+    if relevant.len() > PLACES_MAX {
+        relevant = most_loaded(&statements, &relevant);
+    }
     loop {
-        let before = relevant.len();
+        let mut more = relevant.clone();
         for (loads, stores, branches) in &statements {
-            let touches =
-                stores.iter().any(|place| relevant.contains(place)) || *branches && loads.iter().any(|place| relevant.contains(place));
+            let touches = stores.iter().any(|place| more.contains(place)) || *branches && loads.iter().any(|place| more.contains(place));
             if touches {
-                relevant.extend(loads.iter().copied());
+                more.extend(loads.iter().copied());
             }
         }
-        if relevant.len() == before || relevant.len() > PLACES_MAX {
+        // What is farther from the addresses is left out where there is too much of it.
+        if more.len() == relevant.len() || more.len() > PLACES_MAX {
             return relevant;
         }
+        relevant = more;
     }
+}
+
+/// Those places that most statements load: counters of loops, and what is used beside them.
+fn most_loaded(statements: &[(Vec<Place>, Vec<Place>, bool)], relevant: &FxHashSet<Place>) -> FxHashSet<Place> {
+    let mut counts: FxHashMap<Place, (usize, usize)> = FxHashMap::default();
+    for (at, (loads, ..)) in statements.iter().enumerate() {
+        for place in loads.iter().filter(|place| relevant.contains(place)) {
+            counts.entry(*place).or_insert((0, at)).0 += 1;
+        }
+    }
+    let mut counts: Vec<(Place, (usize, usize))> = counts.into_iter().collect();
+    counts.sort_by_key(|&(_, (count, first))| (std::cmp::Reverse(count), first));
+    counts.into_iter().take(PLACES_MAX / 2).map(|(place, _)| place).collect()
 }
 
 /// Where ranges that grow may stop: at the constants with which the block compares, and beside them.

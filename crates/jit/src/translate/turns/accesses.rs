@@ -33,16 +33,15 @@ impl Writing<'_, '_, '_> {
         if self.lanes > 1
             && let Some(step) = self.kernel.apart(access)
         {
-            self.access_apart(
-                number,
-                Apart {
-                    first: address,
-                    step,
-                    only_read: self.kernel.is_only_read(number),
-                    more: self.kernel.has_more(access, self.t.layout.size),
-                },
-                level,
-            );
+            let touched = |more| self.written.iter().any(|&other| self.kernel.touches(number, more, other));
+            let apart = Apart {
+                first: address,
+                step,
+                only_read: self.kernel.is_only_read(number),
+                untouched: !touched(false),
+                more: self.kernel.has_more(access, self.t.layout.size) && !touched(true),
+            };
+            self.access_apart(number, apart, level);
             return;
         }
         let shape = self.kernel.shape(self.kernel.read_of(number));

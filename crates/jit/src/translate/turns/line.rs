@@ -368,7 +368,11 @@ impl Kernel {
         }
         let divisor = (op.arity() == 2).then(|| self.constant(args[1])).flatten();
         match op {
-            Op::DivI16 | Op::RemI16 | Op::DivI32 | Op::RemI32 if !divisor.is_some_and(|divisor| greatest(op).is_some_and(|most| (1..=most).contains(&divisor))) => None,
+            Op::DivI16 | Op::RemI16 | Op::DivI32 | Op::RemI32
+                if !divisor.is_some_and(|divisor| greatest(op).is_some_and(|most| (1..=most).contains(&divisor))) =>
+            {
+                None
+            }
             Op::Shl32 | Op::Shr32 | Op::Sar32 if divisor.is_none_or(|count| count & 0xFF >= 32) => None,
             // A choice between numbers of 16 bits has 16 bits.
             Op::Select if self.is_16_bits(node) && shapes[1..3].iter().all(is_halves) => {

@@ -23,6 +23,9 @@ const TURNS_MAX: i64 = 8;
 /// Operations and accesses of a turn for each operation that has no form for vectors.
 const OTHERS_MIN: usize = 4;
 
+/// The first 16 bits of each number of 32 bits, turned around.
+const FIRST_WORDS_TURNED: [u8; 16] = [1, 0, 5, 4, 9, 8, 13, 12, 1, 0, 5, 4, 9, 8, 13, 12];
+
 /// Vectors that are put together at different places on the stack.
 const TOGETHER: u32 = 16;
 
@@ -33,7 +36,9 @@ pub(super) struct Apart {
     pub(super) step: i32,
     /// Whether no turn writes it.
     pub(super) only_read: bool,
-    /// Whether at least four bytes may be read at each place.
+    /// Whether the running turns have written nothing of what is read.
+    pub(super) untouched: bool,
+    /// Whether four bytes may be read at each place: a processor waits for the memory where some of them were just written.
     pub(super) more: bool,
 }
 
@@ -99,19 +104,31 @@ impl Kernel {
         base == Base::Arena && usize::try_from(last + 4).is_ok_and(|end| end <= size)
     }
 
+    /// Whether an access may go to what another one has written in one of the turns side by side, with four bytes instead of its own if
+    /// `more` is so.
+    pub(super) fn touches(&self, number: usize, more: bool, other: usize) -> bool {
+        let [own, other] = [&self.accesses[number], &self.accesses[other]];
+        let wide;
+        let own = match more {
+            true => {
+                wide = Access { width: Width::DoubleWord, ..own.clone() };
+                &wide
+            }
+            false => own,
+        };
+        let ((base, bytes), (other_base, others)) = (own.bytes(), other.bytes());
+        base.may_share(&bytes, other_base, &others) && !self.stay_apart(own, other, -TURNS_MAX..=TURNS_MAX)
+    }
+
     /// Whether no turn writes what turns read with an access, and nobody needs it behind them: others may have written it then.
     pub(super) fn is_only_read(&self, number: usize) -> bool {
-        let own = &self.accesses[number];
         let mut left = BTreeSet::new();
         self.all_ends().for_each(|end| self.rests(end, &mut left));
         if left.contains(&self.read_of(number)) {
             return false;
         }
-        let meets = |other: &Access| {
-            let ((base, bytes), (other_base, others)) = (own.bytes(), other.bytes());
-            other.value.is_some() && base.may_share(&bytes, other_base, &others) && !self.stay_apart(own, other, -TURNS_MAX..=TURNS_MAX)
-        };
-        !self.accesses.iter().any(meets)
+        let writes = |&other: &usize| self.accesses[other].value.is_some();
+        !(0..self.accesses.len()).filter(writes).any(|other| self.touches(number, false, other))
     }
 
     /// The form of what an operation makes that is done one by one, if others are worth it.
@@ -156,46 +173,41 @@ impl Translator<'_> {
             return Lanes::Words(words.into_iter().map(|word| self.b.ins().band(word, low)).collect());
         }
         let (ty, count) = shape.vectors(lanes);
-        let mut vectors = Vec::new();
         let own = lanes / count;
-        for number in 0..count {
-            let vector = self.read_vector(apart, number * own..(number + 1) * own, ty);
+        let vectors = (0..count).map(|number| {
+            let bytes = ty.lane_type().bytes() as u8;
+            let turns = number * own..(number + 1) * own;
+            if bytes == 2 && apart.more {
+                let vector = self.read_vector(apart, turns, F32);
+                self.put_together(apart, vector);
+                return self.shuffled(vector, vector, FIRST_WORDS_TURNED);
+            }
+            let vector = self.read_vector(
+                apart,
+                turns,
+                match bytes {
+                    8 => F64,
+                    4 => F32,
+                    _ => I16,
+                },
+            );
             self.put_together(apart, vector);
-            let vector = self.turned(vector, ty.lane_type().bytes() as u8);
-            vectors.push(self.b.ins().bitcast(ty, little(), vector));
-        }
-        shape.of(vectors)
-    }
-
-    /// Reads what so many turns from one on need, as bytes of a vector. Short numbers are read with what follows them, if there is more.
-    fn read_vector(&mut self, apart: Apart, turns: Range<u32>, ty: Type) -> Value {
-        let bytes = ty.lane_type().bytes();
-        let read = match bytes {
-            8 => F64,
-            4 => F32,
-            _ if apart.more => F32,
-            _ => ty.lane_type(),
-        };
-        let numbers: Vec<Value> = turns.map(|lane| self.read_lane(apart, lane, read)).collect();
-        if bytes != 2 || read != F32 {
-            return self.vector_of(&numbers);
-        }
-        // The numbers of every second turn are moved between those of the others.
-        let [even, odd] = [0, 1].map(|first| {
-            let numbers: Vec<Value> = numbers.iter().skip(first).step_by(2).copied().collect();
-            let vector = self.vector_of(&numbers);
-            self.b.ins().bitcast(I32X4, little(), vector)
+            self.turned(vector, bytes)
         });
-        let low = self.all_words(0xFFFF);
-        let even = self.b.ins().band(even, low);
-        let odd = self.b.ins().ishl_imm_u(odd, 16);
-        let both = self.b.ins().bor(even, odd);
-        self.b.ins().bitcast(I8X16, little(), both)
+        let vectors: Vec<Value> = vectors.collect();
+        shape.of(vectors.into_iter().map(|vector| self.b.ins().bitcast(ty, little(), vector)).collect())
     }
 
-    /// Reads what one of the turns needs, where it is needed if nothing writes it.
+    /// Reads what so many turns from one on need, as bytes of a vector.
+    fn read_vector(&mut self, apart: Apart, turns: Range<u32>, ty: Type) -> Value {
+        let numbers: Vec<Value> = turns.map(|lane| self.read_lane(apart, lane, ty)).collect();
+        self.vector_of(&numbers)
+    }
+
+    /// Reads what one of the turns needs: where the vector of it is put together, if nothing has written it, or where it is needed, if
+    /// nothing writes it.
     fn read_lane(&mut self, apart: Apart, lane: u32, ty: Type) -> Value {
-        let flags = if apart.only_read { data().with_readonly().with_can_move() } else { data() };
+        let flags = if apart.untouched { data().with_readonly().with_can_move() } else { data() };
         let Address { base, offset, .. } = apart.of_lane(lane);
         self.b.ins().load(ty, flags, base, offset)
     }
@@ -218,7 +230,8 @@ impl Translator<'_> {
     fn vector_of(&mut self, numbers: &[Value]) -> Value {
         let ty = self.b.func.dfg.value_type(numbers[0]);
         let ty = ty.by(VECTOR_BYTES / ty.bytes()).expect("a vector of them");
-        let mut vector = self.b.ins().scalar_to_vector(ty, numbers[0]);
+        // One step for a number that is read, where to leave the others 0 takes three.
+        let mut vector = self.b.ins().splat(ty, numbers[0]);
         for (lane, &number) in (1..).zip(&numbers[1..]) {
             vector = self.b.ins().insertlane(vector, number, lane);
         }
@@ -229,7 +242,7 @@ impl Translator<'_> {
     pub(super) fn bytes_apart(&mut self, apart: Apart, lanes: u32) -> Vec<Value> {
         let one = |number: u32| {
             if apart.more {
-                let vector = self.read_vector(apart, 4 * number..4 * number + 4, I32X4);
+                let vector = self.read_vector(apart, 4 * number..4 * number + 4, F32);
                 return self.b.ins().bitcast(I32X4, little(), vector);
             }
             let numbers = [0, 1, 2, 3].map(|lane| {

@@ -83,6 +83,8 @@ pub(super) struct Writing<'t, 'a, 'k> {
     pub(super) pieces: HashMap<usize, Piece>,
     outer: Scope,
     inner: Scope,
+    /// What was written since the running turns began.
+    pub(super) written: Vec<usize>,
     /// What cells hold in front of the loop.
     before: HashMap<Cell, Val>,
     sums: HashMap<Cell, Vec<Value>>,
@@ -123,6 +125,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             pieces: HashMap::new(),
             outer: Scope::default(),
             inner: Scope::default(),
+            written: Vec::new(),
             before: HashMap::new(),
             sums: HashMap::new(),
             left_beside: Vec::new(),
@@ -368,6 +371,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             })
             .collect();
         let together = if level == Level::Outer { self.behind_one_another() } else { 1 };
+        self.written.clear();
         let mut now = parameters;
         for turn in 0..together {
             self.turn = turn;
@@ -386,7 +390,10 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             let steps = if is_one_by_one { self.kernel.steps_with_late_reads() } else { self.kernel.turn(level).steps.clone() };
             for step in steps {
                 match step {
-                    Step::Access(access) => self.access(access, level),
+                    Step::Access(access) => {
+                        self.access(access, level);
+                        self.written.extend(self.kernel.accesses[access].value.is_some().then_some(access));
+                    }
                     Step::Inner => {
                         let turns = self.t.turns_constant(self.plan.inner_turns);
                         self.inner = Scope::default();
