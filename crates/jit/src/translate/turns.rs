@@ -21,6 +21,7 @@ mod count;
 mod divide;
 mod extremes;
 mod held;
+mod in_order;
 mod kernel;
 mod late;
 mod left;
@@ -95,28 +96,38 @@ impl Translator<'_> {
             self.bit_sums_at_once(&plan, &sums, it);
         }
         if let Some(settled) = plan.kernel.settled().filter(|kernel| !kernel.repeats_itself()).and_then(Plan::of) {
-            for lanes in settled.lanes() {
-                Writing::write(self, &settled, it, lanes);
-            }
+            self.write_side_by_side(&settled, it);
             let kernel = settled.kernel.without_signs().unwrap_or(settled.kernel);
             Writing::write(self, &Plan { kernel, ..settled }, it, 1);
         }
-        let lanes = plan.lanes();
-        for &lanes in &lanes {
-            Writing::write(self, &plan, it, lanes);
-        }
-        let unsigned = if lanes.is_empty() { plan.kernel.without_signs() } else { None };
+        let all_at_once = self.write_side_by_side(&plan, it);
+        let unsigned = if !all_at_once { plan.kernel.without_signs() } else { None };
         let unsigned = unsigned.map(|kernel| Plan { kernel, count: plan.count, inner_turns: plan.inner_turns });
         let fastest = unsigned.as_ref().unwrap_or(&plan);
-        if lanes.is_empty()
-            && let Some(gathered) = fastest.kernel.gathered()
-        {
+        if !all_at_once && let Some(gathered) = fastest.kernel.gathered() {
             Writing::write_in_pieces(self, fastest, it, gathered);
         }
         if let Some(unsigned) = &unsigned {
             Writing::write(self, unsigned, it, 1);
         }
         Writing::write(self, &plan, it, 1);
+    }
+
+    /// Writes the versions of a loop with turns side by side. Whether nothing in them is done in order.
+    fn write_side_by_side(&mut self, plan: &Plan, it: &Loop) -> bool {
+        let lanes = plan.lanes();
+        for &lanes in &lanes {
+            Writing::write(self, plan, it, lanes);
+        }
+        if lanes.is_empty()
+            && let Some(kernel) = plan.kernel.with_order()
+        {
+            let plan = Plan { kernel, count: plan.count, inner_turns: plan.inner_turns };
+            for lanes in plan.lanes() {
+                Writing::write(self, &plan, it, lanes);
+            }
+        }
+        !lanes.is_empty()
     }
 }
 
@@ -176,7 +187,7 @@ impl Plan {
             Some(_) if quads => vec![16, least],
             Some(_) => vec![SIDE_BY_SIDE_MAX, least],
             // More than four of what lies apart would not stay in registers.
-            None if kernel.is_spread() => vec![4],
+            None if kernel.is_spread() || !kernel.in_order.nodes.is_empty() => vec![4],
             None if quads => vec![least],
             None => vec![2 * least],
         }
@@ -209,6 +220,7 @@ impl Plan {
         for (cell, end, carried) in kernel.carried(Level::Outer) {
             let possible = match carried {
                 Carried::Line(_) => true,
+                Carried::Chain if kernel.in_order.cells.contains(&cell) => true,
                 Carried::Chain => kernel.left_beside(cell, end).is_some_and(|left| {
                     let conditions = left.conditions.iter().all(|&(condition, _)| fits(condition, Shape::Mask));
                     conditions && (fits(left.value, left.shape) || left.shape == Shape::Words && fits(left.value, Shape::Reals))
@@ -253,7 +265,7 @@ impl Plan {
                 }
             };
             form && kernel.accesses[..number].iter().all(|other| kernel.are_apart(access, other))
-        }) && (!kernel.is_spread() || kernel.few_are_one_by_one())
+        }) && (!kernel.is_spread() && kernel.in_order.nodes.is_empty() || kernel.few_are_one_by_one())
     }
 }
 

@@ -12,6 +12,7 @@ use sieben_model::address::Width;
 
 use super::super::bit_of;
 use super::super::promote::Base;
+use super::in_order::InOrder;
 use super::line::{Line, Shape};
 
 /// A value, by its number in the kernel.
@@ -155,6 +156,8 @@ pub(super) struct Kernel {
     pub(super) settled: Vec<(Node, bool)>,
     /// Least and greatest value of numbers that are divided by constants and never negative.
     pub(super) bounds: BTreeMap<Node, (u32, u32)>,
+    /// What turns side by side do in their order.
+    pub(super) in_order: InOrder,
     /// Data blocks that turns open, which are taken to be as they were loaded.
     pub(super) opened: BTreeSet<u16>,
     /// Registers that somebody needs behind the loop.
@@ -188,6 +191,7 @@ impl Kernel {
             required: Vec::new(),
             settled: Vec::new(),
             bounds: BTreeMap::new(),
+            in_order: InOrder::default(),
             opened: BTreeSet::new(),
             live: !0,
             lines: RefCell::default(),

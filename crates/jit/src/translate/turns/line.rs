@@ -331,6 +331,9 @@ impl Kernel {
         if let Some(line) = self.line(node, Level::Outer) {
             return Some(Shape::Line(line));
         }
+        if self.in_order.nodes.contains(&node) {
+            return Some(self.shape_by_width(node));
+        }
         match self.what(node) {
             What::Constant(_) => None,
             What::Start(Level::Outer, _) => None,

@@ -136,12 +136,7 @@ impl Kernel {
         if op.arity() > 3 || !self.is_spread() {
             return None;
         }
-        Some(match () {
-            () if self.is_bit(node) => Shape::Mask,
-            () if self.is_16_bits(node) => Shape::Halves,
-            () if self.is_32_bits(node) => Shape::Words,
-            () => Shape::Quads,
-        })
+        Some(self.shape_by_width(node))
     }
 
     /// Whether so few operations are done one by one that it is worth it.
@@ -159,7 +154,8 @@ impl Kernel {
     /// Whether turns side by side do an operation one by one.
     pub(super) fn is_one_by_one(&self, node: Node) -> bool {
         let is_computed = matches!(self.what(node), What::Compute(..)) && self.line(node, Level::Outer).is_none();
-        is_computed && self.shape(node).is_some() && self.vector_shape(node).is_none()
+        let is_in_order = self.in_order.nodes.contains(&node);
+        is_computed && (is_in_order || self.shape(node).is_some() && self.vector_shape(node).is_none())
     }
 }
 
@@ -347,7 +343,7 @@ impl Translator<'_> {
     }
 
     /// The value of one of the turns side by side.
-    fn of_lane(&mut self, value: &Lanes, lane: u32) -> Val {
+    pub(super) fn of_lane(&mut self, value: &Lanes, lane: u32) -> Val {
         let at = |vectors: &[Value], this: &mut Self| {
             let count = this.b.func.dfg.value_type(vectors[0]).lane_count();
             this.b.ins().extractlane(vectors[(lane / count) as usize], (lane % count) as u8)
@@ -382,28 +378,34 @@ impl Translator<'_> {
 
     /// The result of an operation that is done for each turn alone, on numbers that are known to have these bounds.
     pub(super) fn compute_one_by_one(&mut self, op: Op, shape: Shape, args: &[Lanes], bounds: Option<(u32, u32)>, lanes: u32) -> Lanes {
-        let mut numbers = Vec::new();
+        let mut results = Vec::new();
         for lane in 0..lanes {
             let own: Vec<Val> = args.iter().map(|arg| self.of_lane(arg, lane)).collect();
             if let (Some(bounds), Some(&Val::Int(number))) = (bounds, own.first()) {
                 self.bounds.insert(number, bounds);
             }
-            let result = self.compute_now(op, &own);
-            numbers.push(match shape {
-                Shape::Quads => self.word(result),
-                Shape::Halves => {
-                    let number = self.int(result);
-                    self.b.ins().ireduce(I16, number)
-                }
-                Shape::Mask => {
-                    let flag = self.flag(result);
-                    self.b.ins().ineg(flag)
-                }
-                _ => self.int(result),
-            });
+            results.push(self.compute_now(op, &own));
         }
+        self.side_by_side(shape, &results)
+    }
+
+    /// Values of one turn each in the lanes of vectors.
+    pub(super) fn side_by_side(&mut self, shape: Shape, values: &[Val]) -> Lanes {
+        let number = |&value: &Val| match shape {
+            Shape::Quads => self.word(value),
+            Shape::Halves => {
+                let number = self.int(value);
+                self.b.ins().ireduce(I16, number)
+            }
+            Shape::Mask => {
+                let flag = self.flag(value);
+                self.b.ins().ineg(flag)
+            }
+            _ => self.int(value),
+        };
+        let numbers: Vec<Value> = values.iter().map(number).collect();
         debug_assert!(shape != Shape::Quads || self.b.func.dfg.value_type(numbers[0]) == I64);
-        let (ty, _) = shape.vectors(lanes);
+        let (ty, _) = shape.vectors(values.len() as u32);
         let one = |numbers: &[Value]| {
             let vector = self.vector_of(numbers);
             self.b.ins().bitcast(ty, little(), vector)

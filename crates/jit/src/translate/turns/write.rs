@@ -57,7 +57,7 @@ enum Handed {
 
 /// How a value is handed on.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Form {
+pub(super) enum Form {
     Bit,
     Int,
     Real,
@@ -85,6 +85,8 @@ pub(super) struct Writing<'t, 'a, 'k> {
     inner: Scope,
     /// What was written since the running turns began.
     pub(super) written: Vec<usize>,
+    /// What single turns of those side by side have made.
+    pub(super) in_lanes: HashMap<(Node, u32), Val>,
     /// What cells hold in front of the loop.
     before: HashMap<Cell, Val>,
     sums: HashMap<Cell, Vec<Value>>,
@@ -126,6 +128,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             outer: Scope::default(),
             inner: Scope::default(),
             written: Vec::new(),
+            in_lanes: HashMap::new(),
             before: HashMap::new(),
             sums: HashMap::new(),
             left_beside: Vec::new(),
@@ -372,6 +375,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             .collect();
         let together = if level == Level::Outer { self.behind_one_another() } else { 1 };
         self.written.clear();
+        self.in_lanes.clear();
         let mut now = parameters;
         for turn in 0..together {
             self.turn = turn;
@@ -533,6 +537,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             match carried {
                 Carried::Line(line) if looked_at && !line.is_same() && counted.is_none() => handed.push(Handed::Line(cell, line)),
                 Carried::Line(_) | Carried::Nothing => {}
+                Carried::Chain if self.lanes > 1 && kernel.in_order.cells.contains(&cell) => {
+                    handed.push(Handed::Chain(cell, end, self.form_in_order(cell)));
+                }
                 Carried::Chain if level == Level::Outer && (self.lanes > 1 || self.is_left(cell)) => {}
                 Carried::Sum { added, bits } if self.lanes > 1 && level == Level::Outer => {
                     handed.push(Handed::Sum(cell, added, Shape::of_bits(bits)));
@@ -748,6 +755,14 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         }
     }
 
+    /// What a cell holds when the first of the running turns begins.
+    pub(super) fn start(&mut self, cell: Cell) -> Lanes {
+        match self.outer.starts.get(&cell) {
+            Some(value) => value.clone(),
+            None => self.entry(Level::Outer, cell),
+        }
+    }
+
     fn in_form(&mut self, value: &Lanes, form: Form, all: &mut Vec<Value>) {
         let one = |value: &Lanes| match value {
             Lanes::One(value) => *value,
@@ -859,8 +874,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     all.push(self.t.extreme_of_lanes(extreme, own, vector));
                 }
             }
-            Handed::Chain(_, end, form) => {
-                let value = self.value(end, level);
+            Handed::Chain(cell, end, form) => {
+                let value = match self.kernel.in_order.cells.contains(&cell) {
+                    true => Lanes::One(self.in_lane(end, self.lanes - 1)),
+                    false => self.value(end, level),
+                };
                 self.in_form(&value, form, all);
             }
             Handed::Mark(number) => {
@@ -928,6 +946,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             && let Some(value) = self.inner.values.get(&node)
         {
             return value.clone();
+        }
+        if self.lanes > 1 && self.kernel.in_order.nodes.contains(&node) {
+            let value = self.made_in_order(node);
+            self.scope(level).values.insert(node, value.clone());
+            return value;
         }
         let value = match self.kernel.what(node) {
             What::Constant(value) => return Lanes::One(Val::Const(value)),
@@ -1058,6 +1081,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     before_last.push((cell, sum));
                     continue;
                 }
+                Carried::Chain if self.lanes > 1 && self.kernel.in_order.cells.contains(&cell) => self.in_lane(end, self.lanes - 1),
                 Carried::Chain if let Some(value) = self.was_left(cell, turns) => value,
                 Carried::Chain if let Some(value) = self.was_left_beside(cell) => value,
                 _ => {
