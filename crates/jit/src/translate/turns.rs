@@ -88,6 +88,15 @@ impl Translator<'_> {
             self.bits_at_once(&kernel, &bits, it);
         }
         let Some(plan) = Plan::of(kernel) else { return };
+        if plan.kernel.only_side_by_side {
+            if plan.kernel.inner.is_none()
+                && let Some(plan) = plan.side_by_side_or_in_order()
+            {
+                self.at_once.push((self.index, it.first, it.last));
+                self.write_side_by_side(&plan, it);
+            }
+            return;
+        }
         if plan.kernel.inner.is_some() && plan.lanes().is_empty() && self.inner_is_side_by_side(it) {
             return;
         }
@@ -115,19 +124,11 @@ impl Translator<'_> {
 
     /// Writes the versions of a loop with turns side by side. Whether nothing in them is done in order.
     fn write_side_by_side(&mut self, plan: &Plan, it: &Loop) -> bool {
-        let lanes = plan.lanes();
-        for &lanes in &lanes {
-            Writing::write(self, plan, it, lanes);
+        let Some(beside) = plan.side_by_side_or_in_order() else { return false };
+        for lanes in beside.lanes() {
+            Writing::write(self, &beside, it, lanes);
         }
-        if lanes.is_empty()
-            && let Some(kernel) = plan.kernel.with_order()
-        {
-            let plan = Plan { kernel, count: plan.count, inner_turns: plan.inner_turns };
-            for lanes in plan.lanes() {
-                Writing::write(self, &plan, it, lanes);
-            }
-        }
-        !lanes.is_empty()
+        beside.kernel.in_order.nodes.is_empty()
     }
 }
 
@@ -163,6 +164,15 @@ impl Plan {
         }
         let plan = Self { kernel, count, inner_turns };
         plan.can_be_written().then_some(plan)
+    }
+
+    /// The same if turns can be done side by side, with as much in order as needs to be.
+    fn side_by_side_or_in_order(&self) -> Option<Self> {
+        let with = |kernel: Kernel| Self { kernel, count: self.count, inner_turns: self.inner_turns };
+        if !self.lanes().is_empty() {
+            return Some(with(self.kernel.clone()));
+        }
+        self.kernel.with_order().map(with).filter(|plan| !plan.lanes().is_empty())
     }
 
     /// Whether all access is known to stay inside its area, or can be looked at in front of the loop.

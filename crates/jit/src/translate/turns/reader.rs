@@ -24,9 +24,12 @@ use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Part, Step, Turn, W
 use super::ways::{Way, Ways};
 
 /// Instructions of a turn that is looked at, with those of the blocks that are part of it.
-const INSTRUCTIONS_MAX: usize = 640;
-/// Instructions that a turn computes though it may jump over them.
-const CHOSEN_MAX: usize = 160;
+const INSTRUCTIONS_MAX: usize = 1000;
+const INSTRUCTIONS_ALONE_MAX: usize = 640;
+/// Instructions that a turn computes though it may jump over them, where turns are done side by side.
+const CHOSEN_MAX: usize = 400;
+/// The same where they are done one by one: beyond that, it would be faster to jump.
+const CHOSEN_ALONE_MAX: usize = 160;
 /// What a division by an unknown number counts among them.
 const DIVISION: usize = 60;
 /// How far the range of a value is followed back.
@@ -80,6 +83,7 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
     reader.kernel.outer = outer?;
     reader.choose_pointers()?;
     let mut kernel = reader.kernel;
+    kernel.only_side_by_side = reader.chosen > CHOSEN_ALONE_MAX || reader.read > INSTRUCTIONS_ALONE_MAX;
     kernel.shorten_choices();
     kernel.add_at_once();
     kernel.forget_unread();
@@ -1013,6 +1017,10 @@ fn is_cheap(op: Op, divisor: Option<u64>) -> bool {
             | O::TruncF32
             | O::AbsI32
             | O::AbsI16
+            | O::AddOverflowsI16
+            | O::AddOverflowsI32
+            | O::SubOverflowsI16
+            | O::SubOverflowsI32
             | O::AddI16Wide
             | O::SubI16Wide
             | O::MulI16Wide
