@@ -17,6 +17,7 @@ mod accesses;
 mod bit_choices;
 mod bit_sums;
 mod bits;
+mod by_four;
 mod count;
 mod divide;
 mod extremes;
@@ -197,7 +198,7 @@ impl Plan {
             Some(_) if quads => vec![16, least],
             Some(_) => vec![SIDE_BY_SIDE_MAX, least],
             // More than four of what lies apart would not stay in registers.
-            None if kernel.is_spread() || !kernel.in_order.nodes.is_empty() => vec![4],
+            None if kernel.is_by_four() => vec![4],
             None if quads => vec![least],
             None => vec![2 * least],
         }
@@ -263,19 +264,19 @@ impl Plan {
                 Some(value) => {
                     let follows = matches!(kernel.shape(access.pointer), Some(Shape::Line(line)) if line.bits == 32
                         && line.step == access.width.bytes() * 8);
-                    let is_apart = kernel.apart(access).is_some();
+                    let (is_apart, is_row) = (kernel.apart(access).is_some(), kernel.is_row_of_bits(access));
                     let form = match access.width {
                         Width::Word => fits(value, Shape::Halves),
                         Width::DoubleWord => fits(value, Shape::Words) || fits(value, Shape::Reals),
                         Width::QuadWord => fits(value, Shape::Quads),
                         Width::Byte => is_apart && fits(value, Shape::Words),
-                        Width::Bit => is_apart && fits(value, Shape::Mask),
+                        Width::Bit => (is_apart || is_row) && fits(value, Shape::Mask),
                     };
-                    (follows || is_apart) && form && self.turns_write_apart(access)
+                    (follows || is_apart || is_row) && form && self.turns_write_apart(access)
                 }
             };
             form && kernel.accesses[..number].iter().all(|other| kernel.are_apart(access, other))
-        }) && (!kernel.is_spread() && kernel.in_order.nodes.is_empty() || kernel.few_are_one_by_one())
+        }) && (!kernel.is_by_four() || kernel.few_are_one_by_one())
     }
 }
 
@@ -322,7 +323,7 @@ impl Kernel {
         if base != other_base || bytes.end <= other.start || other.end <= bytes.start {
             return true;
         }
-        self.turns_stay_apart(a, b)
+        self.turns_stay_apart(a, b) || self.bits_stay_apart(a, b)
     }
 
     /// A value when the inner loop begins, if it is a constant.

@@ -19,6 +19,12 @@ impl Writing<'_, '_, '_> {
             return;
         }
         let access = &self.kernel.accesses[number];
+        if self.lanes > 1 && self.kernel.is_row_of_bits(access) {
+            return self.access_row_of_bits(number, level);
+        }
+        if self.lanes > 1 && self.kernel.is_gathered(access) {
+            return self.gather(number, level);
+        }
         let (_, start, _) = access.area;
         let part = access.part.unwrap_or(Part { bytes: 0, bit: 0 });
         let address = match self.scope(level).addresses.get(&access.counted()) {
@@ -39,7 +45,7 @@ impl Writing<'_, '_, '_> {
                 step,
                 only_read: self.kernel.is_only_read(number),
                 untouched: !touched(false),
-                more: self.kernel.has_more(access, self.t.layout.size) && !touched(true),
+                more: self.kernel.has_more(access) && !touched(true),
             };
             self.access_apart(number, apart, level);
             return;
@@ -146,7 +152,7 @@ impl Writing<'_, '_, '_> {
     }
 
     /// Forgets the bytes that an access may have written.
-    fn forget_bytes(&mut self, number: usize, Address { base, offset, .. }: Address, level: Level) {
+    pub(super) fn forget_bytes(&mut self, number: usize, Address { base, offset, .. }: Address, level: Level) {
         let accesses = &self.kernel.accesses;
         let written = offset..offset + accesses[number].width.bytes() as i32;
         let (area, touched) = accesses[number].bytes();

@@ -156,6 +156,8 @@ pub(super) struct Kernel {
     pub(super) settled: Vec<(Node, bool)>,
     /// Least and greatest value of numbers that are divided by constants and never negative.
     pub(super) bounds: BTreeMap<Node, (u32, u32)>,
+    /// Bytes of the arena.
+    pub(super) size: usize,
     /// Whether a turn computes so much over which it could jump that it is worth it only where several are done at once.
     pub(super) only_side_by_side: bool,
     /// What turns side by side do in their order.
@@ -193,6 +195,7 @@ impl Kernel {
             required: Vec::new(),
             settled: Vec::new(),
             bounds: BTreeMap::new(),
+            size: 0,
             only_side_by_side: false,
             in_order: InOrder::default(),
             opened: BTreeSet::new(),

@@ -342,14 +342,16 @@ impl Kernel {
                 let access = &self.accesses[access];
                 let line = match self.shape(access.pointer)? {
                     Shape::Line(line) if line.bits == 32 => line,
+                    _ if self.is_gathered(access) => return Some(self.shape_by_width(node)),
                     _ => return None,
                 };
                 match access.width {
-                    Width::Byte | Width::Word | Width::DoubleWord | Width::QuadWord if line.is_same() => Some(Shape::Line(Line::SAME)),
+                    _ if line.is_same() => Some(Shape::Line(Line::SAME)),
+                    Width::Bit if self.is_row_of_bits(access) => Some(Shape::Mask),
                     Width::Word if line.step == 16 => Some(Shape::Halves),
                     Width::DoubleWord if line.step == 32 => Some(Shape::Words),
                     Width::QuadWord if line.step == 64 => Some(Shape::Quads),
-                    _ => self.shape_of_apart(access),
+                    _ => self.shape_of_apart(access).or_else(|| self.is_gathered(access).then(|| self.shape_by_width(node))),
                 }
             }
             What::Compute(op, args) => match args[..op.arity()].iter().all(|&arg| self.shape(arg).is_some()) {

@@ -83,6 +83,7 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
     reader.kernel.outer = outer?;
     reader.choose_pointers()?;
     let mut kernel = reader.kernel;
+    kernel.size = reader.translator.layout.size;
     kernel.only_side_by_side = reader.chosen > CHOSEN_ALONE_MAX || reader.read > INSTRUCTIONS_ALONE_MAX;
     kernel.shorten_choices();
     kernel.add_at_once();

@@ -97,11 +97,11 @@ impl Kernel {
         turns.into_iter().all(is_apart)
     }
 
-    /// Whether four bytes may be read where an access goes: an arena ends at `size`.
-    pub(super) fn has_more(&self, access: &Access, size: usize) -> bool {
+    /// Whether four bytes may be read where an access goes, so near to the end of the arena.
+    pub(super) fn has_more(&self, access: &Access) -> bool {
         let (base, bytes) = access.bytes();
         let last = bytes.end - i64::from(access.width.bytes());
-        base == Base::Arena && usize::try_from(last + 4).is_ok_and(|end| end <= size)
+        base == Base::Arena && usize::try_from(last + 4).is_ok_and(|end| end <= self.size)
     }
 
     /// Whether an access may go to what another one has written in one of the turns side by side, with four bytes instead of its own if
@@ -133,7 +133,7 @@ impl Kernel {
 
     /// The form of what an operation makes that is done one by one, if others are worth it.
     pub(super) fn shape_one_by_one(&self, node: Node, op: Op) -> Option<Shape> {
-        if op.arity() > 3 || !self.is_spread() {
+        if op.arity() > 3 || !self.is_spread() && !self.accesses.iter().any(|access| self.is_row_of_bits(access)) {
             return None;
         }
         Some(self.shape_by_width(node))
@@ -147,7 +147,8 @@ impl Kernel {
         let is_computed = |node: &Node| matches!(self.what(*node), What::Compute(..)) && self.line(*node, Level::Outer).is_none();
         let computed: Vec<Node> = reached.into_iter().filter(is_computed).collect();
         let alone = computed.iter().filter(|&&node| self.is_one_by_one(node)).count();
-        let others = computed.len() - alone + self.accesses.len();
+        let gathered = self.accesses.iter().filter(|access| self.is_gathered(access)).count();
+        let (alone, others) = (alone + gathered, computed.len() - alone + self.accesses.len() - gathered);
         others >= OTHERS_MIN * alone
     }
 

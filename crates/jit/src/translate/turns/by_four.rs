@@ -1,0 +1,141 @@
+//! Four turns side by side with bits that follow one another, as those of an array of BOOL do, and with what is read at addresses that each
+//! turn computes.
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{I32, I32X4};
+use cranelift_codegen::ir::{InstBuilder, Value};
+use sieben_model::address::Width;
+
+use super::super::Translator;
+use super::super::memory::{Address, Bit, data};
+use super::super::promote::Base;
+use super::super::value::Val;
+use super::kernel::{Access, Kernel, Level};
+use super::line::Shape;
+use super::vector::Lanes;
+use super::write::Writing;
+
+/// Turns side by side.
+const TURNS: u32 = 4;
+
+impl Kernel {
+    /// Whether turns read or write bits that follow one another, and work with other variables, too: bits alone are done in bytes.
+    pub(super) fn is_row_of_bits(&self, access: &Access) -> bool {
+        let (base, bytes) = access.bytes();
+        let is_row = access.width == Width::Bit
+            && access.part.is_none()
+            && self.inner.is_none()
+            && self.line(access.pointer, Level::Outer).is_some_and(|line| line.bits == 32 && line.step == 1);
+        // The bits of four turns may lie in two bytes.
+        is_row
+            && base == Base::Arena
+            && usize::try_from(bytes.end + 1).is_ok_and(|end| end <= self.size)
+            && self.accesses.iter().any(|access| access.width != Width::Bit)
+    }
+
+    /// Whether turns read something at addresses that are neither the same nor at equal distances.
+    pub(super) fn is_gathered(&self, access: &Access) -> bool {
+        let may = access.value.is_none() && self.inner.is_none() && access.sure && access.inside.is_some();
+        may && match self.shape(access.pointer) {
+            Some(Shape::Words) => true,
+            Some(Shape::Line(line)) => {
+                let follows = access.width != Width::Bit && line.step == access.width.bytes() * 8;
+                line.bits == 32 && !line.is_same() && !follows && self.apart(access).is_none() && !self.is_row_of_bits(access)
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether turns are done four at a time.
+    pub(super) fn is_by_four(&self) -> bool {
+        let one = |access: &Access| self.is_row_of_bits(access) || self.is_gathered(access);
+        self.is_spread() || !self.in_order.nodes.is_empty() || self.accesses.iter().any(one)
+    }
+
+    /// Whether bits that a turn touches later are none that one of the turns beside it has touched before, which is done first then.
+    pub(super) fn bits_stay_apart(&self, later: &Access, earlier: &Access) -> bool {
+        let same = later.area == earlier.area && later.pointer == earlier.pointer;
+        // Positions have 24 bits.
+        let ahead = (later.offset.wrapping_sub(earlier.offset) << 8) as i32 >> 8;
+        same && self.is_row_of_bits(later) && self.is_row_of_bits(earlier) && !(1..TURNS as i32).contains(&ahead)
+    }
+}
+
+impl Writing<'_, '_, '_> {
+    /// Reads or writes the bits of four turns.
+    pub(super) fn access_row_of_bits(&mut self, number: usize, level: Level) {
+        let access = &self.kernel.accesses[number];
+        let address = self.address_in_area(access, level);
+        let bits = self.t.row_of_bits(address);
+        let Some(value) = access.value else {
+            let node = self.kernel.read_of(number);
+            let mask = self.t.mask_of_bits(bits);
+            self.scope(level).values.insert(node, Lanes::Mask(vec![mask]));
+            return;
+        };
+        let value = self.value(value, level);
+        self.t.write_row_of_bits(address, bits, &value);
+        self.forget_bytes(number, address, level);
+    }
+
+    /// Where an access goes in the first of the turns.
+    fn address_in_area(&mut self, access: &Access, level: Level) -> Address {
+        let pointer = self.first(access.pointer, level);
+        let area = (self.base(access.area.0), access.area.1, access.area.2);
+        self.t.address_inside(area, pointer, access.offset, (access.width, access.width.bytes()))
+    }
+
+    /// Reads what each turn needs at its own address.
+    pub(super) fn gather(&mut self, number: usize, level: Level) {
+        let access = &self.kernel.accesses[number];
+        let pointers = self.value(access.pointer, level);
+        let area = (self.base(access.area.0), access.area.1, access.area.2);
+        let mut values: Vec<Val> = Vec::new();
+        for lane in 0..self.lanes {
+            let pointer = self.t.of_lane(&pointers, lane);
+            let address = self.t.address_inside(area, pointer, access.offset, (access.width, access.width.bytes()));
+            values.push(self.t.read(address, access.width));
+        }
+        let node = self.kernel.read_of(number);
+        let value = self.t.side_by_side(self.kernel.shape_by_width(node), &values);
+        self.scope(level).values.insert(node, value);
+    }
+}
+
+impl Translator<'_> {
+    /// The number of the first bit in its byte, and two bytes from there.
+    fn row_of_bits(&mut self, Address { base, offset, bit }: Address) -> (Value, Value) {
+        let number = match bit {
+            Bit::Computed(number) => number,
+            Bit::Number(number) => self.b.ins().iconst(I32, i64::from(number)),
+        };
+        (number, self.b.ins().uload16(I32, data(), base, offset))
+    }
+
+    fn mask_of_bits(&mut self, (number, bytes): (Value, Value)) -> Value {
+        let bits = self.b.ins().ushr(bytes, number);
+        let all = self.b.ins().splat(I32X4, bits);
+        let own = self.constant_vector(I32X4, (0..TURNS).flat_map(|lane| (1_u32 << lane).to_le_bytes()).collect());
+        let alone = self.b.ins().band(all, own);
+        self.b.ins().icmp(IntCC::Equal, alone, own)
+    }
+
+    fn write_row_of_bits(&mut self, Address { base, offset, .. }: Address, (number, bytes): (Value, Value), value: &Lanes) {
+        let all = self.b.ins().iconst(I32, (1 << TURNS) - 1);
+        let bits = match value {
+            Lanes::One(bit) => {
+                let flag = self.flag(*bit);
+                let every = self.b.ins().ineg(flag);
+                self.b.ins().band(every, all)
+            }
+            value => {
+                let masks = self.masks(value, TURNS);
+                self.b.ins().vhigh_bits(I32, masks[0])
+            }
+        };
+        let [own, new] = [all, bits].map(|bits| self.b.ins().ishl(bits, number));
+        let others = self.b.ins().band_not(bytes, own);
+        let both = self.b.ins().bor(others, new);
+        self.b.ins().istore16(data(), both, base, offset);
+    }
+}
