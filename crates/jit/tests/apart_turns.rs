@@ -23,6 +23,13 @@ const RECORDS: u32 = 14;
 const COUNTER: u32 = 1_000;
 const NUMBERS: u32 = 1_008;
 const FLAGS: u32 = 1_040;
+/// Variables that each turn makes of what the one before has left: one like a sum of REALs, one like a random number, and a bit.
+const TOTAL: u32 = NUMBERS + 24;
+const SEED: u32 = NUMBERS + 28;
+const STATE: u32 = 8 * FLAGS + 12;
+/// Bits that follow one another, and variables at addresses that each turn computes.
+const ROW: u32 = 1_048;
+const TABLE: u32 = 1_056;
 
 /// What a field holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,8 +144,37 @@ impl Maker<'_> {
         (Place::Indirect { area: Area::BitMemory, pointer, offset: offset as u32 & 0x00FF_FFFF }, kind)
     }
 
+    /// A bit of the row, that of the turn or one near to it.
+    fn bit_of_row(&mut self) -> Place {
+        let counter = self.get(fixed(8 * COUNTER), Double);
+        let offset = 8 * ROW + self.dice.of(&[1, 1, 1, 0, 2, 3, 9]);
+        Place::Indirect { area: Area::BitMemory, pointer: counter, offset }
+    }
+
+    /// A variable at an address that the turn computes.
+    fn of_table(&mut self, kind: Kind) -> Var {
+        let number = self.number(Double, 1);
+        let (op, limit) = self.dice.of(&[(Op::AndU32, 7), (Op::AndU32, 3)]);
+        let limit = self.b.constant(limit);
+        let index = self.b.compute(op, &[number, limit]);
+        let bits = self.b.constant(if kind == Bit { 3 } else { u64::from(8 * kind.width().bytes()) });
+        let pointer = self.b.compute(Op::MulU32, &[index, bits]);
+        self.get(Place::Indirect { area: Area::BitMemory, pointer, offset: 8 * TABLE }, kind)
+    }
+
     fn number(&mut self, kind: Kind, depth: usize) -> Var {
-        match self.dice.roll(if depth == 0 { 6 } else { 12 }) {
+        match self.dice.roll(if depth == 0 { 6 } else { 14 }) {
+            12 if matches!(kind, Bit | Half | Double) => self.of_table(kind),
+            13 => match kind {
+                Bit if self.dice.roll(2) == 0 => {
+                    let place = self.bit_of_row();
+                    self.get(place, Bit)
+                }
+                Bit => self.get(fixed(STATE), Bit),
+                Real => self.get(fixed(8 * TOTAL), Real),
+                Double => self.get(fixed(8 * SEED), Double),
+                _ => self.constant(kind),
+            },
             0..=3 => {
                 // Another field often has another kind: those of the same width look at its bits.
                 for _ in 0..8 {
@@ -184,14 +220,40 @@ impl Maker<'_> {
             Bit => self.dice.of(&[0, 1]),
             Real => u64::from(self.dice.of(&[0.5_f32, 3.0, -1.0]).to_bits()),
             Lreal => self.dice.of(&[0.5_f64, 3.0, -1.0]).to_bits(),
-            _ => self.dice.of(&[1, 2, 3, 7, 100]),
+            _ => self.dice.of(&[1, 2, 3, 7, 100, 0x7FFF]),
         };
         self.b.constant(value)
     }
 
+    /// Makes something of what the turn before has left.
+    fn chain(&mut self) {
+        let (place, kind) = self.dice.of(&[(8 * TOTAL, Real), (8 * SEED, Double), (STATE, Bit)]);
+        let before = self.get(fixed(place), kind);
+        let mut value = match self.dice.roll(4) {
+            // The next turn finds what this one has.
+            0 => self.number(kind, 2),
+            _ => {
+                let (more, op) = (self.number(kind, 1), self.dice.of(kind.of_two()));
+                self.b.compute(op, &[before, more])
+            }
+        };
+        if kind == Double {
+            let (factor, modulus) = (self.b.constant(75), self.b.constant(self.dice.of(&[65_537, 8, 1_000])));
+            let product = self.b.compute(Op::MulU32, &[value, factor]);
+            value = self.b.compute(Op::RemI32, &[product, modulus]);
+        }
+        self.b.store(fixed(place), kind.width(), value);
+    }
+
     fn statement(&mut self) {
         self.begin();
-        match self.dice.roll(8) {
+        match self.dice.roll(10) {
+            8 => self.chain(),
+            9 => {
+                let value = self.number(Bit, 2);
+                let place = self.bit_of_row();
+                self.b.store(place, Width::Bit, value);
+            }
             0 => {
                 let place = fixed(8 * NUMBERS);
                 let (before, more) = (self.get(place, Double), self.number(Double, 2));
@@ -259,7 +321,7 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
     }
     machine.budget = dice.of(&[0, 1, 3, 8, 30, 60, 100_000]);
     if dice.roll(2) == 0 {
-        let place = dice.of(&[COUNTER + 3, FLAGS, NUMBERS, 0, 4, 34, 530]) as usize;
+        let place = dice.of(&[COUNTER + 3, FLAGS, NUMBERS, TOTAL, ROW, TABLE, 0, 4, 34, 530]) as usize;
         machine.memory.area_mut(Area::BitMemory)[place] = dice.of(&[0, 1, 2, 7, 0xFF]);
     }
     Reaction::Continue

@@ -148,7 +148,7 @@ mod tests {
                     let whole = number.checked_mul(product.factor).expect("64 bits");
                     assert!(product.wide || i32::try_from(whole).is_ok(), "{number} / {divisor}: {product:?}");
                     assert_eq!((whole >> product.shift) + i64::from(number < 0), number / d, "{number} / {divisor}: {product:?}");
-                    let whole = i128::from(number) * i128::from(upper.factor) >> 32 >> upper.shift;
+                    let whole = ((i128::from(number) * i128::from(upper.factor)) >> 32) >> upper.shift;
                     assert_eq!(whole as i64 + i64::from(number < 0), number / d, "{number} / {divisor}: {upper:?}");
                 }
             }

@@ -49,7 +49,18 @@ impl Kernel {
         let mut kernel = self.clone();
         kernel.in_order = InOrder { cells, nodes };
         kernel.shapes.borrow_mut().clear();
-        Some(kernel)
+        kernel.has_all_for_order().then_some(kernel)
+    }
+
+    /// Whether all else that is done in order takes has a form side by side.
+    fn has_all_for_order(&self) -> bool {
+        let InOrder { cells, nodes } = &self.in_order;
+        let of_nodes = nodes.iter().flat_map(|&node| match self.what(node) {
+            What::Compute(op, args) => args[..op.arity()].to_vec(),
+            _ => Vec::new(),
+        });
+        let ends = cells.iter().filter_map(|cell| self.outer.ends.get(cell)).copied();
+        ends.chain(of_nodes).all(|node| self.shape(node).is_some())
     }
 
     /// The form of a value of which each turn makes its own.
