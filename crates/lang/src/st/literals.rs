@@ -45,6 +45,10 @@ pub(super) fn number(text: &str) -> Decoded {
         }
         return plain(LiteralKind::Integer { value, radix });
     }
+    let unit = text.trim_start_matches(|character: char| character.is_ascii_digit() || matches!(character, '.' | '_'));
+    if ["d", "h", "m", "s", "ms", "us", "ns"].iter().any(|known| known.eq_ignore_ascii_case(unit)) {
+        return Err(malformed(text, &format!("a duration is written `T#{}`", text.chars().take(SHOWN).collect::<String>())));
+    }
     let note = (!text.contains('.')).then_some(Construct::RealWithoutPoint);
     Ok((Literal { kind: real(text, text)?, prefix: None }, note))
 }

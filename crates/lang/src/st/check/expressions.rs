@@ -751,6 +751,13 @@ impl Checker<'_> {
                 Some("Call T_ADD and T_SUB with a duration, T_DIFF with two DTL.".to_owned());
             return Typed::Poison;
         }
+        let character = |data_type: &DataType| matches!(data_type, DataType::Char | DataType::WideChar);
+        let text =
+            |typed: &Typed| matches!(typed, Typed::Text(_)) || matches!(typed, Typed::Scalar { data_type, .. } if character(data_type));
+        if operator == BinaryOperator::Add && text(&a) && text(&b) {
+            self.report(Problem::P6202, sign, "`+` does not join texts").help = Some("Write `CONCAT(a, b)`.".to_owned());
+            return Typed::Poison;
+        }
         let (x, y) = (kind_of(&a), kind_of(&b));
         let timed = |kind: Option<Kind>| {
             kind.is_some_and(|kind| matches!(kind.class, Class::Duration | Class::Date | Class::TimeOfDay | Class::DateAndTime))

@@ -533,9 +533,29 @@ impl<'t> Parser<'t> {
         } else {
             self.missing(Problem::P2031, ")", "`)` is missing behind the last parameter");
         }
+        self.compared_names(&mut arguments);
         self.finish();
         self.depth -= 1;
         (arguments, highest)
+    }
+
+    /// `t(IN = x, PT := y)`: beside named parameters, a comparison of a name that is no variable is a slip for `:=`.
+    fn compared_names(&mut self, arguments: &mut [Argument]) {
+        if arguments.iter().all(|argument| argument.name.is_none()) {
+            return;
+        }
+        for argument in arguments.iter_mut().filter(|argument| argument.name.is_none()) {
+            let Some(Expression { kind: ExpressionKind::Binary(BinaryOperator::Equal, sign, left, right), .. }) = &argument.value else {
+                continue;
+            };
+            let ExpressionKind::Name(name) = &left.kind else { continue };
+            if self.declared.contains(&key(&name.text)) {
+                continue;
+            }
+            let (name, sign, value) = (name.clone(), *sign, (**right).clone());
+            self.slip(Problem::P2007, sign, ":=", "`=` compares; a parameter is given with `:=`");
+            (argument.name, argument.value) = (Some(name), Some(value));
+        }
     }
 
     fn argument(&mut self) -> (Argument, u32) {
