@@ -293,6 +293,7 @@ problems! {
     P6327 Error "arguments of an instance that its FB_Init does not take" "Give what FB_Init declares, as constants or variables.";
     P6328 Warning "a 0 behind the characters of a text" "Give the text its length first, for example by assigning as many blanks, or join it with CONCAT.";
     P6329 Error "the number of a block of the library is taken" "Give the block of the program another number.";
+    P6330 Warning "a variable whose address nobody tells" "Write the address, or a VAR_CONFIG with it.";
 
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes.";

@@ -342,6 +342,8 @@ pub struct Switches {
     pub wide_names: bool,
     /// The timers and counters of the CPU can be called as functions: `S_ODT(T_NO := T5, …)`.
     pub s5_functions: bool,
+    /// A variable `AT %I*` for which there is no VAR_CONFIG is memory of its own: a tool links it to the hardware.
+    pub unlinked_is_memory: bool,
 }
 
 macro_rules! switches {
@@ -392,6 +394,7 @@ switches! {
     operators_as_functions:  true,            true,              false,                   false;
     wide_names:              false,           true,              false,                   false;
     s5_functions:            false,           false,             true,                    true;
+    unlinked_is_memory:      false,           true,              false,                   false;
 }
 
 #[cfg(test)]

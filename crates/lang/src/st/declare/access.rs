@@ -122,6 +122,23 @@ pub(super) fn rootless(types: &mut Types<'_>, items: &Items<'_>) {
     }
 }
 
+impl Resolver<'_, '_> {
+    /// Where a variable lies; one `AT %I*` without any VAR_CONFIG lies where others do, if the dialect has it so.
+    pub(super) fn linked<'l>(&mut self, location: Option<&'l Location>, span: Span) -> Option<&'l Location> {
+        let open = matches!(location, Some(Location::Address(address)) if address.position == ast::Position::Open);
+        let told = || self.items.access.iter().any(|(section, _)| section.kind == SectionKind::Config);
+        if !open || !self.dialect.switches().unlinked_is_memory || told() {
+            return location;
+        }
+        if !std::mem::replace(&mut self.types.st_known.unlinked, true) {
+            let message = "no VAR_CONFIG tells this address: the variable is memory of its own";
+            self.report(Problem::P6330, span, message).help =
+                Some("Write the address, as in `AT %IX0.0`; other variables of the program are not listed.".to_owned());
+        }
+        None
+    }
+}
+
 /// The bytes of a data block that a program, its globals or a CONFIGURATION have, with what VAR_CONFIG says of it.
 pub(super) fn configured<'a>(types: &mut Types<'a>, items: &'a Items<'a>, number: u16, layout: &DataLayout) -> DataBlock {
     let mut data = DataBlock { non_retain: non_retain(items, number), ..instance(number, layout) };

@@ -63,7 +63,7 @@ pub(super) fn globals<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: &mu
             };
             for declared in &declaration.names {
                 let name = &declared.name;
-                let (base, offset) = match &declaration.location {
+                let (base, offset) = match resolver.linked(declaration.location.as_ref(), name.span) {
                     Some(ast::Location::Address(address)) => {
                         let Some(found) = located(&mut resolver, address, &data_type) else {
                             add(&mut globals, items, &list.name, name, unknown(name));

@@ -482,7 +482,7 @@ impl<'a> Sections<'_, 'a> {
             if !self.is_first(name) {
                 continue;
             }
-            match &declaration.location {
+            match self.resolver.linked(declaration.location.as_ref(), name.span) {
                 Some(ast::Location::View(of)) => {
                     self.views.push(View { name: name.clone(), of: of.clone(), data_type: data_type.clone() });
                 }

@@ -137,6 +137,8 @@ pub(crate) struct Known {
     pub(crate) addresses: HashMap<Span, Vec<InitialAddress>>,
     /// Variables whose address VAR_CONFIG tells.
     pub(crate) open: Vec<access::OpenAddress>,
+    /// It was said that a variable whose address nobody tells is memory.
+    pub(crate) unlinked: bool,
 }
 
 /// A reference or a pointer that begins with an address.

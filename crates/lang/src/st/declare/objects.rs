@@ -78,7 +78,10 @@ fn object(
     let mut report = |span, message: String, help: &str| {
         diagnostics.push(Diagnostic::new(Problem::P6280, span, message).help(help.to_owned()));
     };
-    for (index, path) in block.extends.iter().enumerate() {
+    // `__SYSTEM.IQueryInterface` of codesys has what every interface has here.
+    let of_system = |path: &ast::Path| joined(path).eq_ignore_ascii_case("__SYSTEM.IQueryInterface");
+    let of_system = |path: &ast::Path| interface && of_system(path) && code.dialect.judge(Construct::PointerTo) != Judgement::Reject;
+    for (index, path) in block.extends.iter().enumerate().filter(|(_, path)| !of_system(path)) {
         let found = match of_library(items, code, path) {
             Some(Ok(found)) => Some(found),
             Some(Err(demand)) => {

@@ -7,7 +7,7 @@ use super::build::{after, compute, constant, fail_if, operation, shared};
 use super::call::{Answer, Call, built, built_list};
 use super::generic::{Group, is_text};
 use super::operators::Operation;
-use super::{Building, Given, Meaning, Parameter, Provided, Refusal, Resolved, library};
+use super::{Building, Given, GivenKind, Meaning, Parameter, Provided, Refusal, Resolved, library};
 use crate::st::tree::{Scalar, Value, ValueKind};
 
 /// Whether SEL and MUX compute only what they choose, by column: iec, codesys, scl, tia.
@@ -68,13 +68,22 @@ fn sel(call: &Call<'_>) -> Result<Resolved, Refusal> {
     if is_text(given[1]) || is_text(given[2]) {
         return text_block(call, "SEL", &["G", "IN0", "IN1"]);
     }
-    let data_type = call.common(&given[1..], Group::Elementary)?;
+    let data_type = chosen(call, &given[1..])?;
     let scalar = call.scalar(&data_type);
     let lazy = LAZY[call.dialect.column()];
     built(vec![("G", DataType::Bool), ("IN0", data_type.clone()), ("IN1", data_type.clone())], data_type, move |mut args, at| {
         let (second, first, condition) = (args.remove(2), args.remove(1), args.remove(0));
         choose(condition, second, first, scalar, lazy, at)
     })
+}
+
+/// The type of what is chosen from: an enumeration if all are of it.
+fn chosen(call: &Call<'_>, given: &[&Given<'_>]) -> Result<DataType, Refusal> {
+    let common = call.common(given, Group::Elementary)?;
+    match &given[0].kind {
+        GivenKind::Typed(own @ DataType::Enumeration(_)) if given.iter().all(|one| one.kind == given[0].kind) => Ok(own.clone()),
+        _ => Ok(common),
+    }
 }
 
 /// One of two values, of which the other one is computed too unless it is `lazy`.
@@ -142,7 +151,7 @@ fn mux(call: &Call<'_>) -> Result<Resolved, Refusal> {
         let meaning = Meaning::Choose { block, inputs: bound.len() - 1, last: otherwise == Otherwise::Last };
         return Ok(Resolved { parameters, result: string, meaning });
     }
-    let data_type = inner.common(&given, Group::Elementary)?;
+    let data_type = chosen(&inner, &given)?;
     let scalar = call.scalar(&data_type);
     let lazy = LAZY[call.dialect.column()];
     let mut parameters = vec![Parameter { name: "K".to_owned(), data_type: places }];
