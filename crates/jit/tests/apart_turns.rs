@@ -3,7 +3,7 @@
 
 use dice::Dice;
 use noting::{all_engines_agree_beside, program};
-use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Exit, FaultPlace, Machine, Reaction, StopReason};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
@@ -13,6 +13,8 @@ mod dice;
 mod noting;
 
 const PROGRAMS: u64 = 500;
+/// Turns that call something choose between more than two ways, too.
+const FUNCTION: BlockId = BlockId::fc(1);
 const QUESTIONS_MAX: usize = 30;
 /// Two arrays of records: where they begin, and bytes of a record.
 const ARRAYS: [(u32, u32); 2] = [(0, 24), (512, 34)];
@@ -294,12 +296,37 @@ impl Maker<'_> {
         }
     }
 
+    /// Two statements or three, of which a number chooses one.
+    fn choice(&mut self) {
+        self.begin();
+        let count = 2 + self.dice.roll(2) as u32;
+        let kind = self.dice.of(&[Half, Double]);
+        let number = self.number(kind, 1);
+        let three = self.b.constant(3);
+        let index = self.b.compute(Op::AndU32, &[number, three]);
+        let first = self.statements;
+        let targets: Vec<Target> = (0..count).map(|way| Target(first + 2 * way)).collect();
+        let behind = Target(first + 2 * count);
+        let table = self.b.table(&targets);
+        self.b.push(Inst::JumpTable { index, first: table, count, otherwise: behind });
+        for _ in 0..count {
+            self.statement();
+            self.begin();
+            self.b.push(Inst::Jump { to: behind });
+        }
+    }
+
     fn looping(&mut self) {
         self.begin();
         let one = self.b.constant(1);
         self.b.store(fixed(8 * COUNTER), Width::DoubleWord, one);
         let parts: Vec<usize> = (0..2 + self.dice.roll(4)).map(|_| self.dice.roll(3) as usize).collect();
         self.parts(&parts);
+        if self.dice.roll(3) == 0 {
+            self.begin();
+            self.b.push(Inst::Call { callee: Callee::Block(FUNCTION), parameters: 0 });
+            self.choice();
+        }
         self.begin();
         let counter = self.get(fixed(8 * COUNTER), Double);
         let one = self.b.constant(1);
@@ -333,7 +360,13 @@ fn records_hold_what_the_interpreter_writes() {
     for seed in 0..PROGRAMS {
         let block = BlockId::ob(1);
         let arrays: &[(u32, u32)] = if seed % 6 == 5 { &OVER_ONE_ANOTHER } else { &ARRAYS };
-        let program = program(&[(block, 16, &|b| Maker { b, dice: Dice(seed), statements: 0, arrays }.looping())]);
+        let program = program(&[
+            (block, 16, &|b| Maker { b, dice: Dice(seed), statements: 0, arrays }.looping()),
+            (FUNCTION, 0, &|b| {
+                b.begin_statement();
+                b.constant(1);
+            }),
+        ]);
         let layout = noting::layout(&program);
         let listing = Jit::listing(&program, &layout).expect("machine code");
         beside += usize::from(listing.contains("insertlane"));

@@ -71,6 +71,8 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
         chosen: 0,
         blocks: 0,
         blocks_most: 0,
+        reads_tables: !it.calls_nothing,
+        only_side_by_side: false,
     };
     // A block that reaches its instance by AR2 and nothing else counts from there.
     let pointer = reader.translator.current[Register::Ar2 as usize];
@@ -84,7 +86,7 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
     reader.choose_pointers()?;
     let mut kernel = reader.kernel;
     kernel.size = reader.translator.layout.size;
-    kernel.only_side_by_side = reader.chosen > CHOSEN_ALONE_MAX || reader.read > INSTRUCTIONS_ALONE_MAX;
+    kernel.only_side_by_side = reader.only_side_by_side || reader.chosen > CHOSEN_ALONE_MAX || reader.read > INSTRUCTIONS_ALONE_MAX;
     kernel.shorten_choices();
     kernel.add_at_once();
     kernel.forget_unread();
@@ -158,6 +160,9 @@ pub(super) struct Reader<'t, 'a> {
     /// What entering blocks takes from the budget in each turn, and at most.
     blocks: u32,
     blocks_most: u32,
+    /// Whether choices by numbers are worth it: not in turns that do little else, where a jump is as fast as four choices.
+    reads_tables: bool,
+    only_side_by_side: bool,
 }
 
 impl Reader<'_, '_> {
@@ -228,6 +233,23 @@ impl Reader<'_, '_> {
                     Inst::Jump { to: Target(to) } if is_last && is_ahead(to) => {
                         let ways = std::mem::take(&mut self.ways);
                         arriving.entry(to).or_default().join(ways)?;
+                    }
+                    Inst::JumpTable { index, first: entry, count, otherwise: Target(otherwise) } if is_last && self.reads_tables => {
+                        let targets = code.tables.get(entry as usize..(entry + count) as usize)?;
+                        if !targets.iter().all(|&Target(to)| is_ahead(to)) || !is_ahead(otherwise) {
+                            return None;
+                        }
+                        self.only_side_by_side = true;
+                        let index = self.get(index).filter(|&index| self.kernel.is_32_bits(index))?;
+                        for (number, &Target(to)) in (0..).zip(targets) {
+                            let number = self.constant(number);
+                            let condition = self.compute(Op::Equal, [index, number, index, index]);
+                            let (taken, other) = self.ways_behind(condition);
+                            arriving.entry(to).or_default().join(taken)?;
+                            self.ways = other;
+                        }
+                        let ways = std::mem::take(&mut self.ways);
+                        arriving.entry(otherwise).or_default().join(ways)?;
                     }
                     Inst::Return if is_last && !is_loop && statement == last => {}
                     Inst::Call { callee: Callee::Block(id), parameters } => {
