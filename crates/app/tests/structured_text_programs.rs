@@ -26,19 +26,27 @@ fn all_engines_count_what_c_counts() {
     }
 }
 
-/// Runs a program on all engines; memory is the same behind each scan.
+/// Runs a program on all engines; memory is the same behind each scan. Optimized machine code does not write what finished blocks leave in
+/// their local data, and nobody may see it: it finds something else there in front of each scan, and so does the interpreter.
 fn same_on_all_engines(name: &str, text: &str, scans: usize) {
     let compiled = side_by_side::compiled("bench.st", text);
     let mut expected = side_by_side::load(&compiled, Interpreter::load);
-    let mut others: Vec<_> = program::ENGINES.iter().map(|(engine, load)| (engine, side_by_side::load(&compiled, load))).collect();
+    let local = expected.machine.memory.layout.local.clone();
+    let exact = program::ENGINES.iter().map(|(engine, load)| (*engine, side_by_side::load(&compiled, load), false));
+    let mut others: Vec<_> = exact.collect();
     let needed = |program: &Program, layout: &Layout| Jit::compiled(program, layout, StatusBits::Needed).expect("machine code");
-    others.push((&"status bits as needed", side_by_side::load(&compiled, needed)));
+    others.push(("status bits as needed", side_by_side::load(&compiled, needed), true));
+    others.push(("interpreter with other local data", side_by_side::load(&compiled, Interpreter::load), true));
     for scan in 0..scans {
         expected.scan(None);
-        for (engine, loaded) in &mut others {
+        for (engine, loaded, forgets) in &mut others {
+            if *forgets {
+                loaded.machine.memory.arena[local.clone()].fill(0xA5 ^ scan as u8);
+            }
             loaded.scan(None);
             let [expected, got] = [&expected, &*loaded].map(|loaded| &loaded.machine.memory.arena);
-            let differs = expected.iter().zip(got).position(|(expected, got)| expected != got);
+            let is_seen = |at: &usize| !(*forgets && local.contains(at));
+            let differs = (0..expected.len()).filter(is_seen).find(|&at| expected[at] != got[at]);
             assert_eq!(differs, None, "{name}: {engine}, scan {scan}");
         }
     }

@@ -25,6 +25,8 @@ pub struct CodeBlock {
     /// Values in the local data that are only reached by their constant address, always in this width: position in bits and
     /// width. No pointer, no index and no called block can see them.
     pub private: Vec<(u32, Width)>,
+    /// Whether its language sees to it that it reads of its local data only what has been written since it began.
+    pub reads_own_locals: bool,
 }
 
 impl CodeBlock {

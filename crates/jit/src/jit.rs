@@ -77,6 +77,7 @@ pub(crate) struct Source {
     layout: Layout,
     parameters_max: usize,
     asks_before_writing: bool,
+    forgets_locals: bool,
 }
 
 impl Source {
@@ -94,7 +95,8 @@ impl Source {
         };
         let blocks: Arc<[Native]> = program.code.iter().map(native).collect();
         let asks_before_writing = !layout.read_only.is_empty() || makes_protected_blocks(&blocks);
-        Ok(Self { interpreter, blocks, layout: layout.clone(), parameters_max, asks_before_writing })
+        let forgets_locals = program.code.values().all(|block| block.reads_own_locals || !reads_locals(&block.code));
+        Ok(Self { interpreter, blocks, layout: layout.clone(), parameters_max, asks_before_writing, forgets_locals })
     }
 
     /// Whether Cranelift's optimizations take a bounded time.
@@ -127,9 +129,14 @@ impl Source {
         outermost.into_boxed_slice()
     }
 
+    /// What is known of the program beside what is wanted. Who looks at the registers finds the local data, too.
+    fn options(&self, wanted: Options) -> Options {
+        Options { asks_before_writing: self.asks_before_writing, forgets_locals: self.forgets_locals && !wanted.exact, ..wanted }
+    }
+
     /// Compiles all blocks.
     pub(crate) fn compile(&self, options: Options) -> Result<Jit, String> {
-        let options = Options { asks_before_writing: self.asks_before_writing, ..options };
+        let options = self.options(options);
         let (generation, pinned, rooms) = translate::program(&self.blocks, &|id| self.interpreter.code(id), &self.layout, options)?;
         let entry = |number: u16| {
             let range = &self.layout.data_blocks[&number];
@@ -254,7 +261,7 @@ impl Jit {
     /// Why the program cannot become machine code, as the end of a sentence.
     pub fn listing(program: &Program, layout: &Layout) -> Result<String, String> {
         let source = Source::new(program, layout, Arc::new(Interpreter::new(program, layout)))?;
-        let options = Options { exact: false, optimize: true, asks_before_writing: source.asks_before_writing, ..Options::default() };
+        let options = source.options(Options { exact: false, optimize: true, ..Options::default() });
         translate::listing(&source.blocks, &|id| source.interpreter.code(id), &source.layout, options)
     }
 
@@ -268,8 +275,7 @@ impl Jit {
         let find = |id| source.interpreter.code(id);
         let mut bytes = 0;
         for (exact, optimize) in [(true, false), (false, false), (false, true)] {
-            let asks_before_writing = source.asks_before_writing;
-            let options = Options { exact, optimize, asks_before_writing, ..Options::default() };
+            let options = source.options(Options { exact, optimize, ..Options::default() });
             bytes += translate::aarch64_bytes(&source.blocks, &find, layout, options)?;
         }
         Ok(bytes)
@@ -471,6 +477,19 @@ fn nested_loops(code: &Code) -> usize {
         most = most.max(running.len());
     }
     most
+}
+
+/// Whether a block may read local data: its own, or those of a caller through a pointer.
+fn reads_locals(code: &Code) -> bool {
+    let is_local = |place: &Place| match place {
+        Place::Fixed { area, .. } | Place::Indirect { area, .. } => *area == Area::Local,
+        Place::Crossing { .. } => true,
+    };
+    code.insts.iter().any(|inst| match inst {
+        Inst::Load { place, .. } => is_local(place),
+        Inst::Move { .. } | Inst::Text { .. } | Inst::Intrinsic { .. } => true,
+        _ => false,
+    })
 }
 
 /// How many loads and stores of a block compute their address: those to variables of its instance, or the others.

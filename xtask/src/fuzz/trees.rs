@@ -350,7 +350,7 @@ impl Host for Quiet {
 }
 
 /// What a run leaves.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 struct Left {
     exit: Exit,
     arena: Vec<u8>,
@@ -405,9 +405,10 @@ pub fn fuzz(data: &[u8]) {
     for (index, byte) in memory.iter_mut().enumerate() {
         *byte = data.get(data.len() / 3 + index).map_or(0, |byte| byte % 7);
     }
-    let run = |engine: &dyn Engine| {
+    let run = |engine: &dyn Engine, local: u8| {
         let mut machine = Machine::new(Arc::new(layout.clone()));
         machine.budget = 10;
+        machine.memory.arena[layout.local.clone()].fill(local);
         machine.memory.area_mut(Area::BitMemory)[..REGION].copy_from_slice(&memory);
         let mut host = Quiet { faults: 0, noted: 0, safe_points: 0 };
         let entry = Entry { block: BlockId::ob(1), start_information: [0; 20], registers: None };
@@ -422,14 +423,27 @@ pub fn fuzz(data: &[u8]) {
         };
         (left, machine)
     };
-    let (interpreted, machine) = run(Interpreter::load(&program, &layout).as_ref());
+    let (interpreted, machine) = run(Interpreter::load(&program, &layout).as_ref(), 0);
     match Jit::compiled(&program, &layout, StatusBits::All) {
         Ok(native) => {
             let blocks = || program.code.iter().map(|(id, block)| format!("{id}\n{}\n", block.code)).collect::<String>();
-            assert_eq!(run(native.as_ref()).0, interpreted, "machine code does what the interpreter does\n{}", blocks());
+            assert_eq!(run(native.as_ref(), 0).0, interpreted, "machine code does what the interpreter does\n{}", blocks());
         }
         // A program may be too large; but what is translated is right.
         Err(reason) => assert!(!reason.contains("Compilation"), "the program becomes machine code: {reason}"),
+    }
+    // Blocks that read of their local data only what they have written do not see what others left there.
+    if program.code.values().all(|block| block.reads_own_locals)
+        && let Ok(native) = Jit::compiled(&program, &layout, StatusBits::Needed)
+    {
+        let seen = |left: Left| {
+            let mut arena = left.arena;
+            arena[layout.local.clone()].fill(0);
+            (left.exit, arena, left.budget, left.faults)
+        };
+        let blocks = || program.code.iter().map(|(id, block)| format!("{id}\n{}\n", block.code)).collect::<String>();
+        let [wanted, got] = [seen(interpreted.clone()), seen(run(native.as_ref(), 0xA5).0)];
+        assert_eq!(got, wanted, "optimized machine code does what the interpreter does\n{}", blocks());
     }
     if interpreted.exit != Exit::Finished {
         return;

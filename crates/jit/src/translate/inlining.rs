@@ -29,8 +29,9 @@ use crate::run::{Link, Room, Run};
 
 /// Rounds in which blocks are chosen: an inlined block has others inlined in it, and so on, as deep as this.
 const DEPTH_MAX: usize = 4;
-/// IR instructions of an inlined block with all that is inlined in it. Beyond some hundred a call costs little beside its block.
-const INSTRUCTIONS_MAX: usize = 400;
+/// IR instructions of an inlined block with all that is inlined in it. A call costs little beside so long a block, but its instance is
+/// known only where the block becomes part of its caller.
+const INSTRUCTIONS_MAX: usize = 1_200;
 /// Jumps back of an inlined block: loops take the compiler long.
 const LOOPS_MAX: usize = 4;
 /// How many IR instructions a function may grow by: so many for each of its own …

@@ -32,13 +32,15 @@ pub(crate) struct Options {
     pub(crate) optimize: bool,
     /// Whether a data block that is not known beforehand may be protected when it is written.
     pub(crate) asks_before_writing: bool,
+    /// Whether no block sees what one that has ended has left in its local data.
+    pub(crate) forgets_locals: bool,
     /// Whether the code is kept as text, for people.
     pub(crate) lists: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { inline: true, exact: true, optimize: false, asks_before_writing: false, lists: false }
+        Self { inline: true, exact: true, optimize: false, asks_before_writing: false, forgets_locals: false, lists: false }
     }
 }
 

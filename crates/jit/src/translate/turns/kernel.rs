@@ -37,6 +37,10 @@ impl Cell {
     pub(super) fn numbered(number: u16) -> Self {
         Self(number)
     }
+
+    pub(super) fn number(self) -> usize {
+        usize::from(self.0)
+    }
 }
 
 /// Which of the loops: the whole one or the one in it.
@@ -430,9 +434,11 @@ impl Kernel {
         let spans: Vec<_> = self.cells.iter().map(|kept| kept.bytes()).collect();
         for (index, span) in spans.iter().enumerate() {
             let Some((base, bytes, bit)) = span else { continue };
-            for (other_base, other, other_bit) in spans[..index].iter().flatten() {
+            for (other_index, span) in spans[..index].iter().enumerate() {
+                let Some((other_base, other, other_bit)) = span else { continue };
                 let meet = base.may_share(bytes, *other_base, other);
-                if meet && (bit.is_none() || other_bit.is_none() || bit == other_bit) {
+                let is_written = written(index) || written(other_index);
+                if meet && is_written && (bit.is_none() || other_bit.is_none() || bit == other_bit) {
                     return false;
                 }
             }

@@ -24,7 +24,8 @@ use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Part, Step, Turn, W
 use super::ways::{Way, Ways};
 
 /// Instructions of a turn that is looked at, with those of the blocks that are part of it.
-const INSTRUCTIONS_MAX: usize = 1000;
+const INSTRUCTIONS_MAX: usize = 2000;
+/// Longer ones are done one by one as they are written.
 const INSTRUCTIONS_ALONE_MAX: usize = 640;
 /// Instructions that a turn computes though it may jump over them, where turns are done side by side.
 const CHOSEN_MAX: usize = 400;
@@ -446,6 +447,7 @@ impl Reader<'_, '_> {
             (cell, self.now.get(&cell).copied())
         });
         self.statements((0, last), steps)?;
+        self.forget_locals();
         self.leave_frames(self.frames.len() - 1);
         self.ways = ways;
         for (cell, before) in open {
@@ -460,6 +462,20 @@ impl Reader<'_, '_> {
             self.set(register.into(), value)?;
         }
         Some(())
+    }
+
+    /// Forgets the local data of a block that has ended, if nobody reads what it left there.
+    fn forget_locals(&mut self) {
+        let t = &*self.translator;
+        if !t.options.forgets_locals {
+            return;
+        }
+        let first = t.local_offset;
+        let cells = &self.kernel.cells;
+        self.now.retain(|cell, _| match cells[cell.number()] {
+            Kept::Memory { base: Base::Local, offset, .. } => offset < first,
+            _ => true,
+        });
     }
 
     /// Goes back to a caller, by the number of its own callers.
