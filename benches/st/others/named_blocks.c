@@ -1,29 +1,4 @@
-#include <stdbool.h>
-#include "st.h"
-
-typedef struct { bool run, q; uint32_t start, et; } Timer;
-
-static uint32_t now_ms;
-
-static inline bool tof(Timer *t, bool in, uint32_t pt)
-{
-    if (in) {
-        t->q = true;
-        t->run = false;
-        t->et = 0;
-    } else if (t->q) {
-        if (!t->run) {
-            t->run = true;
-            t->start = now_ms;
-        }
-        t->et = now_ms - t->start;
-        if (t->et >= pt) {
-            t->et = pt;
-            t->q = false;
-        }
-    }
-    return t->q;
-}
+#include "timers.h"
 
 typedef struct {
     bool q;

@@ -1,35 +1,4 @@
-#include <stdbool.h>
-#include "st.h"
-
-typedef struct { bool run, q; uint32_t start, et; } Timer;
-
-static uint32_t now_ms;
-
-static inline bool ton(Timer *t, bool in, uint32_t pt)
-{
-    if (!in) {
-        t->run = t->q = false;
-        t->et = 0;
-    } else if (!t->q) {
-        if (!t->run) {
-            t->run = true;
-            t->start = now_ms;
-        }
-        t->et = now_ms - t->start;
-        if (t->et >= pt) {
-            t->et = pt;
-            t->q = true;
-        }
-    }
-    return t->q;
-}
-
-static inline bool rising(bool *old, bool clk)
-{
-    bool q = clk && !*old;
-    *old = clk;
-    return q;
-}
+#include "timers.h"
 
 typedef struct {
     bool coil, is_open, is_closed, fault, was_open;
