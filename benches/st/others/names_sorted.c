@@ -1,22 +1,10 @@
 #include <stdio.h>
 #include <string.h>
 #include "st.h"
+#include "digits.h"
 static char names[16][25];
 static const char *kinds[4] = {"Pump", "Valve", "Motor", "Mixer"};
 static int32_t scans;
-static int digits(int number, char *to)
-{
-    char reversed[12];
-    int count = 0;
-    do {
-        reversed[count++] = '0' + number % 10;
-        number /= 10;
-    } while (number);
-    for (int i = 0; i < count; i++)
-        to[i] = reversed[count - 1 - i];
-    to[count] = 0;
-    return count;
-}
 void scan(void)
 {
     for (int i = 0; i < 16; i++) {

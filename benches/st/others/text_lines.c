@@ -1,20 +1,8 @@
 #include <string.h>
 #include "st.h"
+#include "digits.h"
 static char line[121], s[121], t[121], names[10][21];
 static int32_t scans;
-static int digits(int number, char *to)
-{
-    char reversed[12];
-    int count = 0;
-    do {
-        reversed[count++] = '0' + number % 10;
-        number /= 10;
-    } while (number);
-    for (int i = 0; i < count; i++)
-        to[i] = reversed[count - 1 - i];
-    to[count] = 0;
-    return count;
-}
 void scan(void)
 {
     if (!scans)

@@ -103,11 +103,11 @@ impl Source {
     pub(crate) fn may_optimize(&self) -> bool {
         let statements: usize = self.blocks.iter().map(|block| block.code.statement_count()).sum();
         let nested = self.blocks.iter().map(|block| nested_loops(&block.code)).max().unwrap_or(0);
-        let accesses = |in_instance| self.blocks.iter().map(|block| computed_accesses(&block.code, in_instance)).max().unwrap_or(0);
-        statements <= OPTIMIZED_STATEMENTS_MAX
-            && nested <= OPTIMIZED_NESTED_MAX
-            && accesses(false) <= OPTIMIZED_ACCESSES_MAX
-            && accesses(true) <= OPTIMIZED_INSTANCE_ACCESSES_MAX
+        let few_accesses = |block: &Native| {
+            let (in_instance, others) = computed_accesses(&block.code);
+            in_instance <= OPTIMIZED_INSTANCE_ACCESSES_MAX && others <= OPTIMIZED_ACCESSES_MAX
+        };
+        statements <= OPTIMIZED_STATEMENTS_MAX && nested <= OPTIMIZED_NESTED_MAX && self.blocks.iter().all(few_accesses)
     }
 
     /// Organization blocks that may begin as machine code, by number. In others the interpreter looks at each call whether it has room.
@@ -448,7 +448,7 @@ pub(crate) fn end(code: &Code) -> Option<u32> {
 }
 
 /// Each jump back of a block: from where, and to where.
-fn jumps_back(code: &Code) -> Vec<(usize, u32)> {
+pub(crate) fn jumps_back(code: &Code) -> Vec<(usize, u32)> {
     let mut jumps = Vec::new();
     for statement in 0..code.statement_count() {
         let targets = code.statement(statement).iter().flat_map(|inst| translate::targets(code, inst));
@@ -492,19 +492,22 @@ fn reads_locals(code: &Code) -> bool {
     })
 }
 
-/// How many loads and stores of a block compute their address: those to variables of its instance, or the others.
-fn computed_accesses(code: &Code, in_instance: bool) -> usize {
-    let computed = |place: &Place| match place {
-        Place::Fixed { .. } => false,
-        Place::Indirect { area: Area::InstanceData, pointer, .. } if pointer.register() == Some(Register::Ar2) => in_instance,
-        _ => !in_instance,
+/// How many loads and stores of a block compute their address: those to variables of its instance, and the others.
+fn computed_accesses(code: &Code) -> (usize, usize) {
+    let (mut in_instance, mut others) = (0, 0);
+    let mut count = |place: &Place| match place {
+        Place::Fixed { .. } => {}
+        Place::Indirect { area: Area::InstanceData, pointer, .. } if pointer.register() == Some(Register::Ar2) => in_instance += 1,
+        _ => others += 1,
     };
-    let accesses = |inst: &Inst| match inst {
-        Inst::Load { place, .. } | Inst::Store { place, .. } => usize::from(computed(place)),
-        Inst::Move { from, to, .. } => usize::from(computed(from)) + usize::from(computed(to)),
-        _ => 0,
-    };
-    code.insts.iter().map(accesses).sum()
+    for inst in &code.insts {
+        match inst {
+            Inst::Load { place, .. } | Inst::Store { place, .. } => count(place),
+            Inst::Move { from, to, .. } => [from, to].into_iter().for_each(&mut count),
+            _ => {}
+        }
+    }
+    (in_instance, others)
 }
 
 /// Checks the limits of machine code; the greatest number of parameters that a statement passes.

@@ -424,9 +424,9 @@ pub fn fuzz(data: &[u8]) {
         (left, machine)
     };
     let (interpreted, machine) = run(Interpreter::load(&program, &layout).as_ref(), 0);
+    let blocks = || program.code.iter().map(|(id, block)| format!("{id}\n{}\n", block.code)).collect::<String>();
     match Jit::compiled(&program, &layout, StatusBits::All) {
         Ok(native) => {
-            let blocks = || program.code.iter().map(|(id, block)| format!("{id}\n{}\n", block.code)).collect::<String>();
             assert_eq!(run(native.as_ref(), 0).0, interpreted, "machine code does what the interpreter does\n{}", blocks());
         }
         // A program may be too large; but what is translated is right.
@@ -441,7 +441,6 @@ pub fn fuzz(data: &[u8]) {
             arena[layout.local.clone()].fill(0);
             (left.exit, arena, left.budget, left.faults)
         };
-        let blocks = || program.code.iter().map(|(id, block)| format!("{id}\n{}\n", block.code)).collect::<String>();
         let [wanted, got] = [seen(interpreted.clone()), seen(run(native.as_ref(), 0xA5).0)];
         assert_eq!(got, wanted, "optimized machine code does what the interpreter does\n{}", blocks());
     }

@@ -15,8 +15,8 @@ use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
 use super::effects::Effects;
-use super::loops;
 use super::promote::Base;
+use crate::jit::{jumps_back, loop_heads};
 
 mod access;
 mod calls;
@@ -365,17 +365,12 @@ pub(super) fn find(code: &Code, around: &Surroundings<'_>) -> Ranges {
         return Ranges::default();
     }
     let relevant = places::relevant(code);
-    let mut heads = BTreeSet::new();
-    for statement in 0..code.statement_count() as u32 {
-        let targets = code.statement(statement as usize).iter().flat_map(|inst| loops::targets(code, inst));
-        heads.extend(targets.filter(|&to| to <= statement));
-    }
     let count = code.statement_count() + 1;
     let analysis = Analysis {
         code,
         around,
         relevant,
-        heads,
+        heads: loop_heads(code),
         stops: places::stops(code),
         origins: Vec::new(),
         part: 0..count as u32,
@@ -459,11 +454,7 @@ impl<'a> Analysis<'a> {
 
     /// The ways back: to which statement, and from which one.
     fn ways_back(&self) -> Vec<(u32, u32)> {
-        let ways = (0..self.code.statement_count() as u32).flat_map(|from| {
-            let targets = self.code.statement(from as usize).iter().flat_map(|inst| loops::targets(self.code, inst));
-            targets.filter(move |&to| to <= from).map(move |to| (to, from))
-        });
-        ways.collect()
+        jumps_back(self.code).into_iter().map(|(from, to)| (to, from as u32)).collect()
     }
 
     /// Whether some way back lies inside another one.

@@ -5,6 +5,7 @@
 //! In front of the loop the number of turns is computed that can be done so. Where the loop as it stands goes on behind them, memory,
 //! registers and budget are as if it had made them.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use sieben_engine::ir::Op;
@@ -51,7 +52,14 @@ const LOOPS_MAX: usize = 100;
 /// Turns that are done side by side.
 const SIDE_BY_SIDE_MAX: u32 = 32;
 
+/// How a loop is written with turns side by side, and how many of them at once, the greatest number first.
+struct Beside<'p> {
+    plan: Cow<'p, Plan>,
+    lanes: Vec<u32>,
+}
+
 /// How a loop is written.
+#[derive(Clone)]
 pub(super) struct Plan {
     kernel: Kernel,
     count: Count,
@@ -91,10 +99,10 @@ impl Translator<'_> {
         let Some(plan) = Plan::of(kernel) else { return };
         if plan.kernel.only_side_by_side {
             if plan.kernel.inner.is_none()
-                && let Some(plan) = plan.side_by_side_or_in_order()
+                && let Some(beside) = plan.side_by_side_or_in_order()
             {
                 self.at_once.push((self.index, it.first, it.last));
-                self.write_side_by_side(&plan, it);
+                self.write_beside(&beside, it);
             }
             return;
         }
@@ -126,10 +134,14 @@ impl Translator<'_> {
     /// Writes the versions of a loop with turns side by side. Whether nothing in them is done in order.
     fn write_side_by_side(&mut self, plan: &Plan, it: &Loop) -> bool {
         let Some(beside) = plan.side_by_side_or_in_order() else { return false };
-        for lanes in beside.lanes() {
-            Writing::write(self, &beside, it, lanes);
+        self.write_beside(&beside, it);
+        beside.plan.kernel.in_order.nodes.is_empty()
+    }
+
+    fn write_beside(&mut self, Beside { plan, lanes }: &Beside<'_>, it: &Loop) {
+        for &lanes in lanes {
+            Writing::write(self, plan, it, lanes);
         }
-        beside.kernel.in_order.nodes.is_empty()
     }
 }
 
@@ -168,12 +180,15 @@ impl Plan {
     }
 
     /// The same if turns can be done side by side, with as much in order as needs to be.
-    fn side_by_side_or_in_order(&self) -> Option<Self> {
-        let with = |kernel: Kernel| Self { kernel, count: self.count, inner_turns: self.inner_turns };
-        if !self.lanes().is_empty() {
-            return Some(with(self.kernel.clone()));
+    fn side_by_side_or_in_order(&self) -> Option<Beside<'_>> {
+        let at_once = Beside { lanes: self.lanes(), plan: Cow::Borrowed(self) };
+        if !at_once.lanes.is_empty() {
+            return Some(at_once);
         }
-        self.kernel.with_order().map(with).filter(|plan| !plan.lanes().is_empty())
+        let kernel = self.kernel.with_order()?;
+        let in_order = Self { kernel, count: self.count, inner_turns: self.inner_turns };
+        let lanes = in_order.lanes();
+        (!lanes.is_empty()).then_some(Beside { plan: Cow::Owned(in_order), lanes })
     }
 
     /// Whether all access is known to stay inside its area, or can be looked at in front of the loop.

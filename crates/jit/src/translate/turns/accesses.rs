@@ -7,6 +7,7 @@ use sieben_model::address::Width;
 use super::super::Translator;
 use super::super::memory::{Address, Bit, data};
 use super::super::promote::Base;
+use super::super::value::Val;
 use super::kernel::{Access, Level, Node, Part};
 use super::line::Shape;
 use super::spread::Apart;
@@ -31,9 +32,7 @@ impl Writing<'_, '_, '_> {
             Some(&base) => Address { base, offset: start + part.bytes, bit: Bit::Number(part.bit) },
             None => {
                 let pointer = self.first(access.pointer, level);
-                let base = self.base(access.area.0);
-                let area = (base, start, access.area.2);
-                self.t.address_inside(area, pointer, access.offset, (access.width, access.width.bytes()))
+                self.address_at(access, pointer)
             }
         };
         if self.lanes > 1
@@ -88,6 +87,13 @@ impl Writing<'_, '_, '_> {
                 }
             }
         }
+    }
+
+    /// Where an access goes with a pointer.
+    pub(super) fn address_at(&mut self, access: &Access, pointer: Val) -> Address {
+        let (base, start, length) = access.area;
+        let base = self.base(base);
+        self.t.address_inside((base, start, length), pointer, access.offset, (access.width, access.width.bytes()))
     }
 
     /// The same where the variables of turns side by side lie apart.

@@ -65,7 +65,8 @@ impl Writing<'_, '_, '_> {
     /// Reads or writes the bits of four turns.
     pub(super) fn access_row_of_bits(&mut self, number: usize, level: Level) {
         let access = &self.kernel.accesses[number];
-        let address = self.address_in_area(access, level);
+        let pointer = self.first(access.pointer, level);
+        let address = self.address_at(access, pointer);
         let bits = self.t.row_of_bits(address);
         let Some(value) = access.value else {
             let node = self.kernel.read_of(number);
@@ -78,22 +79,14 @@ impl Writing<'_, '_, '_> {
         self.forget_bytes(number, address, level);
     }
 
-    /// Where an access goes in the first of the turns.
-    fn address_in_area(&mut self, access: &Access, level: Level) -> Address {
-        let pointer = self.first(access.pointer, level);
-        let area = (self.base(access.area.0), access.area.1, access.area.2);
-        self.t.address_inside(area, pointer, access.offset, (access.width, access.width.bytes()))
-    }
-
     /// Reads what each turn needs at its own address.
     pub(super) fn gather(&mut self, number: usize, level: Level) {
         let access = &self.kernel.accesses[number];
         let pointers = self.value(access.pointer, level);
-        let area = (self.base(access.area.0), access.area.1, access.area.2);
         let mut values: Vec<Val> = Vec::new();
         for lane in 0..self.lanes {
             let pointer = self.t.of_lane(&pointers, lane);
-            let address = self.t.address_inside(area, pointer, access.offset, (access.width, access.width.bytes()));
+            let address = self.address_at(access, pointer);
             values.push(self.t.read(address, access.width));
         }
         let node = self.kernel.read_of(number);

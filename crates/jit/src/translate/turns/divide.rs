@@ -77,16 +77,11 @@ impl Translator<'_> {
                 let Upper { factor, shift } = Upper::of(divisor, range);
                 let is_long = i32::try_from(factor).is_err();
                 let factor = self.all_words(factor);
-                let [low, high] = match never_negative {
-                    true => {
-                        let [number, factor] = [numbers, factor].map(|of| [self.b.ins().uwiden_low(of), self.b.ins().uwiden_high(of)]);
-                        [0, 1].map(|at: usize| self.b.ins().imul(number[at], factor[at]))
-                    }
-                    false => {
-                        let [number, factor] = [numbers, factor].map(|of| [self.b.ins().swiden_low(of), self.b.ins().swiden_high(of)]);
-                        [0, 1].map(|at: usize| self.b.ins().imul(number[at], factor[at]))
-                    }
-                };
+                let [number, factor] = [numbers, factor].map(|of| match never_negative {
+                    true => [self.b.ins().uwiden_low(of), self.b.ins().uwiden_high(of)],
+                    false => [self.b.ins().swiden_low(of), self.b.ins().swiden_high(of)],
+                });
+                let [low, high] = [0, 1].map(|at: usize| self.b.ins().imul(number[at], factor[at]));
                 let upper = self.shuffled(low, high, UPPER_HALVES);
                 let upper = self.b.ins().bitcast(I32X4, little(), upper);
                 // A factor with the highest bit was taken for a negative one.

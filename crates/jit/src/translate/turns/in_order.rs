@@ -112,9 +112,7 @@ impl Writing<'_, '_, '_> {
             },
             What::Compute(op, args) => {
                 let own: Vec<Val> = args[..op.arity()].iter().map(|&arg| self.in_lane(arg, lane)).collect();
-                if let (Some(&bounds), Some(&Val::Int(number))) = (self.kernel.bounds.get(&args[0]), own.first()) {
-                    self.t.bounds.insert(number, bounds);
-                }
+                self.note_bounds(node, &own);
                 self.t.compute_now(op, &own)
             }
             _ => unreachable!("what is in order was looked at"),

@@ -179,15 +179,12 @@ impl Translator<'_> {
                 self.put_together(apart, vector);
                 return self.shuffled(vector, vector, FIRST_WORDS_TURNED);
             }
-            let vector = self.read_vector(
-                apart,
-                turns,
-                match bytes {
-                    8 => F64,
-                    4 => F32,
-                    _ => I16,
-                },
-            );
+            let read = match bytes {
+                8 => F64,
+                4 => F32,
+                _ => I16,
+            };
+            let vector = self.read_vector(apart, turns, read);
             self.put_together(apart, vector);
             self.turned(vector, bytes)
         });

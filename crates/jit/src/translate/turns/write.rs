@@ -1006,12 +1006,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 {
                     return Lanes::One(self.t.exact_extreme(extreme, [firsts[1], firsts[2]], ty));
                 }
-                if let What::Compute(_, [number, ..]) = self.kernel.what(node)
-                    && let Some(&bounds) = self.kernel.bounds.get(&number)
-                    && let Val::Int(value) = firsts[0]
-                {
-                    self.t.bounds.insert(value, bounds);
-                }
+                self.note_bounds(node, &firsts);
                 return Lanes::One(self.t.compute_now(op, &firsts));
             }
             if let Some(line) = self.kernel.line(node, Level::Outer) {
@@ -1034,6 +1029,15 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             return self.t.divide_lanes(op, number, divisor as u32, range, self.lanes);
         }
         self.t.compute_lanes(op, shape, args, self.lanes)
+    }
+
+    /// Notes the bounds that are known of the first number that an operation takes in one turn.
+    pub(super) fn note_bounds(&mut self, node: Node, args: &[Val]) {
+        if let What::Compute(_, [number, ..]) = self.kernel.what(node)
+            && let (Some(&bounds), Some(&Val::Int(value))) = (self.kernel.bounds.get(&number), args.first())
+        {
+            self.t.bounds.insert(value, bounds);
+        }
     }
 
     /// The range of the numbers that an operation divides, which are at most so great.
