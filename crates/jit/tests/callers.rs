@@ -15,13 +15,16 @@ use sieben_model::block::BlockId;
 mod dice;
 mod noting;
 
-const PROGRAMS: u64 = 150;
+const PROGRAMS: u64 = 250;
 /// Local data of the caller, in front of which its texts lie, and of the function.
 const CALLER_LOCAL: u32 = 120;
 const OWN_LOCAL: u32 = 60;
 /// Where the pointers to texts lie in the local data of the caller: some texts reach that far.
 const POINTERS: [u32; 2] = [64, 72];
 const CALLS: u32 = 3;
+/// Bit memory behind the results.
+const SUM: u32 = 40;
+const COUNTER: u32 = 50;
 
 fn local(byte: u32) -> Place {
     Place::Fixed { area: Area::Local, position: 8 * byte }
@@ -31,12 +34,18 @@ fn memory(byte: u32) -> Place {
     Place::Fixed { area: Area::BitMemory, position: 8 * byte }
 }
 
-/// Calls a function some times, with pointers to texts of its own, or anywhere.
+/// Calls a function some times, with pointers to texts of its own, or anywhere. Some calls are given the pointers of the one before, which a
+/// text may have become, and some are in a loop.
 fn caller(b: &mut Builder, dice: &mut Dice) {
-    for _ in 0..CALLS {
+    let loops = dice.roll(2) == 0;
+    let begin = b.next();
+    for call in 0..CALLS {
         b.begin_statement();
         for at in POINTERS {
-            let begin = dice.of(&[0, 10, 20, 24, 40, 50]);
+            if call > 0 && dice.roll(2) == 0 {
+                continue;
+            }
+            let begin = dice.of(&[0, 10, 20, 24, 40, 50, 56]);
             let (number, code) = match dice.roll(6) {
                 0 => (1, 0x8400_0000),
                 1 => (0, 0x8300_0000 + 8 * 60),
@@ -56,6 +65,61 @@ fn caller(b: &mut Builder, dice: &mut Dice) {
             b.push(Inst::PassParameter { src: pointer });
         }
         b.push(Inst::Call { callee: Callee::Block(BlockId::fc(1)), parameters: 2 });
+        b.begin_statement();
+        let sum = b.load(memory(SUM), Width::Word, OnFault::SkipStatement);
+        let head = b.load(local(POINTERS[0] + 4), Width::Word, OnFault::SkipStatement);
+        let sum = b.compute(Op::AddU16, &[sum, head]);
+        b.store(memory(SUM), Width::Word, sum);
+    }
+    if loops {
+        b.begin_statement();
+        let counter = b.load(memory(COUNTER), Width::Word, OnFault::SkipStatement);
+        let one = b.constant(1);
+        let counter = b.compute(Op::AddU16, &[counter, one]);
+        b.store(memory(COUNTER), Width::Word, counter);
+        let last = b.constant(3);
+        let condition = b.compute(Op::LtI16, &[counter, last]);
+        b.push(Inst::Branch { condition, to: begin });
+    }
+    b.begin_statement();
+    b.push(Inst::Return);
+}
+
+/// A function between the caller and the other one: it hands on what it was given, or texts of its own.
+fn between(b: &mut Builder, dice: &mut Dice) {
+    for _ in 0..2 {
+        b.begin_statement();
+        for (index, at) in (0..).zip(POINTERS) {
+            let own = dice.roll(2) == 0;
+            let (number, pointer) = match own {
+                true => {
+                    let head = b.constant(0x0C04);
+                    b.store(local(14 * u32::from(index)), Width::Word, head);
+                    (b.constant(0), b.constant(0x8700_0000 + 8 * 14 * u64::from(index)))
+                }
+                false => {
+                    let parameter = b.temporary();
+                    b.push(Inst::Parameter { dst: parameter, index });
+                    let number = b.load(Place::Crossing { pointer: parameter, offset: 0 }, Width::Word, OnFault::SkipStatement);
+                    let pointer = b.load(Place::Crossing { pointer: parameter, offset: 16 }, Width::DoubleWord, OnFault::SkipStatement);
+                    (number, pointer)
+                }
+            };
+            b.store(local(at), Width::Word, number);
+            b.store(local(at + 2), Width::DoubleWord, pointer);
+        }
+        for at in POINTERS {
+            let pointer = b.constant(0x8700_0000 + 8 * u64::from(at));
+            b.push(Inst::PassParameter { src: pointer });
+        }
+        b.push(Inst::Call { callee: Callee::Block(BlockId::fc(2)), parameters: 2 });
+        b.begin_statement();
+        let [to, from] = [0, 1].map(|index| Place::Crossing { pointer: handed_on(b, index), offset: 0 });
+        let nothing = b.constant(0);
+        let dst = b.temporary();
+        let room = TextRoom::narrow(0);
+        b.push(Inst::Text { action: TextAction::Assign, dst, to, to_room: room, from, from_room: room, piece: [nothing; 2] });
+        b.store(memory(SUM + 4), Width::DoubleWord, dst);
     }
     b.begin_statement();
     b.push(Inst::Return);
@@ -85,9 +149,10 @@ fn function(b: &mut Builder, dice: &mut Dice) {
     b.begin_statement();
     let literal = b.constant(0x0202_2C31);
     b.store(local(4), Width::DoubleWord, literal);
+    let texts_only = dice.roll(2) == 0;
     for statement in 0..5 {
         b.begin_statement();
-        if dice.roll(4) == 0 {
+        if !texts_only && dice.roll(4) == 0 {
             // Some of what a text says itself is written otherwise.
             let pointer = handed_on(b, dice.roll(2) as u16);
             let value = b.constant(dice.of(&[0, 3, 9, 17, 40]));
@@ -117,19 +182,29 @@ fn texts_of_callers_are_the_same_on_all_engines() {
     for seed in 0..PROGRAMS {
         let calls = |b: &mut Builder| caller(b, &mut Dice(seed));
         let body = |b: &mut Builder| function(b, &mut Dice(seed + PROGRAMS));
-        let program = program(&[(BlockId::ob(1), CALLER_LOCAL, &calls), (BlockId::fc(1), OWN_LOCAL, &body)]);
+        let middle = |b: &mut Builder| between(b, &mut Dice(seed + 2 * PROGRAMS));
+        // In some programs another function is in between.
+        let has_middle = seed % 3 == 0;
+        let first = |b: &mut Builder| if has_middle { middle(b) } else { body(b) };
+        let blocks = [
+            (BlockId::ob(1), CALLER_LOCAL, &calls as &dyn Fn(&mut Builder)),
+            (BlockId::fc(1), if has_middle { CALLER_LOCAL } else { OWN_LOCAL }, &first),
+            (BlockId::fc(2), OWN_LOCAL, &body),
+        ];
+        let program = program(&blocks);
         let layout = layout(&program);
         for memory in 0..3 {
             let outcome = |engine: Arc<dyn Engine>| {
                 let prepare = |machine: &mut Machine| {
-                    machine.budget = 100;
+                    machine.budget = 200;
                     let mut dice = Dice(3 * seed + memory);
                     let starts = [machine.memory.layout.local.start, machine.memory.layout.bit_memory.start, layout.data_blocks[&1].start];
-                    for (start, bytes) in starts.into_iter().zip([180, 200, 16]) {
+                    for (start, bytes) in starts.into_iter().zip([320, 200, 16]) {
                         for byte in &mut machine.memory.arena[start..start + bytes] {
                             *byte = if dice.roll(2) == 0 { dice.roll(20) as u8 } else { b'0' + dice.roll(4) as u8 };
                         }
                     }
+                    machine.memory.area_mut(Area::BitMemory)[COUNTER as usize..][..2].fill(0);
                 };
                 run(engine.as_ref(), &layout, &entry, &prepare, &|_, _, _| Reaction::Continue)
             };

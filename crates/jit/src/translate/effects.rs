@@ -20,6 +20,10 @@ use super::ranges::{self, Interval};
 use super::{Find, bit_of};
 use crate::jit::Native;
 
+mod texts;
+
+pub(super) use texts::WrittenText;
+
 /// Bits that a pointer may count.
 pub(super) const POSITIONS: i64 = 1 << 24;
 
@@ -40,6 +44,8 @@ pub(super) struct Effects {
     /// Access through pointers to which parameters or the instance have another pointer, each with the number of a data block: a
     /// structure or an array as VAR_IN_OUT. The block writes to none of them itself.
     pub(super) pointed: Vec<Pointed>,
+    /// Texts that it writes by pointers.
+    pub(super) texts: Vec<WrittenText>,
 }
 
 /// Where a block finds a number that its caller wrote there.
@@ -216,7 +222,7 @@ impl Search<'_> {
 
     fn look_at(&mut self, index: usize) -> Option<Effects> {
         let (code, pointers) = (&self.blocks[index].code, &self.pointers[index]);
-        let mut effects = Effects::default();
+        let mut effects = Effects { texts: self.texts_of(index)?, ..Effects::default() };
         let mut opens = false;
         let mut written: Vec<Range<i64>> = Vec::new();
         for statement in 0..code.statement_count() {
@@ -316,7 +322,23 @@ impl Search<'_> {
                     | Inst::Branch { .. }
                     | Inst::JumpTable { .. }
                     | Inst::Return => {}
-                    Inst::Move { .. } | Inst::Text { .. } | Inst::Intrinsic { .. } | Inst::Call { .. } => return None,
+                    Inst::Text { action, to: Place::Fixed { area, .. } | Place::Indirect { area, .. }, .. }
+                        if action.writes() && area != Area::InstanceData =>
+                    {
+                        self.write_area(&mut effects, area, opened)?;
+                    }
+                    Inst::Text { action, to: Place::Indirect { area: Area::InstanceData, pointer, offset }, to_room, .. }
+                        if action.writes() =>
+                    {
+                        let added = instance.filter(|_| pointer.register() == Some(Register::Ar2));
+                        let range = bits_behind(added, offset, 8 * texts::bytes_of(to_room));
+                        effects.add_instance(&range);
+                        written.push(range);
+                    }
+                    Inst::Text { action, to: Place::Fixed { .. }, .. } if action.writes() => return None,
+                    // What it writes by pointers was found before.
+                    Inst::Text { .. } => {}
+                    Inst::Move { .. } | Inst::Intrinsic { .. } | Inst::Call { .. } => return None,
                 }
                 if let Some(dst) = sieben_engine::ir::verify::writes(inst) {
                     // CDB: the instance is another block from here on.
@@ -340,9 +362,20 @@ impl Search<'_> {
             }
             Source::Given(..) => false,
         };
-        let kept = !effects.pointed.iter().flat_map(Pointed::sources).any(is_written);
+        let sources = effects.pointed.iter().flat_map(Pointed::sources).chain(effects.texts.iter().flat_map(WrittenText::sources));
+        let kept = !{ sources }.any(is_written);
         let is_plain = !opens || effects.given.is_empty() || !effects.pointed.is_empty();
         (is_plain && kept).then_some(effects)
+    }
+
+    /// Texts that a block writes by pointers.
+    fn texts_of(&mut self, index: usize) -> Option<Vec<WrittenText>> {
+        let (block, pointers) = (&self.blocks[index], &self.pointers[index]);
+        texts::written(block, pointers, &mut |callee| {
+            let Callee::Block(id) = callee else { return None };
+            let callee = (self.find)(*id)? as usize;
+            Some(self.of_block(callee)?.texts)
+        })
     }
 
     /// Whether a place is in the local data of a block, whatever happens.
@@ -372,10 +405,15 @@ impl Search<'_> {
 
 /// Bits of an instance, from where AR2 points when the block is called.
 fn instance_range(added: Option<u32>, offset: u32, width: Width) -> Range<i64> {
+    bits_behind(added, offset, width.bits())
+}
+
+/// So many bits of it.
+fn bits_behind(added: Option<u32>, offset: u32, bits: u32) -> Range<i64> {
     match added {
         Some(added) => {
             let first = i64::from(added as i32) + i64::from(offset);
-            first..first + i64::from(width.bits())
+            first..first + i64::from(bits)
         }
         None => ANYWHERE,
     }

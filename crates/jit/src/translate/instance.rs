@@ -103,7 +103,7 @@ impl Translator<'_> {
         let is_apart = |inst: &Inst| match inst {
             Inst::Call { callee: Callee::Block(id), .. } => {
                 let effects = (self.find)(*id).and_then(|code| self.effects[code as usize].as_ref());
-                effects.is_some_and(|effects| effects.instance.is_none())
+                effects.is_some_and(|effects| effects.instance.is_none() && effects.texts.is_empty())
             }
             _ => false,
         };

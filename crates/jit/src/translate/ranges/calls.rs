@@ -6,7 +6,7 @@ use sieben_engine::machine::{CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 
 use super::{Analysis, Element, Interval, Known, Same, State};
-use crate::translate::effects::{Effects, Given, POSITIONS, Pointed, Source};
+use crate::translate::effects::{Effects, Given, POSITIONS, Pointed, Source, WrittenText};
 use crate::translate::promote::Base;
 
 /// Bytes that lie in front of a bit, if only in part.
@@ -47,7 +47,10 @@ impl Analysis<'_> {
 
     /// Whether a statement calls a block that reads pointers in its instance.
     pub(super) fn passes_elements(&self, insts: &[Inst]) -> bool {
-        let reads_pointers = |effects: &Effects| effects.pointed.iter().any(|pointed| matches!(pointed.pointer, Source::Instance(_)));
+        let reads_pointers = |effects: &Effects| {
+            let pointers = effects.pointed.iter().map(|pointed| pointed.pointer);
+            { pointers }.chain(effects.texts.iter().map(|text| text.pointer)).any(|pointer| matches!(pointer, Source::Instance(_)))
+        };
         self.around.relative.is_none()
             && insts.iter().any(|inst| {
                 let called = if matches!(inst, Inst::Call { .. }) { (self.around.called)(inst) } else { None };
@@ -64,7 +67,8 @@ impl Analysis<'_> {
         ar2: Option<Known>,
     ) -> Option<Vec<(u32, Width, Interval)>> {
         let mut before: Vec<(Source, Width, Known)> = Vec::new();
-        for (source, width) in effects.pointed.iter().flat_map(Pointed::sources) {
+        let texts = effects.texts.iter().flat_map(WrittenText::sources);
+        for (source, width) in effects.pointed.iter().flat_map(Pointed::sources).chain(texts) {
             before.push((source, width, self.source(state, (source, width), given, ar2)?));
         }
         if let Some(touched) = &effects.instance {
@@ -92,6 +96,9 @@ impl Analysis<'_> {
         for access in &effects.pointed {
             let number = access.number.map(|number| of(number)?.exact());
             self.forget_pointed(access, state, number.flatten(), of(access.pointer)?)?;
+        }
+        for text in &effects.texts {
+            self.forget_text(text, state, of(text.number)?.exact()?, of(text.pointer)?)?;
         }
         // By none of them it may write to the pointers.
         let mut elements = Vec::new();
@@ -136,11 +143,39 @@ impl Analysis<'_> {
 
     /// Forgets what a called block may write by a pointer that it reads.
     fn forget_pointed(&mut self, access: &Pointed, state: &mut State, number: Option<u64>, pointer: Interval) -> Option<()> {
+        let (base, start, length) = self.pointed_bytes(number, pointer, access.writes)?;
+        let (least, most) = pointer.unsigned(64);
+        if access.writes {
+            let position = |pointer: i128| (pointer & 0x00FF_FFFF) as i64 + i64::from(access.offset);
+            let end = position(most) + i64::from(access.width.bits());
+            // A position may turn over.
+            let bytes = if end > POSITIONS { 0..length } else { position(least) / 8..bytes_before(end) };
+            state.forget(base, &(start + bytes.start..start + bytes.end));
+        }
+        Some(())
+    }
+
+    /// Forgets a text that a called block may write by a pointer that it reads.
+    fn forget_text(&mut self, text: &WrittenText, state: &mut State, number: u64, pointer: Interval) -> Option<()> {
+        let (base, start, length) = self.pointed_bytes(Some(number), pointer, true)?;
+        let (least, most) = pointer.unsigned(64);
+        let position = |pointer: i128| (pointer & 0x00FF_FFFF) as i64 + i64::from(text.offset);
+        let end = position(most) + 8 * i64::from(text.bytes);
+        // A position may turn over.
+        let bytes = if end > POSITIONS { 0..length } else { position(least) / 8..bytes_before(end).min(length) };
+        if bytes.start < bytes.end {
+            state.forget(base, &(start + bytes.start..start + bytes.end));
+        }
+        Some(())
+    }
+
+    /// The bytes of the area to which a pointer leads that a called block reads: first and number.
+    fn pointed_bytes(&mut self, number: Option<u64>, pointer: Interval, writes: bool) -> Option<(Base, i64, i64)> {
         let (least, most) = pointer.unsigned(64);
         if least >> 24 != most >> 24 || least >> 32 != 0 {
             return None;
         }
-        let (base, start, length) = match pointed_area(least as u64, access.writes).ok()? {
+        Some(match pointed_area(least as u64, writes).ok()? {
             Area::SharedData => {
                 let number = u16::try_from(number?).ok().filter(|&number| number != 0)?;
                 let range = self.around.layout.data_blocks.get(&number)?;
@@ -156,15 +191,7 @@ impl Analysis<'_> {
                 (Base::Arena, range.start as i64, range.len() as i64)
             }
             _ => return None,
-        };
-        if access.writes {
-            let position = |pointer: i128| (pointer & 0x00FF_FFFF) as i64 + i64::from(access.offset);
-            let end = position(most) + i64::from(access.width.bits());
-            // A position may turn over.
-            let bytes = if end > POSITIONS { 0..length } else { position(least) / 8..bytes_before(end) };
-            state.forget(base, &(start + bytes.start..start + bytes.end));
-        }
-        Some(())
+        })
     }
 
     /// Forgets what a called block may write by a pointer that it was given.

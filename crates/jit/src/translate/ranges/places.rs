@@ -11,7 +11,7 @@ use super::interval::comparison;
 use super::{CONSTANTS_MAX, PLACES_MAX, STOPS};
 
 /// Local data that a block passes to others and that count as being relevant.
-const PASSED_MAX: usize = 12;
+const PASSED_MAX: usize = 48;
 
 /// Places that addresses, checked conditions and what these are compared with are computed from.
 pub(super) fn relevant(code: &Code) -> FxHashSet<Place> {

@@ -1,0 +1,172 @@
+//! Texts that a block writes by pointers that it was given: results of functions, VAR_IN_OUT.
+//!
+//! Reading texts asks nobody who changes memory. What a text instruction writes lies between where its pointer leads and as many bytes
+//! behind as a text can have.
+
+use std::collections::BTreeMap;
+
+use sieben_engine::access::pointed_area;
+use sieben_engine::ir::{Callee, Inst, Op, Place, TextRoom, Var, verify};
+use sieben_engine::machine::{CALLS_SHIFT, Register};
+use sieben_model::address::{Area, Width};
+
+use super::Source;
+use crate::jit::Native;
+use crate::translate::instance_pointer::InstancePointer;
+use crate::translate::texts::NUMBER_SHIFT;
+
+/// A text that a block writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::translate) struct WrittenText {
+    /// The number of its data block, 0 for other areas.
+    pub(in crate::translate) number: Source,
+    pub(in crate::translate) pointer: Source,
+    /// Bits from there to where it begins.
+    pub(in crate::translate) offset: u32,
+    /// Bytes that it has at most.
+    pub(in crate::translate) bytes: u32,
+}
+
+impl WrittenText {
+    /// Where the block reads what it needs to know.
+    pub(in crate::translate) fn sources(&self) -> impl Iterator<Item = (Source, Width)> {
+        [(self.number, Width::Word), (self.pointer, Width::DoubleWord)].into_iter()
+    }
+}
+
+/// What a variable of the IR holds.
+#[derive(Clone, Copy)]
+enum Held {
+    Constant(u64),
+    Parameter(u16),
+    Word(Source),
+    DoubleWord(Source),
+    /// The number of a data block, where a pointer has it.
+    Shifted(Source),
+    /// Number and pointer.
+    Text(Source, Source),
+    Other,
+}
+
+/// The texts that a block writes by pointers, beside those in its own local data and its instance; `None` = it may write others.
+pub(super) fn written(
+    block: &Native,
+    pointers: &InstancePointer,
+    called: &mut dyn FnMut(&Callee) -> Option<Vec<WrittenText>>,
+) -> Option<Vec<WrittenText>> {
+    let code = &block.code;
+    let mut texts = Vec::new();
+    for statement in 0..code.statement_count() {
+        let mut held: BTreeMap<u8, Held> = BTreeMap::new();
+        let mut local: BTreeMap<u32, (Width, u64)> = BTreeMap::new();
+        let mut passed: Vec<Held> = Vec::new();
+        let mut instance = pointers.at(statement as u32);
+        for (at, inst) in (code.statements[statement]..).zip(code.statement(statement)) {
+            let of = |var: Var| held.get(&var.0).copied().unwrap_or(Held::Other);
+            let read = |source: Source, width: Width| match width {
+                Width::Word => Held::Word(source),
+                Width::DoubleWord => Held::DoubleWord(source),
+                _ => Held::Other,
+            };
+            let mut result = Held::Other;
+            match *inst {
+                Inst::Constant { value, .. } => result = Held::Constant(value),
+                Inst::Parameter { index, .. } => result = Held::Parameter(index),
+                Inst::Compute { op: Op::Copy, args, .. } => result = of(args[0]),
+                Inst::Compute { op: Op::Shl64, args, .. } => {
+                    if let (Held::Word(number), Held::Constant(shift)) = (of(args[0]), of(args[1]))
+                        && shift == u64::from(NUMBER_SHIFT)
+                    {
+                        result = Held::Shifted(number);
+                    }
+                }
+                Inst::Compute { op: Op::OrU64, args, .. } => {
+                    if let (Held::Shifted(number), Held::DoubleWord(pointer)) = (of(args[0]), of(args[1])) {
+                        result = Held::Text(number, pointer);
+                    }
+                }
+                Inst::Load { place: Place::Crossing { pointer, offset }, width, .. } => {
+                    if let Held::Parameter(parameter) = of(pointer) {
+                        result = read(Source::Given(parameter, offset), width);
+                    }
+                }
+                Inst::Load { place: Place::Indirect { area: Area::InstanceData, pointer, offset }, width, .. }
+                    if pointer.register() == Some(Register::Ar2) =>
+                {
+                    if let Some(added) = instance {
+                        result = read(Source::Instance(added.wrapping_add(offset)), width);
+                    }
+                }
+                Inst::Store { place: Place::Fixed { area: Area::Local, position }, width, src } => {
+                    forget(&mut local, position, width.bits());
+                    if let Held::Constant(value) = of(src) {
+                        local.insert(position, (width, value));
+                    }
+                }
+                Inst::Store { .. } | Inst::Move { .. } => local.clear(),
+                Inst::Text { action, to, to_room, .. } if action.writes() => match to {
+                    Place::Fixed { area: Area::Local, position } => forget(&mut local, position, 8 * bytes_of(to_room)),
+                    Place::Crossing { pointer, offset } => {
+                        let Held::Text(number, pointer) = of(pointer) else { return None };
+                        add(&mut texts, WrittenText { number, pointer, offset, bytes: bytes_of(to_room) });
+                        local.clear();
+                    }
+                    _ => local.clear(),
+                },
+                Inst::PassParameter { src } => passed.push(of(src)),
+                Inst::Call { callee, parameters } => {
+                    let given = passed.split_off(passed.len().checked_sub(usize::from(parameters))?);
+                    for text in called(&callee)? {
+                        let own = |source: Source, width: Width| own_number(&local, &given, source, width);
+                        let (number, pointer) = (own(text.number, Width::Word)?, own(text.pointer, Width::DoubleWord)?);
+                        let is_own = number == 0
+                            && pointed_area(pointer, true) == Ok(Area::CallerLocal)
+                            && (pointer & 0x00FF_FFFF) >> CALLS_SHIFT == 0;
+                        is_own.then_some(())?;
+                    }
+                    held.clear();
+                    local.clear();
+                    // AR2 is kept by most blocks; who needs it knows it behind the instruction.
+                    instance = None;
+                    continue;
+                }
+                _ => {}
+            }
+            if let Some(dst) = verify::writes(inst) {
+                held.insert(dst.0, result);
+                if dst == Register::Ar2.into() {
+                    instance = pointers.after(at);
+                }
+            }
+        }
+    }
+    Some(texts)
+}
+
+fn forget(local: &mut BTreeMap<u32, (Width, u64)>, position: u32, bits: u32) {
+    local.retain(|&other, (width, _)| other + width.bits() <= position || position + bits <= other);
+}
+
+/// A number that the statement itself has written to the local data of its block, and to which a parameter of a call points.
+fn own_number(local: &BTreeMap<u32, (Width, u64)>, given: &[Held], source: Source, width: Width) -> Option<u64> {
+    let Source::Given(parameter, offset) = source else { return None };
+    let Held::Constant(pointer) = *given.get(usize::from(parameter))? else { return None };
+    let is_own = pointed_area(pointer, false) == Ok(Area::CallerLocal) && (pointer & 0x00FF_FFFF) >> CALLS_SHIFT == 0;
+    let position = (pointer & 0x00FF_FFFF) as u32 + offset;
+    local.get(&position).filter(|(written, _)| is_own && *written == width).map(|&(_, value)| value)
+}
+
+fn add(texts: &mut Vec<WrittenText>, text: WrittenText) {
+    if !texts.contains(&text) {
+        texts.push(text);
+    }
+}
+
+/// Bytes that a text has at most.
+pub(super) fn bytes_of(room: TextRoom) -> u32 {
+    if !room.is_unknown() {
+        return room.bytes();
+    }
+    let most = if room.wide { u32::from(u16::MAX) } else { u32::from(u8::MAX) };
+    room.head() + most * room.unit()
+}
