@@ -16,6 +16,7 @@ use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
 use sieben_model::address::Width;
 
 use super::analysis::ALL;
+use super::budget::WEIGHT_MAX;
 use super::instance::Instance;
 use super::loops::{self, Loop};
 use super::promote::Promoted;
@@ -106,7 +107,9 @@ pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
             let returns = block.code.insts.iter().filter(|inst| matches!(inst, Inst::Return)).count();
             let ends_once = returns == 1 && block.code.insts.last() == Some(&Inst::Return);
             let has_an_end = ends_once || end(&block.code).is_some();
-            if size <= INSTRUCTIONS_MAX && has_an_end && loop_heads(&block.code).len() <= LOOPS_MAX {
+            // One look at the budget has to serve for all of it: behind a question little is known.
+            let fits = size <= INSTRUCTIONS_MAX && plans[index].weight <= WEIGHT_MAX;
+            if fits && has_an_end && loop_heads(&block.code).len() <= LOOPS_MAX {
                 plans[index].inlined = Some(size);
             }
         }

@@ -285,7 +285,8 @@ impl Lowering<'_> {
     /// A place in the hidden local data as actual parameter.
     fn pass_place(&mut self, place: &Place, formal: &Variable) -> Pass {
         if is_elementary(&formal.data_type) {
-            self.seen.show(place.offset..place.offset.saturating_add(64));
+            let bits = u32::try_from(formal.data_type.bits()).unwrap_or(u32::MAX);
+            self.seen.show(place.offset..place.offset.saturating_add(bits));
             match self.hidden_pointer_of(place) {
                 Some(pointer) => Pass::Known(pointer),
                 None => self.pass_pointer(place, &formal.data_type, None),
