@@ -19,6 +19,7 @@ mod bit_choices;
 mod bit_sums;
 mod bits;
 mod by_four;
+mod chased;
 mod count;
 mod divide;
 mod extremes;
@@ -29,6 +30,7 @@ mod late;
 mod left;
 mod left_beside;
 mod line;
+mod nested;
 mod pieces;
 mod quads;
 mod reader;
@@ -44,6 +46,8 @@ mod write;
 use count::Count;
 use kernel::{Access, Cell, Kernel, Level, Node, What};
 use line::{Carried, Shape};
+use nested::Nested;
+use pieces::Gathered;
 use write::Writing;
 
 /// Loops of a function of which there are such versions.
@@ -56,6 +60,22 @@ const SIDE_BY_SIDE_MAX: u32 = 32;
 struct Beside<'p> {
     plan: Cow<'p, Plan>,
     lanes: Vec<u32>,
+}
+
+/// How one version of the turns is written.
+struct Writes<'k> {
+    /// Turns side by side.
+    lanes: u32,
+    /// Accesses whose bits make whole bytes, if eight turns are written behind one another.
+    gathered: Gathered,
+    /// How the turns of the inner loop are done, if they are done side by side.
+    nested: Option<&'k Nested>,
+}
+
+impl Writes<'_> {
+    fn lanes(lanes: u32) -> Self {
+        Self { lanes, gathered: Gathered::new(), nested: None }
+    }
 }
 
 /// How a loop is written.
@@ -106,8 +126,15 @@ impl Translator<'_> {
             }
             return;
         }
-        if plan.kernel.inner.is_some() && plan.lanes().is_empty() && self.inner_is_side_by_side(it) {
-            return;
+        if plan.kernel.inner.is_some() && plan.lanes().is_empty() {
+            if let Some(nested) = plan.nested() {
+                self.at_once.push((self.index, it.first, it.last));
+                Writing::write(self, &plan, it, Writes { nested: Some(&nested), ..Writes::lanes(1) });
+                return;
+            }
+            if self.inner_is_side_by_side(it) {
+                return;
+            }
         }
         self.at_once.push((self.index, it.first, it.last));
         if let Some(sums) = bit_sums::read(&plan) {
@@ -116,19 +143,19 @@ impl Translator<'_> {
         if let Some(settled) = plan.kernel.settled().filter(|kernel| !kernel.repeats_itself()).and_then(Plan::of) {
             self.write_side_by_side(&settled, it);
             let kernel = settled.kernel.without_signs().unwrap_or(settled.kernel);
-            Writing::write(self, &Plan { kernel, ..settled }, it, 1);
+            Writing::write(self, &Plan { kernel, ..settled }, it, Writes::lanes(1));
         }
         let all_at_once = self.write_side_by_side(&plan, it);
         let unsigned = if !all_at_once { plan.kernel.without_signs() } else { None };
         let unsigned = unsigned.map(|kernel| Plan { kernel, count: plan.count, inner_turns: plan.inner_turns });
         let fastest = unsigned.as_ref().unwrap_or(&plan);
         if !all_at_once && let Some(gathered) = fastest.kernel.gathered() {
-            Writing::write_in_pieces(self, fastest, it, gathered);
+            Writing::write(self, fastest, it, Writes { gathered, ..Writes::lanes(1) });
         }
         if let Some(unsigned) = &unsigned {
-            Writing::write(self, unsigned, it, 1);
+            Writing::write(self, unsigned, it, Writes::lanes(1));
         }
-        Writing::write(self, &plan, it, 1);
+        Writing::write(self, &plan, it, Writes::lanes(1));
     }
 
     /// Writes the versions of a loop with turns side by side. Whether nothing in them is done in order.
@@ -140,7 +167,7 @@ impl Translator<'_> {
 
     fn write_beside(&mut self, Beside { plan, lanes }: &Beside<'_>, it: &Loop) {
         for &lanes in lanes {
-            Writing::write(self, plan, it, lanes);
+            Writing::write(self, plan, it, Writes::lanes(lanes));
         }
     }
 }
@@ -201,9 +228,7 @@ impl Plan {
     /// How many turns are done side by side, the greatest number first.
     fn lanes(&self) -> Vec<u32> {
         let kernel = &self.kernel;
-        // A vector of numbers of 16 bits has eight.
-        let halves = kernel.accesses.iter().any(|access| access.width == Width::Word) || kernel.computes_halves();
-        let least = if halves { 8 } else { 4 };
+        let least = self.least_lanes();
         if !self.side_by_side() {
             return Vec::new();
         }
@@ -217,6 +242,13 @@ impl Plan {
             None if quads => vec![least],
             None => vec![2 * least],
         }
+    }
+
+    /// The lanes of a vector: there are eight numbers of 16 bits.
+    fn least_lanes(&self) -> u32 {
+        let kernel = &self.kernel;
+        let halves = kernel.accesses.iter().any(|access| access.width == Width::Word) || kernel.computes_halves();
+        if halves { 8 } else { 4 }
     }
 
     /// Whether what a turn writes in its inner loop lies so far from what it writes there next that turns beside it write neither.

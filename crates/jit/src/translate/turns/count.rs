@@ -74,7 +74,9 @@ impl Count {
         let turns = self.turns(self.signed(counter), self.signed(limit));
         let last = self.signed(counter) + (turns - 1) * self.step;
         let (least, most) = self.limits();
-        let inside = self.limit.is_none() || (least..=most).contains(&last);
+        // Nor may the first step turn over: what the counter held before lies on the line, too.
+        let first = self.signed(counter) - self.step;
+        let inside = self.limit.is_none() || (least..=most).contains(&last) && (least..=most).contains(&first);
         (inside && turns <= INNER_TURNS_MAX).then_some(turns)
     }
 }

@@ -83,6 +83,10 @@ pub(super) enum Kept {
     },
     /// The clock in milliseconds, which stands still while nobody is asked.
     Clock,
+    /// A value of the loop around this one, which all turns share.
+    Given {
+        width: Width,
+    },
 }
 
 /// An access by an address that a turn computes.
@@ -214,7 +218,7 @@ impl Kernel {
         let cells = &self.cells;
         let is_live = |&Cell(cell): &Cell, live: u32| match cells[usize::from(cell)] {
             Kept::Register(register) => live & bit_of(register) != 0,
-            Kept::Memory { .. } | Kept::Element { .. } | Kept::Budget | Kept::Clock => true,
+            Kept::Memory { .. } | Kept::Element { .. } | Kept::Budget | Kept::Clock | Kept::Given { .. } => true,
         };
         self.lines.borrow_mut().clear();
         self.outer.ends.retain(|cell, _| is_live(cell, self.live));
@@ -370,6 +374,7 @@ impl Kernel {
             self.kept(cell),
             Kept::Memory { width: Width::Bit | Width::Byte | Width::Word, .. }
                 | Kept::Element { width: Width::Bit | Width::Byte | Width::Word, .. }
+                | Kept::Given { width: Width::Bit | Width::Byte | Width::Word }
         )
     }
 
@@ -403,7 +408,9 @@ impl Kernel {
     pub(super) fn is_bit(&self, node: Node) -> bool {
         match self.what(node) {
             What::Read(access) => self.accesses[access].width == Width::Bit,
-            What::Start(_, cell) | What::After(cell) => matches!(self.kept(cell), Kept::Memory { width: Width::Bit, .. }),
+            What::Start(_, cell) | What::After(cell) => {
+                matches!(self.kept(cell), Kept::Memory { width: Width::Bit, .. } | Kept::Given { width: Width::Bit })
+            }
             What::Compute(Op::Select, [_, a, b, _]) => self.is_bit(a) && self.is_bit(b),
             What::Compute(op, _) => {
                 let fails = matches!(op, Op::DivFailsI16 | Op::DivFailsI32 | Op::DivFailsI64);
@@ -457,13 +464,14 @@ impl Kernel {
 impl Kept {
     /// Whether it holds 64 bits.
     pub(super) fn is_wide(self) -> bool {
-        matches!(self, Self::Memory { width: Width::QuadWord, .. } | Self::Element { width: Width::QuadWord, .. })
+        let (Self::Memory { width, .. } | Self::Element { width, .. } | Self::Given { width }) = self else { return false };
+        width == Width::QuadWord
     }
 
     /// The bytes that a cell stands for, and which bit of them.
     fn bytes(self) -> Option<(Base, Range<i64>, Option<u8>)> {
         match self {
-            Self::Register(_) | Self::Element { .. } | Self::Budget | Self::Clock => None,
+            Self::Register(_) | Self::Element { .. } | Self::Budget | Self::Clock | Self::Given { .. } => None,
             Self::Memory { base, offset, width, bit } => {
                 let bit = (width == Width::Bit).then_some(bit);
                 Some((base, i64::from(offset)..i64::from(offset) + i64::from(width.bytes()), bit))

@@ -1,8 +1,12 @@
-//! What a turn adds to a variable in several steps, some of them under conditions, as one sum.
+//! What a turn adds to a variable in several steps, some of them under conditions, as one sum; and sums of products.
 
+use cranelift_codegen::ir::{InstBuilder, Value};
 use sieben_engine::ir::Op;
 
+use super::super::Translator;
 use super::kernel::{Cell, Kernel, Level, Node, What};
+use super::line::Shape;
+use super::vector::Lanes;
 
 /// Steps of a turn that add to the same variable.
 const STEPS_MAX: usize = 16;
@@ -94,5 +98,36 @@ impl Kernel {
                 self.made(What::Compute(Op::Select, [a, yes, no, a]))
             }
         }))
+    }
+}
+
+impl Kernel {
+    /// The numbers of 16 bits with signs of which a value is the product, if they have vectors.
+    pub(super) fn factors_of_halves(&self, node: Node) -> Option<[Node; 2]> {
+        let extended = |node: Node| match self.what(node) {
+            What::Compute(Op::Extend16, [of, ..]) => Some(of),
+            _ => None,
+        };
+        let factors = match self.what(node) {
+            What::Compute(Op::MulI16Wide, [a, b, ..]) => [a, b],
+            What::Compute(Op::MulU32, [a, b, ..]) => [extended(a)?, extended(b)?],
+            _ => return None,
+        };
+        factors.iter().all(|&factor| self.shape(factor) == Some(Shape::Halves)).then_some(factors)
+    }
+}
+
+impl Translator<'_> {
+    /// The products of numbers of 16 bits, each added to the next one: it does not matter which lane of a sum a product goes to.
+    pub(super) fn products_in_pairs(&mut self, factors: &[Lanes; 2], lanes: u32) -> Vec<Value> {
+        let [a, b] = [0, 1].map(|at: usize| self.halves(&factors[at], lanes));
+        let both = a.into_iter().zip(b);
+        let products = both.map(|(a, b)| {
+            let low = [a, b].map(|vector| self.b.ins().swiden_low(vector));
+            let high = [a, b].map(|vector| self.b.ins().swiden_high(vector));
+            let [low, high] = [low, high].map(|[a, b]| self.b.ins().imul(a, b));
+            self.b.ins().iadd_pairwise(low, high)
+        });
+        products.collect()
     }
 }

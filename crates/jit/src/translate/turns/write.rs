@@ -13,15 +13,16 @@ use super::super::memory::{Address, Bit};
 use super::super::promote::Base;
 use super::super::value::Val;
 use super::super::{Translator, is_bit};
-use super::Plan;
 use super::divide::greatest;
 use super::extremes::Extreme;
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Step, What};
 use super::left::{Progress, Waiting};
 use super::left_beside::LeftBeside;
 use super::line::{Carried, Line, Shape, Sum};
+use super::nested::Nested;
 use super::pieces::{self, Gathered, Piece};
 use super::vector::Lanes;
+use super::{Plan, Writes};
 
 /// How many values on lines more than cells are counted on.
 const COUNTED_MORE: usize = 2;
@@ -72,29 +73,37 @@ pub(super) enum Form {
 /// Writes one version of the turns of a loop.
 pub(super) struct Writing<'t, 'a, 'k> {
     pub(super) t: &'t mut Translator<'a>,
-    plan: &'k Plan,
+    pub(super) plan: &'k Plan,
     pub(super) kernel: &'k Kernel,
     /// Turns side by side.
     pub(super) lanes: u32,
     /// Accesses whose bits make whole bytes, if eight turns are written behind one another.
     pub(super) gathered: Gathered,
+    /// How the turns of the inner loop are done, if they are done side by side.
+    nested: Option<&'k Nested>,
+    /// Turns that are written behind one another instead of as a loop.
+    pub(super) unrolled: u32,
     /// Which of these turns is written, and their bytes so far.
     pub(super) turn: u32,
     pub(super) pieces: HashMap<usize, Piece>,
-    outer: Scope,
-    inner: Scope,
+    pub(super) outer: Scope,
+    pub(super) inner: Scope,
     /// What was written since the running turns began.
     pub(super) written: Vec<usize>,
     /// What single turns of those side by side have made.
     pub(super) in_lanes: HashMap<(Node, u32), Val>,
     /// What cells hold in front of the loop.
-    before: HashMap<Cell, Val>,
+    pub(super) before: HashMap<Cell, Val>,
+    /// What cells hold when the rest of the inner loop begins, if turns side by side have been made.
+    pub(super) entered: HashMap<Cell, Val>,
     sums: HashMap<Cell, Vec<Value>>,
     /// Cells that some of the turns side by side write, and the marks and values of the last ones of each lane.
     left_beside: Vec<LeftBeside>,
     lefts: HashMap<Cell, (Vec<Value>, Vec<Value>)>,
     /// Choices that leave the less or greater of two REALs or LREALs for the next turn.
     extremes: BTreeSet<Node>,
+    /// Choices that lead to addresses of the next turn.
+    chased: BTreeSet<Node>,
     /// What blocks have taken from the budget that not all turns enter.
     taken: Option<Val>,
     /// Values that wait on the stack for what the last turn that wrote them leaves.
@@ -106,23 +115,20 @@ pub(super) struct Writing<'t, 'a, 'k> {
 impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     /// Writes turns, as many as there are and as nobody asks about, and goes on where more turns may follow. Goes to the statement
     /// behind the loop if there are none.
-    pub(super) fn write(t: &'t mut Translator<'a>, plan: &'k Plan, it: &Loop, lanes: u32) {
-        Self::write_turns(t, plan, it, lanes, Gathered::new());
+    pub(super) fn write(t: &'t mut Translator<'a>, plan: &'k Plan, it: &Loop, writes: Writes<'k>) {
+        Self::new(t, plan, writes).version(it);
     }
 
-    /// The same for eight turns behind one another, of which these accesses make whole bytes.
-    pub(super) fn write_in_pieces(t: &'t mut Translator<'a>, plan: &'k Plan, it: &Loop, gathered: Gathered) {
-        Self::write_turns(t, plan, it, 1, gathered);
-    }
-
-    fn write_turns(t: &'t mut Translator<'a>, plan: &'k Plan, it: &Loop, lanes: u32, gathered: Gathered) {
+    pub(super) fn new(t: &'t mut Translator<'a>, plan: &'k Plan, Writes { lanes, gathered, nested }: Writes<'k>) -> Self {
         let kernel = &plan.kernel;
-        let mut this = Writing {
+        Writing {
             t,
             plan,
             kernel,
             lanes,
             gathered,
+            nested,
+            unrolled: 1,
             turn: 0,
             pieces: HashMap::new(),
             outer: Scope::default(),
@@ -130,15 +136,16 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             written: Vec::new(),
             in_lanes: HashMap::new(),
             before: HashMap::new(),
+            entered: HashMap::new(),
             sums: HashMap::new(),
             left_beside: Vec::new(),
             lefts: HashMap::new(),
             extremes: BTreeSet::new(),
+            chased: if lanes == 1 { kernel.chased() } else { BTreeSet::new() },
             taken: None,
             waiting: Vec::new(),
             progress: None,
-        };
-        this.version(it);
+        }
     }
 
     fn version(&mut self, it: &Loop) {
@@ -154,7 +161,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         self.t.b.seal_block(enter);
         let done = self.turns(Level::Outer, turns);
         debug_assert!(done.is_empty() || self.lanes > 1);
-        self.finish(it, turns);
+        self.finish(turns);
         let weight = i64::from(self.kernel.outer.weight);
         let left = self.take_budget(turns);
         let budget = self.t.budget();
@@ -314,6 +321,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     /// The same for the inner loop, in a turn of the outer one.
     fn value_at_entry(&mut self, node: Node) -> Val {
         if let What::Start(Level::Inner, cell) = self.kernel.what(node) {
+            if let Some(&entered) = self.entered.get(&cell) {
+                return entered;
+            }
             let entry = self.plan.entry(cell);
             return self.first(entry, Level::Outer);
         }
@@ -342,7 +352,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     }
 
     /// Writes turns of a loop; the vectors of its sums behind it.
-    fn turns(&mut self, level: Level, turns: Value) -> Vec<Value> {
+    pub(super) fn turns(&mut self, level: Level, turns: Value) -> Vec<Value> {
         let step = if level == Level::Outer { self.lanes } else { 1 };
         if level == Level::Outer && self.lanes == 1 {
             self.waiting = self.kernel.left().into_iter().map(|left| self.t.begin_left(left)).collect();
@@ -373,7 +383,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 self.t.b.append_block_param(head, ty)
             })
             .collect();
-        let together = if level == Level::Outer { self.behind_one_another() } else { 1 };
+        let together = if level == Level::Outer { self.behind_one_another().max(self.unrolled) } else { 1 };
         self.written.clear();
         self.in_lanes.clear();
         let mut now = parameters;
@@ -399,9 +409,14 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                         self.written.extend(self.kernel.accesses[access].value.is_some().then_some(access));
                     }
                     Step::Inner => {
-                        let turns = self.t.turns_constant(self.plan.inner_turns);
-                        self.inner = Scope::default();
-                        self.turns(Level::Inner, turns);
+                        match self.nested {
+                            Some(nested) => self.inner_side_by_side(nested),
+                            None => {
+                                let turns = self.t.turns_constant(self.plan.inner_turns);
+                                self.inner = Scope::default();
+                                self.turns(Level::Inner, turns);
+                            }
+                        }
                         self.outer.bytes.clear();
                     }
                 }
@@ -427,7 +442,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         };
         let behind = self.t.b.create_block();
         let arguments: Vec<BlockArg> = next.iter().map(|&value| BlockArg::Value(value)).collect();
-        self.t.b.ins().brif(again, head, &arguments, behind, &[]);
+        if level == Level::Outer && self.unrolled > 1 {
+            self.t.b.ins().jump(behind, &[]);
+        } else {
+            self.t.b.ins().brif(again, head, &arguments, behind, &[]);
+        }
         self.t.b.seal_block(head);
         self.t.b.switch_to_block(behind);
         self.t.b.seal_block(behind);
@@ -704,10 +723,13 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     fn entry(&mut self, level: Level, cell: Cell) -> Lanes {
         match level {
             Level::Outer => Lanes::One(self.before[&cell]),
-            Level::Inner => {
-                let entry = self.plan.entry(cell);
-                self.value(entry, Level::Outer)
-            }
+            Level::Inner => match self.entered.get(&cell) {
+                Some(&entered) => Lanes::One(entered),
+                None => {
+                    let entry = self.plan.entry(cell);
+                    self.value(entry, Level::Outer)
+                }
+            },
         }
     }
 
@@ -858,6 +880,15 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 let next = self.t.further(Val::Int(own[0]), line, turns);
                 all.push(self.t.int(next));
             }
+            Handed::Sum(_, added, Shape::Words) if let Some(factors) = self.kernel.factors_of_halves(added) => {
+                let factors = factors.map(|factor| self.value(factor, level));
+                let products = self.t.products_in_pairs(&factors, self.lanes);
+                let sums = own.iter().enumerate().map(|(at, &sum)| match products.get(at) {
+                    Some(&product) => self.t.b.ins().iadd(sum, product),
+                    None => sum,
+                });
+                all.extend(sums);
+            }
             Handed::Sum(_, added, shape) => {
                 let added = self.value(added, level);
                 let mut vectors = Vec::new();
@@ -1006,6 +1037,10 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 {
                     return Lanes::One(self.t.exact_extreme(extreme, [firsts[1], firsts[2]], ty));
                 }
+                if self.chased.contains(&node) {
+                    let bits = if self.kernel.is_16_bits(node) { 16 } else { 32 };
+                    return Lanes::One(self.t.chosen_by_jump([firsts[0], firsts[1], firsts[2]], bits));
+                }
                 self.note_bounds(node, &firsts);
                 return Lanes::One(self.t.compute_now(op, &firsts));
             }
@@ -1053,9 +1088,8 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         (-most - 1, most)
     }
 
-    /// Writes what cells hold behind the turns.
-    fn finish(&mut self, it: &Loop, turns: Value) {
-        debug_assert!(it.first <= it.last);
+    /// What cells hold behind the turns.
+    pub(super) fn ends(&mut self, turns: Value) -> Vec<(Cell, Val)> {
         let mut last = Vec::new();
         // What a sum was when the last turn began.
         let mut before_last: Vec<(Cell, Sum)> = Vec::new();
@@ -1103,7 +1137,12 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             let before = self.t.b.ins().isub(whole, added);
             last.push((cell, self.t.on_line(before, Line { step: 0, bits })));
         }
-        for (cell, value) in last {
+        last
+    }
+
+    /// Writes what cells hold behind the turns.
+    fn finish(&mut self, turns: Value) {
+        for (cell, value) in self.ends(turns) {
             if self.kernel.kept(cell) == Kept::Budget {
                 self.taken = Some(value);
             }
@@ -1119,7 +1158,7 @@ impl Translator<'_> {
         match kernel.kept(cell) {
             Kept::Register(register) => self.register(register),
             Kept::Budget => Val::Const(0),
-            Kept::Element { .. } => unreachable!("it is read where the inner loop begins"),
+            Kept::Element { .. } | Kept::Given { .. } => unreachable!("it is read where the inner loop begins"),
             Kept::Clock => {
                 let now = self.clock_ms();
                 Val::Int(self.int(now))
@@ -1139,7 +1178,7 @@ impl Translator<'_> {
                 self.b.def_var(self.variables[register as usize], value);
             }
             // It goes into the budget behind the turns; nothing writes the clock.
-            Kept::Budget | Kept::Clock | Kept::Element { .. } => {}
+            Kept::Budget | Kept::Clock | Kept::Element { .. } | Kept::Given { .. } => {}
             Kept::Memory { base, offset, width, bit } => {
                 let base = self.address_of_base(base);
                 self.write_known(Address { base, offset, bit: Bit::Number(bit) }, width, value);
