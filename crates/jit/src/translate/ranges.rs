@@ -33,10 +33,13 @@ pub(super) use relative::{Relative, pointers};
 const INSTRUCTIONS_MAX: usize = 6_000;
 /// Variables in memory whose ranges are followed in a block.
 const PLACES_MAX: usize = 48;
-/// Passes over a loop until nothing changes any more; behind them nothing is known.
-const PASSES_MAX: usize = 24;
-/// Those in which a range that grows stops at the next number where it may; in the others it grows as far as its type.
+/// Passes over a loop in which a range that grows stops at the next number where it may: so many, and these for each loop in it, one of
+/// which settles behind the other; but no more than that in all. In passes behind them it grows as far as its type.
 const STOPPING_PASSES: usize = 16;
+const STOPPING_PASSES_OF_A_LOOP: usize = 6;
+const STOPPING_PASSES_MAX: usize = 160;
+/// Passes behind those until nothing changes any more; behind them nothing is known.
+const GROWING_PASSES: usize = 8;
 /// Passes in which what grew too far comes back.
 const NARROWING_PASSES: usize = 3;
 /// Where a range that grows in a loop stops, beside the constants that the block compares with: the greatest number whose square is a
@@ -506,6 +509,7 @@ impl<'a> Analysis<'a> {
         let heads: Vec<u32> = self.heads.range(part.clone()).copied().collect();
         let place = |head: u32| (head - part.start) as usize;
         self.part = part.clone();
+        let stopping = (STOPPING_PASSES + STOPPING_PASSES_OF_A_LOOP * (heads.len().max(1) - 1)).min(STOPPING_PASSES_MAX);
         let mut before: Option<Vec<Option<State>>> = None;
         for passes in 0.. {
             self.origins.truncate(counted);
@@ -515,7 +519,7 @@ impl<'a> Analysis<'a> {
             }
             let none = BTreeSet::new();
             let stops = std::mem::take(&mut self.stops);
-            let states = self.pass(before.as_deref().zip(Some(if passes < STOPPING_PASSES { &stops } else { &none })), false);
+            let states = self.pass(before.as_deref().zip(Some(if passes < stopping { &stops } else { &none })), false);
             self.stops = stops;
             let stable = before.as_ref().map_or(heads.is_empty(), |before| {
                 heads.iter().all(|&head| match (&states[place(head)], &before[place(head)]) {
@@ -527,7 +531,7 @@ impl<'a> Analysis<'a> {
             if stable {
                 break;
             }
-            if passes + 1 == PASSES_MAX {
+            if passes + 1 == stopping + GROWING_PASSES {
                 return None;
             }
             before = Some(states);
