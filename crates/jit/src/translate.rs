@@ -57,6 +57,7 @@ mod sized;
 mod text_bytes;
 mod text_numbers;
 mod text_order;
+mod text_pointers;
 mod texts;
 mod turns;
 mod value;

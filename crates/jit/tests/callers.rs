@@ -15,7 +15,7 @@ use sieben_model::block::BlockId;
 mod dice;
 mod noting;
 
-const PROGRAMS: u64 = 250;
+const PROGRAMS: u64 = 200;
 /// Local data of the caller, in front of which its texts lie, and of the function.
 const CALLER_LOCAL: u32 = 120;
 const OWN_LOCAL: u32 = 60;

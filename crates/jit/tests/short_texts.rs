@@ -129,8 +129,12 @@ fn statements(b: &mut Builder, dice: &mut Dice) {
             something_else(b, dice);
         }
         let action = dice.of(&actions);
-        let (to, mut to_room) = text(b, dice);
-        let (from, from_room) = if dice.roll(3) == 0 { literal(b, dice) } else { text(b, dice) };
+        let (mut to, mut to_room) = text(b, dice);
+        let (mut from, mut from_room) = if dice.roll(3) == 0 { literal(b, dice) } else { text(b, dice) };
+        if matches!(action, TextAction::Find | TextAction::Compare) && dice.roll(2) == 0 {
+            // Characters of a text in a literal.
+            ((to, to_room), (from, from_room)) = ((from, from_room), (to, to_room));
+        }
         if action == TextAction::Number {
             to_room = TextRoom::NUMBER;
         }

@@ -92,7 +92,8 @@ fn outcome(engine: &dyn Engine, layout: &Layout, (block, byte): (u16, usize), le
         machine.budget = 100;
         machine.memory.area_mut(Area::BitMemory)[OTHER as usize..][..8].copy_from_slice(b"\x06\x06OTHERS");
         machine.memory.area_mut(Area::BitMemory)[12] = 0xF2;
-        machine.memory.area_mut(Area::BitMemory)[8..12].copy_from_slice(&(0x8400_0000 + 8 * byte as u32).to_be_bytes());
+        let area = if block == 0 { 0x8300_0000 } else { 0x8400_0000 };
+        machine.memory.area_mut(Area::BitMemory)[8..12].copy_from_slice(&(area + 8 * byte as u32).to_be_bytes());
         let start = match block {
             0 => layout.area(Area::BitMemory).expect("bit memory").start,
             block => layout.data_blocks[&block].start,
@@ -141,13 +142,14 @@ fn a_text_whose_pointer_is_not_known_asks() {
         asks(&program, &layout(&program))
     };
     let unknown = TextRoom::narrow(0);
-    assert!(asked(Pointer::Read(1), unknown), "a pointer in memory");
+    assert!(!asked(Pointer::Read(1), unknown), "a pointer in memory is looked at");
+    assert!(asked(Pointer::Read(1), TextRoom::wide(0)), "a WSTRING behind a pointer in memory");
     assert!(asked(Pointer::Known(7, 0x8400_0000), unknown), "a data block that is not there");
     assert!(asked(Pointer::Known(1, 0x8400_0078), unknown), "a text of which only the first byte is there");
     assert!(asked(Pointer::Known(1, 0x8400_0050), TextRoom::narrow(5)), "a text that is declared longer than what is there");
-    assert!(asked(Pointer::Indexed(1, 0x8400_0000, 15), unknown), "an index that may leave nothing of the head");
-    assert!(asked(Pointer::Indexed(1, 0x8400_0000, 7), TextRoom::narrow(8)), "an index that may leave less than is declared");
-    assert!(asked(Pointer::Indexed(7, 0x8400_0000, 1), unknown), "an index and a data block that is not there");
+    assert!(!asked(Pointer::Indexed(1, 0x8400_0000, 15), unknown), "an index that may leave nothing of the head is looked at");
+    assert!(!asked(Pointer::Indexed(1, 0x8400_0000, 7), TextRoom::narrow(8)), "so is one that may leave less than is declared");
+    assert!(!asked(Pointer::Indexed(7, 0x8400_0000, 1), unknown), "and one in a data block that is not there");
     assert!(asked(Pointer::Known(1, 0x8400_0001), unknown), "a text that begins inside a byte");
     assert!(asked(Pointer::Known(0, 0x8708_0000), unknown), "local data of nobody");
     assert!(asked(Pointer::Known(0, 0x8700_0178), unknown), "a text that begins in the last byte of the local data");
@@ -171,6 +173,10 @@ fn texts_that_say_how_long_they_are_end_with_their_area_on_all_engines() {
             (Pointer::Indexed(FAR, 0x8400_0040, 3), FAR as u16, 10),
             // It shares bytes with the other text.
             (Pointer::Known(0, 0x8300_0090), 0, 18),
+            // Behind the end of bit memory there is enough of the arena.
+            (Pointer::Read(0), 0, 2048 - 6),
+            (Pointer::Read(0), 0, 18),
+            (Pointer::Read(7), 0, 18),
         ] {
             for is_target in [false, true] {
                 let room = if action == TextAction::Number && is_target { TextRoom::NUMBER } else { TextRoom::narrow(0) };

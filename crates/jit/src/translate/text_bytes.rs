@@ -70,8 +70,13 @@ impl Translator<'_> {
 
     /// The characters that count, if all of them are known, as those of a literal are, and they are few.
     pub(super) fn constant_characters(&self, text: &Whole) -> Option<Vec<u8>> {
+        self.constant_characters_of(text, CHARACTERS_MAX)
+    }
+
+    /// The same of texts with at most so many.
+    pub(super) fn constant_characters_of(&self, text: &Whole, most: u32) -> Option<Vec<u8>> {
         let length = u32::from(*self.constant_head(text)?.last()?).min(text.room.characters_max.into());
-        (length <= CHARACTERS_MAX).then(|| self.constant_bytes(text.address.offset + 2, length)).flatten()
+        (length <= most).then(|| self.constant_bytes(text.address.offset + 2, length)).flatten()
     }
 
     /// How many characters there is room for.
@@ -134,6 +139,7 @@ impl Translator<'_> {
         let length = self.text_length(from);
         let behind = (action == TextAction::Append).then(|| self.text_length(to));
         let mut known = Some((0, usize::MAX));
+        let mut count_most = u32::MAX;
         let (first, count) = match action {
             TextAction::Assign => (None, length),
             _ => {
@@ -144,6 +150,7 @@ impl Translator<'_> {
                 // A negative number is 0.
                 let number = |value: Val| value.constant().map(|number| usize::try_from(number as u32 as i32).unwrap_or(0));
                 known = number(first).zip(number(count));
+                count_most = number(count).and_then(|count| u32::try_from(count).ok()).unwrap_or(u32::MAX);
                 let (first, left) = match first {
                     Val::Const(first) if first as u32 as i32 <= 0 => (None, length),
                     first => {
@@ -188,7 +195,7 @@ impl Translator<'_> {
             let behind = first + count.min(characters.len() - first);
             characters[first..behind].to_vec()
         });
-        let copied = (put, most.min(most_read));
+        let copied = (put, most.min(most_read).min(count_most));
         match characters {
             // Nothing is cut where the room is known.
             Some(characters) if behind.is_none() && to.most.is_none() && characters.len() as u32 <= most => {

@@ -16,6 +16,8 @@ use crate::ask::Question;
 
 /// Characters in one word.
 const WORD: u32 = 8;
+/// Characters of a literal in which one is looked for in registers.
+const ALPHABET_MAX: u32 = 64;
 
 /// Some characters as a word, the first one in the lowest byte; the others are 0.
 fn word_of(characters: &[u8]) -> u64 {
@@ -212,8 +214,63 @@ impl Translator<'_> {
         self.b.ins().isub(greater, less)
     }
 
-    /// Where up to eight characters stand in a text; more are looked for by Rust code.
+    /// Where characters stand in others that are known: one of them is looked for without a look at memory, which would wait for the literal.
+    fn find_in_constant(&mut self, characters: &[u8], to: &Whole, from: &Whole) -> Value {
+        let count = self.text_length(from);
+        let [one, others, done] = [(); 3].map(|()| self.b.create_block());
+        let result = self.b.append_block_param(done, I32);
+        let is_one = self.b.ins().icmp_imm_u(IntCC::Equal, count, 1);
+        self.b.ins().brif(is_one, one, &[], others, &[]);
+        self.go_on_in(others);
+        let place = match self.find_in_memory(to, from) {
+            Some(place) => place,
+            None => {
+                let nothing = self.b.ins().iconst(I64, 0);
+                self.call_for_texts(TextAction::Find, to, from, nothing)
+            }
+        };
+        self.b.ins().jump(done, &[BlockArg::Value(place)]);
+        self.go_on_in(one);
+        let Address { base, offset, .. } = from.address;
+        let wanted = self.b.ins().uload8(I32, data(), base, offset + from.room.head() as i32);
+        let wanted = self.b.ins().ireduce(I8, wanted);
+        let wanted = self.b.ins().splat(I8X16, wanted);
+        let mut bits = self.b.ins().iconst(I64, 0);
+        for (index, piece) in characters.chunks(I8X16.bytes() as usize).enumerate() {
+            let mut all = piece.to_vec();
+            all.resize(I8X16.bytes() as usize, 0);
+            let all = self.b.func.dfg.constants.insert(all.into());
+            let all = self.b.ins().vconst(I8X16, all);
+            let same = self.b.ins().icmp(IntCC::Equal, all, wanted);
+            let found = self.b.ins().vhigh_bits(I32, same);
+            // What stands behind the last one counts as none.
+            let found = self.b.ins().band_imm_u(found, (1 << piece.len()) - 1);
+            let found = self.b.ins().uextend(I64, found);
+            let found = self.b.ins().ishl_imm_u(found, index as i64 * i64::from(I8X16.bytes()));
+            bits = self.b.ins().bor(bits, found);
+        }
+        let place = self.b.ins().ctz(bits);
+        let place = self.b.ins().ireduce(I32, place);
+        let place = self.b.ins().iadd_imm_u(place, 1);
+        let zero = self.constant(0);
+        let place = self.b.ins().select(bits, place, zero);
+        self.b.ins().jump(done, &[BlockArg::Value(place)]);
+        self.go_on_in(done);
+        result
+    }
+
+    /// Where characters stand in a text; `None` = Rust code has to look.
     pub(super) fn find_characters(&mut self, to: &Whole, from: &Whole) -> Option<Value> {
+        if let Some(characters) = self.constant_characters_of(to, ALPHABET_MAX)
+            && !characters.is_empty()
+        {
+            return Some(self.find_in_constant(&characters, to, from));
+        }
+        self.find_in_memory(to, from)
+    }
+
+    /// Where up to eight characters stand in a text; more are looked for by Rust code.
+    fn find_in_memory(&mut self, to: &Whole, from: &Whole) -> Option<Value> {
         let room = u32::from(to.room.characters_max);
         let known = self.constant_characters(from);
         if room < I8X16.bytes() || known.as_ref().is_some_and(|known| known.len() > WORD as usize) {

@@ -12,6 +12,7 @@ use super::memory::{Address, Bit, data, moved};
 use super::outside::Outside;
 use super::promote::Base;
 use super::ranges::TextPlace;
+use super::text_pointers::Found;
 use super::value::Val;
 use super::{After, Translator};
 use crate::ask::{Question, text_kind};
@@ -23,16 +24,18 @@ pub(super) const NUMBER_SHIFT: u32 = 32;
 #[derive(Clone)]
 pub(super) struct Whole {
     pub(super) address: Address,
-    /// The bytes that it may lie in.
-    touched: (Base, Range<i64>),
+    /// The bytes that it may lie in; `None` = any.
+    pub(super) touched: Option<(Base, Range<i64>)>,
     /// How many of them are sure to be there, from where it begins.
-    there: u32,
+    pub(super) there: u32,
     /// No more characters than these count.
     pub(super) room: TextRoom,
     /// How many there is room for, if only the text itself says so.
     pub(super) most: Option<Value>,
     /// Whether it is known to be empty.
     pub(super) empty: bool,
+    /// Where it was found that may lie anywhere.
+    pub(super) found: Option<Found>,
 }
 
 impl Whole {
@@ -79,9 +82,11 @@ impl Translator<'_> {
         let lengths = self.bytes.numbers.take_lengths();
         self.settle_bytes();
         self.bytes.numbers.keep_lengths(lengths);
-        self.store_promoted_in(&source.touched);
-        if let Some(target) = &target {
-            self.store_promoted_in(&target.touched);
+        for text in [Some(&source), target.as_ref()].into_iter().flatten() {
+            match &text.touched {
+                Some(touched) => self.store_promoted_in(touched),
+                None => self.store_promoted(),
+            }
         }
         let word = self.piece(action, piece);
         let [source, target] = [Some(source), target].map(|text| text.map(|text| self.with_most(text)));
@@ -115,9 +120,7 @@ impl Translator<'_> {
             let Address { base, offset, .. } = target.address;
             let is_text = action != TextAction::Number && !target.room.wide && target.most.is_none();
             let says = base == self.local && is_text && self.constant_bytes(offset, 1).is_some();
-            self.take_promoted_in(&target.touched);
-            self.forget_words_in(&target.touched);
-            self.settle_touched(&target.touched, true);
+            self.forget_text(&target);
             if let Some(length) = length.filter(|_| is_known) {
                 self.remember_length(&target, length);
             }
@@ -127,6 +130,21 @@ impl Translator<'_> {
             }
         }
         Some(Val::Int(result))
+    }
+
+    /// Forgets what was known of the bytes of a text that was written.
+    fn forget_text(&mut self, text: &Whole) {
+        match &text.touched {
+            Some(touched) => {
+                self.take_promoted_in(touched);
+                self.forget_words_in(touched);
+                self.settle_touched(touched, true);
+            }
+            None => {
+                self.take_promoted();
+                self.forget_memory();
+            }
+        }
     }
 
     /// The result that was found, or that of Rust code where a text may be longer than its area.
@@ -156,6 +174,10 @@ impl Translator<'_> {
 
     /// A text with what it says itself that there is room for, and whether so many characters are there, if that has to be looked at.
     fn with_most(&mut self, text: Whole) -> (Whole, Option<Value>) {
+        if let Some(found) = text.found {
+            let (text, inside) = self.found_text(text, found);
+            return (text, Some(inside));
+        }
         if !text.room.is_unknown() {
             return (text, None);
         }
@@ -165,10 +187,11 @@ impl Translator<'_> {
         if let Some(&[most, _]) = lengths.as_deref()
             && most > 0
             && u32::from(most) + text.room.head() <= text.there
+            && let Some((base, bytes)) = text.touched.clone()
         {
-            let (room, (base, bytes)) = (TextRoom::narrow(most), text.touched.clone());
+            let room = TextRoom::narrow(most);
             let end = if bytes.end - bytes.start == text.there.into() { bytes.start + i64::from(room.bytes()) } else { bytes.end };
-            return (Whole { room, touched: (base, bytes.start..end), ..text }, None);
+            return (Whole { room, touched: Some((base, bytes.start..end)), ..text }, None);
         }
         let empty = lengths.is_some_and(|lengths| lengths == [0, 0]);
         let most = self.b.ins().uload8(I32, data(), base, offset);
@@ -190,9 +213,20 @@ impl Translator<'_> {
     /// A text that is known to lie inside its area.
     fn whole_text(&mut self, index: u32, ((place, room), is_to): ((Place, TextRoom), bool), write: bool) -> Option<Whole> {
         if let Some(known) = self.known_text((place, room), write) {
-            return Some(Whole { address: known.1, touched: touched(known, room), there: room.bytes(), room, most: None, empty: false });
+            let there = room.bytes();
+            return Some(Whole {
+                address: known.1,
+                touched: Some(touched(known, room)),
+                there,
+                room,
+                most: None,
+                empty: false,
+                found: None,
+            });
         }
-        let TextPlace { bytes: touched, there, block, room: said } = self.ranges.text(index, is_to)?;
+        let Some(TextPlace { bytes: touched, there, block, room: said }) = self.ranges.text(index, is_to) else {
+            return self.text_anywhere(place, room, write);
+        };
         let begins = touched.1.end - touched.1.start == i64::from(there);
         let address = match place {
             Place::Fixed { .. } | Place::Indirect { .. } if !room.is_unknown() => self.span(place, room.bytes(), write)?,
@@ -209,7 +243,7 @@ impl Translator<'_> {
             }
             _ => return None,
         };
-        Some(Whole { address, touched, there, room: said, most: None, empty: false })
+        Some(Whole { address, touched: Some(touched), there, room: said, most: None, empty: false, found: None })
     }
 
     /// The piece in one word.

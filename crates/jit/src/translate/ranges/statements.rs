@@ -93,7 +93,7 @@ impl Analysis<'_> {
                             state.forget_memory();
                         }
                     }
-                    if notes && inside {
+                    if notes {
                         self.found.texts.insert(index, [read, other]);
                     }
                     let known = self.value(Interval::any(32));
