@@ -29,6 +29,7 @@ use crate::st::dialect::Dialect;
 use crate::st::lower::mocking;
 use crate::st::standard::Source;
 use crate::st::tree::TypedBlock;
+use crate::st::untold::Untold;
 use crate::stl::ast;
 use crate::stl::check;
 use crate::stl::extension;
@@ -149,6 +150,7 @@ struct Found<'a> {
 pub fn compile(sources: &Sources, symbols: &SymbolTable, options: &Options) -> Compiled {
     let mut files = Vec::new();
     let mut st = Vec::new();
+    let mut untold = Untold::default();
     let mut diagnostics = Vec::new();
     for (id, source) in sources.iter() {
         match Language::of(&source.name, &source.text, options.dialect) {
@@ -168,6 +170,7 @@ pub fn compile(sources: &Sources, symbols: &SymbolTable, options: &Options) -> C
                     false => dialect,
                 };
                 let mut parsed = st::parser::parse(id, &source.text, dialect);
+                untold.look(&parsed, &source.text);
                 diagnostics.append(&mut parsed.diagnostics);
                 if dialect == Dialect::Codesys {
                     st::declare::name_lists(&mut parsed.file, &source.name);
@@ -177,38 +180,10 @@ pub fn compile(sources: &Sources, symbols: &SymbolTable, options: &Options) -> C
         }
     }
     let of_st: HashSet<FileId> = st.iter().map(|file| file.id).collect();
-    let has = |problems: &[Problem]| {
-        diagnostics.iter().any(|diagnostic| of_st.contains(&diagnostic.span.file) && problems.contains(&diagnostic.problem))
-    };
-    let untold: &[Problem] = match () {
-        () if has(LOSES_BLOCKS) => OF_LOST_BLOCKS,
-        () if has(&[Problem::P2020, Problem::P2021]) => OF_LOST_DECLARATIONS,
-        () => &[],
-    };
     let mut compiled = compile_languages(sources, &files, st, &diagnostics, symbols, options);
-    compiled.diagnostics.retain(|diagnostic| !untold.contains(&diagnostic.problem) || !of_st.contains(&diagnostic.span.file));
+    compiled.diagnostics.retain(|diagnostic| !of_st.contains(&diagnostic.span.file) || untold.lets_through(diagnostic, sources));
     compiled
 }
-
-/// Mistakes that leave it open where a block of ST begins and ends: what is declared in it is not known.
-#[rustfmt::skip] // A table.
-const LOSES_BLOCKS: &[Problem] = &[
-    Problem::P2010, Problem::P2011, Problem::P2012, Problem::P2013, Problem::P2019, Problem::P2023,
-];
-
-/// What is said of names that may well be declared there: nothing, until the block can be read (decision 229).
-#[rustfmt::skip] // A table.
-const OF_LOST_BLOCKS: &[Problem] = &[
-    Problem::P3001, Problem::P3007, Problem::P3008, Problem::P3009, Problem::P3010, Problem::P3015, Problem::P6217, Problem::P6218, Problem::P6219,
-    Problem::P6280, Problem::P6281, Problem::P6282, Problem::P6283, Problem::P6286, Problem::P6310, Problem::P6311, Problem::P6312,
-];
-
-/// What is said of names, fields, types and parameters that a declaration may declare which is not understood: nothing, until it can
-/// be read.
-#[rustfmt::skip] // A table.
-const OF_LOST_DECLARATIONS: &[Problem] = &[
-    Problem::P3001, Problem::P3007, Problem::P3008, Problem::P3009, Problem::P3015, Problem::P6219, Problem::P6310, Problem::P6311,
-];
 
 /// A source that is parsed already.
 #[derive(Clone, Debug)]

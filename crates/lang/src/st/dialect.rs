@@ -344,6 +344,8 @@ pub struct Switches {
     pub s5_functions: bool,
     /// A variable `AT %I*` for which there is no VAR_CONFIG is memory of its own: a tool links it to the hardware.
     pub unlinked_is_memory: bool,
+    /// An organization block has inputs, which the CPU gives: `Initial_Call`.
+    pub organization_block_inputs: bool,
 }
 
 macro_rules! switches {
@@ -395,6 +397,7 @@ switches! {
     wide_names:              false,           true,              false,                   false;
     s5_functions:            false,           false,             true,                    true;
     unlinked_is_memory:      false,           true,              false,                   false;
+    organization_block_inputs: false,         false,             false,                   true;
 }
 
 #[cfg(test)]

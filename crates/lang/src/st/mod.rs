@@ -17,6 +17,7 @@ mod points;
 pub mod standard;
 pub mod syntax;
 pub mod tree;
+pub(crate) mod untold;
 mod variants;
 
 pub use dialect::Dialect;

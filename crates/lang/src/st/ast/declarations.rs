@@ -64,6 +64,8 @@ pub struct VarSection {
     pub declarations: Vec<Declaration>,
     /// Whether something in it was not understood, so that declarations may be missing.
     pub partial: bool,
+    /// Whether the name itself is missing in a declaration, so that any name may be declared here.
+    pub nameless: bool,
     /// The whole section.
     pub span: Span,
 }

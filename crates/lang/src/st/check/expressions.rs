@@ -75,6 +75,9 @@ impl Checker<'_> {
         if let Some(typed) = self.long_difference(expression, wanted) {
             return typed;
         }
+        if *wanted == DataType::LongTime {
+            self.want_long(expression);
+        }
         if let Some(typed) = self.untyped_as(expression, wanted) {
             return self.expression(&typed);
         }
@@ -923,7 +926,7 @@ impl Checker<'_> {
                     (32, _) => done(operators::convert(difference, time), Kind::TIME),
                     // LDT beside the DATE_AND_TIME of the S7 is always the long type.
                     (_, Calendar::S7) => done(difference, Kind::LTIME),
-                    (_, Calendar::Long) if x.class == TimeOfDay => done(difference, Kind::LTIME),
+                    (_, Calendar::Long) if x.class == TimeOfDay || self.long_signs.contains(&sign.start) => done(difference, Kind::LTIME),
                     (_, Calendar::Long) => {
                         let divisor = constant(NANOSECONDS_OF_MILLISECOND, wide);
                         done(operators::convert(operators::compute(Op::DivI64, vec![difference, divisor], wide), time), Kind::TIME)

@@ -390,6 +390,11 @@ impl Checker<'_> {
                 Err(Typed::Aggregate(target))
             }
             Typed::Scalar { value, data_type: DataType::Reference(from) } if fits(&from.target) => Ok(value),
+            // What it implements is not known.
+            Typed::Aggregate(Target { data_type: DataType::Instance { block, .. }, .. }) if self.names.objects().lacks_base(block) => {
+                self.failed = true;
+                Err(Typed::Poison)
+            }
             other => Err(other),
         }
     }

@@ -136,6 +136,7 @@ impl<'a> Checker<'a> {
             counts_characters: false,
             quiet: false,
             held: None,
+            long_signs: BTreeSet::new(),
             locals: Locals::new(names.local_size()),
             lists: Vec::new(),
             next_list: 0,
@@ -184,6 +185,8 @@ struct Checker<'a> {
     quiet: bool,
     /// The last message that was held back: a place to write to.
     held: Option<Diagnostic>,
+    /// The signs of differences whose LTIME is wanted, by their first byte.
+    long_signs: BTreeSet<u32>,
     /// Local data for values that are kept.
     locals: Locals,
     /// The lists of statements around the current one, by the number that [`Label::path`] has.

@@ -162,6 +162,24 @@ impl Checker<'_> {
         Some(self.sum("T_DIFF", call, true, expression.span).unwrap_or(Typed::Poison))
     }
 
+    /// Where an LTIME is wanted, differences of dates have all their nanoseconds and no end after 24 days.
+    pub(super) fn want_long(&mut self, expression: &Expression) {
+        match &expression.kind {
+            ExpressionKind::Parenthesized(inner) => self.want_long(inner),
+            ExpressionKind::Binary(ast::BinaryOperator::Subtract, sign, left, right) => {
+                self.long_signs.insert(sign.start);
+                self.want_long(left);
+                self.want_long(right);
+            }
+            ExpressionKind::Binary(ast::BinaryOperator::Add, _, left, right) => {
+                self.want_long(left);
+                self.want_long(right);
+            }
+            ExpressionKind::Binary(ast::BinaryOperator::Multiply | ast::BinaryOperator::Divide, _, left, _) => self.want_long(left),
+            _ => {}
+        }
+    }
+
     /// Says that a DTL is not compared or computed with what it is not.
     pub(super) fn dtl_beside(&mut self, sign: &str, other: &Typed, at: Span) -> Typed {
         let what = self.what(other);

@@ -164,6 +164,10 @@ pub trait Names {
     }
     /// Whether something in the declarations of a block is wrong, which is told there.
     fn is_broken(&self, block: BlockId) -> bool;
+    /// Whether the declaration of a data block is wrong, which is told there.
+    fn is_wrong_data(&self, number: u16) -> bool;
+    /// Whether a block declares a name twice, which is told there.
+    fn is_twice(&self, block: BlockId, variable: &str) -> bool;
     /// Whether the declaration of a variable of a block gives it an initial value.
     fn has_initial(&self, block: BlockId, variable: &str) -> bool;
     /// Whether the names are those of a CONFIGURATION, which knows the inside of every instance.

@@ -137,7 +137,7 @@ impl Checker<'_> {
     /// The result of the function that bears the name, in the function itself: `"Name" := 1`.
     fn own_result(&self, name: &Name) -> Option<Entity> {
         let own = self.names.local(&name.text)?;
-        let is_result = matches!(&own, Entity::Variable(variable) if variable.role == Role::Result);
+        let is_result = matches!(&own, Entity::Variable(variable) if variable.role == Role::Result || variable.data_type == DataType::Void);
         is_result.then_some(own)
     }
 
@@ -336,6 +336,10 @@ impl Checker<'_> {
     /// A data block as a variable.
     pub(super) fn data_block(&mut self, block: BlockId, span: Span) -> Option<Target> {
         let Some(view) = self.names.data_block(block.number) else {
+            if self.names.is_wrong_data(block.number) {
+                self.failed = true;
+                return None;
+            }
             // One with a name may be declared and have a mistake of its own.
             let (name, number) = (self.names.block_name(block), block.to_string());
             let message = match name == number {
@@ -359,6 +363,10 @@ impl Checker<'_> {
     fn field(&mut self, target: Target, name: &Name, span: Span) -> Reached {
         let (structure, through) = match &target.data_type {
             DataType::Struct(structure) => (structure, Through::Part),
+            DataType::Instance { block, .. } if self.names.is_twice(*block, &name.text) => {
+                self.failed = true;
+                return POISON;
+            }
             DataType::Instance { block, structure } => {
                 let section = self.names.interface(*block).and_then(|interface| Some(interface.variable(&name.text)?.section));
                 let through = match section {
@@ -840,6 +848,10 @@ impl Checker<'_> {
         let data_type = Kind { class: Class::Bits, bits: address.width.bits() }.data_type();
         let (base, name) = match self.reach(&address.block) {
             Reached::Other(Typed::Poison) => return POISON,
+            Reached::Other(Typed::Block(block)) if block.kind == BlockKind::DataBlock && self.names.is_wrong_data(block.number) => {
+                self.failed = true;
+                return POISON;
+            }
             Reached::Other(Typed::Block(block)) if block.kind == BlockKind::DataBlock => {
                 // A field that is called like an address goes before the address.
                 let view = self.names.data_block(block.number);

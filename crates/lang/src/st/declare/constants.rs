@@ -7,7 +7,7 @@ use sieben_model::types::DataType;
 use super::types::Resolver;
 use crate::declarations::types::State;
 use crate::scope::{did_you_mean, key};
-use crate::st::ast::{BinaryOperator, Expression, ExpressionKind, LiteralKind, Name, UnaryOperator};
+use crate::st::ast::{self, BinaryOperator, Expression, ExpressionKind, LiteralKind, Name, UnaryOperator};
 use crate::st::check::names::{Constant, Entity};
 
 /// Nanoseconds of a millisecond, in which durations without `L` count.
@@ -39,6 +39,14 @@ impl Resolver<'_, '_> {
                 self.binary(*operator, left, right, span)
             }
             ExpressionKind::Missing => None,
+            ExpressionKind::Call(call) if takes_address(call) => {
+                let message = "an address is known when the program starts, and this has to be known when it is compiled";
+                self.report(Problem::P6122, span, message).help = Some(
+                    "A type cannot begin with one: write it where the variable is declared, as in `x : Config := (p := ADR(y))`."
+                        .to_owned(),
+                );
+                None
+            }
             _ => self.not_constant(span),
         }
     }
@@ -359,4 +367,9 @@ pub(super) fn path_of(expression: &Expression) -> Option<Vec<&str>> {
             _ => return None,
         }
     }
+}
+
+/// `ADR(x)`, `REF(x)`.
+fn takes_address(call: &ast::Call) -> bool {
+    matches!(&call.callee.kind, ExpressionKind::Name(name) if name.is("ADR") || name.is("REF"))
 }

@@ -13,6 +13,7 @@ use sieben_model::source::Span;
 use sieben_model::types::{DataType, Structure};
 
 use super::initial::bytes;
+use super::interface::unknown;
 use super::items::{Items, numbered};
 use super::{Declared, Demand, InitialAddress, Known, Located, Named, ast};
 use crate::declarations::data_block::DataLayout;
@@ -207,7 +208,10 @@ pub(crate) struct BlockNames<'e, 'a> {
 
 impl Names for BlockNames<'_, '_> {
     fn local(&self, name: &str) -> Option<Entity> {
-        self.declared.names.get(&key(name)).cloned().or_else(|| self.owner.and_then(|_| self.of_instance(name)))
+        let found = self.declared.names.get(&key(name)).cloned().or_else(|| self.owner.and_then(|_| self.of_instance(name)));
+        let nameless = found.is_none() && (self.declared.nameless || self.owner.is_some_and(|owner| owner.nameless));
+        // It may be the name that is lost.
+        found.or_else(|| if nameless && self.global(name).is_some() { Some(nothing(name)) } else { None })
     }
 
     fn global(&self, name: &str) -> Option<Entity> {
@@ -223,6 +227,9 @@ impl Names for BlockNames<'_, '_> {
             && let Some(program) = environment.items.programs.iter().find(|one| key(&one.name) == wanted)
         {
             return Some(Entity::Block(BlockId::db(program.instance)));
+        }
+        if environment.items.is_twice(self.space, name) {
+            return Some(nothing(name));
         }
         if let Some(block) = environment.items.block_in(self.space, name) {
             return Some(Entity::Block(block));
@@ -373,7 +380,19 @@ impl Names for BlockNames<'_, '_> {
     }
 
     fn is_broken(&self, block: BlockId) -> bool {
-        self.environment.declared(block).is_some_and(|declared| declared.broken)
+        let items = self.environment.items;
+        let twice = !items.twice.is_empty() && items.names.get(&block).is_some_and(|name| items.twice.contains(&key(name)));
+        twice || self.environment.declared(block).is_some_and(|declared| declared.broken)
+    }
+
+    fn is_wrong_data(&self, number: u16) -> bool {
+        let items = self.environment.items;
+        !self.environment.data.contains_key(&number) && items.data.contains_key(&number)
+    }
+
+    fn is_twice(&self, block: BlockId, variable: &str) -> bool {
+        let declared = self.environment.declared(block).and_then(|declared| declared.names.get(&key(variable)));
+        matches!(declared, Some(Entity::Variable(variable)) if variable.data_type == DataType::Void)
     }
 
     fn has_initial(&self, block: BlockId, variable: &str) -> bool {
@@ -432,14 +451,30 @@ impl<'e, 'a> BlockNames<'e, 'a> {
         self.declared.edges.iter().filter(|_| own).flat_map(one).collect()
     }
 
+    /// `Initial_Call := NOT called; called := TRUE`.
+    fn first_call(&self, span: Span) -> Vec<Statement> {
+        let Some((input, called)) = &self.declared.first_call else { return Vec::new() };
+        let place = |variable: &Variable| Place { base: variable.base.clone(), offset: variable.offset, indexes: Vec::new(), span };
+        let value = |kind| tree::Value { kind, scalar: Scalar::Bool, span };
+        let assign = |target: &Variable, value| Statement { kind: StatementKind::Assign { target: place(target), value }, span };
+        let first = value(ValueKind::Compute { op: Op::Not, args: vec![value(ValueKind::Load(place(called)))] });
+        vec![assign(input, first), assign(called, value(ValueKind::Constant(1)))]
+    }
+
     /// Statements that give the result and the outputs of a function what they hold at the start, and find the edges of inputs.
     pub(super) fn starting_statements(&self, span: Span) -> Vec<Statement> {
         let mut all = self.edges(span);
+        all.extend(self.first_call(span));
         let starting = self.declared.result.iter().chain(&self.declared.outputs);
         let one = |(variable, initial): &(Variable, Vec<Value>)| self::starting(variable, initial, span);
         all.extend(starting.flat_map(one));
         all
     }
+}
+
+/// What a name stands for of which nothing is said: what is wrong with it was told where it is declared.
+fn nothing(name: &str) -> Entity {
+    unknown(&ast::Name { text: name.to_owned(), ..ast::Name::default() })
 }
 
 /// Statements that give a variable its initial value.

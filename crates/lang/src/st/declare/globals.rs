@@ -103,6 +103,13 @@ pub(super) fn globals<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: &mu
             data.insert(list.number, DataLayout { structure: Arc::new(structure), based_on: None::<BlockId> });
         }
     }
+    // Which of the two is meant where the name is used, nobody knows.
+    for name in &items.twice_global {
+        globals
+            .iter_mut()
+            .filter(|(known, _)| *known == name || known.rsplit_once('.').is_some_and(|(_, last)| last == name))
+            .for_each(|(_, entity)| *entity = unknown(&ast::Name { text: name.clone(), ..ast::Name::default() }));
+    }
     globals
 }
 

@@ -13,7 +13,7 @@ use sieben_model::types::{DataType, Field, Structure, place};
 
 use super::access::{OpenAddress, open_type};
 use super::initial::bytes;
-use super::items::{Code, Items};
+use super::items::{Code, INITIAL_CALL, Items};
 use super::types::{Resolver, holds_instance};
 use super::{Declared, Located, WatchedEdge, ast, globals};
 use crate::declarations::BLOCK_BYTES_MAX;
@@ -28,6 +28,12 @@ use crate::st::objects::TYPE_NUMBER;
 use crate::st::open_arrays::{bound_names, is_open};
 use crate::st::tree::{Base, Local};
 use crate::st::variants::{Told, is_variant, told_name};
+
+/// What remembers that an organization block was called since the restart.
+const CALLED: &str = "__CALLED";
+
+/// The input of an organization block that tells whether there are retentive data: a restart always finds them.
+const REMANENCE: &str = "Remanence";
 
 /// Where the variables of a section lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,6 +76,7 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
         inherited_edges: Vec::new(),
         edges: Vec::new(),
         places: HashMap::new(),
+        twice: Vec::new(),
         partial: false,
     };
     let base = sections.base(id);
@@ -81,7 +88,7 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
     if id.kind == BlockKind::Function {
         sections.result(code);
     }
-    let Sections { resolver, pending, views, located, inherited, inherited_edges, edges, partial, .. } = sections;
+    let Sections { resolver, pending, views, located, inherited, inherited_edges, edges, twice, partial, .. } = sections;
     let unplaced: Vec<Unplaced> = pending.iter().filter_map(Pending::unplaced).collect();
     let laid_out = lay_out_behind(id, base.as_ref(), unplaced);
     let Some(mut block) = laid_out else {
@@ -106,7 +113,7 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
         if local {
             // A text needs its room: the first byte says how much there is.
             let text = matches!(one.data_type, DataType::String(_) | DataType::WideString(_));
-            let starts = initialised || text || !one.initial.is_empty();
+            let starts = initialised || text || !one.initial.is_empty() || one.role == Role::Input;
             let initial = starts.then(|| bytes(&one.data_type, &one.initial));
             declared.locals.push(Local { position: variable.offset, data_type: one.data_type.clone(), initial });
         }
@@ -142,12 +149,44 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
         declared.names.insert(key(&input.name), Entity::Variable(seen.clone()));
         declared.edges.push(WatchedEdge { input, was, now: seen, edge });
     }
+    let variable = |name: &str| match declared.names.get(&key(name)) {
+        Some(Entity::Variable(variable)) if id.kind == BlockKind::OrganizationBlock => Some(variable.clone()),
+        _ => None,
+    };
+    declared.first_call = variable(INITIAL_CALL).zip(variable(CALLED));
     for view in views {
         view.declare(types, &mut declared);
     }
+    let members = named_like_members(types, items, id, &declared);
+    // Which of the two is meant where the name is used, nobody knows (decision 270).
+    for name in twice.iter().chain(&members) {
+        declared.names.insert(key(&name.text), unknown(name));
+    }
+    declared.nameless = code.block.sections.iter().any(|section| section.nameless);
     declared.broken = partial || types.errors() > before;
     types.st_known.blocks.insert(id, declared);
     Some(block)
+}
+
+/// The variables of a block that are called like one of its members, which is said here.
+fn named_like_members(types: &mut Types<'_>, items: &Items<'_>, id: BlockId, declared: &Declared) -> Vec<ast::Name> {
+    let mut found: Vec<ast::Name> = Vec::new();
+    let Some(object) = items.objects.get(id) else { return found };
+    for member in object.members.values() {
+        // GET and SET have one name.
+        if found.iter().any(|known| known.is(&member.name)) {
+            continue;
+        }
+        let Some(Entity::Variable(variable)) = declared.names.get(&key(&member.name)) else { continue };
+        if variable.data_type != DataType::Void {
+            let message = format!("`{}` is declared twice in `{}`", member.name, object.name);
+            let report = types.report(Problem::P3006, member.span, message);
+            report.related.push((variable.span, "first declared here".to_owned()));
+            report.help = Some("Give the member or the variable another name.".to_owned());
+        }
+        found.push(ast::Name { text: member.name.clone(), span: member.span, ..ast::Name::default() });
+    }
+    found
 }
 
 impl Pending {
@@ -246,6 +285,8 @@ struct Sections<'t, 'a> {
     edges: Vec<([String; 3], ast::Edge)>,
     /// Where names were declared.
     places: HashMap<String, Span>,
+    /// Names that are declared twice.
+    twice: Vec<ast::Name>,
     /// Whether a declaration was not understood, which may have been said when it was read.
     partial: bool,
 }
@@ -379,6 +420,7 @@ impl<'a> Sections<'_, 'a> {
                 let message = format!("`{}` is declared twice in this block", name.text);
                 let report = self.resolver.report(Problem::P3006, name.span, message);
                 report.related.push((first, "first declared here".to_owned()));
+                self.twice.push(name.clone());
                 false
             }
             None => {
@@ -394,6 +436,10 @@ impl<'a> Sections<'_, 'a> {
         let has_instance = self.id.kind == BlockKind::FunctionBlock;
         let kept = self.resolver.items.kept.contains_key(&self.id);
         let (store, role) = match section.kind {
+            // The CPU gives them; they lie in the local data.
+            Kind::Input if self.id.kind == BlockKind::OrganizationBlock && self.resolver.dialect.switches().organization_block_inputs => {
+                (Store::Interface(Section::Temp), Role::Input)
+            }
             Kind::Input if self.id.kind != BlockKind::OrganizationBlock => (Store::Interface(Section::Input), Role::Input),
             Kind::Output if self.id.kind != BlockKind::OrganizationBlock => (Store::Interface(Section::Output), Role::Output),
             Kind::InOut if self.id.kind != BlockKind::OrganizationBlock => (Store::Interface(Section::InOut), Role::InOut),
@@ -422,9 +468,34 @@ impl<'a> Sections<'_, 'a> {
             }
             return;
         };
+        let known = self.pending.len();
         for declaration in variables {
             self.declaration(declaration, store, role, section.has(ast::Qualifier::Retain));
         }
+        if self.id.kind == BlockKind::OrganizationBlock && role == Role::Input {
+            self.given_by_cpu(known);
+        }
+    }
+
+    /// The inputs of an organization block, which begin behind so many variables: what they hold, unless it is 0 and FALSE.
+    fn given_by_cpu(&mut self, known: usize) {
+        let mut remembers = None;
+        for input in self.pending.iter_mut().skip(known).filter(|input| input.data_type == DataType::Bool) {
+            if input.name.eq_ignore_ascii_case(REMANENCE) {
+                input.initial = vec![Value::Bool(true)];
+            } else if input.name.eq_ignore_ascii_case(INITIAL_CALL) {
+                remembers = Some(input.span);
+            }
+        }
+        self.pending.extend(remembers.map(|span| Pending {
+            name: CALLED.to_owned(),
+            store: Store::Kept,
+            role: Role::Static,
+            data_type: DataType::Bool,
+            initial: Vec::new(),
+            comment: String::new(),
+            span,
+        }));
     }
 
     /// The names of a declaration that was not understood stay declared, so that their uses are not reported too.
@@ -446,6 +517,9 @@ impl<'a> Sections<'_, 'a> {
         let Some((data_type, named)) = self.resolver.type_and_initial(&declaration.data_type) else {
             return self.unknown(declaration);
         };
+        // Organization blocks are told a data block by its number.
+        let given = self.id.kind == BlockKind::OrganizationBlock && role == Role::Input && data_type == DataType::BlockData;
+        let data_type = if given { DataType::Word } else { data_type };
         let read_only = store == input && is_open(&data_type);
         if read_only && !self.resolver.judge(Construct::OpenArrayInput, declaration.data_type.span) {
             return self.unknown(declaration);

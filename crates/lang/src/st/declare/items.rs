@@ -121,6 +121,10 @@ pub(crate) struct Items<'a> {
     pub(crate) configurations: Vec<(&'a ast::Configuration, Dialect)>,
     /// Functions with VAR_STAT or VAR CONSTANT of their own: the data block that keeps it.
     pub(crate) kept: BTreeMap<BlockId, u16>,
+    /// Keys of the blocks and types that are declared twice: which of them is meant, nobody knows (decision 270).
+    pub(crate) twice: BTreeSet<String>,
+    /// The same for global variables.
+    pub(crate) twice_global: BTreeSet<String>,
     /// Names before a point.
     pub(crate) qualifiers: BTreeSet<String>,
     /// Keys of all namespaces.
@@ -145,6 +149,9 @@ fn numbered_anywhere(text: &str) -> Option<BlockId> {
     Some(BlockId::new(BlockKind::from_abbreviation(word)?, number.parse().ok()?))
 }
 
+/// The input of an organization block that is TRUE in its first call after a restart.
+pub(super) const INITIAL_CALL: &str = "Initial_Call";
+
 /// Organization blocks that have a usual name and no number in their source.
 const NAMED_ORGANIZATION_BLOCKS: &[(&str, u16)] = &[
     ("Main", 1),
@@ -153,6 +160,12 @@ const NAMED_ORGANIZATION_BLOCKS: &[(&str, u16)] = &[
     ("Time of day", 10),
     ("Time delay interrupt", 20),
     ("Hardware interrupt", 40),
+    ("Time error interrupt", 80),
+    ("Diagnostic error interrupt", 82),
+    ("Pull or plug of modules", 83),
+    ("Rack or station failure", 86),
+    ("Programming error", 121),
+    ("IO access error", 122),
 ];
 
 /// Something that needs a number, on the way to it.
@@ -328,6 +341,11 @@ impl Items<'_> {
         self.spellings(space, name).iter().find_map(|spelled| self.blocks.get(spelled).copied())
     }
 
+    /// Whether what a name means in a place is declared twice.
+    pub(crate) fn is_twice(&self, space: usize, name: &str) -> bool {
+        !self.twice.is_empty() && self.spellings(space, name).iter().any(|spelled| self.twice.contains(spelled))
+    }
+
     /// Function blocks that are called with a data block by its number, `FB10.DB20(…)`: both, and the place.
     pub(crate) fn instances_called(&self) -> Vec<(BlockId, u16, Span)> {
         let mut found = Vec::new();
@@ -479,7 +497,7 @@ impl<'a> Collector<'a, '_> {
             self.items.qualifiers.insert(key(&wanted.name));
             self.pending.push((owner, Pending::Instance(behind)));
         } else if matches!(block.kind, ast::BlockKind::Function | ast::BlockKind::Method | ast::BlockKind::OrganizationBlock)
-            && block.sections.iter().any(|section| section.kind == ast::SectionKind::Static)
+            && block.sections.iter().any(|section| section.kind == ast::SectionKind::Static || is_called_first(block, section))
         {
             self.pending.push((Wanted { name: format!("{}{KEPT}", wanted.name), ..owner }, Pending::Kept(behind)));
         }
@@ -501,6 +519,11 @@ impl<'a> Collector<'a, '_> {
             Some(&first) => {
                 let message = format!("`{name}` is declared twice");
                 self.diagnostics.push(Diagnostic::new(Problem::P3006, span, message).related(first, "first declared here"));
+                let twice = match space {
+                    Space::Block => &mut self.items.twice,
+                    Space::Global => &mut self.items.twice_global,
+                };
+                twice.insert(key(name));
                 false
             }
             None => {
@@ -569,7 +592,10 @@ impl<'a> Collector<'a, '_> {
         let qualified = declaration.attributes.iter().any(|attribute| attribute.name.is("qualified_only"));
         if let (ast::TypeKind::Enumeration { values, .. }, false) = (&declaration.data_type.kind, qualified) {
             for (value, _) in values {
-                self.items.values.entry(key(&value.text)).or_default().push(key(&full));
+                let owners = self.items.values.entry(key(&value.text)).or_default();
+                if !owners.contains(&key(&full)) {
+                    owners.push(key(&full));
+                }
             }
         }
         self.items.types.insert(key(&full), Type { declaration, dialect, space: self.space });
@@ -605,4 +631,12 @@ impl<'a> Collector<'a, '_> {
         self.items.lists.push(List { name, section, dialect, number: 0 });
         self.pending.push((wanted, Pending::List(list)));
     }
+}
+
+/// Whether an organization block has an input of this section that tells of its first call.
+pub(super) fn is_called_first(block: &ast::Block, section: &ast::VarSection) -> bool {
+    let mut names = section.declarations.iter().flat_map(|declaration| &declaration.names);
+    block.kind == ast::BlockKind::OrganizationBlock
+        && section.kind == ast::SectionKind::Input
+        && names.any(|declared| declared.name.is(INITIAL_CALL))
 }

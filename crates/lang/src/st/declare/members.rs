@@ -137,6 +137,7 @@ fn of_property(property: Property, owner: &Block, members: &mut Vec<Block>) {
             attributes: Vec::new(),
             declarations: vec![value],
             partial: false,
+            nameless: false,
             span: own.span,
         };
         let sections = std::iter::once(input).chain(own_sections).collect();

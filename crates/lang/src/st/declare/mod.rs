@@ -102,8 +102,12 @@ pub(crate) struct Declared {
     pub(crate) outputs: Vec<(Variable, Vec<Value>)>,
     /// Inputs of which the statements see the edges.
     pub(crate) edges: Vec<WatchedEdge>,
+    /// The input of an organization block that tells of its first call, and what remembers that it was called.
+    pub(crate) first_call: Option<(Variable, Variable)>,
     /// Something was wrong with a declaration, so that its statements cannot be understood whole.
     pub(crate) broken: bool,
+    /// The name itself is missing in a declaration: a name that means something outside may be the lost one.
+    pub(crate) nameless: bool,
 }
 
 /// A BOOL input with R_EDGE or F_EDGE.

@@ -10,7 +10,6 @@ use super::constructors::FB_INIT;
 use super::environment::Environment;
 use crate::scope::key;
 use crate::st::ast::{Access, BlockKind, MemberKind};
-use crate::st::check::names::Entity;
 use crate::st::dialect::{Construct, Judgement};
 use crate::st::objects::{Member, Object};
 
@@ -74,18 +73,6 @@ impl Environment<'_> {
             diagnostics.push(diagnostic);
         };
         let name = &member.name;
-        let variable = self.declared(id).and_then(|declared| match declared.names.get(&key(name)) {
-            Some(Entity::Variable(variable)) => Some(variable.span),
-            _ => None,
-        });
-        if let Some(span) = variable {
-            report(
-                Problem::P3006,
-                format!("`{name}` is declared twice in `{}`", object.name),
-                Some((span, "first declared here")),
-                "Give the member or the variable another name.",
-            );
-        }
         if member.is_abstract && member.has_body {
             report(
                 Problem::P6283,
@@ -130,6 +117,11 @@ impl Environment<'_> {
                 diagnostics.push(Diagnostic::new(Problem::P6283, member.span, message).related(other.span, "asked for here"));
             }
             let (Some(own), Some(asked)) = (self.interface_of(member.function), self.interface_of(other.function)) else { continue };
+            // What parameters a declaration has that is not understood, nobody knows.
+            let broken = |function| self.declared(function).is_some_and(|declared| declared.broken);
+            if broken(member.function) || broken(other.function) {
+                continue;
+            }
             // FB_Init of a block that extends another one may take more.
             if !member.name.eq_ignore_ascii_case(FB_INIT)
                 && let Some(why) = difference(&own, &asked)

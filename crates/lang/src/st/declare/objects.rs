@@ -88,6 +88,7 @@ fn object(
                 demands.push(demand);
                 None
             }
+            None if path.names.is_empty() || items.is_twice(code.space, &joined(path)) => None,
             None => upper(items, scope, code, path, &mut report),
         };
         let Some(found) = found else {
@@ -122,7 +123,10 @@ fn object(
         }
         object.lacks_base |= known == (object.base, object.interfaces.len());
     }
-    for path in &block.implements {
+    // The name behind IMPLEMENTS is missing, which the parser told.
+    object.lacks_base |= block.implements.iter().any(|path| path.names.is_empty());
+    let written = |path: &&ast::Path| !path.names.is_empty() && !items.is_twice(code.space, &joined(path));
+    for path in block.implements.iter().filter(written) {
         let Some(found) = upper(items, scope, code, path, &mut report) else { continue };
         let name = joined(path);
         if items.code.get(&found).is_some_and(|of| of.block.kind == ast::BlockKind::Interface) {

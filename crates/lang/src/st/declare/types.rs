@@ -83,6 +83,25 @@ pub(super) struct Resolver<'t, 'a> {
 const POINTER_SIZED: &[(&str, DataType)] =
     &[("__XWORD", DataType::LongWord), ("__UXINT", DataType::UnsignedLongInt), ("__XINT", DataType::LongInt)];
 
+/// Types of tia that name a module, a connection or an organization block by its number, by the beginning of their word.
+const NUMBERS_OF_TIA: &[(&str, DataType)] = &[
+    ("HW_", DataType::Word),
+    ("CONN_", DataType::Word),
+    ("OB_", DataType::Int),
+    ("EVENT_", DataType::DoubleWord),
+    ("AOM_IDENT", DataType::DoubleWord),
+    ("PORT", DataType::UnsignedInt),
+    ("RTM", DataType::UnsignedInt),
+    ("PIP", DataType::UnsignedInt),
+];
+
+/// What stands behind the beginning of such a word.
+#[rustfmt::skip] // A table.
+const NUMBERED_OF_TIA: &[&str] = &[
+    "", "ANY", "IO", "DEVICE", "DPMASTER", "DPSLAVE", "IOSYSTEM", "SUBMODULE", "MODULE", "INTERFACE", "IEPORT", "HSC", "PWM", "PTO", "PRG", "OUC", "R_ID",
+    "DELAY", "TOD", "CYCLIC", "ATT", "PCYCLE", "HWINT", "DIAG", "TIMEERROR", "STARTUP",
+];
+
 /// The longest STRING that is taken as one of 254 characters.
 const LONG_STRING_MAX: i128 = 65_535;
 
@@ -157,6 +176,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
             None if word.eq_ignore_ascii_case(dtl::WORD) && self.dialect.judge(Construct::PeekPoke) == Judgement::Accept => {
                 dtl::data_type()
             }
+            None if self.dialect.switches().organization_block_inputs && number_of_tia(word).is_some() => number_of_tia(word)?,
             None if word.eq_ignore_ascii_case("DB_ANY") && self.dialect.switches().numbered_blocks => DataType::BlockData,
             None => return None,
         };
@@ -335,6 +355,9 @@ impl<'t, 'a> Resolver<'t, 'a> {
         }
         let words: Vec<&str> = path.names.iter().map(|name| name.text.as_str()).collect();
         let full_name = words.join(".");
+        if self.items.is_twice(self.space, &full_name) {
+            return None;
+        }
         let spellings = self.items.spellings(self.space, &full_name);
         if let Some(full) = spellings.iter().find(|full| self.items.types.contains_key(*full)) {
             return self.type_of_key(full, span);
@@ -648,6 +671,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 let word = &declared.name;
                 if !names.insert(key(&word.text)) {
                     self.report(Problem::P3006, word.span, format!("`{}` is declared twice in this STRUCT", word.text));
+                    whole = false;
                     continue;
                 }
                 let (offset, behind) = match placed {
@@ -742,4 +766,13 @@ pub(super) fn instance_of(data_type: &DataType) -> Option<BlockId> {
         DataType::Instance { block, .. } => Some(*block),
         _ => None,
     }
+}
+
+/// The number that `HW_IO` and its like are.
+fn number_of_tia(word: &str) -> Option<DataType> {
+    let word = word.to_ascii_uppercase();
+    NUMBERS_OF_TIA.iter().find_map(|(begin, data_type)| {
+        let rest = word.strip_prefix(begin)?;
+        (rest.is_empty() != begin.ends_with('_') && NUMBERED_OF_TIA.contains(&rest)).then(|| data_type.clone())
+    })
 }

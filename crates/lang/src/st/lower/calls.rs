@@ -5,9 +5,9 @@ use sieben_engine::machine::Register;
 use sieben_model::address::Width;
 use sieben_model::block::BlockId;
 use sieben_model::interface::{Section, Variable};
-use sieben_model::types::{DataType, ReferenceKind};
+use sieben_model::types::DataType;
 
-use super::pointers::at;
+use super::pointers::{at, holds_address, is_address};
 use super::{Lowering, bytes, width, width_of_bits};
 use crate::st::tree::{Argument, Base, Call, Callee, Dispatch, Place, Scalar, TextRoom, ValueKind, room_of};
 use crate::stl::meaning::data_blocks::REGISTER_PAIRS;
@@ -249,6 +249,12 @@ impl Lowering<'_> {
                 let (place, _) = self.text(text);
                 self.pass_place(&place, formal)
             }
+            Argument::Aggregate { source, data_type, .. } if holds_address(data_type) => {
+                let copy = self.hidden_bytes(bytes(data_type).clamp(1, VALUE_BYTES_MAX));
+                self.copy_typed(&copy, source, data_type);
+                self.pass_addresses(&copy, data_type);
+                self.pass_pointer(&copy, data_type, None)
+            }
             Argument::Aggregate { source, data_type, .. } | Argument::OutputAggregate { target: source, data_type, .. } => {
                 self.pass_pointer(source, data_type, None)
             }
@@ -369,7 +375,11 @@ impl Lowering<'_> {
                     self.release(var);
                 }
                 Argument::Text { parameter, text, room } => self.assign_text(&at(&instance, *parameter), *room, text),
-                Argument::Aggregate { parameter, source, data_type } => self.copy_typed(&at(&instance, *parameter), source, data_type),
+                Argument::Aggregate { parameter, source, data_type } => {
+                    let inside = at(&instance, *parameter);
+                    self.copy_typed(&inside, source, data_type);
+                    self.pass_addresses(&inside, data_type);
+                }
                 Argument::InOut { parameter, place, data_type } if is_elementary(data_type) => {
                     let frozen = self.freeze(place);
                     let width = width_of_bits(data_type.bits() as u32);
@@ -490,9 +500,4 @@ fn is_elementary(data_type: &DataType) -> bool {
 /// What an ANY says of a value; `None` where the parameter is none.
 fn any_of(formal: &DataType, data_type: &DataType) -> Option<(u8, u32)> {
     (*formal == DataType::Any).then(|| any_type(data_type))
-}
-
-/// Whether a parameter is the address of a variable.
-fn is_address(data_type: &DataType) -> bool {
-    matches!(data_type, DataType::Reference(reference) if matches!(reference.kind, ReferenceKind::Pointer | ReferenceKind::Reference))
 }

@@ -3,10 +3,11 @@
 use sieben_engine::ir::{Inst, Op, Place as Address, Target, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
-use sieben_model::types::DataType;
+use sieben_model::types::{DataType, ReferenceKind};
 
 use super::places::Located;
 use super::{Lowering, bytes, width_of_bits};
+use crate::st::check::places::element_step;
 use crate::st::tree::{Base, Place, Value, ValueKind};
 use crate::stl::meaning::logic_control::CALLER_LOCAL;
 
@@ -112,6 +113,23 @@ impl Lowering<'_> {
             ValueKind::AddressOf(place) if !matches!(place.base, Base::Reference(_)) => return self.address_of(place, true),
             _ => self.value(value),
         };
+        self.passed_address(var)
+    }
+
+    /// The addresses in a structure or an array that a called block has got a copy of, as that block has to see them.
+    pub(super) fn pass_addresses(&mut self, copy: &Place, data_type: &DataType) {
+        let mut offsets = Vec::new();
+        addresses_in(data_type, 0, &mut offsets);
+        for offset in offsets {
+            let place = at(copy, offset);
+            let address = self.load(&place, Width::QuadWord);
+            let passed = self.passed_address(address);
+            self.store(&place, Width::QuadWord, passed);
+            self.release(passed);
+        }
+    }
+
+    fn passed_address(&mut self, var: Var) -> Var {
         let (number, pointer) = self.reference_parts(var);
         let shift = self.constant(AREA_SHIFT);
         let area = self.compute_from(Op::Shr32, &[pointer, shift]);
@@ -277,4 +295,43 @@ impl Lowering<'_> {
 /// The place so many bits further on.
 pub(super) fn at(place: &Place, bits: u32) -> Place {
     Place { offset: place.offset.saturating_add(bits), ..place.clone() }
+}
+
+/// How many addresses in one parameter are looked at: each is a dozen instructions.
+const ADDRESSES_MAX: usize = 64;
+
+/// Whether a value is an address that may lead to local data.
+pub(super) fn is_address(data_type: &DataType) -> bool {
+    matches!(data_type, DataType::Reference(reference) if matches!(reference.kind, ReferenceKind::Pointer | ReferenceKind::Reference))
+}
+
+/// Whether a structure or an array holds such an address.
+pub(super) fn holds_address(data_type: &DataType) -> bool {
+    let mut offsets = Vec::new();
+    addresses_in(data_type, 0, &mut offsets);
+    !offsets.is_empty()
+}
+
+/// Where addresses lie in a structure or an array, in bits.
+pub(super) fn addresses_in(data_type: &DataType, start: u32, offsets: &mut Vec<u32>) {
+    match data_type {
+        _ if offsets.len() >= ADDRESSES_MAX => {}
+        DataType::Struct(structure) => {
+            structure.fields.iter().for_each(|field| addresses_in(&field.data_type, start.saturating_add(field.offset), offsets));
+        }
+        DataType::Array { bounds, element } => {
+            let mut of_one = Vec::new();
+            addresses_in(element, 0, &mut of_one);
+            if of_one.is_empty() {
+                return;
+            }
+            let step = element_step(element);
+            let count = bounds.iter().map(|&(low, high)| i64::from(high) - i64::from(low) + 1).product::<i64>();
+            for index in 0..u32::try_from(count).unwrap_or(u32::MAX).min(ADDRESSES_MAX as u32) {
+                offsets.extend(of_one.iter().map(|offset| start.saturating_add(index.saturating_mul(step)).saturating_add(*offset)));
+            }
+        }
+        _ if is_address(data_type) => offsets.push(start),
+        _ => {}
+    }
 }

@@ -168,14 +168,10 @@ impl Parser<'_> {
         self.declared.clear();
         self.labels.clear();
         self.awaited.clear();
-        if self.at_word("EXTENDS") {
-            block.extends = self.bases();
-        }
-        if self.at_word("IMPLEMENTS") {
-            block.implements = self.bases();
-        }
+        self.bases_of(&mut block);
         if matches!(kind, BlockKind::FunctionBlock | BlockKind::Class) {
             self.stray_base(&mut block);
+            self.bases_of(&mut block);
         }
         if self.raw() == Raw::Colon && (kind == BlockKind::Function || !self.on_new_line()) {
             self.bump(SyntaxKind::Punctuation);
@@ -534,7 +530,14 @@ impl Parser<'_> {
         self.bump(SyntaxKind::Keyword);
         let is_internal = self.eat_word("INTERNAL");
         let name = match self.at_name() {
-            true => self.path(SyntaxKind::Declared),
+            true => {
+                let path = self.path(SyntaxKind::Declared);
+                if self.eat(Raw::Point, SyntaxKind::Punctuation) {
+                    let message = "the name of a namespace is missing behind the point";
+                    self.report(Diagnostic::new(Problem::P2010, self.last_character(), message));
+                }
+                path
+            }
             false => {
                 let name = self.block_name("NAMESPACE");
                 Path { span: name.span, names: vec![name] }

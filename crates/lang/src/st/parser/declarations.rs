@@ -34,6 +34,11 @@ pub(super) enum Place {
     Struct,
 }
 
+/// Whether a message says that a declaration lacks its name: all else that is missing in one has a fix.
+pub(in crate::st) fn name_is_lost(diagnostic: &Diagnostic) -> bool {
+    diagnostic.problem == Problem::P2020 && diagnostic.fix.is_none()
+}
+
 impl Parser<'_> {
     /// A VAR section; the current token is its keyword.
     pub(super) fn section(&mut self) -> VarSection {
@@ -59,8 +64,16 @@ impl Parser<'_> {
             self.judge(construct, token.start, token.end);
         }
         self.bump(SyntaxKind::Keyword);
-        let (span, partial) = (self.since(token.start), false);
-        let mut section = VarSection { kind, qualifiers: Vec::new(), name: None, attributes, declarations: Vec::new(), partial, span };
+        let mut section = VarSection {
+            kind,
+            qualifiers: Vec::new(),
+            name: None,
+            attributes,
+            declarations: Vec::new(),
+            partial: false,
+            nameless: false,
+            span: self.since(token.start),
+        };
         if kind != SectionKind::Const {
             self.qualifiers(&mut section);
         }
@@ -69,6 +82,7 @@ impl Parser<'_> {
         self.section_end(end, token.start);
         section.span = self.since(token.start);
         section.partial = self.diagnostics.iter().skip(reported).any(|one| one.severity() == Severity::Error);
+        section.nameless = self.diagnostics.iter().skip(reported).any(name_is_lost);
         self.finish();
         section
     }
@@ -88,6 +102,7 @@ impl Parser<'_> {
             attributes: Vec::new(),
             declarations: Vec::new(),
             partial: true,
+            nameless: false,
             span: self.since(start),
         };
         self.qualifiers(&mut section);
@@ -531,6 +546,10 @@ impl Parser<'_> {
             return;
         }
         if self.on_new_line() || self.raw() == Raw::End || self.keyword().is_some_and(|keyword| keyword.is_end()) {
+            self.missing(Problem::P6053, ";", format!("`;` is missing behind {behind}"));
+            return;
+        }
+        if self.at_name() && matches!(self.next_raw(), Raw::Colon | Raw::Comma) {
             self.missing(Problem::P6053, ";", format!("`;` is missing behind {behind}"));
             return;
         }

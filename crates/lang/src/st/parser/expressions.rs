@@ -230,8 +230,13 @@ impl<'t> Parser<'t> {
                     (ExpressionKind::Dereference(Box::new(left)), 0)
                 }
                 Raw::ParenOpen if !matches!(left.kind, ExpressionKind::Address(_) | ExpressionKind::Parenthesized(_)) => {
+                    let reported = self.diagnostics.len();
                     let (arguments, other) = self.arguments();
-                    (ExpressionKind::Call(Box::new(Call { callee: left, arguments })), other)
+                    let shapes = [Problem::P2030, Problem::P2031, Problem::P6055];
+                    let lost = self.diagnostics.iter().skip(reported).any(|one| shapes.contains(&one.problem));
+                    // Which argument is which, nobody knows: what is called has nothing to say to them.
+                    let callee = if lost { Expression { kind: ExpressionKind::Missing, ..left } } else { left };
+                    (ExpressionKind::Call(Box::new(Call { callee, arguments })), other)
                 }
                 _ => return (left, height),
             };
@@ -266,6 +271,13 @@ impl<'t> Parser<'t> {
                 }
                 let name = self.name(SyntaxKind::Name);
                 Ok(ExpressionKind::Member(Box::new(left), name))
+            }
+            // `Plant.State#open`: the type lies in a namespace.
+            Raw::EnumValue if names_of(&left).is_some() => {
+                self.bump(SyntaxKind::Punctuation);
+                let ExpressionKind::EnumValue { of, value } = self.enum_value() else { return Err(left) };
+                let names = names_of(&left).unwrap_or_default().into_iter().chain(of.names).collect();
+                Ok(ExpressionKind::EnumValue { of: Path { names, span: left.span.to(of.span) }, value })
             }
             _ => {
                 self.bump(SyntaxKind::Punctuation);
@@ -648,4 +660,17 @@ fn balanced(operator: BinaryOperator, parts: Vec<Tall>, places: &[Span]) -> Tall
 /// The text of a quoted or plain name, for tables.
 pub(super) fn key(text: &str) -> String {
     unquoted(unquoted(text.trim_start_matches('#'), '"'), '`').to_uppercase()
+}
+
+/// The names of `a.b`, if there is nothing else in it.
+fn names_of(expression: &Expression) -> Option<Vec<Name>> {
+    match &expression.kind {
+        ExpressionKind::Name(name) => Some(vec![name.clone()]),
+        ExpressionKind::Member(base, name) => {
+            let mut names = names_of(base)?;
+            names.push(name.clone());
+            Some(names)
+        }
+        _ => None,
+    }
 }

@@ -32,11 +32,20 @@ impl Parser<'_> {
         let mut header = Header::default();
         while self.raw() == Raw::Word {
             let next = self.next_raw();
-            if self.at_word("TITLE") && next == Raw::Equal {
+            let behind = self.tokens[self.behind(self.at)];
+            let same_line = !self.text[self.token().end as usize..behind.start as usize].contains(['\n', '\r']);
+            // `TITLE Filling of the tank`, but no name of that word.
+            let unsigned = same_line && matches!(next, Raw::Characters | Raw::Word) && behind.keyword.is_none();
+            if self.at_word("TITLE") && (next == Raw::Equal || unsigned) {
                 self.start(SyntaxKind::HeaderLine);
                 self.bump(SyntaxKind::Keyword);
-                let sign = self.token().end;
-                self.bump(SyntaxKind::Punctuation);
+                let sign = if unsigned { self.previous } else { self.token().end };
+                match unsigned {
+                    true => self.missing(Problem::P2014, " =", "`=` is missing behind `TITLE`"),
+                    false => {
+                        self.bump(SyntaxKind::Punctuation);
+                    }
+                }
                 let line = self.on_new_line();
                 let from = self.here();
                 let text = if line { String::new() } else { self.rest_of_line(sign) };

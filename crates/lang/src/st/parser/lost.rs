@@ -7,7 +7,7 @@ use super::Parser;
 use super::blocks::is_end_of_block;
 use crate::st::ast::{Expression, Statement, StatementKind, TypeKind};
 use crate::st::keywords::Keyword;
-use crate::st::lexer::Raw;
+use crate::st::lexer::{Raw, Token};
 
 impl Parser<'_> {
     /// `x := LEFT IN := s, L := 2);`, behind the first sign: parameters up to a bracket that is not open.
@@ -123,6 +123,64 @@ impl Parser<'_> {
         Some(found)
     }
 
+    /// GET or SET of a property that is missing before the current token, by its end; that is said.
+    pub(super) fn lost_accessor(&mut self) -> Option<Keyword> {
+        let keywords = self.tokens[self.at..].iter().filter_map(|token| token.keyword);
+        let end = keywords.into_iter().find(|keyword| {
+            matches!(keyword, Keyword::EndGet | Keyword::EndSet | Keyword::EndProperty | Keyword::Property | Keyword::Method)
+                || is_end_of_block(*keyword)
+        });
+        let end = end.filter(|end| matches!(end, Keyword::EndGet | Keyword::EndSet) && !self.at_keyword(*end))?;
+        let word = if end == Keyword::EndGet { "GET" } else { "SET" };
+        let token = self.token();
+        let (at, span) = (self.span(token.start, token.start), self.span(token.start, token.end));
+        let message = format!("`{word}` is missing before {}", self.shown());
+        self.report(Diagnostic::new(Problem::P6056, span, message).fix(at, format!("{word} "), format!("write `{word}`")));
+        Some(end)
+    }
+
+    /// `5,3` where an expression ends: a number of another language, which is told.
+    pub(super) fn told_decimal_comma(&mut self) -> bool {
+        let comma = self.token();
+        let digits = |token: Token| token.raw == Raw::Number && self.slice(token).bytes().all(|byte| byte.is_ascii_digit());
+        let joined = |first: Token, second: Token| first.end == second.start;
+        let around = self.at.checked_sub(1).and_then(|before| Some((self.tokens[before], *self.tokens.get(self.at + 1)?)));
+        let Some((whole, parts)) = around.filter(|_| comma.raw == Raw::Comma) else { return false };
+        if !(digits(whole) && digits(parts) && joined(whole, comma) && joined(comma, parts)) {
+            return false;
+        }
+        let span = self.span(whole.start, parts.end);
+        let number = format!("{}.{}", self.slice(whole), self.slice(parts));
+        let message = format!("a number has a decimal point: `{number}`");
+        self.report(Diagnostic::new(Problem::P6054, span, message).fix(span, number.clone(), format!("write `{number}`")));
+        true
+    }
+
+    /// `count++;` of other languages; whether it stands here, which is told.
+    pub(super) fn told_increment(&mut self) -> bool {
+        let mut index = self.at;
+        while !matches!(self.tokens[index].raw, Raw::End | Raw::Semicolon | Raw::Becomes | Raw::ParenOpen | Raw::Newline) {
+            index += 1;
+        }
+        let signs = index.checked_sub(2).map(|first| (self.tokens[first], self.tokens[first + 1]));
+        let Some((first, second)) = signs.filter(|_| self.at_name() && self.tokens[index].raw == Raw::Semicolon && index > self.at + 2)
+        else {
+            return false;
+        };
+        let sign = match (first.raw, second.raw) {
+            (Raw::Plus, Raw::Plus) => "+",
+            (Raw::Minus, Raw::Minus) => "-",
+            _ => return false,
+        };
+        let name = self.text[self.token().start as usize..first.start as usize].trim().to_owned();
+        let (span, whole) = (self.span(first.start, second.end), self.span(self.token().start, second.end));
+        let mended = format!("{name} := {name} {sign} 1");
+        let message = format!("`{sign}{sign}` is no operator of ST: did you mean `{mended}`?");
+        self.report(Diagnostic::new(Problem::P6052, span, message).fix(whole, mended.clone(), format!("write `{mended}`")));
+        self.skip_statement();
+        true
+    }
+
     /// Whether nothing but blanks and comments stands before a token on its line.
     pub(super) fn begins_line(&self, index: usize) -> bool {
         let before = self.tokens[..index].iter().rev().find(|token| token.raw == Raw::Newline || !token.raw.is_trivia());
@@ -131,7 +189,11 @@ impl Parser<'_> {
 
     /// Fields of a structure whose STRUCT is missing where a type should stand.
     pub(super) fn structure_is_lost(&self) -> bool {
-        if !self.at_name() || self.next_raw() != Raw::Colon {
+        let overlap = self.at_word("OVERLAP") && self.is_name(self.behind(self.at));
+        let name = if overlap { self.behind(self.at) } else { self.at };
+        let next = self.tokens[self.behind(name)];
+        let located = next.raw == Raw::Word && self.slice(next).eq_ignore_ascii_case("AT");
+        if !self.is_name(name) || !(matches!(next.raw, Raw::Colon | Raw::Comma) || located) {
             return false;
         }
         let mut open = 0_usize;

@@ -15,8 +15,10 @@ impl Parser<'_> {
         let start = self.here();
         let mut modifiers = Modifiers::default();
         loop {
-            // `METHOD final : INT` is a method of that name.
-            if !self.is_name(self.behind(self.at)) {
+            // `METHOD final : INT` is a method of that name. Who may use it stands in front of a name, which may be lost.
+            let access = ["PUBLIC", "PRIVATE", "PROTECTED", "INTERNAL"].iter().any(|word| self.at_word(word));
+            let section = self.next_keyword().is_some_and(Keyword::begins_section);
+            if !(self.is_name(self.behind(self.at)) || access && section) {
                 break;
             }
             if !modifiers.take(self.current()) {
@@ -37,7 +39,7 @@ impl Parser<'_> {
         }
         let shown = self.shown();
         if block.modifiers.take(self.current()) {
-            self.unexpected(Problem::P2010, format!("{shown} stands in front of the name of the block"));
+            self.unexpected(Problem::P2010, format!("{shown} belongs in front of the name of the block"));
             self.bump(SyntaxKind::Keyword);
             return;
         }
@@ -49,6 +51,16 @@ impl Parser<'_> {
         *if interface { &mut block.implements } else { &mut block.extends } = bases;
     }
 
+    /// EXTENDS and IMPLEMENTS with their names, if they are there.
+    pub(super) fn bases_of(&mut self, block: &mut Block) {
+        if self.at_word("EXTENDS") {
+            block.extends = self.bases();
+        }
+        if self.at_word("IMPLEMENTS") {
+            block.implements = self.bases();
+        }
+    }
+
     /// The names behind EXTENDS or IMPLEMENTS.
     pub(super) fn bases(&mut self) -> Vec<Path> {
         let token = self.token();
@@ -58,6 +70,7 @@ impl Parser<'_> {
         if bases.is_empty() {
             let shown = self.shown();
             self.unexpected(Problem::P2010, format!("a name is wanted behind {}, not {shown}", self.previous_text()));
+            return vec![Path { names: Vec::new(), span: self.since(self.previous) }];
         }
         bases
     }
@@ -194,11 +207,18 @@ impl Parser<'_> {
         self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
         let (mut get, mut set) = (None, None);
         loop {
+            let before = self.at;
             if self.at_word("GET") {
                 get = Some(self.accessor(Keyword::EndGet));
             } else if self.at_word("SET") {
                 set = Some(self.accessor(Keyword::EndSet));
+            } else if let Some(end) = self.lost_accessor() {
+                let accessor = self.accessor_behind(end);
+                *if end == Keyword::EndGet { &mut get } else { &mut set } = Some(accessor);
             } else {
+                break;
+            }
+            if self.at == before {
                 break;
             }
         }
@@ -214,6 +234,21 @@ impl Parser<'_> {
         self.start(SyntaxKind::Block);
         self.bump(SyntaxKind::Keyword);
         self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+        let accessor = self.accessor_inside(start, end);
+        self.finish();
+        accessor
+    }
+
+    /// An accessor whose GET or SET is missing.
+    fn accessor_behind(&mut self, end: Keyword) -> Accessor {
+        let start = self.here();
+        self.start(SyntaxKind::Block);
+        let accessor = self.accessor_inside(start, end);
+        self.finish();
+        accessor
+    }
+
+    fn accessor_inside(&mut self, start: u32, end: Keyword) -> Accessor {
         let (mut sections, mut body) = (Vec::new(), Vec::new());
         loop {
             // Without END_GET, SET begins the next accessor and END_PROPERTY ends it.
@@ -232,7 +267,6 @@ impl Parser<'_> {
         if self.eat_keyword(end) {
             self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
         }
-        self.finish();
         Accessor { sections, body, span: self.since(start) }
     }
 

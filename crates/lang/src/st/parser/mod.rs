@@ -22,6 +22,8 @@ mod types;
 
 use std::collections::HashSet;
 
+pub(in crate::st) use declarations::name_is_lost;
+
 use rowan::{GreenNode, GreenNodeBuilder};
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
@@ -65,6 +67,11 @@ enum Event {
 }
 
 impl Parsed {
+    /// The tokens of the source in order.
+    pub(in crate::st) fn tokens(&self) -> &[Token] {
+        &self.tokens
+    }
+
     /// The lossless tree; `text` is the one that was parsed.
     pub fn tree(&self, text: &str) -> GreenNode {
         let mut builder = GreenNodeBuilder::new();
@@ -107,6 +114,7 @@ pub fn parse(file: FileId, text: &str, dialect: Dialect) -> Parsed {
         testing::keywords(text, &mut tokens);
     }
     ends_without_underline(file, text, &mut tokens, dialect, &mut diagnostics);
+    else_if_in_one_word(file, text, &mut tokens, &mut diagnostics);
     let mut parser = Parser {
         text,
         file,
@@ -165,6 +173,26 @@ fn ends_without_underline(file: FileId, text: &str, tokens: &mut [Token], dialec
         let span = Span::new(file, token.start, token.end);
         let message = format!("`{word}` ends nothing: did you mean `{right}`?");
         diagnostics.push(Diagnostic::new(Problem::P6058, span, message).fix(span, &right, format!("write `{right}`")));
+    }
+}
+
+/// Reads `ELSEIF x THEN` and `ELIF x THEN` as ELSIF, with a message.
+fn else_if_in_one_word(file: FileId, text: &str, tokens: &mut [Token], diagnostics: &mut Vec<Diagnostic>) {
+    for index in 0..tokens.len() {
+        let token = tokens[index];
+        let word = &text[token.start as usize..token.end as usize];
+        let other = ["ELSEIF", "ELIF", "ELSE_IF"].iter().any(|other| word.eq_ignore_ascii_case(other));
+        if token.raw != Raw::Word || !other {
+            continue;
+        }
+        let mut behind = tokens[index + 1..].iter().take_while(|next| !matches!(next.raw, Raw::Semicolon | Raw::Becomes | Raw::Colon));
+        if !behind.any(|next| next.keyword == Some(Keyword::Then)) {
+            continue;
+        }
+        tokens[index].keyword = Some(Keyword::Elsif);
+        let span = Span::new(file, token.start, token.end);
+        let message = format!("`{word}` is no word of ST: did you mean `ELSIF`?");
+        diagnostics.push(Diagnostic::new(Problem::P6061, span, message).fix(span, "ELSIF", "write `ELSIF`"));
     }
 }
 

@@ -104,6 +104,11 @@ impl Parser<'_> {
             self.missing(Problem::P6053, ";", format!("`;` is missing behind {behind}"));
             return;
         }
+        if self.told_decimal_comma() {
+            self.skip_statement();
+            self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+            return;
+        }
         let shown = self.shown();
         let message = match self.raw() {
             Raw::ParenClose | Raw::BracketClose => format!("{shown} closes a bracket that is not open"),
@@ -140,6 +145,9 @@ impl Parser<'_> {
     }
 
     fn statement_kind(&mut self) -> Option<StatementKind> {
+        if self.told_increment() {
+            return Some(StatementKind::Missing);
+        }
         if let Some(keyword) = self.keyword() {
             match keyword {
                 Keyword::If | Keyword::Case | Keyword::For | Keyword::While | Keyword::Repeat | Keyword::Region | Keyword::Try => {

@@ -328,11 +328,12 @@ impl Parser<'_> {
     /// The fields of a structure whose STRUCT is missing.
     pub(super) fn lost_structure(&mut self, start: u32) -> TypeSpec {
         self.start(SyntaxKind::Struct);
+        let overlap = self.is_name(self.behind(self.at)) && self.eat_word("OVERLAP");
         let mut fields = Vec::new();
         self.declarations(&mut fields, Place::Struct);
         self.section_end(Keyword::EndStruct, start);
         self.finish();
-        TypeSpec { kind: TypeKind::Struct { fields, overlap: false }, span: self.since(start) }
+        TypeSpec { kind: TypeKind::Struct { fields, overlap }, span: self.since(start) }
     }
 
     /// `TYPE … END_TYPE`; the current token is TYPE.
