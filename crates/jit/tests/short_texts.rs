@@ -101,7 +101,12 @@ fn number(b: &mut Builder, dice: &mut Dice, action: TextAction) -> [Var; 2] {
         let form = b.constant(NumberForm { spelling, kind }.word());
         return [form, form];
     }
-    [(); 2].map(|()| match dice.roll(5) {
+    [(); 2].map(|()| match dice.roll(6) {
+        5 => {
+            let some = b.constant(dice.of(&[0, 1, 1, 2, 3, 8, 0xFFFF_FFFF]));
+            let condition = b.load(at(Area::BitMemory, NUMBERS + 3), Width::Bit, OnFault::SkipStatement);
+            b.compute(Op::Gate, &[some, condition])
+        }
         0 => b.load(at(Area::BitMemory, NUMBERS + 8), Width::QuadWord, OnFault::SkipStatement),
         1 => b.constant(dice.of(&[0, 1, 5, 16, 0x7FFF_FFFF, 9_999_999, 10_000_000, u64::MAX, 1 << 63])),
         2 => {

@@ -115,7 +115,7 @@ impl Translator<'_> {
                 self.store_lengths(to, room, none);
                 Some(Written { result: none, length: Some(none) })
             }
-            TextAction::Assign | TextAction::Piece | TextAction::Append => Some(self.put(action, to, from, piece)),
+            TextAction::Assign | TextAction::Piece | TextAction::Append => Some(self.put((index, action), to, from, piece)),
             TextAction::Unsigned | TextAction::Signed | TextAction::SignedAlways => {
                 let result = self.put_digits(action, to, word)?;
                 let room = self.room(to);
@@ -134,7 +134,7 @@ impl Translator<'_> {
     }
 
     /// Writes characters of a text to another one.
-    fn put(&mut self, action: TextAction, to: &Whole, from: &Whole, piece: [Var; 2]) -> Written {
+    fn put(&mut self, (index, action): (u32, TextAction), to: &Whole, from: &Whole, piece: [Var; 2]) -> Written {
         let [most, most_read] = [to.room, from.room].map(|room| u32::from(room.characters_max));
         let length = self.text_length(from);
         let behind = (action == TextAction::Append).then(|| self.text_length(to));
@@ -150,7 +150,7 @@ impl Translator<'_> {
                 // A negative number is 0.
                 let number = |value: Val| value.constant().map(|number| usize::try_from(number as u32 as i32).unwrap_or(0));
                 known = number(first).zip(number(count));
-                count_most = number(count).and_then(|count| u32::try_from(count).ok()).unwrap_or(u32::MAX);
+                count_most = self.most_of(index, piece[1]);
                 let (first, left) = match first {
                     Val::Const(first) if first as u32 as i32 <= 0 => (None, length),
                     first => {
@@ -230,6 +230,24 @@ impl Translator<'_> {
             _ => count,
         };
         Written { result, length: Some(end) }
+    }
+
+    /// How large a number of characters can be, as far as the statement of an instruction tells.
+    fn most_of(&self, index: u32, var: Var) -> u32 {
+        let code = &self.native().code;
+        let first = code.statements[code.statements.partition_point(|&first| first <= index).saturating_sub(1)];
+        let mut wanted = var;
+        for inst in code.insts[first as usize..index as usize].iter().rev() {
+            match *inst {
+                _ if writes(inst) != Some(wanted) => {}
+                // A negative number is 0.
+                Inst::Constant { value, .. } => return u32::try_from(value as u32 as i32).unwrap_or(0),
+                // What a gate lets through, or 0.
+                Inst::Compute { op: Op::Copy | Op::Gate, args, .. } => wanted = args[0],
+                _ => break,
+            }
+        }
+        u32::MAX
     }
 
     /// Writes both lengths of a text.

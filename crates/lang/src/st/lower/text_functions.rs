@@ -481,9 +481,14 @@ fn begins_in(function: TextFunction, (target, room): (&Place, TextRoom), texts: 
     if texts.iter().all(apart) && (!texts.is_empty() || !room.is_unknown()) {
         return Some(Begins::Empty);
     }
+    let fits = |(_, room): &Ready| !room.is_unknown() && room.characters_max <= function.result_room().characters_max;
     // What has room for more than a result would get more of it.
-    if room.is_unknown() || room.characters_max > function.result_room().characters_max {
-        return None;
+    match room.is_unknown() {
+        true if !is_handed_on(target) || room.wide => return None,
+        true if texts.iter().all(|text| fits(text) && is_own(text)) && !texts.is_empty() => return Some(Begins::Empty),
+        true if function.makes_one_piece() && !texts.iter().all(fits) => return None,
+        false if room.characters_max > function.result_room().characters_max => return None,
+        _ => {}
     }
     if function.makes_one_piece() {
         return Some(Begins::Empty);
@@ -492,13 +497,28 @@ fn begins_in(function: TextFunction, (target, room): (&Place, TextRoom), texts: 
         *text_room == room
             && place.indexes.is_empty()
             && target.indexes.is_empty()
-            && is_kept(place)
+            && (is_kept(place) || is_handed_on(place))
             && place.base == target.base
             && place.offset == target.offset
     };
+    let apart = |text: &Ready| apart(text) || room.is_unknown() && is_own(text);
     let [first, second, rest @ ..] = texts else { return None };
-    let grows = function.action == TextAction::Concat && is_it(first) && (is_it(second) || apart(second)) && rest.iter().all(apart);
+    // One text is read before it is put behind the other one, whatever they share.
+    let grows = function.action == TextAction::Concat
+        && is_it(first)
+        && (rest.is_empty() || is_it(second) || apart(second))
+        && rest.iter().all(apart);
     grows.then_some(Begins::ItsFirstText)
+}
+
+/// Whether a text lies where a pointer leads that the block was given.
+fn is_handed_on(place: &Place) -> bool {
+    matches!(place.base, Base::ComplexParameter(_) | Base::InstancePointer(_)) && place.indexes.is_empty()
+}
+
+/// Whether a text lies in the local data of its block, to which nothing leads that it was given.
+fn is_own((place, room): &Ready) -> bool {
+    place.base == Base::Area(Area::Local) && extent(place, *room).is_some()
 }
 
 /// Whether a place lies where it says, in an area that no pointer leads to.
