@@ -23,6 +23,7 @@ use crate::ask::{GO_ON, LEAVE, Question};
 use crate::jit::{Native, end};
 use crate::run::Run;
 
+mod alone;
 mod analysis;
 mod budget;
 mod bytes;
@@ -64,6 +65,7 @@ mod value;
 mod versions;
 mod words;
 
+use alone::Reliance;
 use analysis::{SPARED, Summary, open_blocks, set_by_calls};
 use budget::Look;
 use bytes::Bytes;
@@ -244,6 +246,8 @@ struct Translator<'a> {
     instance: Val,
     /// Where the instance of the present block lies, if it is inside its data block whatever AR2 holds.
     in_range: Option<Instance>,
+    /// How callers rely on the present block.
+    reliance: Reliance,
     /// Addresses that were computed and are known to be there.
     computed: FxHashMap<Value, Computed>,
     elements: Elements,
@@ -350,6 +354,7 @@ impl<'a> Translator<'a> {
             written: 0,
             instance: Val::Const(0),
             in_range: None,
+            reliance: Reliance::None,
             computed: FxHashMap::default(),
             elements: Elements::default(),
             arrivals: FxHashMap::default(),

@@ -3,8 +3,10 @@
 //! Nobody looks at a block here that asks in the middle of a statement, or that writes where this cannot tell: whoever is asked between two
 //! statements may change memory, and behind that question the facts of all callers are looked at, too.
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::rc::Rc;
 
 use sieben_engine::Layout;
 use sieben_engine::access::pointed_area;
@@ -13,6 +15,7 @@ use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Op, Place, Var};
 use sieben_engine::machine::{CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 
+use super::alone::{self, Alone, Look, Reached, World};
 use super::analysis::open_blocks;
 use super::inlining::Plan;
 use super::instance_pointer::InstancePointer;
@@ -46,6 +49,10 @@ pub(super) struct Effects {
     pub(super) pointed: Vec<Pointed>,
     /// Texts that it writes by pointers.
     pub(super) texts: Vec<WrittenText>,
+    /// Each part of the instance that it writes.
+    written: Vec<Range<i64>>,
+    /// What its computed addresses depend on, if they tell of it.
+    pub(super) alone: Option<Rc<Alone>>,
 }
 
 /// Where a block finds a number that its caller wrote there.
@@ -58,14 +65,13 @@ pub(super) enum Source {
 }
 
 /// Access through a pointer that the block was given in memory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Pointed {
     /// The data block that is open then, if the block opened one.
     pub(super) number: Option<Source>,
     pub(super) pointer: Source,
     /// Bits behind the pointer.
-    pub(super) offset: u32,
-    pub(super) width: Width,
+    pub(super) bits: Range<i64>,
     pub(super) writes: bool,
 }
 
@@ -93,6 +99,8 @@ enum Held {
     Parameter(u16),
     /// What was read from there, in so many bits.
     Read(Source, Width),
+    /// A pointer that was read, and an index more.
+    Moved,
     Other,
 }
 
@@ -195,9 +203,11 @@ pub(super) fn find(
     plans: &[Plan],
     pointers: &[InstancePointer],
 ) -> Vec<Option<Effects>> {
-    let mut search = Search { blocks, find, layout, plans, pointers, found: vec![None; blocks.len()] };
-    (0..blocks.len()).for_each(|index| drop(search.of_block(index)));
-    search.found.into_iter().map(Option::flatten).collect()
+    let world = World::new(layout);
+    let (looked, found) = (vec![false; blocks.len()], vec![None; blocks.len()]);
+    let mut search = Search { blocks, find, layout, plans, pointers, world: world.as_ref(), looked, found };
+    (0..blocks.len()).for_each(|index| search.of_block(index));
+    search.found
 }
 
 struct Search<'a> {
@@ -206,25 +216,49 @@ struct Search<'a> {
     layout: &'a Layout,
     plans: &'a [Plan],
     pointers: &'a [InstancePointer],
-    found: Vec<Option<Option<Effects>>>,
+    world: Option<&'a World>,
+    looked: Vec<bool>,
+    found: Vec<Option<Effects>>,
 }
 
 impl Search<'_> {
     /// A block that calls itself is none that becomes part of another one.
-    fn of_block(&mut self, index: usize) -> Option<Effects> {
-        if let Some(found) = &self.found[index] {
-            return found.clone();
+    fn of_block(&mut self, index: usize) {
+        if !std::mem::replace(&mut self.looked[index], true) && self.plans[index].inlined().is_some() {
+            let called: Vec<usize> = self.blocks[index].code.insts.iter().filter_map(|inst| self.called(inst)).collect();
+            called.into_iter().for_each(|callee| self.of_block(callee));
+            self.found[index] = self.look_at(index);
         }
-        let effects = self.plans[index].inlined().and_then(|_| self.look_at(index));
-        self.found[index] = Some(effects.clone());
-        effects
     }
 
-    fn look_at(&mut self, index: usize) -> Option<Effects> {
+    fn called(&self, inst: &Inst) -> Option<usize> {
+        match inst {
+            Inst::Call { callee: Callee::Block(id), .. } => (self.find)(*id).map(|code| code as usize),
+            _ => None,
+        }
+    }
+
+    /// Looks at a block as if it were alone, where an address that it computes tells too little by itself.
+    fn look_alone(&self, index: usize) -> Option<Look<'_>> {
+        let (block, pointers) = (&self.blocks[index], &self.pointers[index]);
+        let called = (self.found.as_slice(), self.find);
+        // How long a text is nobody says here.
+        let calls_for_texts =
+            |inst| self.called(inst).is_some_and(|callee| self.found[callee].as_ref().is_none_or(|it| !it.texts.is_empty()));
+        if block.code.insts.iter().any(|inst| matches!(inst, Inst::Text { .. }) || calls_for_texts(inst)) {
+            return None;
+        }
+        let pairs = alone::pairs(&block.code, pointers, called)?;
+        Look::at(self.world?, &block.code, block.local_size, pairs, pointers, called)
+    }
+
+    fn look_at(&self, index: usize) -> Option<Effects> {
         let (code, pointers) = (&self.blocks[index].code, &self.pointers[index]);
+        let look: OnceCell<Option<Look<'_>>> = OnceCell::new();
+        let look_alone = || look.get_or_init(|| self.look_alone(index)).as_ref();
+        let mut sees = Sees::default();
         let mut effects = Effects { texts: self.texts_of(index)?, ..Effects::default() };
         let mut opens = false;
-        let mut written: Vec<Range<i64>> = Vec::new();
         for statement in 0..code.statement_count() {
             let mut held: BTreeMap<u8, Held> = BTreeMap::new();
             let mut passed: Vec<Held> = Vec::new();
@@ -237,15 +271,27 @@ impl Search<'_> {
                 match *inst {
                     Inst::Constant { value, .. } => result = Held::Constant(value),
                     Inst::Compute { op: Op::Copy, args, .. } => result = of(args[0]),
+                    Inst::Compute { op: Op::AddU32, args: [a, b, ..], .. }
+                        if [a, b].into_iter().any(|var| matches!(of(var), Held::Moved | Held::Read(_, Width::DoubleWord))) =>
+                    {
+                        result = Held::Moved;
+                    }
                     Inst::Parameter { index, .. } => result = Held::Parameter(index),
                     Inst::Load { on_fault: OnFault::DeliverZero, place, .. } if !self.is_own(index, place) => return None,
                     Inst::Load { place, width, .. } => match place {
+                        Place::Crossing { pointer, .. } if matches!(of(pointer), Held::Moved) => {
+                            effects.add_reached(look_alone()?.reached(at, width)?, false)?;
+                        }
                         Place::Crossing { pointer, offset } => {
                             result = effects.access_through(of(pointer), offset, width, false, opened)?;
                         }
-                        Place::Fixed { area, .. } => drop(self.has(area).then_some(())?),
+                        Place::Fixed { area, .. } => {
+                            self.has(area).then_some(())?;
+                            sees.area(area, opened);
+                        }
                         Place::Indirect { area, pointer, offset } => {
                             self.has(area).then_some(())?;
+                            sees.place((at, width), (area, pointer, offset), instance, opened);
                             if area == Area::InstanceData
                                 && pointer.register() == Some(Register::Ar2)
                                 && let Some(added) = instance
@@ -255,26 +301,41 @@ impl Search<'_> {
                         }
                     },
                     Inst::Store { place, width, .. } => match place {
+                        Place::Crossing { pointer, .. } if matches!(of(pointer), Held::Moved) => {
+                            effects.add_reached(look_alone()?.reached(at, width)?, true)?;
+                        }
                         Place::Crossing { pointer, offset } => {
                             effects.access_through(of(pointer), offset, width, true, opened)?;
                         }
-                        Place::Indirect { area: Area::InstanceData, pointer, offset } if pointer.register() == Some(Register::Ar2) => {
-                            effects.write_instance(instance, offset, width);
-                            written.push(instance_range(instance, offset, width));
-                        }
-                        Place::Indirect { area: Area::InstanceData, pointer, offset }
-                            if let Some(range) = numbers.instance_range(pointer, offset, width) =>
-                        {
-                            effects.add_instance(&range);
-                            written.push(range);
+                        Place::Indirect { area: Area::InstanceData, pointer, offset } => {
+                            sees.place((at, width), (Area::InstanceData, pointer, offset), instance, opened);
+                            let range = match pointer.register() {
+                                Some(Register::Ar2) => Some(instance_range(instance, offset, width)),
+                                _ => numbers.instance_range(pointer, offset, width),
+                            };
+                            let range = range.or_else(|| match look_alone()?.reached(at, width)? {
+                                Reached::Instance(bits) => Some(bits),
+                                _ => None,
+                            });
+                            effects.add_instance(&range.unwrap_or(ANYWHERE));
                         }
                         Place::Fixed { area, .. } | Place::Indirect { area, .. } => {
+                            sees.area(area, opened);
                             if area == Area::InstanceData {
-                                written.push(ANYWHERE);
+                                effects.add_instance(&ANYWHERE);
                             }
                             self.write_area(&mut effects, area, opened)?;
                         }
                     },
+                    Inst::Move { .. } => {
+                        let [read, write] = look_alone()?.moved(at)?;
+                        for (reached, writes) in [(read, false), (write, true)] {
+                            if let Reached::Instance(bits) = &reached {
+                                sees.instance(bits);
+                            }
+                            effects.add_reached(reached, writes)?;
+                        }
+                    }
                     Inst::Open { register, .. } if register != DataRegister::Shared => return None,
                     Inst::Open { number, .. } => {
                         opens = true;
@@ -294,17 +355,19 @@ impl Search<'_> {
                     Inst::Call { callee: Callee::Block(id), parameters } => {
                         let callee = (self.find)(id)? as usize;
                         let given = passed.split_off(passed.len().checked_sub(usize::from(parameters))?);
-                        let inner = self.of_block(callee)?;
-                        effects.add_call(&inner, &given, instance)?;
+                        let inner = self.found[callee].as_ref()?;
+                        effects.add_call(inner, &given, instance)?;
+                        if !inner.pointed.is_empty() {
+                            for (reached, writes) in look_alone()?.by_call(at)? {
+                                effects.add_reached(reached, writes)?;
+                            }
+                        }
+                        sees.call(at, inner, instance);
                         let is_own =
                             |held: &Held| matches!(*held, Held::Constant(pointer) if pointed_area(pointer, true) == Ok(Area::InstanceData));
                         if given.iter().any(is_own) {
-                            written.push(ANYWHERE);
+                            effects.written.push(ANYWHERE);
                         }
-                        written.extend(inner.instance.iter().map(|range| match instance {
-                            Some(added) => range.start + i64::from(added as i32)..range.end + i64::from(added as i32),
-                            None => ANYWHERE,
-                        }));
                         // The registers of data blocks are restored, and AR2 mostly.
                         opened = None;
                         held.clear();
@@ -333,12 +396,11 @@ impl Search<'_> {
                         let added = instance.filter(|_| pointer.register() == Some(Register::Ar2));
                         let range = bits_behind(added, offset, 8 * texts::bytes_of(to_room));
                         effects.add_instance(&range);
-                        written.push(range);
                     }
                     Inst::Text { action, to: Place::Fixed { .. }, .. } if action.writes() => return None,
                     // What it writes by pointers was found before.
                     Inst::Text { .. } => {}
-                    Inst::Move { .. } | Inst::Intrinsic { .. } | Inst::Call { .. } => return None,
+                    Inst::Intrinsic { .. } | Inst::Call { .. } => return None,
                 }
                 if let Some(dst) = sieben_engine::ir::verify::writes(inst) {
                     // CDB: the instance is another block from here on.
@@ -358,23 +420,26 @@ impl Search<'_> {
         let is_written = |(source, width): (Source, Width)| match source {
             Source::Instance(offset) => {
                 let own = i64::from(offset as i32)..i64::from(offset as i32) + i64::from(width.bits());
-                written.iter().any(|range| own.start < range.end && range.start < own.end)
+                effects.written.iter().any(|range| own.start < range.end && range.start < own.end)
             }
             Source::Given(..) => false,
         };
         let sources = effects.pointed.iter().flat_map(Pointed::sources).chain(effects.texts.iter().flat_map(WrittenText::sources));
         let kept = !{ sources }.any(is_written);
         let is_plain = !opens || effects.given.is_empty() || !effects.pointed.is_empty();
+        if let Some(look) = look.get().and_then(Option::as_ref) {
+            effects.alone = Some(Rc::new(sees.alone(look, code.statement_count() as u32)?));
+        }
         (is_plain && kept).then_some(effects)
     }
 
     /// Texts that a block writes by pointers.
-    fn texts_of(&mut self, index: usize) -> Option<Vec<WrittenText>> {
+    fn texts_of(&self, index: usize) -> Option<Vec<WrittenText>> {
         let (block, pointers) = (&self.blocks[index], &self.pointers[index]);
         texts::written(block, pointers, &mut |callee| {
             let Callee::Block(id) = callee else { return None };
             let callee = (self.find)(*id)? as usize;
-            Some(self.of_block(callee)?.texts)
+            Some(self.found[callee].as_ref()?.texts.clone())
         })
     }
 
@@ -403,6 +468,70 @@ impl Search<'_> {
     }
 }
 
+/// What a block looks at while it runs.
+#[derive(Default)]
+struct Sees {
+    alone: Alone,
+    /// Access to the instance by computed addresses.
+    computed: Vec<(u32, Width)>,
+    calls: Vec<u32>,
+    /// Whether it looks at something that nobody names.
+    unnamed: bool,
+}
+
+impl Sees {
+    fn instance(&mut self, bits: &Range<i64>) {
+        let own = &mut self.alone.instance;
+        *own = if own.is_empty() { bits.clone() } else { own.start.min(bits.start)..own.end.max(bits.end) };
+    }
+
+    /// A computed address.
+    fn place(&mut self, access: (u32, Width), (area, pointer, offset): (Area, Var, u32), instance: Option<u32>, opened: Option<Opened>) {
+        match (area, pointer.register(), instance) {
+            (Area::InstanceData, Some(Register::Ar2), Some(_)) => self.instance(&instance_range(instance, offset, access.1)),
+            (Area::InstanceData, Some(Register::Ar2), None) => self.unnamed = true,
+            (Area::InstanceData, ..) => self.computed.push(access),
+            _ => self.area(area, opened),
+        }
+    }
+
+    fn area(&mut self, area: Area, opened: Option<Opened>) {
+        match (area, opened) {
+            (Area::Local, _) => {}
+            (Area::SharedData, Some(Opened::Number(number))) => self.alone.blocks.push(number),
+            (Area::SharedData | Area::InstanceData, _) => self.unnamed = true,
+            _ => self.alone.areas.push(area),
+        }
+    }
+
+    fn call(&mut self, at: u32, inner: &Effects, instance: Option<u32>) {
+        self.calls.push(at);
+        let Some(alone) = &inner.alone else { return };
+        self.alone.areas.extend(&alone.areas);
+        self.alone.blocks.extend(&alone.blocks);
+        match instance {
+            _ if alone.instance.is_empty() => {}
+            Some(added) => {
+                let added = i64::from(added as i32);
+                self.instance(&(alone.instance.start + added..alone.instance.end + added));
+            }
+            None => self.unnamed = true,
+        }
+    }
+
+    /// All of it, with what the look found.
+    fn alone(mut self, look: &Look<'_>, statements: u32) -> Option<Alone> {
+        for (inst, width) in std::mem::take(&mut self.computed) {
+            if let Some(Reached::Instance(bits)) = look.reached(inst, width) {
+                self.instance(&bits);
+            }
+        }
+        self.alone.areas.dedup();
+        self.alone.blocks.dedup();
+        (!self.unnamed).then(|| look.alone(self.alone, &self.calls, statements))
+    }
+}
+
 /// Bits of an instance, from where AR2 points when the block is called.
 fn instance_range(added: Option<u32>, offset: u32, width: Width) -> Range<i64> {
     bits_behind(added, offset, width.bits())
@@ -420,11 +549,8 @@ fn bits_behind(added: Option<u32>, offset: u32, bits: u32) -> Range<i64> {
 }
 
 impl Effects {
-    fn write_instance(&mut self, added: Option<u32>, offset: u32, width: Width) {
-        self.add_instance(&instance_range(added, offset, width));
-    }
-
     fn add_instance(&mut self, range: &Range<i64>) {
+        self.written.push(range.clone());
         self.instance = Some(match &self.instance {
             Some(known) => known.start.min(range.start)..known.end.max(range.end),
             None => range.clone(),
@@ -447,21 +573,33 @@ impl Effects {
                     Some(Opened::Number(_)) => return None,
                     None => None,
                 };
-                let pointed = Pointed { number, pointer, offset, width, writes };
-                if !self.pointed.contains(&pointed) {
-                    self.pointed.push(pointed);
-                }
+                let first = i64::from(offset);
+                self.add_pointed(Pointed { number, pointer, bits: first..first + i64::from(width.bits()), writes });
                 Some(Held::Other)
             }
             _ => None,
         }
     }
 
-    /// Adds what a called block does.
-    fn add_call(&mut self, inner: &Self, given: &[Held], added: Option<u32>) -> Option<()> {
-        if !inner.pointed.is_empty() {
-            return None;
+    fn add_pointed(&mut self, pointed: Pointed) {
+        if !self.pointed.contains(&pointed) {
+            self.pointed.push(pointed);
         }
+    }
+
+    /// Access by a computed address, as it was found by a look at the block alone.
+    fn add_reached(&mut self, reached: Reached, writes: bool) -> Option<()> {
+        match reached {
+            Reached::Own => {}
+            Reached::Instance(bits) if writes => self.add_instance(&bits),
+            Reached::Instance(_) => {}
+            Reached::Pointed((number, pointer), bits) => self.add_pointed(Pointed { number: Some(number), pointer, bits, writes }),
+        }
+        Some(())
+    }
+
+    /// Adds what a called block does, but for what it reaches by pointers in memory.
+    fn add_call(&mut self, inner: &Self, given: &[Held], added: Option<u32>) -> Option<()> {
         self.areas.extend(&inner.areas);
         self.blocks.extend(&inner.blocks);
         match (&inner.instance, added) {
@@ -483,7 +621,7 @@ impl Effects {
                     Area::InstanceData | Area::SharedData if !access.writes => {}
                     _ => return None,
                 },
-                Held::Parameter(_) | Held::Read(..) | Held::Other => return None,
+                Held::Parameter(_) | Held::Read(..) | Held::Moved | Held::Other => return None,
             }
         }
         Some(())

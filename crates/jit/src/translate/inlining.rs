@@ -15,6 +15,7 @@ use sieben_engine::ir::{Callee, Inst};
 use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
 use sieben_model::address::Width;
 
+use super::alone::{Alone, Reliance};
 use super::analysis::ALL;
 use super::budget::WEIGHT_MAX;
 use super::instance::Instance;
@@ -155,6 +156,7 @@ pub(super) struct Outer {
     instance: Val,
     written: u32,
     in_range: Option<Instance>,
+    reliance: Reliance,
     local_offset: i32,
     parameters_end: usize,
 }
@@ -163,6 +165,22 @@ impl Outer {
     /// What the code behind the call relies on.
     pub(super) fn facts_over_call(&self) -> impl Iterator<Item = &Fact> {
         self.ranges.facts_over_call(self.inst).iter().chain(&self.elements)
+    }
+
+    /// How the block is relied on, and how the called one is, if that is looked at alone.
+    pub(super) fn reliance_on_called(&self, alone: Option<&Alone>) -> Reliance {
+        match self.reliance {
+            _ if self.ranges.is_kept(self.inst) => Reliance::OnFacts,
+            Reliance::None => Reliance::None,
+            // Nothing is known here of the pointers that count.
+            _ if alone.is_some_and(|alone| alone.is_kept(self.inst)) => Reliance::OnSilence,
+            _ => Reliance::None,
+        }
+    }
+
+    /// Whether nobody may be asked while the block runs.
+    pub(super) fn needs_silence(&self) -> bool {
+        self.reliance == Reliance::OnSilence
     }
 
     /// What is known in front of the call.
@@ -271,6 +289,7 @@ impl Translator<'_> {
             instance: self.instance,
             written: self.written,
             in_range: self.in_range,
+            reliance: self.reliance,
             local_offset: self.local_offset,
             parameters_end: self.parameters_end,
         });
@@ -284,6 +303,7 @@ impl Translator<'_> {
             self.expect_way_back(to);
         }
         self.ranges = self.find_ranges();
+        self.rely_on_block();
         self.enter_block();
         self.take_arena();
         self.statements();
@@ -294,6 +314,7 @@ impl Translator<'_> {
         (self.loops, self.promoted, self.ranges) = (outer.loops, outer.promoted, outer.ranges);
         (self.passed, self.given) = (outer.passed, outer.given);
         (self.instance, self.in_range, self.written) = (outer.instance, outer.in_range, outer.written);
+        self.reliance = outer.reliance;
         (self.local_offset, self.parameters_end) = (outer.local_offset, outer.parameters_end);
         for (register, value) in RESTORED.into_iter().zip(outer.restored) {
             if !OPEN_BLOCKS.contains(&register) || written & bit_of(register) != 0 {

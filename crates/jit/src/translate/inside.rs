@@ -5,10 +5,12 @@ use std::ops::Range;
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I8, I8X16, I16, I32, I64};
 use cranelift_codegen::ir::{self as clif, InstBuilder, InstructionData, Opcode, Value, ValueDef};
+use sieben_engine::access;
 use sieben_engine::ir::{Callee, Inst, Place};
 use sieben_engine::machine::Register;
-use sieben_model::address::Width;
+use sieben_model::address::{Area, Width};
 
+use super::alone::Reliance;
 use super::analysis::{open_blocks, set_by_calls};
 use super::inlining::Outer;
 use super::memory::{Address, Bit, data};
@@ -321,7 +323,8 @@ impl Translator<'_> {
         if bytes > MOVED_BYTES_MAX {
             return false;
         }
-        let (Some(from), Some(to)) = (self.span(from, bytes, false), self.span(to, bytes, true)) else { return false };
+        let [from, to] = [(from, false), (to, true)].map(|(place, write)| self.moved_span(index, place, bytes, write));
+        let (Some(from), Some(to)) = (from, to) else { return false };
         self.settle_bytes();
         self.store_promoted_in(&read);
         self.store_promoted_in(&write);
@@ -338,6 +341,25 @@ impl Translator<'_> {
         }
         self.take_promoted_in(&write);
         true
+    }
+
+    /// Where bytes begin that a move reads or writes, and that are known to lie inside their area.
+    fn moved_span(&mut self, index: u32, place: Place, bytes: u32, write: bool) -> Option<Address> {
+        let Place::Crossing { pointer, offset } = place else { return self.span(place, bytes, write) };
+        let value = self.get(pointer);
+        let area = match self.force(value).constant() {
+            // The number of a data block is not that of an open one.
+            Some(pointer) if pointer >> 32 != 0 => return None,
+            Some(pointer) => match access::pointed_area(pointer, write).ok()? {
+                Area::CallerLocal => {
+                    let (offset, _) = self.way_to_caller(super::memory::moved(pointer, offset), Width::Byte)?;
+                    return Some(Address { base: self.local, offset, bit: Bit::Number(0) });
+                }
+                area => area,
+            },
+            None => self.ranges.pointed_area(index, write)?,
+        };
+        self.span(Place::Indirect { area, pointer, offset }, bytes, write)
     }
 
     /// Where bytes begin that are known to lie inside their area.
@@ -363,7 +385,12 @@ impl Translator<'_> {
     /// What the code relies on from a statement on, if that can have changed while somebody was asked.
     pub(super) fn relies_on_memory(&self, statement: u32) -> bool {
         let over_calls = |outer: &Outer| outer.facts_over_call().next().is_some();
-        !self.ranges.facts(statement).is_empty() || self.look.is_some() || self.outer.iter().any(over_calls)
+        !self.ranges.facts(statement).is_empty() || self.look.is_some() || self.outer.iter().any(over_calls) || self.needs_silence()
+    }
+
+    /// Whether nobody may be asked here if machine code is to go on.
+    fn needs_silence(&self) -> bool {
+        self.reliance == Reliance::OnSilence || self.outer.iter().any(Outer::needs_silence)
     }
 
     /// A block in which memory is compared with what the code relies on from a statement on, in front of the block where it begins. The
@@ -389,6 +416,11 @@ impl Translator<'_> {
             let before = self.cold.replace(verify);
             let over_calls = self.outer.iter().flat_map(Outer::facts_over_call);
             let facts: Vec<Fact> = self.ranges.facts(statement).iter().chain(over_calls).copied().collect();
+            if self.needs_silence() {
+                self.give_up_at(statement);
+                self.cold = before;
+                continue;
+            }
             let mut holds: Option<Value> = look.map(|look| self.budget_lasts(look));
             for fact in facts {
                 let this = self.holds(fact);

@@ -210,7 +210,14 @@ impl Translator<'_> {
     /// instance, at the pointers that they are given. Everything else would find the variables of the loop in memory.
     fn keeps_over_calls(&self, it: &Loop) -> bool {
         let code = &self.native().code;
-        (it.first..=it.last).all(|statement| self.keeps_over(code.statement(statement as usize), Written::Loop, CALLS_MAX))
+        let is_known = |(index, inst): (u32, &Inst)| match inst {
+            Inst::Call { callee: Callee::Block(id), .. } => !self.reads_pointers(*id) || self.ranges.is_kept(index),
+            _ => true,
+        };
+        (it.first..=it.last).all(|statement| {
+            let insts = code.statement(statement as usize);
+            self.keeps_over(insts, Written::Loop, CALLS_MAX) && (code.statements[statement as usize]..).zip(insts).all(is_known)
+        })
     }
 
     /// The same for the instructions of a statement, of an inlined block or of the loop itself.

@@ -52,7 +52,7 @@ const CONSTANTS_MAX: usize = 24;
 pub(super) type Cell = (Base, i32, Width);
 
 /// Bytes behind a base.
-type Bytes = (Base, Range<i64>);
+pub(super) type Bytes = (Base, Range<i64>);
 
 /// Where a text lies that begins inside its area.
 #[derive(Clone, Debug)]
@@ -68,7 +68,7 @@ pub(super) struct TextPlace {
 }
 
 /// A variable in memory and its range.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Fact {
     pub(super) cell: Cell,
     pub(super) range: Interval,
@@ -101,6 +101,10 @@ pub(super) struct Ranges {
     elements: FxHashMap<u32, Vec<(u32, Width, Interval)>>,
     /// Ranges of AR2 at calls.
     instances: FxHashMap<u32, Interval>,
+    /// Calls behind which something is known.
+    kept: FxHashSet<u32>,
+    /// What blocks that are called may write by pointers that they read, by the call.
+    by_pointers: FxHashMap<u32, Vec<(Bytes, bool)>>,
     /// Whether places in the instance are counted from where it begins.
     relative: bool,
     /// Data blocks that are opened by a number in a variable, which are taken to be as they were loaded.
@@ -161,6 +165,27 @@ impl Ranges {
     /// What the code relies on behind a call, and so all through the block that is called.
     pub(super) fn facts_over_call(&self, inst: u32) -> &[Fact] {
         self.over_calls.get(&inst).map_or(&[], Vec::as_slice)
+    }
+
+    /// Whether what is known in front of a call is known behind it, but for what the called block writes.
+    pub(super) fn is_kept(&self, inst: u32) -> bool {
+        self.kept.contains(&inst)
+    }
+
+    /// The bytes that a called block reaches by pointers that it reads, and whether it writes them.
+    pub(super) fn reached_by_pointers(&self, inst: u32) -> &[(Bytes, bool)] {
+        self.by_pointers.get(&inst).map_or(&[], Vec::as_slice)
+    }
+
+    /// Has more compared with memory behind questions: from each statement on, and all through called blocks.
+    pub(super) fn rely_on(&mut self, facts: Vec<Vec<Fact>>, over_calls: Vec<(u32, Vec<Fact>)>) {
+        self.facts.resize(self.facts.len().max(facts.len()), Vec::new());
+        let more = |known: &mut Vec<Fact>, facts: Vec<Fact>| {
+            let new: Vec<Fact> = facts.into_iter().filter(|fact| !known.contains(fact)).collect();
+            known.extend(new);
+        };
+        self.facts.iter_mut().zip(facts).for_each(|(known, facts)| more(known, facts));
+        over_calls.into_iter().for_each(|(inst, facts)| more(self.over_calls.entry(inst).or_default(), facts));
     }
 
     /// What is known where a block is called.

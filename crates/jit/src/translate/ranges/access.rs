@@ -8,10 +8,13 @@ use sieben_engine::ir::{DataRegister, OnFault, Op, Place, TextRoom, Var};
 use sieben_model::address::{Area, Width};
 
 use super::interval::{self, Interval};
-use super::{Analysis, Bytes, Element, Known, Reach, Same, Span, State, TextPlace};
+use super::{Analysis, Bytes, Element, Known, Origin, Reach, Same, Span, State, TextPlace};
 use crate::translate::memory::moved;
 use crate::translate::promote::Base;
 use crate::translate::texts::NUMBER_SHIFT;
+
+/// Constants that one after the other are added to a pointer, and that are followed.
+const SUMS_MAX: usize = 4;
 
 impl Analysis<'_> {
     /// What an access to a place reaches.
@@ -253,7 +256,23 @@ impl Analysis<'_> {
         }
         let bytes = reach.bytes(width.bytes())?;
         let (base, start, length, _) = self.area(state, Area::InstanceData)?;
-        Some(Element { block: (base, start..start + length), pointer: Same::of(pointer), offset, width, bytes, known: value })
+        let (pointer, added) = self.counted_from(pointer);
+        let offset = offset.wrapping_add(added);
+        Some(Element { block: (base, start..start + length), pointer, offset, width, bytes, known: value })
+    }
+
+    /// What a pointer is counted from, and how many bits are added to that.
+    pub(super) fn counted_from(&self, pointer: Known) -> (Same, u32) {
+        let (mut pointer, mut added) = (pointer, 0_u32);
+        for _ in 0..SUMS_MAX {
+            match self.origins[pointer.number as usize] {
+                Origin::Sum(32, of, constant) if pointer.range.exact().is_none() && of.range.bits <= 32 => {
+                    (pointer, added) = (of, added.wrapping_add(constant as u32));
+                }
+                _ => break,
+            }
+        }
+        (Same::of(pointer), added)
     }
 
     pub(super) fn store(

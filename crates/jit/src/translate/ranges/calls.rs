@@ -1,11 +1,14 @@
 //! What is known behind a call.
 
+use std::ops::Range;
+
 use sieben_engine::access::pointed_area;
 use sieben_engine::ir::Inst;
 use sieben_engine::machine::{CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 
-use super::{Analysis, Element, Interval, Known, Same, State};
+use super::{Analysis, Bytes, Element, Interval, Known, State};
+use crate::translate::alone::Alone;
 use crate::translate::effects::{Effects, Given, POSITIONS, Pointed, Source, WrittenText};
 use crate::translate::promote::Base;
 
@@ -29,7 +32,7 @@ impl Analysis<'_> {
         }
         let around = self.around;
         let effects = (around.called)(inst).and_then(|code| around.effects[code].as_ref());
-        let elements = effects.and_then(|effects| self.forget_effects(effects, state, &given, ar2));
+        let elements = effects.and_then(|effects| self.forget_effects(effects, state, &given, ar2, notes.then_some(index)));
         let kept = elements.is_some();
         if !kept {
             state.forget_memory();
@@ -41,6 +44,7 @@ impl Analysis<'_> {
         let written = (self.around.written)(inst);
         state.registers.retain(|&register, _| written & (1 << register) == 0);
         if notes && kept {
+            self.found.kept.insert(index);
             self.found.over_calls.insert(index, state.facts());
         }
     }
@@ -65,7 +69,12 @@ impl Analysis<'_> {
         state: &mut State,
         given: &[Known],
         ar2: Option<Known>,
+        notes: Option<u32>,
     ) -> Option<Vec<(u32, Width, Interval)>> {
+        let own = match &effects.alone {
+            Some(alone) => self.bytes_alone(alone, state, ar2)?,
+            None => Vec::new(),
+        };
         let mut before: Vec<(Source, Width, Known)> = Vec::new();
         let texts = effects.texts.iter().flat_map(WrittenText::sources);
         for (source, width) in effects.pointed.iter().flat_map(Pointed::sources).chain(texts) {
@@ -91,11 +100,23 @@ impl Analysis<'_> {
             state.forget(Base::Arena, &(range.start as i64..range.end as i64));
         }
         let opens = !effects.pointed.is_empty();
-        effects.given.iter().try_for_each(|access| self.forget_given(access, state, given, opens))?;
+        for access in &effects.given {
+            let bytes = self.forget_given(access, state, given, opens)?;
+            if effects.alone.is_some() && bytes.is_some_and(|(base, _)| base != Base::Local) {
+                return None;
+            }
+        }
         let of = |source: Source| before.iter().find(|(other, ..)| *other == source).map(|&(.., known)| known.range);
         for access in &effects.pointed {
             let number = access.number.map(|number| of(number)?.exact());
-            self.forget_pointed(access, state, number.flatten(), of(access.pointer)?)?;
+            let (base, bytes) = self.forget_pointed(access, state, number.flatten(), of(access.pointer)?)?;
+            // Where it writes there has to be nothing that its addresses depend on.
+            if access.writes && own.iter().any(|other| base.may_share(&bytes, Base::Arena, other)) {
+                return None;
+            }
+            if let Some(index) = notes {
+                self.found.by_pointers.entry(index).or_default().push(((base, bytes), access.writes));
+            }
         }
         for text in &effects.texts {
             self.forget_text(text, state, of(text.number)?.exact()?, of(text.pointer)?)?;
@@ -121,8 +142,9 @@ impl Analysis<'_> {
             Source::Instance(offset) => {
                 let (base, start, length, _) = self.area(state, Area::InstanceData)?;
                 let block = (base, start..start + length);
+                let (counted_from, added) = self.counted_from(ar2?);
                 let is_it = |element: &&Element| {
-                    element.block == block && element.width == width && ar2.and_then(|ar2| element.behind(Same::of(ar2))) == Some(offset)
+                    element.block == block && element.width == width && element.behind(counted_from) == Some(offset.wrapping_add(added))
                 };
                 let pointer = ar2?.range;
                 let end = pointer.unsigned(24).1 as i64 + i64::from(offset) + i64::from(width.bits());
@@ -141,18 +163,46 @@ impl Analysis<'_> {
         }
     }
 
-    /// Forgets what a called block may write by a pointer that it reads.
-    fn forget_pointed(&mut self, access: &Pointed, state: &mut State, number: Option<u64>, pointer: Interval) -> Option<()> {
+    /// The bytes of the arena that a block looks at which was looked at alone, beside those to which pointers lead; `None` = it is not as if
+    /// it were alone.
+    fn bytes_alone(&self, alone: &Alone, state: &State, ar2: Option<Known>) -> Option<Vec<Range<i64>>> {
+        let mut all = Vec::new();
+        if !alone.instance.is_empty() {
+            let (_, start, length, _) = self.area(state, Area::InstanceData)?;
+            let number = state.registers.get(&(Register::DiNumber as u8)).and_then(|known| known.range.exact())?;
+            let pointer = ar2.filter(|_| self.around.relative.is_none())?.range;
+            let (least, most) = pointer.unsigned(24);
+            let (first, end) = (least as i64 + alone.instance.start, most as i64 + alone.instance.end);
+            let inside = pointer.zeros >= 3 && first >= 0 && bytes_before(end) <= length;
+            if !inside || alone.blocks.iter().any(|&block| u64::from(block) == number) {
+                return None;
+            }
+            all.push(start + first / 8..start + bytes_before(end));
+        }
+        for &area in &alone.areas {
+            let range = self.around.layout.area(area)?;
+            all.push(range.start as i64..range.end as i64);
+        }
+        for number in alone.blocks.iter().filter(|&&number| number != 0) {
+            let range = self.around.layout.data_blocks.get(number)?;
+            all.push(range.start as i64..range.end as i64);
+        }
+        Some(all)
+    }
+
+    /// Forgets what a called block may write by a pointer that it reads; the bytes that it may reach.
+    fn forget_pointed(&mut self, access: &Pointed, state: &mut State, number: Option<u64>, pointer: Interval) -> Option<Bytes> {
         let (base, start, length) = self.pointed_bytes(number, pointer, access.writes)?;
         let (least, most) = pointer.unsigned(64);
+        let position = |pointer: i128| (pointer & 0x00FF_FFFF) as i64;
+        let end = position(most) + access.bits.end;
+        // A position may turn over.
+        let bytes = if end > POSITIONS { 0..length } else { (position(least) + access.bits.start) / 8..bytes_before(end) };
+        let bytes = start + bytes.start..start + bytes.end;
         if access.writes {
-            let position = |pointer: i128| (pointer & 0x00FF_FFFF) as i64 + i64::from(access.offset);
-            let end = position(most) + i64::from(access.width.bits());
-            // A position may turn over.
-            let bytes = if end > POSITIONS { 0..length } else { position(least) / 8..bytes_before(end) };
-            state.forget(base, &(start + bytes.start..start + bytes.end));
+            state.forget(base, &bytes);
         }
-        Some(())
+        Some((base, bytes))
     }
 
     /// Forgets a text that a called block may write by a pointer that it reads.
@@ -194,8 +244,8 @@ impl Analysis<'_> {
         })
     }
 
-    /// Forgets what a called block may write by a pointer that it was given.
-    fn forget_given(&self, access: &Given, state: &mut State, given: &[Known], opens: bool) -> Option<()> {
+    /// Forgets what a called block may write by a pointer that it was given; the bytes.
+    fn forget_given(&self, access: &Given, state: &mut State, given: &[Known], opens: bool) -> Option<Option<Bytes>> {
         let (least, most) = given.get(usize::from(access.parameter)).map_or((0, 0), |known| known.range.unsigned(64));
         if least >> 24 != most >> 24 {
             return None;
@@ -207,7 +257,7 @@ impl Analysis<'_> {
             Area::SharedData if opens => return None,
             // The local data of this block; what lies further out may be anywhere.
             Area::CallerLocal if (most & 0x00FF_FFFF) >> CALLS_SHIFT != 0 => return None,
-            _ if !access.writes => return Some(()),
+            _ if !access.writes => return Some(None),
             _ => {}
         }
         let area = if area == Area::CallerLocal { Area::Local } else { area };
@@ -216,7 +266,8 @@ impl Analysis<'_> {
         let end = position(most) + i64::from(access.width.bits());
         // A position may turn over.
         let bytes = if end > POSITIONS { 0..length } else { position(least) / 8..bytes_before(end) };
-        state.forget(base, &(start + bytes.start..start + bytes.end));
-        Some(())
+        let bytes = start + bytes.start..start + bytes.end;
+        state.forget(base, &bytes);
+        Some(Some((base, bytes)))
     }
 }

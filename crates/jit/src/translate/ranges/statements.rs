@@ -53,8 +53,9 @@ impl Analysis<'_> {
                     self.store(&mut state, reach, (place, width), [pointer, value], &mut fails, notes.then_some(index));
                 }
                 Inst::Move { from, to, bytes } => {
-                    let read = self.reach(&state, &temporaries, from, Span::Bytes(bytes), false, None).bytes(bytes);
-                    let write = self.reach(&state, &temporaries, to, Span::Bytes(bytes), true, None);
+                    let roles = [false, true].map(|write| notes.then_some((index, write)));
+                    let read = self.reach(&state, &temporaries, from, Span::Bytes(bytes), false, roles[0]).bytes(bytes);
+                    let write = self.reach(&state, &temporaries, to, Span::Bytes(bytes), true, roles[1]);
                     match (read, write.bytes(bytes)) {
                         (Some(read), Some(write)) if notes => drop(self.found.moves.insert(index, [read, write])),
                         (Some(_), Some(_)) => {}
