@@ -398,7 +398,7 @@ fn attempt(
     // Tasks of a CONFIGURATION may all have intervals.
     let configured = items.configurations.iter().any(|(configuration, _)| !configuration.resources.is_empty());
     if !nothing && !has_main && !configured {
-        let stl = found.first().map(|found| found.block.name.span());
+        let stl = found.iter().find(|found| !compiled.is_of_library(found.id)).map(|found| found.block.name.span());
         let place = stl.or_else(|| items.code.values().next().map(|code| code.block.name.span)).unwrap_or_default();
         diagnostics.push(Diagnostic::new(Problem::P3013, place, "there is no OB 1, so nothing runs in the cycle"));
     }

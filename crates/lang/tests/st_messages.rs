@@ -137,6 +137,12 @@ PROGRAM main VAR t1 : Telegram; END_VAR t1.whole := 16#1; t1.head := 16#2; END_P
 CLASS Shape ABSTRACT IMPLEMENTS I
 METHOD PUBLIC ABSTRACT m END_METHOD
 END_CLASS", &["2 P2010"]),
+    // A method without a result on one line.
+    ("iec", "FUNCTION_BLOCK Acc
+VAR s : INT; END_VAR
+METHOD PUBLIC Reset s := 0; END_METHOD
+METHOD PUBLIC Add THIS.Reset(); END_METHOD
+END_FUNCTION_BLOCK", &[]),
     // The names of types in namespaces.
     ("iec", "NAMESPACE Plant
 TYPE State : (a, b); END_TYPE

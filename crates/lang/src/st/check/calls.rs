@@ -1137,7 +1137,7 @@ pub(super) fn after(before: Vec<Statement>, value: Value) -> Value {
     Value { kind: ValueKind::After(before, Box::new(value)), scalar, span }
 }
 
-fn is_flow(argument: &ast::Argument) -> bool {
+pub(super) fn is_flow(argument: &ast::Argument) -> bool {
     argument.name.as_ref().is_some_and(|name| name.is("EN") || name.is("ENO"))
 }
 

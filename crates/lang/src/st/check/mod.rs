@@ -4,6 +4,7 @@ mod as_bytes;
 mod calls;
 pub mod construct;
 mod expressions;
+mod flow;
 mod functions;
 mod instructions;
 mod literals;

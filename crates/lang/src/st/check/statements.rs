@@ -107,7 +107,12 @@ impl Checker<'_> {
 
     fn expression_statement(&mut self, expression: &Expression, span: Span) -> Option<StatementKind> {
         match &expression.kind {
-            ExpressionKind::Call(call) => self.call_statement(call, span),
+            ExpressionKind::Call(call) => {
+                match self.with_flow(expression, span, |checker, plain| checker.expression_statement(plain, span)) {
+                    Some(done) => done,
+                    None => self.call_statement(call, span),
+                }
+            }
             ExpressionKind::Parenthesized(inner) => self.expression_statement(inner, span),
             ExpressionKind::Missing => None,
             ExpressionKind::Binary(BinaryOperator::Equal, sign, ..) => {
@@ -313,6 +318,9 @@ impl Checker<'_> {
             && let Reached::Other(Typed::Scalar { value: Value { kind: ValueKind::Ok | ValueKind::Eno, .. }, .. }) = self.reach(target)
         {
             return Some(StatementKind::SetOk(self.value(value, &DataType::Bool)?));
+        }
+        if let Some(done) = self.with_flow(value, span, |checker, plain| checker.assign(target, plain, span)) {
+            return done;
         }
         let written = target;
         if let Some(kind) = self.assign_property(target, value, span) {
@@ -591,6 +599,7 @@ pub(super) fn mentions_ok(block: &Block<'_>) -> bool {
     let switches = block.dialect.switches();
     let mut found = false;
     let mut see = |expression: &Expression| {
+        found |= super::flow::asks_eno(expression);
         if let ExpressionKind::Name(name) = &expression.kind {
             found |= switches.ok_flag && name.is("OK") || (switches.eno_variable || switches.ok_flag) && name.is("ENO");
         }

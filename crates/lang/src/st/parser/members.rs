@@ -139,7 +139,12 @@ impl Parser<'_> {
         let name = self.member_name(token, "METHOD");
         let result = match self.eat(Raw::Colon, SyntaxKind::Punctuation) {
             true => self.result_type(),
-            false if self.at_name() && !self.on_new_line() => {
+            // `METHOD Reset s := 0;` has no result.
+            false
+                if self.at_name()
+                    && !self.on_new_line()
+                    && !matches!(self.next_raw(), Raw::Becomes | Raw::ParenOpen | Raw::Point | Raw::BracketOpen) =>
+            {
                 self.missing(Problem::P2020, " :", format!("`:` is missing between {} and {}", self.previous_text(), self.shown()));
                 self.result_type()
             }
