@@ -193,6 +193,10 @@ impl Translator<'_> {
                         Some(area @ (Area::SharedData | Area::InstanceData)) => {
                             self.way_to_pointer(index, area, (pointer, offset), width, write)
                         }
+                        Some(Area::CallerLocal) => match self.way_inside_caller(index, (pointer, offset), width) {
+                            Some(way) => way,
+                            None => self.way_to_any_area(pointer, offset, width, write),
+                        },
                         _ => self.way_to_any_area(pointer, offset, width, write),
                     };
                 };
@@ -207,6 +211,15 @@ impl Translator<'_> {
                 }
             }
         }
+    }
+
+    /// A computed position in the local data of the caller, if that is in this function and the access is known to stay there.
+    fn way_inside_caller(&mut self, index: u32, (pointer, offset): (Val, u32), width: Width) -> Option<Way> {
+        let (first, bytes) = self.caller_local(0)?;
+        let (base, touched) = self.ranges.inside(index)?;
+        let is_there = base == Base::Local && touched.start >= i64::from(first) && touched.end <= i64::from(first) + bytes as i64;
+        let area = (self.local, first, bytes as u64);
+        is_there.then(|| Way::Inside(self.address_inside(area, pointer, offset, (width, width.bytes())), (base, touched)))
     }
 
     fn is_store(&self, index: u32) -> bool {

@@ -51,6 +51,14 @@ impl Analysis<'_> {
                     return self.far_bytes(least as u64, position, bytes, write).unwrap_or(Reach::Anything);
                 }
                 let far = least >> 32 != 0 && matches!(span, Span::Bytes(_));
+                if !far && least >> 24 == most >> 24 && pointed_area(least as u64, write) == Ok(Area::CallerLocal) {
+                    let position = self.moved(state, temporaries, pointer, offset);
+                    let Some(bytes) = self.inside_caller(position, span) else { return Reach::Anything };
+                    if let Some(role) = notes {
+                        self.found.areas.insert(role, Area::CallerLocal);
+                    }
+                    return Reach::Inside(Base::Local, bytes);
+                }
                 match pointed_area(least as u64, write) {
                     Ok(area) if least >> 24 == most >> 24 && !far && area != Area::CallerLocal => {
                         if let Some(role) = notes
@@ -99,6 +107,19 @@ impl Analysis<'_> {
                 (i64::from(last) - i64::from(first) == i64::from(distance)).then_some(first)
             }
         }
+    }
+
+    /// The bytes to which pointers to the local data of a caller go, if that caller is in the same function and all of them are there.
+    fn inside_caller(&self, position: Interval, span: Span) -> Option<Range<i64>> {
+        let (least, most) = position.unsigned(24);
+        if span != Span::Width(Width::Bit) && position.zeros < 3 {
+            return None;
+        }
+        let (least, most) = (u32::try_from(least).ok()? & !7, u32::try_from(most).ok()? & !7);
+        let last = most.checked_add(8 * span.bytes().checked_sub(1)?)?;
+        let [first, end] = [least, last].map(|position| (self.around.caller)(position, Width::Byte).map(|(byte, _)| i64::from(byte)));
+        let (first, end) = (first?, end? + 1);
+        (end - first == i64::from((last - least) / 8) + 1).then_some(first..end)
     }
 
     /// Bytes of the data block that a pointer names.

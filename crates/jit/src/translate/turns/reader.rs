@@ -806,17 +806,21 @@ impl Reader<'_, '_> {
                     return None;
                 }
                 match pointed_area(least as u64, write).ok()? {
-                    Area::CallerLocal => {
-                        let constant = self.kernel.constant(pointer)?;
-                        return self.in_caller(moved(constant, offset), width);
-                    }
+                    Area::CallerLocal => match self.kernel.constant(pointer) {
+                        Some(constant) => return self.in_caller(moved(constant, offset), width),
+                        None => (Area::CallerLocal, pointer, offset),
+                    },
                     Area::PeripheralInput | Area::PeripheralOutput => return None,
                     area => (area, pointer, offset),
                 }
             }
         };
-        let (mut start, mut length) = self.area(area, write)?;
-        let mut base = if area == Area::Local { Base::Local } else { Base::Arena };
+        let (mut start, mut length) = match area {
+            // Of others than the caller itself, positions are greater.
+            Area::CallerLocal => self.caller_local(0).map(|(first, bytes)| (first, bytes as u64))?,
+            _ => self.area(area, write)?,
+        };
+        let mut base = if matches!(area, Area::Local | Area::CallerLocal) { Base::Local } else { Base::Arena };
         if let Place::Indirect { area: Area::InstanceData, .. } = place
             && self.translator.ranges.is_relative()
         {
@@ -888,20 +892,21 @@ impl Reader<'_, '_> {
         (!(write && is_protected)).then_some((i32::try_from(start).ok()?, length))
     }
 
-    /// A variable in the local data of a caller.
-    fn in_caller(&mut self, position: u32, width: Width) -> Option<Reached> {
-        let calls = (position >> CALLS_SHIFT) as usize;
-        let (first, bytes) = match self.frames.len().checked_sub(1 + calls) {
+    /// Where the local data of a caller begin, and how many bytes they have.
+    fn caller_local(&self, calls: usize) -> Option<(i32, usize)> {
+        match self.frames.len().checked_sub(1 + calls) {
             Some(at) => {
                 let caller = &self.frames[at];
-                (caller.local_offset, self.translator.blocks[caller.index].local_size as usize)
+                Some((caller.local_offset, self.translator.blocks[caller.index].local_size as usize))
             }
-            None => {
-                // Behind the callers that are read are those that are written.
-                let outer = calls.checked_sub(self.frames.len())?;
-                self.translator.caller_local(outer)?
-            }
-        };
+            // Behind the callers that are read are those that are written.
+            None => self.translator.caller_local(calls.checked_sub(self.frames.len())?),
+        }
+    }
+
+    /// A variable in the local data of a caller.
+    fn in_caller(&mut self, position: u32, width: Width) -> Option<Reached> {
+        let (first, bytes) = self.caller_local((position >> CALLS_SHIFT) as usize)?;
         let (byte, bit) = ((position & CALLS_MASK) / 8, (position % 8) as u8);
         let inside = byte as usize + width.bytes() as usize <= bytes && (width == Width::Bit || bit == 0);
         if !inside {
