@@ -340,6 +340,7 @@ impl Analysis<'_> {
                             _ => interval::result(Op::Low32, [value.range; 3]),
                         }
                     };
+                    let range = range.near_zero();
                     let stored = if range == value.range { value } else { self.value(range) };
                     state.cells.insert((base, offset, width), stored);
                 }

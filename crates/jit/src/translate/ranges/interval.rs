@@ -16,6 +16,9 @@ pub(in crate::translate) struct Interval {
 /// Beyond this nothing is worth knowing of a value of up to 32 bits.
 const FAR: i128 = 1 << 40;
 
+/// How far below 0 a constant counts as negative: a pointer is not.
+const NEGATIVE_MAX: i64 = 1 << 20;
+
 impl Interval {
     /// Any value of so many bits.
     pub(in crate::translate) fn any(bits: u32) -> Self {
@@ -43,6 +46,13 @@ impl Interval {
     pub(in crate::translate) fn exact(&self) -> Option<u64> {
         let mask = if self.bits == 64 { u64::MAX } else { (1 << self.bits) - 1 };
         (self.least == self.most).then_some(self.least as u64 & mask)
+    }
+
+    /// The same constant; one a little below 0 as such, since a counter that begins there goes on above 0.
+    pub(super) fn near_zero(self) -> Self {
+        let size = 1_i64 << self.bits.min(32);
+        let is_negative = self.least == self.most && self.least < size && size - self.least <= size >> 2 && size - self.least <= NEGATIVE_MAX;
+        if matches!(self.bits, 16 | 32) && is_negative { Self { least: self.least - size, most: self.most - size, ..self } } else { self }
     }
 
     fn of((least, most): (i128, i128), zeros: u32, bits: u32) -> Self {
