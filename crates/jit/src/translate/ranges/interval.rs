@@ -60,6 +60,9 @@ impl Interval {
         if bits < 64 && (least < -FAR || most > FAR || most - least >= 1 << bits) {
             return any;
         }
+        // Of the numbers that are the same value, those near 0: what is computed further does not get too far then.
+        let turn = if bits < 64 && (most < -(1 << (bits - 1)) || least >= 1 << bits) { least.div_euclid(1 << bits) << bits } else { 0 };
+        let (least, most) = (least - turn, most - turn);
         match (i64::try_from(least), i64::try_from(most)) {
             (Ok(least), Ok(most)) => Self { least, most, ..any },
             _ => any,
