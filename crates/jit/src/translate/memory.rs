@@ -333,6 +333,17 @@ impl Translator<'_> {
         }
         let bits = self.int(pointer);
         let code = self.b.ins().ushr_imm_u(bits, 24);
+        // Most pointers are to data blocks: the machine guesses that.
+        let [base, bytes] = [Register::DbBase, Register::DbLength].map(|register| {
+            let value = self.register(register);
+            self.word(value)
+        });
+        let (others, behind) = (self.b.create_block(), self.b.create_block());
+        let [found_start, found_length] = [(); 2].map(|()| self.b.append_block_param(behind, I64));
+        let is_block = self.b.ins().icmp_imm_u(IntCC::Equal, code, 0x84);
+        self.b.ins().brif(is_block, behind, &[BlockArg::Value(base), BlockArg::Value(bytes)], others, &[]);
+        self.b.switch_to_block(others);
+        self.b.seal_block(others);
         // I, Q and M stand in a table under their codes, 16#81 to 16#83; it has 16 places, and the code chooses without a branch.
         let group = self.b.ins().ushr_imm_u(bits, 28);
         let known = self.b.ins().icmp_imm_u(IntCC::Equal, group, 8);
@@ -346,13 +357,13 @@ impl Translator<'_> {
         let trusted = MemFlagsData::trusted();
         let mut start = self.b.ins().load(I64, trusted, entry, 0);
         let mut length = self.b.ins().load(I64, trusted, entry, 8);
-        for (area, base, bytes) in [(0x84, Register::DbBase, Register::DbLength), (0x85, Register::DiBase, Register::DiLength)] {
-            let is_it = self.b.ins().icmp_imm_u(IntCC::Equal, code, area);
-            let (base, bytes) = (self.register(base), self.register(bytes));
-            let (base, bytes) = (self.word(base), self.word(bytes));
-            start = self.b.ins().select(is_it, base, start);
-            length = self.b.ins().select(is_it, bytes, length);
-        }
+        let is_it = self.b.ins().icmp_imm_u(IntCC::Equal, code, 0x85);
+        let [base, bytes] = [Register::DiBase, Register::DiLength].map(|register| {
+            let value = self.register(register);
+            self.word(value)
+        });
+        start = self.b.ins().select(is_it, base, start);
+        length = self.b.ins().select(is_it, bytes, length);
         if self.called_only() {
             // The local data of the caller end where those of this block begin. A pointer that was passed on further is asked for.
             let (caller, bytes) = match self.caller_local(0) {
@@ -369,6 +380,10 @@ impl Translator<'_> {
             start = self.b.ins().select(is_it, base, start);
             length = self.b.ins().select(is_it, bytes, length);
         }
+        self.b.ins().jump(behind, &[BlockArg::Value(start), BlockArg::Value(length)]);
+        self.b.switch_to_block(behind);
+        self.b.seal_block(behind);
+        let (start, length) = (found_start, found_length);
         let base = self.b.ins().iadd(self.arena, start);
         self.way_in(base, 0, Val::Word(length), pointer, offset, width)
     }

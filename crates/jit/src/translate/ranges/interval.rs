@@ -51,7 +51,8 @@ impl Interval {
     /// The same constant; one a little below 0 as such, since a counter that begins there goes on above 0.
     pub(super) fn near_zero(self) -> Self {
         let size = 1_i64 << self.bits.min(32);
-        let is_negative = self.least == self.most && self.least < size && size - self.least <= size >> 2 && size - self.least <= NEGATIVE_MAX;
+        let is_negative =
+            self.least == self.most && self.least < size && size - self.least <= size >> 2 && size - self.least <= NEGATIVE_MAX;
         if matches!(self.bits, 16 | 32) && is_negative { Self { least: self.least - size, most: self.most - size, ..self } } else { self }
     }
 
