@@ -19,6 +19,7 @@ mod bit_choices;
 mod bit_sums;
 mod bits;
 mod by_four;
+mod cells;
 mod chased;
 mod count;
 mod divide;
