@@ -9,7 +9,7 @@ use cranelift_codegen::ir::types::{I16, I32, I64};
 use cranelift_codegen::ir::{BlockArg, InstBuilder, InstructionData, MemFlagsData, Opcode, Type, Value, ValueDef};
 use sieben_engine::access;
 use sieben_engine::ir::{DataRegister, Inst, OnFault, Place, Var};
-use sieben_engine::machine::Register;
+use sieben_engine::machine::{CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 
 use super::promote::Base;
@@ -344,9 +344,29 @@ impl Translator<'_> {
         self.b.ins().brif(is_block, behind, &[BlockArg::Value(base), BlockArg::Value(bytes)], others, &[]);
         self.b.switch_to_block(others);
         self.b.seal_block(others);
-        // I, Q and M stand in a table under their codes, 16#81 to 16#83; it has 16 places, and the code chooses without a branch.
+        let (start, length) = self.area_by_code(bits);
+        let is_it = self.b.ins().icmp_imm_u(IntCC::Equal, code, 0x85);
+        let [base, bytes] = [Register::DiBase, Register::DiLength].map(|register| {
+            let value = self.register(register);
+            self.word(value)
+        });
+        let start = self.b.ins().select(is_it, base, start);
+        let length = self.b.ins().select(is_it, bytes, length);
+        let (start, length) = self.or_of_caller(bits, (start, length));
+        self.b.ins().jump(behind, &[BlockArg::Value(start), BlockArg::Value(length)]);
+        self.b.switch_to_block(behind);
+        self.b.seal_block(behind);
+        let (start, length) = (found_start, found_length);
+        let base = self.b.ins().iadd(self.arena, start);
+        self.way_in(base, 0, Val::Word(length), pointer, offset, width)
+    }
+
+    /// First byte and number of bytes of I, Q or M, to which a pointer leads; none if it leads elsewhere. They stand in a table under their codes,
+    /// 16#81 to 16#83; it has 16 places, and the code chooses without a branch.
+    pub(super) fn area_by_code(&mut self, bits: Value) -> (Value, Value) {
         let group = self.b.ins().ushr_imm_u(bits, 28);
         let known = self.b.ins().icmp_imm_u(IntCC::Equal, group, 8);
+        let code = self.b.ins().ushr_imm_u(bits, 24);
         let index = self.b.ins().band_imm_u(code, 0xF);
         let none = self.b.ins().iconst(I32, 0);
         let index = self.b.ins().select(known, index, none);
@@ -355,37 +375,28 @@ impl Translator<'_> {
         let table = self.load_run(offset_of!(Run<'_, '_>, areas));
         let entry = self.b.ins().iadd(table, moved);
         let trusted = MemFlagsData::trusted();
-        let mut start = self.b.ins().load(I64, trusted, entry, 0);
-        let mut length = self.b.ins().load(I64, trusted, entry, 8);
-        let is_it = self.b.ins().icmp_imm_u(IntCC::Equal, code, 0x85);
-        let [base, bytes] = [Register::DiBase, Register::DiLength].map(|register| {
-            let value = self.register(register);
-            self.word(value)
-        });
-        start = self.b.ins().select(is_it, base, start);
-        length = self.b.ins().select(is_it, bytes, length);
-        if self.called_only() {
-            // The local data of the caller end where those of this block begin. A pointer that was passed on further is asked for.
-            let (caller, bytes) = match self.caller_local(0) {
-                Some((offset, bytes)) => (self.b.ins().iadd_imm_u(self.local, i64::from(offset)), self.b.ins().iconst(I64, bytes as i64)),
-                None => {
-                    let caller = -(size_of::<Link>() as i32) + offset_of!(Link, local) as i32;
-                    let caller = self.b.ins().load(I64, trusted, self.link, caller);
-                    (caller, self.b.ins().isub(self.local, caller))
-                }
-            };
-            let base = self.b.ins().isub(caller, self.arena);
-            let calls = self.b.ins().ushr_imm_u(bits, 19);
-            let is_it = self.b.ins().icmp_imm_u(IntCC::Equal, calls, 0x87 << 5);
-            start = self.b.ins().select(is_it, base, start);
-            length = self.b.ins().select(is_it, bytes, length);
+        (self.b.ins().load(I64, trusted, entry, 0), self.b.ins().load(I64, trusted, entry, 8))
+    }
+
+    /// First byte and number of bytes of the local data of the caller, if a pointer leads there, else those of another area. The local data of
+    /// the caller end where those of this block begin. A pointer that was passed on further is asked for.
+    pub(super) fn or_of_caller(&mut self, bits: Value, (start, length): (Value, Value)) -> (Value, Value) {
+        if !self.called_only() {
+            return (start, length);
         }
-        self.b.ins().jump(behind, &[BlockArg::Value(start), BlockArg::Value(length)]);
-        self.b.switch_to_block(behind);
-        self.b.seal_block(behind);
-        let (start, length) = (found_start, found_length);
-        let base = self.b.ins().iadd(self.arena, start);
-        self.way_in(base, 0, Val::Word(length), pointer, offset, width)
+        let (caller, bytes) = match self.caller_local(0) {
+            Some((offset, bytes)) => (self.b.ins().iadd_imm_u(self.local, i64::from(offset)), self.b.ins().iconst(I64, bytes as i64)),
+            None => {
+                let caller = -(size_of::<Link>() as i32) + offset_of!(Link, local) as i32;
+                let caller = self.b.ins().load(I64, MemFlagsData::trusted(), self.link, caller);
+                (caller, self.b.ins().isub(self.local, caller))
+            }
+        };
+        let caller = self.b.ins().isub(caller, self.arena);
+        let calls = self.b.ins().ushr_imm_u(bits, i64::from(CALLS_SHIFT));
+        let is_caller = self.b.ins().icmp_imm_u(IntCC::Equal, calls, 0x87 << (24 - CALLS_SHIFT));
+        let start = self.b.ins().select(is_caller, caller, start);
+        (start, self.b.ins().select(is_caller, bytes, length))
     }
 
     /// A computed position in an area.

@@ -6,19 +6,17 @@ use std::mem::offset_of;
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I32, I64};
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
+use cranelift_codegen::ir::{InstBuilder, Value};
 use sieben_engine::ir::{Place, TextRoom};
 use sieben_model::address::Area;
 
 use super::memory::{Address, Bit, data};
 use super::texts::{NUMBER_SHIFT, Whole};
 use super::{TRUSTED, Translator};
-use crate::run::{Link, Run};
+use crate::run::Run;
 
 /// Bytes that a STRING may have: they are there to be read, also where its area ends before.
 const MOST_BYTES: u32 = TextRoom::narrow(u8::MAX).bytes();
-/// A pointer to the local data of the caller, without what counts the calls.
-const CALLER: i64 = 0x87 << 5;
 
 /// Where a text was found.
 #[derive(Clone, Copy)]
@@ -84,19 +82,7 @@ impl Translator<'_> {
     /// First byte and number of bytes of the area to which a pointer leads; none where Rust code has to look.
     fn area_of_text(&mut self, pointer: Value, bits: Value) -> (Value, Value) {
         let code = self.b.ins().ushr_imm_u(bits, 24);
-        // I, Q and M stand in a table under their codes, 16#81 to 16#83.
-        let group = self.b.ins().ushr_imm_u(bits, 28);
-        let is_code = self.b.ins().icmp_imm_u(IntCC::Equal, group, 8);
-        let index = self.b.ins().band_imm_u(code, 0xF);
-        let none = self.b.ins().iconst(I32, 0);
-        let index = self.b.ins().select(is_code, index, none);
-        let index = self.b.ins().uextend(I64, index);
-        let index = self.b.ins().ishl_imm_u(index, 4);
-        let table = self.load_run(offset_of!(Run<'_, '_>, areas));
-        let entry = self.b.ins().iadd(table, index);
-        let trusted = MemFlagsData::trusted();
-        let start = self.b.ins().load(I64, trusted, entry, 0);
-        let length = self.b.ins().load(I64, trusted, entry, 8);
+        let (start, length) = self.area_by_code(bits);
         // Behind the last data block stands one that is not loaded, under 0 one without bytes.
         let number = self.b.ins().ushr_imm_u(pointer, i64::from(NUMBER_SHIFT));
         let number = self.b.ins().band_imm_u(number, 0xFFFF);
@@ -110,22 +96,6 @@ impl Translator<'_> {
         let in_block = self.b.ins().icmp_imm_u(IntCC::Equal, code, i64::from(Area::SharedData.pointer_code()));
         let start = self.b.ins().select(in_block, block, start);
         let length = self.b.ins().select(in_block, block_length, length);
-        if !self.called_only() {
-            return (start, length);
-        }
-        // The local data of the caller end where those of this block begin. A pointer that was passed on further is asked for.
-        let (caller, bytes) = match self.caller_local(0) {
-            Some((offset, bytes)) => (self.b.ins().iadd_imm_u(self.local, i64::from(offset)), self.b.ins().iconst(I64, bytes as i64)),
-            None => {
-                let caller = -(size_of::<Link>() as i32) + offset_of!(Link, local) as i32;
-                let caller = self.b.ins().load(I64, trusted, self.link, caller);
-                (caller, self.b.ins().isub(self.local, caller))
-            }
-        };
-        let caller = self.b.ins().isub(caller, self.arena);
-        let calls = self.b.ins().ushr_imm_u(bits, 19);
-        let is_caller = self.b.ins().icmp_imm_u(IntCC::Equal, calls, CALLER);
-        let start = self.b.ins().select(is_caller, caller, start);
-        (start, self.b.ins().select(is_caller, bytes, length))
+        self.or_of_caller(bits, (start, length))
     }
 }
