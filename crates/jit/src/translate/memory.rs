@@ -193,10 +193,7 @@ impl Translator<'_> {
                         Some(area @ (Area::SharedData | Area::InstanceData)) => {
                             self.way_to_pointer(index, area, (pointer, offset), width, write)
                         }
-                        Some(Area::CallerLocal) => match self.way_inside_caller(index, (pointer, offset), width) {
-                            Some(way) => way,
-                            None => self.way_to_any_area(pointer, offset, width, write),
-                        },
+                        Some(Area::CallerLocal) if let Some(way) = self.way_inside_caller(index, (pointer, offset), width) => way,
                         _ => self.way_to_any_area(pointer, offset, width, write),
                     };
                 };
@@ -340,12 +337,12 @@ impl Translator<'_> {
         });
         let (others, behind) = (self.b.create_block(), self.b.create_block());
         let [found_start, found_length] = [(); 2].map(|()| self.b.append_block_param(behind, I64));
-        let is_block = self.b.ins().icmp_imm_u(IntCC::Equal, code, 0x84);
+        let is_block = self.b.ins().icmp_imm_u(IntCC::Equal, code, i64::from(Area::SharedData.pointer_code()));
         self.b.ins().brif(is_block, behind, &[BlockArg::Value(base), BlockArg::Value(bytes)], others, &[]);
         self.b.switch_to_block(others);
         self.b.seal_block(others);
         let (start, length) = self.area_by_code(bits);
-        let is_it = self.b.ins().icmp_imm_u(IntCC::Equal, code, 0x85);
+        let is_it = self.b.ins().icmp_imm_u(IntCC::Equal, code, i64::from(Area::InstanceData.pointer_code()));
         let [base, bytes] = [Register::DiBase, Register::DiLength].map(|register| {
             let value = self.register(register);
             self.word(value)
@@ -394,7 +391,8 @@ impl Translator<'_> {
         };
         let caller = self.b.ins().isub(caller, self.arena);
         let calls = self.b.ins().ushr_imm_u(bits, i64::from(CALLS_SHIFT));
-        let is_caller = self.b.ins().icmp_imm_u(IntCC::Equal, calls, 0x87 << (24 - CALLS_SHIFT));
+        let direct = i64::from(Area::CallerLocal.pointer_code()) << (24 - CALLS_SHIFT);
+        let is_caller = self.b.ins().icmp_imm_u(IntCC::Equal, calls, direct);
         let start = self.b.ins().select(is_caller, caller, start);
         (start, self.b.ins().select(is_caller, bytes, length))
     }

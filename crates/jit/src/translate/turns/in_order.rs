@@ -65,11 +65,11 @@ impl Kernel {
 
     /// The form of a value of which each turn makes its own.
     pub(super) fn shape_by_width(&self, node: Node) -> Shape {
-        match () {
-            () if self.is_bit(node) => Shape::Mask,
-            () if self.is_16_bits(node) => Shape::Halves,
-            () if self.is_32_bits(node) => Shape::Words,
-            () => Shape::Quads,
+        match self.width_of(node) {
+            Width::Bit => Shape::Mask,
+            Width::Byte | Width::Word => Shape::Halves,
+            Width::DoubleWord => Shape::Words,
+            Width::QuadWord => Shape::Quads,
         }
     }
 }

@@ -5,7 +5,7 @@ use std::collections::{BTreeSet, HashMap};
 
 use sieben_model::address::Width;
 
-use super::count::{self, Count};
+use super::count;
 use super::kernel::{Cell, Kept, Kernel, Level, Node, Step, Turn, What};
 use super::pieces::Gathered;
 use super::vector::Lanes;
@@ -29,9 +29,9 @@ impl Plan {
     /// How turns of the inner loop are done side by side, if they can be: all of its accesses are known to stay inside.
     pub(super) fn nested(&self) -> Option<Nested> {
         let (kernel, starts) = self.kernel.inner_alone()?;
-        let count: Count = count::condition(&kernel, Level::Outer)?;
+        let count = count::condition(&kernel, Level::Outer)?;
         let plan = Self { kernel, count, inner_turns: 0 };
-        if plan.kernel.is_by_four() || plan.kernel.only_side_by_side {
+        if plan.kernel.is_by_four() {
             return None;
         }
         let fits = |&lanes: &u32| i64::from(lanes) <= self.inner_turns;
@@ -94,7 +94,7 @@ impl Kernel {
     }
 
     /// Whether a value is the same in all turns of the inner loop.
-    fn is_fixed(&self, node: Node, known: &mut HashMap<Node, bool>) -> bool {
+    pub(super) fn is_fixed(&self, node: Node, known: &mut HashMap<Node, bool>) -> bool {
         if let Some(&fixed) = known.get(&node) {
             return fixed;
         }
@@ -108,7 +108,8 @@ impl Kernel {
         fixed
     }
 
-    fn width_of(&self, node: Node) -> Width {
+    /// The width of what a value is.
+    pub(super) fn width_of(&self, node: Node) -> Width {
         match () {
             () if self.is_bit(node) => Width::Bit,
             () if self.is_16_bits(node) => Width::Word,

@@ -355,21 +355,14 @@ impl Reader<'_, '_> {
         let mut elements: Vec<Access> = Vec::new();
         for access in accesses.iter().filter(|access| access.value.is_some() && access.width != Width::Bit) {
             let others_are_apart = accesses.iter().all(|other| access.is_same(other) && other.sure || !access.may_meet(other));
-            if self.is_fixed(access.pointer) && others_are_apart && !elements.iter().any(|known| known.is_same(access)) {
+            if self.kernel.is_fixed(access.pointer, &mut HashMap::new())
+                && others_are_apart
+                && !elements.iter().any(|known| known.is_same(access))
+            {
                 elements.push(Access { level: Level::Outer, value: None, ..access.clone() });
             }
         }
         elements
-    }
-
-    /// Whether a value is the same in all turns of the inner loop.
-    fn is_fixed(&self, node: Node) -> bool {
-        match self.kernel.what(node) {
-            What::Constant(_) | What::Start(Level::Outer, _) => true,
-            What::Start(Level::Inner, _) | What::After(_) => false,
-            What::Read(access) => self.kernel.accesses[access].level == Level::Outer,
-            What::Compute(op, args) => args[..op.arity()].iter().all(|&arg| self.is_fixed(arg)),
-        }
     }
 
     fn element(&mut self, number: usize) -> Cell {
