@@ -17,6 +17,14 @@ fn bytes_before(bit: i64) -> i64 {
     bit.div_euclid(8) + i64::from(bit % 8 != 0)
 }
 
+/// The bytes of an area of so many, to which pointers from one to another lead, with some bits behind them.
+fn reached((least, most): (i128, i128), bits: &Range<i64>, length: i64) -> Range<i64> {
+    let position = |pointer: i128| (pointer & 0x00FF_FFFF) as i64;
+    let end = position(most) + bits.end;
+    // A position may turn over.
+    if end > POSITIONS { 0..length } else { (position(least) + bits.start) / 8..bytes_before(end) }
+}
+
 impl Analysis<'_> {
     /// Follows a call. Variables that the called block may write are not known behind it, nor any if somebody may be asked in the middle of
     /// one of its statements.
@@ -193,11 +201,7 @@ impl Analysis<'_> {
     /// Forgets what a called block may write by a pointer that it reads; the bytes that it may reach.
     fn forget_pointed(&mut self, access: &Pointed, state: &mut State, number: Option<u64>, pointer: Interval) -> Option<Bytes> {
         let (base, start, length) = self.pointed_bytes(number, pointer, access.writes)?;
-        let (least, most) = pointer.unsigned(64);
-        let position = |pointer: i128| (pointer & 0x00FF_FFFF) as i64;
-        let end = position(most) + access.bits.end;
-        // A position may turn over.
-        let bytes = if end > POSITIONS { 0..length } else { (position(least) + access.bits.start) / 8..bytes_before(end) };
+        let bytes = reached(pointer.unsigned(64), &access.bits, length);
         let bytes = start + bytes.start..start + bytes.end;
         if access.writes {
             state.forget(base, &bytes);
@@ -208,11 +212,9 @@ impl Analysis<'_> {
     /// Forgets a text that a called block may write by a pointer that it reads.
     fn forget_text(&mut self, text: &WrittenText, state: &mut State, number: u64, pointer: Interval) -> Option<()> {
         let (base, start, length) = self.pointed_bytes(Some(number), pointer, true)?;
-        let (least, most) = pointer.unsigned(64);
-        let position = |pointer: i128| (pointer & 0x00FF_FFFF) as i64 + i64::from(text.offset);
-        let end = position(most) + 8 * i64::from(text.bytes);
-        // A position may turn over.
-        let bytes = if end > POSITIONS { 0..length } else { position(least) / 8..bytes_before(end).min(length) };
+        let first = i64::from(text.offset);
+        let bytes = reached(pointer.unsigned(64), &(first..first + 8 * i64::from(text.bytes)), length);
+        let bytes = bytes.start..bytes.end.min(length);
         if bytes.start < bytes.end {
             state.forget(base, &(start + bytes.start..start + bytes.end));
         }
@@ -262,10 +264,8 @@ impl Analysis<'_> {
         }
         let area = if area == Area::CallerLocal { Area::Local } else { area };
         let (base, start, length, _) = self.area(state, area)?;
-        let position = |pointer: i128| (pointer & 0x00FF_FFFF) as i64 + i64::from(access.offset);
-        let end = position(most) + i64::from(access.width.bits());
-        // A position may turn over.
-        let bytes = if end > POSITIONS { 0..length } else { position(least) / 8..bytes_before(end) };
+        let first = i64::from(access.offset);
+        let bytes = reached((least, most), &(first..first + i64::from(access.width.bits())), length);
         let bytes = start + bytes.start..start + bytes.end;
         state.forget(base, &bytes);
         Some(Some((base, bytes)))
