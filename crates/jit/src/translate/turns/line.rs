@@ -188,7 +188,7 @@ impl Kernel {
                 }
                 Step::Inner => {
                     if let Some(inner) = &self.inner {
-                        waiting.extend(inner.entry.values());
+                        // With what its cells begin is reached from those at which it looks.
                         let all = |_: Cell| true;
                         waiting.extend(self.needed(Level::Inner, &all));
                         // What addresses in the inner loop begin with.
