@@ -1,5 +1,7 @@
 //! Calls of functions and function blocks, with the conventions of `CALL` in STL, so that both languages call each other.
 
+use std::collections::BTreeSet;
+
 use sieben_engine::ir::{Callee as Called, DataRegister, Inst, Op, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::Width;
@@ -24,9 +26,27 @@ const NOT_LOADED: u8 = 0x3C;
 /// The instance that a method works on.
 struct Enter {
     instance: Place,
-    /// Where the hidden local data hold the number of the function, if the instance says it.
-    number: Option<u32>,
+    /// The function, if the instance says it.
+    chosen: Option<Chosen>,
 }
+
+/// The block that an instance wants to be called.
+struct Chosen {
+    /// Where the hidden local data hold its number as a word.
+    position: u32,
+    /// What the number may be, each once.
+    targets: Vec<u16>,
+}
+
+impl Chosen {
+    /// The blocks, if they are few enough to be called by name.
+    fn few(&self) -> Option<&[u16]> {
+        (1..=BY_NAME_MAX).contains(&self.targets.len()).then_some(&self.targets)
+    }
+}
+
+/// So many blocks among which an instance chooses are called by name: each takes an instruction or two, and room for its call.
+const BY_NAME_MAX: usize = 12;
 
 /// What a function gets for one parameter.
 #[derive(Clone, Copy)]
@@ -74,7 +94,7 @@ impl Lowering<'_> {
             Callee::Function(block) => self.call_function(*block, None, call, result.as_ref()),
             Callee::Method { block, instance, dispatch } => {
                 let instance = self.freeze(instance);
-                let enter = Enter { number: self.dispatched(dispatch.as_ref(), &instance), instance };
+                let enter = Enter { chosen: self.dispatched(dispatch.as_ref(), &instance), instance };
                 self.call_function(*block, Some(enter), call, result.as_ref());
             }
             Callee::Instance { block, instance, dispatch } => self.call_instance(*block, instance, dispatch.as_ref(), call),
@@ -132,8 +152,8 @@ impl Lowering<'_> {
 
     // Functions.
 
-    /// The number of the block that an instance wants to be called, in the hidden local data as a word.
-    fn dispatched(&mut self, dispatch: Option<&Dispatch>, instance: &Place) -> Option<u32> {
+    /// The block that an instance wants to be called.
+    fn dispatched(&mut self, dispatch: Option<&Dispatch>, instance: &Place) -> Option<Chosen> {
         let dispatch = dispatch?;
         let of = self.load(instance, Width::Word);
         let mut number = self.constant(u64::from(NO_BLOCK));
@@ -153,7 +173,8 @@ impl Lowering<'_> {
         self.fallible = true;
         self.push(Inst::Require { condition: known, code: NOT_LOADED, register: number });
         self.release(known);
-        Some(self.spill(number, Width::Word))
+        let targets: BTreeSet<u16> = dispatch.targets.iter().map(|&(_, target)| target).collect();
+        Some(Chosen { position: self.spill(number, Width::Word), targets: targets.into_iter().collect() })
     }
 
     fn call_function(&mut self, block: BlockId, enter: Option<Enter>, call: &Call, result: Option<&Place>) {
@@ -193,7 +214,7 @@ impl Lowering<'_> {
                 self.push(Inst::Call { callee: Called::Block(block), parameters });
                 self.called();
             }
-            Some(enter) => self.enter_instance(block, &enter.instance, enter.number, &passed),
+            Some(enter) => self.enter_chosen(block, &enter.instance, enter.chosen, &passed),
         }
         for action in behind {
             match action {
@@ -350,7 +371,7 @@ impl Lowering<'_> {
 
     fn call_instance(&mut self, block: BlockId, instance: &Place, dispatch: Option<&Dispatch>, call: &Call) {
         let instance = self.freeze(instance);
-        let number = self.dispatched(dispatch, &instance);
+        let chosen = self.dispatched(dispatch, &instance);
         let interface = (self.known)(block);
         let takes_address = |parameter: u32| {
             let formal = interface.iter().flat_map(|interface| interface.parameters()).find(|formal| formal.offset == parameter);
@@ -397,7 +418,7 @@ impl Lowering<'_> {
                 Argument::Eno { .. } => {}
             }
         }
-        self.enter_instance(block, &instance, number, &[]);
+        self.enter_chosen(block, &instance, chosen, &[]);
         for (place, inside, width) in values {
             self.copy_value(&place, &inside, width);
         }
@@ -405,6 +426,33 @@ impl Lowering<'_> {
             let Some(position) = argument.parameter() else { continue };
             self.take_out(&at(&instance, position), argument);
         }
+    }
+
+    /// Calls a function block or a method, or the one that the instance has chosen. Few ones are compared with its number and called by
+    /// name: what is known of the block that is called is known of the call.
+    fn enter_chosen(&mut self, block: BlockId, instance: &Place, chosen: Option<Chosen>, passed: &[Option<Pass>]) {
+        let Some(chosen) = chosen else { return self.enter_instance(block, instance, None, passed) };
+        let Some((last, others)) = chosen.few().and_then(<[u16]>::split_last) else {
+            return self.enter_instance(block, instance, Some(chosen.position), passed);
+        };
+        let done = self.label();
+        self.part();
+        for &target in others {
+            let next = self.label();
+            let number = self.load_local(chosen.position, Width::Word);
+            let one = self.constant(u64::from(target));
+            let differs = self.compute(Op::Differ, &[number, one]);
+            self.branch_on(differs, next, true);
+            self.release(differs);
+            self.fresh();
+            self.enter_instance(BlockId { number: target, ..block }, instance, None, passed);
+            self.leave_unless_failed(done);
+            self.bind(next);
+        }
+        // The number was one of them.
+        self.enter_instance(BlockId { number: *last, ..block }, instance, None, passed);
+        self.leave_unless_failed(done);
+        self.bind(done);
     }
 
     /// Calls a function block, or a method with its parameters, with its instance in DI and AR2. A block with an instance of its own

@@ -288,14 +288,19 @@ impl<'a> Lowering<'a> {
     fn part(&mut self) {
         if self.fallible {
             let go_on = self.label();
-            self.jump(go_on);
-            self.begin();
-            self.jump(self.behind);
-            self.begin();
+            self.leave_unless_failed(go_on);
             self.labels[go_on.0 as usize] = self.b.here().0;
         } else {
             self.fresh();
         }
+    }
+
+    /// Goes to the label; what failed in the IR statement that ends here leaves out the rest of its source statement.
+    fn leave_unless_failed(&mut self, to: Label) {
+        self.jump(to);
+        self.begin();
+        self.jump(self.behind);
+        self.begin();
     }
 
     fn label(&mut self) -> Label {
