@@ -6,7 +6,8 @@ use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
 use super::Checker;
-use super::calls::{Called, is_flow};
+use super::calls::{Called, after, is_flow};
+use super::typed::{Target, Typed};
 use crate::st::ast::{self, Expression, ExpressionKind};
 use crate::st::dialect::Construct;
 use crate::st::standard;
@@ -25,35 +26,53 @@ impl Checker<'_> {
         if !of_function(call) || !matches!(self.quietly(|checker| checker.called(&call.callee)), Called::Standard(_)) {
             return None;
         }
-        let flow = call.arguments.iter().find(|argument| is_flow(argument))?;
-        if !self.judge(Construct::EnEno, flow.span) {
-            return Some(None);
-        }
-        let (flow, arguments): (Vec<_>, Vec<_>) = call.arguments.iter().cloned().partition(is_flow);
-        let given = |word: &str| {
-            let found = flow.iter().find(|argument| argument.name.as_ref().is_some_and(|name| name.is(word)));
-            found.and_then(|argument| argument.value.as_ref())
-        };
-        let enable = match given("EN") {
-            Some(enable) => match self.condition(enable) {
-                Some(enable) => Some(enable),
-                None => return Some(None),
-            },
-            None => None,
-        };
-        let plain = ast::Call { callee: call.callee.clone(), arguments };
+        let Some(Flow { enable, eno, plain }) = Flow::of(self, call)? else { return Some(None) };
         let plain = Expression { kind: ExpressionKind::Call(Box::new(plain)), span: value.span };
         let Some(done) = inner(self, &plain) else { return Some(None) };
+        let body = vec![Statement { kind: done, span }];
+        Some(Some(self.around(enable, eno, body, Vec::new(), span)))
+    }
+
+    /// The value of `F(EN := a, …, ENO => b)` inside a larger expression: with EN FALSE it is 0, as that of a block is; `None` if the call
+    /// has neither.
+    pub(super) fn value_with_flow(&mut self, call: &ast::Call, span: Span) -> Option<Typed> {
+        if !of_function(call) {
+            return None;
+        }
+        let flow = Flow::of(self, call)?;
+        let Some(Flow { enable, eno, plain }) = flow else { return Some(Typed::Poison) };
+        let typed = self.expression(&Expression { kind: ExpressionKind::Call(Box::new(plain)), span });
+        if typed == Typed::Poison {
+            return Some(typed);
+        }
+        if matches!(typed, Typed::Text(_) | Typed::Aggregate(_) | Typed::Delivered(..) | Typed::Moment(_) | Typed::Structured(..)) {
+            let what = self.what(&typed);
+            self.report(Problem::P6218, span, format!("EN and ENO inside an expression are for numbers and BOOL, not for {what}")).help =
+                Some("Give the result to a variable in a statement of its own: `x := F(EN := a, …, ENO => b);`.".to_owned());
+            return Some(Typed::Poison);
+        }
+        let Some((value, data_type)) = self.scalar(typed, span) else { return Some(Typed::Poison) };
+        let scalar = value.scalar;
+        let (keep, load) = self.kept(value);
+        let StatementKind::Assign { target, .. } = &keep.kind else { return Some(Typed::Poison) };
+        let zero = Value { kind: ValueKind::Constant(0), scalar, span };
+        let nothing = Statement { kind: StatementKind::Assign { target: target.clone(), value: zero }, span };
+        let whole = self.around(enable, eno, vec![keep], vec![nothing], span);
+        Some(Typed::Scalar { value: after(vec![Statement { kind: whole, span }], load), data_type })
+    }
+
+    /// Statements that are done if EN is TRUE, else the others, and what ENO tells of them.
+    fn around(
+        &mut self,
+        enable: Option<Value>,
+        eno: Option<Target>,
+        mut body: Vec<Statement>,
+        mut otherwise: Vec<Statement>,
+        span: Span,
+    ) -> StatementKind {
         let bit = |kind| Value { kind, scalar: Scalar::Bool, span };
         let statement = |kind| Statement { kind, span };
-        let (mut body, mut otherwise) = (vec![statement(done)], Vec::new());
-        if let Some(written) = given("ENO") {
-            let Some(eno) = self.target(written) else { return Some(None) };
-            if eno.data_type != DataType::Bool {
-                let message = format!("ENO is BOOL, and `{}` is {}", eno.name, self.words(&eno.data_type));
-                self.report(Problem::P4011, written.span, message);
-                return Some(None);
-            }
+        if let Some(eno) = eno {
             // What went wrong before counts for the block all the same.
             let (keep, before) = self.kept(bit(ValueKind::Ok));
             let both = ValueKind::Compute { op: Op::And, args: vec![before, bit(ValueKind::Ok)] };
@@ -64,10 +83,52 @@ impl Checker<'_> {
             body.push(tells(bit(ValueKind::Ok)));
             body.push(statement(StatementKind::SetOk(bit(both))));
         }
-        Some(Some(match enable {
+        match enable {
             Some(enable) => StatementKind::If { branches: vec![(enable, body)], otherwise },
             None => StatementKind::Block(body),
-        }))
+        }
+    }
+}
+
+/// EN and ENO of a call, and the call without them.
+struct Flow {
+    enable: Option<Value>,
+    eno: Option<Target>,
+    plain: ast::Call,
+}
+
+impl Flow {
+    /// `None` within if one of them is not understood, which is reported.
+    fn of(checker: &mut Checker<'_>, call: &ast::Call) -> Option<Option<Self>> {
+        let first = call.arguments.iter().find(|argument| is_flow(argument))?;
+        if !checker.judge(Construct::EnEno, first.span) {
+            return Some(None);
+        }
+        let (flow, arguments): (Vec<_>, Vec<_>) = call.arguments.iter().cloned().partition(is_flow);
+        let given = |word: &str| {
+            let found = flow.iter().find(|argument| argument.name.as_ref().is_some_and(|name| name.is(word)));
+            found.and_then(|argument| argument.value.as_ref())
+        };
+        let enable = match given("EN") {
+            Some(enable) => match checker.condition(enable) {
+                Some(enable) => Some(enable),
+                None => return Some(None),
+            },
+            None => None,
+        };
+        let eno = match given("ENO") {
+            Some(written) => {
+                let Some(eno) = checker.target(written) else { return Some(None) };
+                if eno.data_type != DataType::Bool {
+                    let message = format!("ENO is BOOL, and `{}` is {}", eno.name, checker.words(&eno.data_type));
+                    checker.report(Problem::P4011, written.span, message);
+                    return Some(None);
+                }
+                Some(eno)
+            }
+            None => None,
+        };
+        Some(Some(Self { enable, eno, plain: ast::Call { callee: call.callee.clone(), arguments } }))
     }
 }
 

@@ -32,6 +32,9 @@ impl Checker<'_> {
             self.look_at(&call.arguments);
             return Typed::Poison;
         }
+        if let Some(typed) = self.value_with_flow(call, span) {
+            return typed;
+        }
         if let Some(typed) = self.peek(name, call, span) {
             return typed;
         }
