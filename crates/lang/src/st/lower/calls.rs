@@ -63,6 +63,8 @@ enum Behind<'c> {
     Take(Place, &'c Argument),
     /// The value goes back to the place that was passed by copying.
     Return { hidden: Place, place: Place, width: Width },
+    /// The addresses in what was passed are seen from here again.
+    TakeBack { place: Place, data_type: DataType },
 }
 
 impl Lowering<'_> {
@@ -98,6 +100,9 @@ impl Lowering<'_> {
                 self.call_function(*block, Some(enter), call, result.as_ref());
             }
             Callee::Instance { block, instance, dispatch } => self.call_instance(*block, instance, dispatch.as_ref(), call),
+        }
+        if let (Some(place), true) = (&result, holds_address(&call.result)) {
+            self.take_back_addresses(place, &call.result);
         }
         self.clear_ok_behind(call);
         if call.enable.is_some() {
@@ -220,6 +225,7 @@ impl Lowering<'_> {
             match action {
                 Behind::Take(place, argument) => self.take_out(&place, argument),
                 Behind::Return { hidden, place, width } => self.copy_value(&place, &hidden, width),
+                Behind::TakeBack { place, data_type } => self.take_back_addresses(&place, &data_type),
             }
         }
     }
@@ -276,6 +282,11 @@ impl Lowering<'_> {
                 self.pass_addresses(&copy, data_type);
                 self.pass_pointer(&copy, data_type, None)
             }
+            Argument::OutputAggregate { target, data_type, .. } if holds_address(data_type) => {
+                let target = self.freeze(target);
+                behind.push(Behind::TakeBack { place: target.clone(), data_type: data_type.clone() });
+                self.pass_pointer(&target, data_type, None)
+            }
             Argument::Aggregate { source, data_type, .. } | Argument::OutputAggregate { target: source, data_type, .. } => {
                 self.pass_pointer(source, data_type, None)
             }
@@ -283,6 +294,9 @@ impl Lowering<'_> {
                 let place = self.hidden_bytes(width(*scalar).bytes());
                 let zero = self.constant(0);
                 self.store_local(place.offset, width(*scalar), zero);
+                if is_address(&formal.data_type) {
+                    behind.push(Behind::TakeBack { place: place.clone(), data_type: formal.data_type.clone() });
+                }
                 behind.push(Behind::Take(place.clone(), argument));
                 self.pass_place(&place, formal)
             }
@@ -303,6 +317,15 @@ impl Lowering<'_> {
                     Pass::Known(pointer)
                 }
             },
+            Argument::InOut { place, data_type, .. } if self.may_lead_here(place, data_type) => {
+                let place = self.freeze(place);
+                let is_new = !behind.iter().any(|one| matches!(one, Behind::TakeBack { place: other, .. } if *other == place));
+                if is_new {
+                    self.pass_addresses(&place, data_type);
+                    behind.push(Behind::TakeBack { place: place.clone(), data_type: data_type.clone() });
+                }
+                self.pass_pointer(&place, data_type, any_of(&formal.data_type, data_type))
+            }
             Argument::InOut { place, data_type, .. } => self.pass_pointer(place, data_type, any_of(&formal.data_type, data_type)),
             Argument::Pointer { place, data_type, any, .. } => self.pass_pointer(place, data_type, *any),
             Argument::Eno { .. } => Pass::Known(0),
@@ -379,6 +402,7 @@ impl Lowering<'_> {
         };
         let mut behind: Vec<&Argument> = Vec::new();
         let mut values: Vec<(Place, Place, Width)> = Vec::new();
+        let mut shared: Vec<(Place, &DataType)> = Vec::new();
         for argument in &call.arguments {
             match argument {
                 Argument::Value { parameter, value } => {
@@ -408,6 +432,14 @@ impl Lowering<'_> {
                     self.copy_value(&inside, &frozen, width);
                     values.push((frozen, inside, width));
                 }
+                Argument::InOut { parameter, place, data_type } if self.may_lead_here(place, data_type) => {
+                    let frozen = self.freeze(place);
+                    if !shared.iter().any(|(other, _)| *other == frozen) {
+                        self.pass_addresses(&frozen, data_type);
+                        shared.push((frozen.clone(), data_type));
+                    }
+                    self.write_pointer(&at(&instance, *parameter), &frozen, data_type, any_of(data_type, data_type));
+                }
                 Argument::InOut { parameter, place, data_type } => {
                     self.write_pointer(&at(&instance, *parameter), place, data_type, any_of(data_type, data_type));
                 }
@@ -419,12 +451,28 @@ impl Lowering<'_> {
             }
         }
         self.enter_chosen(block, &instance, chosen, &[]);
+        for (place, data_type) in shared {
+            self.take_back_addresses(&place, data_type);
+        }
         for (place, inside, width) in values {
             self.copy_value(&place, &inside, width);
         }
         for argument in behind {
             let Some(position) = argument.parameter() else { continue };
-            self.take_out(&at(&instance, position), argument);
+            let from = at(&instance, position);
+            match argument {
+                Argument::OutputAggregate { target, data_type, .. } if holds_address(data_type) => {
+                    let target = self.freeze(target);
+                    self.copy_typed(&target, &from, data_type);
+                    self.take_back_addresses(&target, data_type);
+                }
+                Argument::Output { target, scalar: Scalar::U64, parameter, .. } if takes_address(*parameter) => {
+                    let target = self.freeze(target);
+                    self.copy_value(&target, &from, Width::QuadWord);
+                    self.take_back_address(&target);
+                }
+                _ => self.take_out(&from, argument),
+            }
         }
     }
 

@@ -1,7 +1,7 @@
 //! Pointers to places, and what is reached by them as a whole: arrays, structures, POINTER and ANY.
 
 use sieben_engine::ir::{Inst, Op, Place as Address, Target, Var};
-use sieben_engine::machine::Register;
+use sieben_engine::machine::{CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 use sieben_model::types::{DataType, ReferenceKind};
 
@@ -17,6 +17,8 @@ const IN_DATA_BLOCK: u32 = 0x8400_0000;
 const ADDRESS_MASK: u64 = 0x0007_FFFF;
 /// Where the area stands in a pointer; that of the local data of the caller is the next one behind that of a block's own.
 const AREA_SHIFT: u64 = 24;
+/// The bits of a pointer to the local data of a caller that count the calls to that caller, but the last one.
+const CALLED_MASK: u64 = 0x00F8_0000;
 /// Bytes of an ANY.
 const ANY_BYTES: u32 = 10;
 /// The two parts of a POINTER: offset in bits and width.
@@ -127,6 +129,54 @@ impl Lowering<'_> {
             self.store(&place, Width::QuadWord, passed);
             self.release(passed);
         }
+    }
+
+    /// Whether a structure or an array that a called block works on itself may hold addresses of local data.
+    pub(super) fn may_lead_here(&self, place: &Place, data_type: &DataType) -> bool {
+        let outside = match &place.base {
+            Base::Area(area) => *area != Area::Local,
+            Base::DataBlock(_) | Base::ComputedDataBlock(_) | Base::Instance => true,
+            _ => false,
+        };
+        // What lies outside has got them from this block.
+        holds_address(data_type) && !(outside && self.body.locals.is_empty())
+    }
+
+    /// The addresses in what a called block has worked on itself, as this one has to see them: what was its caller's is this block's own.
+    /// An address of the called block's own local data leads nowhere.
+    pub(super) fn take_back_addresses(&mut self, place: &Place, data_type: &DataType) {
+        let mut offsets = Vec::new();
+        addresses_in(data_type, 0, &mut offsets);
+        offsets.into_iter().for_each(|offset| self.take_back_address(&at(place, offset)));
+    }
+
+    /// One of them.
+    pub(super) fn take_back_address(&mut self, place: &Place) {
+        let address = self.load(place, Width::QuadWord);
+        let own = self.taken_back(address);
+        self.store(place, Width::QuadWord, own);
+        self.release(own);
+    }
+
+    fn taken_back(&mut self, var: Var) -> Var {
+        let pointer = self.compute_from(Op::Low32, &[var]);
+        let shift = self.constant(AREA_SHIFT);
+        let area = self.compute_from(Op::Shr32, &[pointer, shift]);
+        self.release(shift);
+        let lost = self.constant(u64::from(Area::Local.pointer_code()));
+        let is_lost = self.compute_from(Op::Equal, &[area, lost]);
+        self.release(lost);
+        let of_caller = self.compute_with(Op::Equal, area, u64::from(CALLER_LOCAL >> AREA_SHIFT));
+        // One call less, or no call any more.
+        let counted = self.compute_with(Op::AndU32, pointer, CALLED_MASK);
+        let none = self.compute_with(Op::Equal, counted, 0);
+        let (own, one) = (self.constant(1 << AREA_SHIFT), self.constant(1 << CALLS_SHIFT));
+        let less = self.compute(Op::Select, &[none, own, one]);
+        let zero = self.constant(0);
+        let less = self.compute(Op::Select, &[of_caller, less, zero]);
+        let address = self.compute(Op::SubU64, &[var, less]);
+        let nowhere = self.constant(0);
+        self.compute(Op::Select, &[is_lost, nowhere, address])
     }
 
     fn passed_address(&mut self, var: Var) -> Var {
