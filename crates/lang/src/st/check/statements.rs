@@ -420,7 +420,8 @@ impl Checker<'_> {
                     && long > most
                 {
                     let message = format!("this text has {long} characters and is cut to the {most} of `{}`", target.name);
-                    self.report(Problem::P6201, from, message);
+                    self.report(Problem::P6201, from, message).help =
+                        Some(format!("Declare it with room for {long} characters, or write a shorter text."));
                 }
                 Some(StatementKind::AssignString { target: target.place, room, source })
             }
