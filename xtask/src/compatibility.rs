@@ -181,7 +181,7 @@ fn calls<'a>(pages: &'a [(&'a str, Uses)], block: BlockId, name: &str) -> String
 }
 
 fn system_functions(text: &mut String, pages: &[(&str, Uses)]) {
-    let mut blocks = sieben_cpu::system::interfaces();
+    let mut blocks = sieben_cpu::system::numbered();
     blocks.sort_by_key(|block| block.block);
     let _ = writeln!(
         text,

@@ -331,6 +331,9 @@ impl CpuHost<'_> {
 impl Host for CpuHost<'_> {
     fn fault(&mut self, machine: &mut Machine, fault: &Fault, place: FaultPlace) -> Reaction {
         self.time.read(machine);
+        if system::own_errors::keeps(&mut self.system.handlers, machine, fault, place) {
+            return Reaction::Continue;
+        }
         if let Some((filter, bit)) = system::filter_bit(fault) {
             let class = self.system.class(machine);
             if class.masked[filter] & bit != 0 {

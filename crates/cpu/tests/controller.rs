@@ -459,7 +459,7 @@ fn the_diagnostic_buffer_has_a_bound_and_reads_well() {
 
 #[test]
 fn every_system_block_has_an_interface() {
-    let blocks = sieben_cpu::system::interfaces();
+    let blocks = sieben_cpu::system::numbered();
     let numbers: Vec<_> = blocks.iter().map(|block| block.block).collect();
     assert!(numbers.is_sorted_by(|a, b| a < b), "by number, functions first: {numbers:?}");
     for block in &blocks {

@@ -1,7 +1,7 @@
 //! What compiler and CPU have to agree on about the extension words of self-checking programs (`__ASSERT==` and its like).
 //!
 //! Most of what an extension word does is ordinary code. The rest asks the CPU through system functions with negative numbers:
-//! -1 to -4 are called by programs, those from -100 only by the code of the extension words.
+//! -1 to -4 are called by programs, -100 to -102 only by the code of the extension words, the next two by that of GET_ERROR.
 
 use std::fmt;
 
@@ -96,6 +96,10 @@ pub const ASSERTION_FAILED: BlockId = negative(BlockKind::SystemFunction, 100);
 pub const ASSERT_BYTES: BlockId = negative(BlockKind::SystemFunction, 101);
 /// Lets so many milliseconds pass inside the scan: the number.
 pub const SLEEP: BlockId = negative(BlockKind::SystemFunction, 102);
+/// Called by a block that handles its synchronous errors itself, as its first statement: OB 121 and OB 122 are not called for them.
+pub const HANDLE_ERRORS: BlockId = negative(BlockKind::SystemFunction, 103);
+/// The first error of such a block since it was asked; the next one counts from now on.
+pub const FIRST_ERROR: BlockId = negative(BlockKind::SystemFunction, 104);
 
 /// A relation with the widths of its sides, as one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

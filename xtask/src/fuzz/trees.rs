@@ -318,7 +318,7 @@ fn function_interface() -> Interface {
 fn body(statements: Vec<Statement>, uses_ok: bool) -> Body {
     let bytes = DataType::Array { bounds: vec![(1, REGION as i32)], element: Box::new(DataType::Byte) };
     let local = Local { position: 8 * LOCAL, data_type: bytes, initial: Some(vec![0; REGION]) };
-    Body { statements, locals: vec![local], local_size: LOCAL + REGION as u32, uses_ok, is_method: false }
+    Body { statements, locals: vec![local], local_size: LOCAL + REGION as u32, uses_ok, ..Body::default() }
 }
 
 struct Quiet {

@@ -184,7 +184,7 @@ fn system_functions() -> String {
         let meaning = summary(block.block).map_or_else(only, str::to_owned);
         format!("{:<8} {:<10} {meaning}", block.block.to_string(), block.name).trim_end().to_owned() + "\n"
     };
-    sieben_cpu::system::interfaces().iter().map(line).collect()
+    sieben_cpu::system::numbered().iter().map(line).collect()
 }
 
 /// A system function by number or name, with its parameters.
@@ -193,7 +193,7 @@ fn system_function(word: &str) -> Option<String> {
     let named = |block: &SystemBlock| {
         block.name.eq_ignore_ascii_case(&compact) || block.block.to_string().replace(' ', "").eq_ignore_ascii_case(&compact)
     };
-    let block = sieben_cpu::system::interfaces().into_iter().find(named)?;
+    let block = sieben_cpu::system::numbered().into_iter().find(named)?;
     let whose = match block.only {
         None => {
             let what = summary(block.block).map_or(String::new(), |sentence| format!(": {sentence}"));

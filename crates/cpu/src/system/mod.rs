@@ -20,6 +20,7 @@ mod load_memory;
 pub(crate) mod modules;
 mod mpi_partner;
 mod output_bits;
+pub(crate) mod own_errors;
 mod parameters;
 mod process_image_partitions;
 mod records;
@@ -112,6 +113,7 @@ mod unavailable;
 use sieben_engine::{Machine, Reaction};
 use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::extension::is_negative;
 use sieben_model::interface::{Interface, SystemBlock};
 
 use crate::host::CpuHost;
@@ -218,11 +220,17 @@ fn rows() -> impl Iterator<Item = &'static Row> {
     TABLE.iter().chain(unavailable::ROWS)
 }
 
-/// The interfaces of all system functions, by number, functions first, for those who compile and complete calls.
+/// The interfaces of all system functions, by number, functions first, for those who compile and complete calls. Those with negative
+/// numbers among them are what the code of an instruction asks.
 pub fn interfaces() -> Vec<SystemBlock> {
-    let mut blocks: Vec<SystemBlock> = rows().map(Row::system_block).collect();
+    let mut blocks: Vec<SystemBlock> = rows().chain(own_errors::CALLED).map(Row::system_block).collect();
     blocks.sort_by_key(|block| block.block);
     blocks
+}
+
+/// The interfaces of those that programs call by their numbers.
+pub fn numbered() -> Vec<SystemBlock> {
+    interfaces().into_iter().filter(|block| !is_negative(block.block)).collect()
 }
 
 /// The interfaces of the system functions with negative numbers, which only extended programs call.
@@ -251,7 +259,7 @@ fn row(block: BlockId) -> Option<&'static Row> {
     let sorted = |table: &'static [Row]| table.binary_search_by_key(&block, |row| row.block).ok().map(|at| &table[at]);
     sorted(TABLE)
         .or_else(|| sorted(unavailable::ROWS))
-        .or_else(|| extension::CALLED.iter().chain(testing::CALLED).find(|row| row.block == block))
+        .or_else(|| extension::CALLED.iter().chain(testing::CALLED).chain(own_errors::CALLED).find(|row| row.block == block))
 }
 
 /// Whether a call of this system function does something: those that the CPU does not have answer with an error.

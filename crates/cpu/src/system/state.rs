@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use sieben_engine::{Machine, machine::Origin};
 use sieben_model::extension::FailedAssertion;
 
+use super::own_errors::Handler;
 use super::testing::{Asked, Mock};
 use crate::organization_blocks::StartInformation;
 
@@ -33,6 +34,7 @@ pub(crate) struct Meter {
 pub(crate) struct Running {
     classes: BTreeMap<u16, Class>,
     interrupts: Vec<(usize, StartInformation)>,
+    handlers: Vec<Handler>,
 }
 
 /// The memory of the system functions of a CPU.
@@ -46,6 +48,8 @@ pub(crate) struct State {
     pub(crate) startup: StartInformation,
     /// Organization blocks that interrupt others: number of frames below, start information.
     interrupts: Vec<(usize, StartInformation)>,
+    /// Blocks that run and handle their errors themselves, outermost first; some may have ended.
+    pub(crate) handlers: Vec<Handler>,
     /// The last start of every organization block since the restart, by its number.
     pub(crate) started: BTreeMap<u16, StartInformation>,
     /// The assertion of an extension word that was false.
@@ -99,6 +103,7 @@ impl State {
         self.reboot = false;
         self.classes.clear();
         self.interrupts.clear();
+        self.handlers.clear();
         self.jobs.clear();
         if !hot {
             self.started.clear();
@@ -116,6 +121,7 @@ impl State {
             self.classes.remove(&number);
         }
         self.interrupts.clear();
+        self.handlers.clear();
         // To look for what is there mostly is faster than to insert it.
         match self.started.get_mut(&number) {
             Some(last) => *last = info,
@@ -125,13 +131,18 @@ impl State {
 
     /// Hands out what belongs to the blocks that run, to be put aside with them.
     pub(crate) fn take_running(&mut self) -> Running {
-        Running { classes: std::mem::take(&mut self.classes), interrupts: std::mem::take(&mut self.interrupts) }
+        Running {
+            classes: std::mem::take(&mut self.classes),
+            interrupts: std::mem::take(&mut self.interrupts),
+            handlers: std::mem::take(&mut self.handlers),
+        }
     }
 
     /// Takes it back.
     pub(crate) fn put_running(&mut self, running: Running) {
         self.classes = running.classes;
         self.interrupts = running.interrupts;
+        self.handlers = running.handlers;
     }
 
     /// An organization block interrupts another.

@@ -104,10 +104,10 @@ mod tests {
 
     #[test]
     fn every_block_that_the_cpu_has_and_no_other_has_a_sentence() {
-        for block in crate::system::interfaces() {
+        for block in crate::system::numbered() {
             assert_eq!(summary(block.block).is_some(), block.only.is_none(), "{}", block.block);
         }
-        let known = crate::system::interfaces().iter().filter(|block| block.only.is_none()).count();
+        let known = crate::system::numbered().iter().filter(|block| block.only.is_none()).count();
         assert_eq!(FUNCTIONS.len() + FUNCTION_BLOCKS.len(), known);
     }
 }

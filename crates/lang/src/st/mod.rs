@@ -5,6 +5,7 @@ pub mod check;
 pub mod declare;
 pub mod dialect;
 mod dtl;
+mod error_struct;
 pub mod format;
 mod keywords;
 mod lexer;

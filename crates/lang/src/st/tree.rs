@@ -70,6 +70,8 @@ pub struct Body {
     pub uses_ok: bool,
     /// Whether it is a function that works on an instance of a function block: a method.
     pub is_method: bool,
+    /// Whether it handles its synchronous errors itself.
+    pub own_errors: bool,
 }
 
 /// A variable in the local data of the block.

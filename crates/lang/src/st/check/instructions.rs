@@ -10,6 +10,7 @@ use super::Checker;
 use super::calls::after;
 use super::memory::{Moved, Part, number, two};
 use super::operators::convert;
+use super::own_errors;
 use super::places::{Reached, element_step};
 use super::texts::text_room;
 use super::typed::{Target, Typed};
@@ -45,6 +46,7 @@ impl Checker<'_> {
             "T_ADD" | "T_SUB" | "T_DIFF" => self.sum(&upper, call, false, span),
             "COUNTOFELEMENTS" => self.count_of_elements(call, span),
             "MAX_LEN" => self.max_len(call, span),
+            own_errors::NUMBER => self.error_number(call, span),
             "RUNTIME" => self.runtime(call, span),
             "ATH" | "HTA" => self.hexadecimal(&upper, call, span).map(|(before, call)| self.result_of(call, before, span)),
             "IS_ARRAY" | "IS_NULL" | "NOT_NULL" => self.variant_question(&upper, call, span),
@@ -57,8 +59,19 @@ impl Checker<'_> {
             "MOVE_BLK_VARIANT" => self.move_variant(call, span).map(|(statements, place)| delivered(statements, place, span)),
             "SERIALIZE" => self.serialize(call, span).map(|(statements, place)| delivered(statements, place, span)),
             "DESERIALIZE" => self.deserialize(call, span).map(|(statements, place)| delivered(statements, place, span)),
-            "DEMUX" | "S_MOVE" | "STRG_VAL" | "VAL_STRG" | "SCATTER" | "GATHER" | "SCATTER_BLK" | "GATHER_BLK" | "VARIANTGET"
-            | "VARIANTPUT" | "RESET_TIMER" | "PRESET_TIMER" => {
+            "DEMUX"
+            | "S_MOVE"
+            | "STRG_VAL"
+            | "VAL_STRG"
+            | "SCATTER"
+            | "GATHER"
+            | "SCATTER_BLK"
+            | "GATHER_BLK"
+            | "VARIANTGET"
+            | "VARIANTPUT"
+            | "RESET_TIMER"
+            | "PRESET_TIMER"
+            | own_errors::STRUCTURE => {
                 self.look_at(&call.arguments);
                 self.report(Problem::P6218, span, format!("`{upper}` has no result")).help =
                     Some("Call it in a statement of its own.".to_owned());
@@ -85,6 +98,7 @@ impl Checker<'_> {
             }),
             "VARIANTGET" => self.variant_get(call, span),
             "VARIANTPUT" => self.variant_put(call, span),
+            own_errors::STRUCTURE => self.error_as_structure(call, span),
             "RESET_TIMER" => self.reset_timer(call, span),
             "PRESET_TIMER" => self.preset_timer(call, span),
             "MOVE_BLK_VARIANT" => self.move_variant(call, span).map(|(statements, _)| StatementKind::Block(statements)),

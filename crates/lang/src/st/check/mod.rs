@@ -16,6 +16,7 @@ mod moments;
 pub mod names;
 mod open_arrays;
 mod operators;
+mod own_errors;
 pub(crate) mod places;
 mod pointers;
 mod queries;
@@ -100,7 +101,8 @@ pub fn check(block: &Block<'_>, names: &dyn Names) -> Checked {
     let statements = checker.statements(block.body);
     let local_size = checker.locals.bytes();
     let is_method = names.this().is_some_and(|this| this != block.id);
-    let body = tree::Body { statements, locals: names.locals(), local_size, uses_ok: checker.reads_ok, is_method };
+    let body =
+        tree::Body { statements, locals: names.locals(), local_size, uses_ok: checker.reads_ok, is_method, own_errors: checker.own_errors };
     if !checker.failed {
         checker.usage(&body);
     }
@@ -134,6 +136,7 @@ impl<'a> Checker<'a> {
             known: Vec::new(),
             called: BTreeSet::new(),
             reads_ok: statements::mentions_ok(block),
+            own_errors: own_errors::asks_for_errors(block, names),
             counts_characters: false,
             quiet: false,
             held: None,
@@ -180,6 +183,8 @@ struct Checker<'a> {
     called: BTreeSet<BlockId>,
     /// Whether the block reads or writes ENO or OK, so that operations that fail must tell it.
     reads_ok: bool,
+    /// Whether the block asks for its errors, so that it handles them itself.
+    own_errors: bool,
     /// Whether a pointer to a text became one to something else.
     counts_characters: bool,
     /// Whether messages are held back: an expression is looked at to see what it is.

@@ -697,6 +697,7 @@ impl Checker<'_> {
 
     pub(super) fn bounds_check(&mut self) -> Bounds {
         match self.dialect.switches().index_fault {
+            _ if self.own_errors => Bounds::Skip,
             IndexFault::Skip => Bounds::Skip,
             IndexFault::CheckBounds if self.names.global("CheckBounds").is_some() => Bounds::Clamp,
             IndexFault::CheckBounds | IndexFault::ProgrammingError => Bounds::Fault,

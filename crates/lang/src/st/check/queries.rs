@@ -27,13 +27,9 @@ const ABSENT: &[(&str, &str)] = &[
     ("TEST_AND_SET", "Write `old := x; x := TRUE`, or use SEMA."),
 ];
 
-const ERRORS: &str = "Read ENO behind what may fail, or load OB 121 and read its start information.";
-
 /// The same of tia.
 const ABSENT_OF_TIA: &[(&str, &str)] = &[
     ("TypeOfDB", "Give the data block itself as VARIANT and ask TypeOf."),
-    ("GET_ERROR", ERRORS),
-    ("GET_ERR_ID", ERRORS),
     ("JOIN", "Join the texts with CONCAT."),
     ("SPLIT", "Look for the separator with FIND and take the parts with MID."),
     ("GetSymbolName", "Write the name as a text."),

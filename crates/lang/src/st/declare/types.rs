@@ -23,7 +23,7 @@ use crate::st::open_arrays::OPEN;
 use crate::st::standard::Provided;
 use crate::st::standard::library::block_type;
 use crate::st::variants;
-use crate::st::{dtl, points};
+use crate::st::{dtl, error_struct, points};
 
 /// Dimensions that an array may have.
 const DIMENSIONS_MAX: usize = 16;
@@ -176,6 +176,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
             None if word.eq_ignore_ascii_case(dtl::WORD) && self.dialect.judge(Construct::PeekPoke) == Judgement::Accept => {
                 dtl::data_type()
             }
+            None if self.has_variants() && error_struct::data_type(word).is_some() => error_struct::data_type(word)?,
             None if self.dialect.switches().organization_block_inputs && number_of_tia(word).is_some() => number_of_tia(word)?,
             None if word.eq_ignore_ascii_case("DB_ANY") && self.dialect.switches().numbered_blocks => DataType::BlockData,
             None => return None,

@@ -24,9 +24,10 @@ use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use sieben_engine::CodeBlock;
-use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
 use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::extension::HANDLE_ERRORS;
 use sieben_model::interface::{Interface, Section};
 use sieben_model::source::Span;
 
@@ -171,6 +172,10 @@ impl<'a> Lowering<'a> {
     /// OK := 1, the initial values of the local variables, parameters that are used more than once.
     fn entry(&mut self, interface: &Interface) {
         self.begin();
+        if self.body.own_errors {
+            self.push(Inst::Call { callee: Callee::Block(HANDLE_ERRORS), parameters: 0 });
+            self.begin();
+        }
         self.copy_parameters(interface);
         if let Some(ok) = self.ok {
             let one = self.constant(1);

@@ -193,6 +193,7 @@ chapters! {
         "sizeof" "bytes" ["SIZEOF"] "SIZEOF(variable or type): INT";
         "queryinterface" "what an interface refers to" ["__QUERYINTERFACE" "__QUERYPOINTER" "__ISVALIDREF"] "__QUERYINTERFACE(interface; wanted): BOOL" "__QUERYPOINTER(interface; pointer): BOOL" "__ISVALIDREF(reference): BOOL";
         "ref" "references" ["REF" "ADR"] "REF(variable): REF_TO its type" "ADR(variable): POINTER TO its type";
+        "get_error" "the errors of this block" ["GET_ERR_ID" "GET_ERROR"] "GET_ERR_ID(): WORD" "GET_ERROR(variable of type ErrorStruct)";
         "word_to_block_db" "data blocks by number" ["WORD_TO_BLOCK_DB" "BLOCK_DB_TO_WORD"] "WORD_TO_BLOCK_DB(number): BLOCK_DB" "BLOCK_DB_TO_WORD(block): WORD";
     }
     "Signals and control" true {
