@@ -45,6 +45,7 @@ mod intrinsics;
 mod loops;
 mod meeting;
 mod memory;
+mod moves;
 mod nesting;
 mod numbers;
 mod open;
@@ -771,7 +772,8 @@ impl<'a> Translator<'a> {
                 }
                 self.store(index, place, width, value);
             }
-            Inst::Move { from, to, bytes } if self.move_inside(index, (from, to, bytes)) => {}
+            Inst::Move { from, to, bytes }
+                if self.move_inside(index, (from, to, bytes)) || self.move_anywhere(index, (from, to, bytes)) => {}
             Inst::Move { from, to, .. } => {
                 let pointers = [self.pointer(from), self.pointer(to)];
                 self.store_open_blocks();

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::{I8, I8X16, I16, I32, I64};
+use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{self as clif, InstBuilder, InstructionData, Opcode, Value, ValueDef};
 use sieben_engine::access;
 use sieben_engine::ir::{Callee, Inst, Place};
@@ -13,7 +13,8 @@ use sieben_model::address::{Area, Width};
 use super::alone::Reliance;
 use super::analysis::{open_blocks, set_by_calls};
 use super::inlining::Outer;
-use super::memory::{Address, Bit, data};
+use super::memory::{Address, Bit};
+use super::moves::MOVED_BYTES_MAX;
 use super::promote::Base;
 use super::ranges::{self, Fact, Interval, Ranges, Relative, Surroundings};
 use super::value::Val;
@@ -24,9 +25,6 @@ use crate::ask::Question;
 const TERMS_MAX: usize = 6;
 /// How deep the calculation of an address is followed.
 const DEPTH_MAX: usize = 12;
-
-/// Longer moves are left to Rust code, which takes little time for each byte.
-const MOVED_BYTES_MAX: u32 = 256;
 
 /// A pointer to the first byte of the instance data block.
 pub(super) const FIRST_BYTE: u64 = 0x8400_0000;
@@ -328,17 +326,7 @@ impl Translator<'_> {
         self.settle_bytes();
         self.store_promoted_in(&read);
         self.store_promoted_in(&write);
-        let mut pieces = Vec::new();
-        let mut at = 0;
-        while at < bytes as i32 {
-            let left = bytes as i32 - at;
-            let ty = [(16, I8X16), (8, I64), (4, I32), (2, I16)].into_iter().find(|&(size, _)| size <= left).map_or(I8, |(_, ty)| ty);
-            pieces.push((at, self.b.ins().load(ty, data(), from.base, from.offset + at)));
-            at += ty.bytes() as i32;
-        }
-        for (at, piece) in pieces {
-            self.b.ins().store(data(), piece, to.base, to.offset + at);
-        }
+        self.copy_pieces(from, to, bytes);
         self.take_promoted_in(&write);
         true
     }

@@ -235,7 +235,7 @@ impl Translator<'_> {
     }
 
     /// Number, base and length of an open data block, unless it may be protected and is written.
-    fn open_block(&mut self, area: Area, write: bool) -> Option<(Val, Val)> {
+    pub(super) fn open_block(&mut self, area: Area, write: bool) -> Option<(Val, Val)> {
         let register = match area {
             Area::SharedData => DataRegister::Shared,
             Area::InstanceData => DataRegister::Instance,

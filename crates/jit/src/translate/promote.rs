@@ -565,6 +565,16 @@ impl Translator<'_> {
         self.take_overlapping(&touched);
     }
 
+    /// Stores what an access to any memory may touch: not the budget.
+    pub(super) fn store_promoted_memory(&mut self) {
+        self.store_overlapping(&Touched::Anything);
+    }
+
+    /// Takes again what a write to any memory may have changed.
+    pub(super) fn take_promoted_memory(&mut self) {
+        self.take_overlapping(&Touched::Anything);
+    }
+
     /// Stores what an access to some of these bytes may touch.
     pub(super) fn store_promoted_in(&mut self, (base, bytes): &(Base, Range<i64>)) {
         self.store_overlapping(&Touched::Bytes(*base, bytes.clone()));

@@ -44,7 +44,7 @@ impl Translator<'_> {
         }
         let pointer = self.word(pointer);
         let bits = self.b.ins().ireduce(I32, pointer);
-        let (start, length) = self.area_of_text(pointer, bits);
+        let (start, length) = self.area_of_pointer(pointer, bits);
         let position = self.b.ins().band_imm_u(bits, 0x00FF_FFFF);
         // A pointer that is not to the beginning of a byte becomes a large number here.
         let byte = self.b.ins().rotr_imm_u(position, 3);
@@ -80,7 +80,7 @@ impl Translator<'_> {
     }
 
     /// First byte and number of bytes of the area to which a pointer leads; none where Rust code has to look.
-    fn area_of_text(&mut self, pointer: Value, bits: Value) -> (Value, Value) {
+    pub(super) fn area_of_pointer(&mut self, pointer: Value, bits: Value) -> (Value, Value) {
         let code = self.b.ins().ushr_imm_u(bits, 24);
         let (start, length) = self.area_by_code(bits);
         // Behind the last data block stands one that is not loaded, under 0 one without bytes.
