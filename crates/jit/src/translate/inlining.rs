@@ -35,7 +35,7 @@ const DEPTH_MAX: usize = 4;
 /// known only where the block becomes part of its caller.
 const INSTRUCTIONS_MAX: usize = 1_200;
 /// Jumps back of an inlined block: loops take the compiler long.
-const LOOPS_MAX: usize = 4;
+const LOOPS_MAX: usize = 16;
 /// How many IR instructions a function may grow by: so many for each of its own …
 const GROWTH: usize = 3;
 /// … and these, for a block of few calls …
