@@ -34,8 +34,10 @@ const DEPTH_MAX: usize = 4;
 /// IR instructions of an inlined block with all that is inlined in it. A call costs little beside so long a block, but its instance is
 /// known only where the block becomes part of its caller.
 const INSTRUCTIONS_MAX: usize = 1_200;
-/// Jumps back of an inlined block: loops take the compiler long.
-const LOOPS_MAX: usize = 16;
+/// Jumps back of an inlined block: loops take the compiler long …
+const LOOPS_MAX: usize = 4;
+/// … but where a block is handed pointers as parameters, only its caller knows where they lead.
+const LOOPS_MAX_WITH_PARAMETERS: usize = 16;
 /// How many IR instructions a function may grow by: so many for each of its own …
 const GROWTH: usize = 3;
 /// … and these, for a block of few calls …
@@ -110,7 +112,9 @@ pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
             let has_an_end = ends_once || end(&block.code).is_some();
             // One look at the budget has to serve for all of it: behind a question little is known.
             let fits = size <= INSTRUCTIONS_MAX && plans[index].weight <= WEIGHT_MAX;
-            if fits && has_an_end && loop_heads(&block.code).len() <= LOOPS_MAX {
+            let takes_parameters = block.code.insts.iter().any(|inst| matches!(inst, Inst::Parameter { .. }));
+            let loops_max = if takes_parameters { LOOPS_MAX_WITH_PARAMETERS } else { LOOPS_MAX };
+            if fits && has_an_end && loop_heads(&block.code).len() <= loops_max {
                 plans[index].inlined = Some(size);
             }
         }
