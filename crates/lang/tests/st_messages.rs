@@ -154,6 +154,42 @@ CASE s OF Plant.State#a: i := 1; Plant.State#b: i := 2; END_CASE;
 END_PROGRAM", &[]),
 ];
 
+/// Tokens that are lost in a declaration: what stands behind them is read.
+#[rustfmt::skip] // A table.
+const LOST: &[Row] = &[
+    ("codesys", "FUNCTION f : INT
+VAR_INPUT p : POINTER ARRAY[0..9] OF INT; r : REFERENCE INT; q : ARRAY[1..2] OF POINTER INT; END_VAR
+f := p^[1] + r + q[1]^;
+END_FUNCTION", &["2 P2020", "2 P2020", "2 P2020"]),
+    ("codesys", "TYPE e : (off := 1, manual :=, auto := 3); END_TYPE
+PROGRAM main
+VAR m : e; END_VAR
+IF m = off OR m = manual THEN m := auto; END_IF
+END_PROGRAM", &["1 P2020"]),
+    ("scl", "FUNCTION FC1 : INT
+LABEL , there; END_LABEL
+VAR_INPUT a : INT; END_VAR
+BEGIN
+IF a > 0 THEN GOTO there; END_IF;
+FC1 := 1;
+there: FC1 := 2;
+END_FUNCTION", &["2 P2020"]),
+    ("scl", "FUNCTION_BLOCK FB1
+VAR a : INT; : STRUCT x, y : INT; END_STRUCT; b : [1..3] OF INT; END_VAR
+VAR_TEMP i : INT; END_VAR
+BEGIN
+a := b[1] + i;
+END_FUNCTION_BLOCK", &["2 P2020", "2 P2020"]),
+    ("tia", "FUNCTION_BLOCK \"x\"
+VAR a : INT; idle : INT := 0; run : INT := 1; END_VAR
+BEGIN
+CASE #a OF
+  #idle: #a := 1;
+  #run, #idle: #a := 2;
+END_CASE;
+END_FUNCTION_BLOCK", &["5 P6229"]),
+];
+
 fn errors(dialect: &str, text: &str) -> Vec<String> {
     let mut sources = Sources::default();
     sources.add("program.st", text);
@@ -180,4 +216,9 @@ fn of_a_name_that_is_declared_twice_only_that_is_said() {
 #[test]
 fn of_a_declaration_that_cannot_be_read_only_that_is_said() {
     check(UNREAD);
+}
+
+#[test]
+fn behind_a_lost_token_of_a_declaration_all_is_read() {
+    check(LOST);
 }

@@ -173,16 +173,25 @@ impl Checker<'_> {
         let mut taken: Vec<((i128, i128), Span)> = Vec::new();
         let mut branches = Vec::with_capacity(arms.len());
         let mut sound = found.is_some();
+        let mut computed = false;
         for arm in arms {
             let mut ranges = Vec::with_capacity(arm.labels.len());
             for label in &arm.labels {
                 let Some((_, data_type)) = &found else { continue };
+                // Labels that are no constants stand in one section; the first one tells it.
+                if computed {
+                    continue;
+                }
+                let told = self.diagnostics.len();
                 match self.label_range(label, &data_type.clone()) {
                     Some(range) => {
                         sound &= self.apart(range, label.span(), &mut taken);
                         ranges.push(range);
                     }
-                    None => sound = false,
+                    None => {
+                        sound = false;
+                        computed = self.diagnostics[told..].iter().any(|one| one.problem == Problem::P6229);
+                    }
                 }
             }
             let span = match (arm.labels.first(), arm.labels.last()) {

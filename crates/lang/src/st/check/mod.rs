@@ -54,8 +54,17 @@ use typed::Typed;
 const DIAGNOSTICS_MAX: usize = 200;
 
 /// Problems of a name that means nothing or something else, where a block uses it as often as it likes.
-const NAMELESS: [Problem; 7] =
-    [Problem::P3001, Problem::P3007, Problem::P3008, Problem::P3009, Problem::P6217, Problem::P6218, Problem::P6219];
+const NAMELESS: [Problem; 9] = [
+    Problem::P3001,
+    Problem::P3004,
+    Problem::P3007,
+    Problem::P3008,
+    Problem::P3009,
+    Problem::P6217,
+    Problem::P6218,
+    Problem::P6219,
+    Problem::P6228,
+];
 
 /// Problems of a name that the block may inherit: where its base is lacking, that was told already.
 const INHERITED: [Problem; 3] = [Problem::P3001, Problem::P3008, Problem::P6286];

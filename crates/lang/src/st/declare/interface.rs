@@ -443,7 +443,9 @@ impl<'a> Sections<'_, 'a> {
             Kind::Input if self.id.kind != BlockKind::OrganizationBlock => (Store::Interface(Section::Input), Role::Input),
             Kind::Output if self.id.kind != BlockKind::OrganizationBlock => (Store::Interface(Section::Output), Role::Output),
             Kind::InOut if self.id.kind != BlockKind::OrganizationBlock => (Store::Interface(Section::InOut), Role::InOut),
-            Kind::Var | Kind::Static if has_instance => (Store::Interface(Section::Static), Role::Static),
+            Kind::Var if has_instance => (Store::Interface(Section::Static), Role::Static),
+            // A program has one instance, whose variables it is.
+            Kind::Static if has_instance && !kept => (Store::Interface(Section::Static), Role::Static),
             Kind::Static => (Store::Kept, Role::Static),
             Kind::Var if kept && section.has(ast::Qualifier::Constant) => (Store::Kept, Role::Constant),
             Kind::Var | Kind::Temp => (Store::Interface(Section::Temp), Role::Temp),

@@ -119,7 +119,7 @@ pub(crate) struct Items<'a> {
     /// Global variables and constants by key: list and declaration.
     pub(crate) globals: HashMap<String, (usize, &'a ast::Declaration)>,
     pub(crate) configurations: Vec<(&'a ast::Configuration, Dialect)>,
-    /// Functions with VAR_STAT or VAR CONSTANT of their own: the data block that keeps it.
+    /// Functions and function blocks with VAR_STAT, functions with VAR CONSTANT of their own: the data block that keeps it.
     pub(crate) kept: BTreeMap<BlockId, u16>,
     /// Keys of the blocks and types that are declared twice: which of them is meant, nobody knows (decision 270).
     pub(crate) twice: BTreeSet<String>,
@@ -496,8 +496,10 @@ impl<'a> Collector<'a, '_> {
         } else if matches!(block.kind, ast::BlockKind::Program | ast::BlockKind::Implicit) {
             self.items.qualifiers.insert(key(&wanted.name));
             self.pending.push((owner, Pending::Instance(behind)));
-        } else if matches!(block.kind, ast::BlockKind::Function | ast::BlockKind::Method | ast::BlockKind::OrganizationBlock)
-            && block.sections.iter().any(|section| section.kind == ast::SectionKind::Static || is_called_first(block, section))
+        } else if matches!(
+            block.kind,
+            ast::BlockKind::Function | ast::BlockKind::FunctionBlock | ast::BlockKind::Method | ast::BlockKind::OrganizationBlock
+        ) && block.sections.iter().any(|section| section.kind == ast::SectionKind::Static || is_called_first(block, section))
         {
             self.pending.push((Wanted { name: format!("{}{KEPT}", wanted.name), ..owner }, Pending::Kept(behind)));
         }

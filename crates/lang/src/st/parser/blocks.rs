@@ -408,7 +408,16 @@ impl Parser<'_> {
         self.judge(Construct::LabelSection, token.start, token.end);
         self.start(SyntaxKind::Section);
         self.bump(SyntaxKind::Keyword);
-        while self.at_name() {
+        loop {
+            if matches!(self.raw(), Raw::Comma | Raw::Semicolon) {
+                let shown = self.shown();
+                self.unexpected(Problem::P2020, format!("the name of a label is wanted here, not {shown}"));
+                self.bump_unexpected();
+                continue;
+            }
+            if !self.at_name() {
+                break;
+            }
             let name = self.name(SyntaxKind::Declared);
             self.labels.insert(name.key());
             labels.push(name);

@@ -254,8 +254,9 @@ impl Parser<'_> {
         let constant = matches!(place, Place::Section(SectionKind::Const));
         let mut names = Vec::new();
         loop {
-            // `a, , b : INT`: the others are declared all the same.
-            let lost = self.raw() == Raw::Comma || self.raw() == Raw::Colon && !names.is_empty();
+            // `a, , b : INT`: the others are declared all the same. What is in `: STRUCT a : INT; END_STRUCT` is read.
+            let with_parts = matches!(self.next_keyword(), Some(Keyword::Struct | Keyword::Array));
+            let lost = self.raw() == Raw::Comma || self.raw() == Raw::Colon && (!names.is_empty() || with_parts);
             if lost {
                 let shown = self.shown();
                 self.unexpected(Problem::P2020, format!("the name of a variable is wanted here, not {shown}"));
@@ -325,7 +326,7 @@ impl Parser<'_> {
         declaration.attributes = attributes;
         self.declaration_end();
         declaration.comment = self.comment_behind();
-        Some(declaration)
+        Some(declaration).filter(|declaration| !declaration.names.is_empty())
     }
 
     /// One name of a declaration.

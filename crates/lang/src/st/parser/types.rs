@@ -5,7 +5,7 @@ use sieben_model::problems::Problem;
 use super::super::ast::{
     Access, Dimension, Expression, ExpressionKind, Header, Item, Modifiers, Name, Path, TypeDeclaration, TypeKind, TypeSpec,
 };
-use super::super::dialect::Construct;
+use super::super::dialect::{Construct, Judgement};
 use super::super::keywords::Keyword;
 use super::super::lexer::Raw;
 use super::declarations::Place;
@@ -81,8 +81,10 @@ impl Parser<'_> {
             Some(Keyword::Union) => return self.structure_type(Keyword::EndUnion),
             _ => {}
         }
-        if self.raw() == Raw::ParenOpen {
-            return self.enumeration(None);
+        match self.raw() {
+            Raw::ParenOpen => return self.enumeration(None),
+            Raw::BracketOpen => return self.array(),
+            _ => {}
         }
         if self.at_word("STRING") || self.at_word("WSTRING") {
             return self.string();
@@ -92,12 +94,17 @@ impl Parser<'_> {
             self.bump(SyntaxKind::Keyword);
             return TypeKind::Reference(Box::new(self.type_spec()));
         }
+        let leads = self.at_word("POINTER") || self.at_word("REFERENCE");
         let to = self.next_keyword() == Some(Keyword::To);
-        if to && (self.at_word("POINTER") || self.at_word("REFERENCE")) {
+        if leads && (to || self.to_is_lost()) {
             let pointer = self.at_word("POINTER");
             self.judge(Construct::PointerTo, token.start, token.end);
             self.bump(SyntaxKind::Keyword);
-            self.bump(SyntaxKind::Keyword);
+            if to {
+                self.bump(SyntaxKind::Keyword);
+            } else {
+                self.missing(Problem::P2020, " TO", format!("`TO` is missing between {} and {}", self.previous_text(), self.shown()));
+            }
             let target = Box::new(self.type_spec());
             return if pointer { TypeKind::Pointer(target) } else { TypeKind::Alias(target) };
         }
@@ -203,7 +210,13 @@ impl Parser<'_> {
             let value = match self.raw() {
                 Raw::Becomes => {
                     self.bump(SyntaxKind::Operator);
-                    Some(self.expression())
+                    if matches!(self.raw(), Raw::Comma | Raw::ParenClose) {
+                        let shown = self.shown();
+                        self.unexpected(Problem::P2020, format!("a value is missing behind `:=`: {shown} is none"));
+                        None
+                    } else {
+                        Some(self.expression())
+                    }
                 }
                 Raw::Number | Raw::Literal => {
                     self.missing(Problem::P2020, " :=", format!("`:=` is missing between {} and {}", self.previous_text(), self.shown()));
@@ -244,8 +257,20 @@ impl Parser<'_> {
         TypeKind::String { wide, length }
     }
 
+    /// `POINTER INT`: a type stands on the same line.
+    fn to_is_lost(&self) -> bool {
+        let next = self.behind(self.at);
+        let between = self.text.get(self.token().end as usize..self.tokens[next].start as usize);
+        let target = self.is_name(next) || self.next_keyword() == Some(Keyword::Array);
+        target && between.is_some_and(|between| !between.contains('\n')) && self.dialect.judge(Construct::PointerTo) != Judgement::Reject
+    }
+
     fn array(&mut self) -> TypeKind {
-        self.bump(SyntaxKind::Keyword);
+        if self.raw() == Raw::BracketOpen {
+            self.missing(Problem::P2020, " ARRAY", format!("`ARRAY` is missing between {} and `[`", self.previous_text()));
+        } else {
+            self.bump(SyntaxKind::Keyword);
+        }
         let mut dimensions = Vec::new();
         if self.raw() == Raw::BracketOpen {
             self.bump(SyntaxKind::Punctuation);
