@@ -17,7 +17,7 @@ const PROGRAMS: u64 = 500;
 const FUNCTION: BlockId = BlockId::fc(1);
 const QUESTIONS_MAX: usize = 30;
 /// Two arrays of records: where they begin, and bytes of a record.
-const ARRAYS: [(u32, u32); 2] = [(0, 24), (512, 34)];
+const ARRAYS: [(u32, u32); 2] = [(0, 32), (512, 34)];
 /// The same where the fields of one lie over those of the next ones.
 const OVER_ONE_ANOTHER: [(u32, u32); 2] = [(16, 1), (512, 6)];
 const RECORDS: u32 = 14;
@@ -58,9 +58,14 @@ const FIELDS: &[(u32, Kind)] = &[
     (88, Byte),
     (96, Quad),
     (96, Lreal),
+    (128, Double),
     (160, Real),
     (160, Double),
     (176, Half),
+    (192, Byte),
+    (208, Half),
+    (226, Bit),
+    (248, Byte),
 ];
 
 impl Kind {

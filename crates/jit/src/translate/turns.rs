@@ -35,6 +35,7 @@ mod nested;
 mod pieces;
 mod quads;
 mod reader;
+mod records;
 mod settled;
 mod signs;
 mod simplest;

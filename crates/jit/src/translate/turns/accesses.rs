@@ -20,6 +20,7 @@ impl Writing<'_, '_, '_> {
             return;
         }
         let access = &self.kernel.accesses[number];
+        self.settle_records(number, access.value.is_none());
         if self.lanes > 1 && self.kernel.is_row_of_bits(access) {
             return self.access_row_of_bits(number, level);
         }
@@ -43,7 +44,8 @@ impl Writing<'_, '_, '_> {
                 first: address,
                 step,
                 only_read: self.kernel.is_only_read(number),
-                untouched: !touched(false),
+                // What waits to be written may need it later.
+                untouched: access.value.is_none() && !touched(false),
                 more: self.kernel.has_more(access) && !touched(true),
             };
             self.access_apart(number, apart, level);
@@ -113,7 +115,10 @@ impl Writing<'_, '_, '_> {
                 }
                 None => {
                     let shape = self.kernel.shape(node).expect("the shapes were looked at");
-                    self.t.read_apart(apart, shape, access.width, self.lanes)
+                    match self.read_in_rows(number, apart) {
+                        Some(column) => self.t.of_column(column, shape, access.width),
+                        None => self.t.read_apart(apart, shape, access.width, self.lanes),
+                    }
                 }
             };
             self.scope(level).values.insert(node, value);
@@ -124,9 +129,12 @@ impl Writing<'_, '_, '_> {
             let bytes = self.bytes_apart(number, apart, level);
             self.t.with_bits(&bytes, bit, &value, self.lanes)
         });
-        match &new {
-            Some(new) => self.t.write_bytes_apart(apart, new),
-            None => self.t.write_apart(apart, access.width, &value, self.lanes),
+        let bytes = new.clone().map(Lanes::Words);
+        if !self.write_in_rows(number, apart, bytes.as_ref().unwrap_or(&value)) {
+            match &new {
+                Some(new) => self.t.write_bytes_apart(apart, new),
+                None => self.t.write_apart(apart, access.width, &value, self.lanes),
+            }
         }
         self.forget_bytes(number, apart.first, level);
         if let Some(new) = new {
@@ -141,7 +149,16 @@ impl Writing<'_, '_, '_> {
         if let Some((.., bytes)) = known {
             return bytes.clone();
         }
-        let bytes = self.t.bytes_apart(apart, self.lanes);
+        let bytes = match self.read_in_rows(number, apart) {
+            Some(column) => vec![column],
+            None => {
+                let bytes = self.t.bytes_apart(apart, self.lanes);
+                if apart.more {
+                    self.note_old(number, bytes[0]);
+                }
+                bytes
+            }
+        };
         self.scope(level).bytes.push((base, offset, number, bytes.clone()));
         bytes
     }

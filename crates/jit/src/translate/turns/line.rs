@@ -8,7 +8,7 @@ use sieben_model::address::Width;
 
 use super::divide::greatest;
 use super::extremes::Extreme;
-use super::kernel::{Cell, Kernel, Level, Node, Step, What};
+use super::kernel::{Cell, Kernel, Level, Node, Step, Turn, What};
 
 /// A value that grows by the same step in each turn, modulo 2 to the power of `bits`; zero-extended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -188,7 +188,8 @@ impl Kernel {
                 }
                 Step::Inner => {
                     if let Some(inner) = &self.inner {
-                        // With what its cells begin is reached from those at which it looks.
+                        // With what its cells begin that it does not carry is reached from those at which it looks.
+                        waiting.extend(self.carried_into(inner).map(|(_, entry)| entry));
                         let all = |_: Cell| true;
                         waiting.extend(self.needed(Level::Inner, &all));
                         // What addresses in the inner loop begin with.
@@ -226,6 +227,12 @@ impl Kernel {
                 return needed;
             }
         }
+    }
+
+    /// Cells that the turns of the inner loop hand on, and what they hold when it begins.
+    pub(super) fn carried_into(&self, inner: &Turn) -> impl Iterator<Item = (Cell, Node)> {
+        let carried = self.carried(Level::Inner).into_iter().filter(|(.., carried)| *carried != Carried::Nothing);
+        carried.filter_map(|(cell, ..)| Some((cell, *inner.entry.get(&cell)?)))
     }
 
     /// How the cells of a loop are carried.

@@ -49,7 +49,7 @@ impl Kernel {
             inner.steps.iter().map(|step| if let Step::Access(number) = *step { Some(number) } else { None }).collect::<Option<_>>()?;
         let mut kernel = Self { cells: self.cells.clone(), bounds: self.bounds.clone(), size: self.size, ..Self::empty() };
         kernel.nodes = vec![What::Constant(0); self.nodes.len()];
-        let mut starts: Vec<(Cell, Node)> = inner.entry.iter().map(|(&cell, &node)| (cell, node)).collect();
+        let mut starts: Vec<(Cell, Node)> = self.carried_into(inner).collect();
         let accesses = numbers.iter().map(|&number| &self.accesses[number]);
         let mut waiting: Vec<Node> = accesses.flat_map(|access| [Some(access.pointer), access.value]).flatten().collect();
         waiting.extend(inner.ends.values());
@@ -64,8 +64,9 @@ impl Kernel {
             kernel.nodes[node.number() as usize] = match self.what(node) {
                 constant @ What::Constant(_) => constant,
                 What::Start(Level::Inner, cell) => {
-                    if !inner.entry.contains_key(&cell) {
-                        return None;
+                    let entry = *inner.entry.get(&cell)?;
+                    if !starts.iter().any(|&(other, _)| other == cell) {
+                        starts.push((cell, entry));
                     }
                     What::Start(Level::Outer, cell)
                 }

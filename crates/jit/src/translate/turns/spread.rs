@@ -14,6 +14,7 @@ use super::super::Translator;
 use super::super::memory::{Address, data};
 use super::super::promote::Base;
 use super::super::value::Val;
+use super::SIDE_BY_SIDE_MAX;
 use super::kernel::{Access, Kernel, Level, Node, What};
 use super::line::Shape;
 use super::vector::{Lanes, VECTOR_BYTES, little};
@@ -24,7 +25,7 @@ const TURNS_MAX: i64 = 8;
 const OTHERS_MIN: usize = 4;
 
 /// The first 16 bits of each number of 32 bits, turned around.
-const FIRST_WORDS_TURNED: [u8; 16] = [1, 0, 5, 4, 9, 8, 13, 12, 1, 0, 5, 4, 9, 8, 13, 12];
+pub(super) const FIRST_WORDS_TURNED: [u8; 16] = [1, 0, 5, 4, 9, 8, 13, 12, 1, 0, 5, 4, 9, 8, 13, 12];
 
 /// Vectors that are put together at different places on the stack.
 const TOGETHER: u32 = 16;
@@ -78,14 +79,15 @@ impl Kernel {
     /// Whether what a turn touches later is not what one of the turns beside it has touched before, which is done first then. Both
     /// are counted on.
     pub(super) fn turns_stay_apart(&self, later: &Access, earlier: &Access) -> bool {
-        self.stay_apart(later, earlier, 1..=TURNS_MAX)
+        let turns = if self.inner.is_some() { i64::from(SIDE_BY_SIDE_MAX) } else { TURNS_MAX };
+        self.stay_apart(later, earlier, 1..=turns)
     }
 
     /// Whether what an access touches is not what another one touches so many turns later. Both are counted on.
     fn stay_apart(&self, later: &Access, earlier: &Access, turns: RangeInclusive<i64>) -> bool {
         let steps = [later, earlier].map(|access| self.counted_on(access, Level::Outer));
         let [Some(step), Some(other)] = steps else { return false };
-        if self.inner.is_some() || step != other || later.area != earlier.area || later.pointer != earlier.pointer {
+        if step != other || later.area != earlier.area || later.pointer != earlier.pointer {
             return false;
         }
         // Positions have 24 bits.

@@ -20,6 +20,7 @@ use super::left_beside::LeftBeside;
 use super::line::{Carried, Line, Shape, Sum};
 use super::nested::Nested;
 use super::pieces::{self, Gathered, Piece};
+use super::records::Records;
 use super::vector::Lanes;
 use super::{Plan, Writes};
 
@@ -85,6 +86,8 @@ pub(super) struct Writing<'t, 'a, 'k> {
     /// Which of these turns is written, and their bytes so far.
     pub(super) turn: u32,
     pub(super) pieces: HashMap<usize, Piece>,
+    /// Structures and instances whose fields are read and written together.
+    pub(super) records: Records,
     pub(super) outer: Scope,
     pub(super) inner: Scope,
     /// What was written since the running turns began.
@@ -130,6 +133,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             unrolled: 1,
             turn: 0,
             pieces: HashMap::new(),
+            records: kernel.records(lanes),
             outer: Scope::default(),
             inner: Scope::default(),
             written: Vec::new(),
@@ -421,6 +425,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 }
                 self.leave(level, progress, false);
             }
+            self.write_records();
             self.leave(level, progress, true);
             let mut next = match counting {
                 Some(_) => Vec::new(),

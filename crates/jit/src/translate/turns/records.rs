@@ -1,0 +1,534 @@
+//! Four turns side by side with fields of structures and instances in arrays that lie near each other: eight or sixteen bytes of each turn
+//! are read at once and become vectors of one field of all four, and fields that are written become such rows again. What is written
+//! waits until its last field is known, or until something else may go there.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use cranelift_codegen::ir::types::{F32X4, F64, F64X2, I8, I8X16, I16, I16X8, I32, I32X4, I64};
+use cranelift_codegen::ir::{InstBuilder, Value};
+use sieben_model::address::Width;
+
+use super::super::Translator;
+use super::super::memory::data;
+use super::super::promote::Base;
+use super::super::value::Val;
+use super::kernel::{Kernel, Node, Step};
+use super::line::Shape;
+use super::spread::{Apart, FIRST_WORDS_TURNED};
+use super::vector::{Lanes, little};
+use super::write::Writing;
+
+/// Turns side by side.
+const TURNS: u32 = 4;
+/// The bytes between two fields that are written that may be written with them.
+const GAP_MAX: i32 = 3;
+
+/// What it costs to read one field of four turns, to turn rows into vectors, and to put a field together of two of them.
+const FIELD_COST: u32 = 8;
+const ROWS: [(i32, u32); 2] = [(8, 8), (16, 12)];
+const PARTS_COST: u32 = 3;
+
+/// The first 16 bits of each number of 32 bits out of eight numbers of 16, turned around.
+const WORDS_TURNED_APART: [u8; 16] = [1, 0, 1, 0, 3, 2, 3, 2, 5, 4, 5, 4, 7, 6, 7, 6];
+
+/// The same places in the rows of four turns: 32 bits of each, as they are in memory.
+#[derive(Clone, Copy)]
+enum Column {
+    Same(u32),
+    Lanes(Value),
+}
+
+/// A part of the rows that is known.
+#[derive(Clone, Copy)]
+struct Part {
+    at: i32,
+    /// How many bytes it has, and how many of the column are as in the row: what follows was not written.
+    bytes: i32,
+    known: i32,
+    column: Column,
+}
+
+impl Part {
+    fn range(&self) -> Range<i32> {
+        self.at..self.at + self.bytes
+    }
+}
+
+/// The structure or instance of each turn to whose fields accesses go.
+#[derive(Clone)]
+struct Record {
+    accesses: Vec<usize>,
+    /// The access that writes last.
+    last: Option<usize>,
+    rows: Vec<Row>,
+    /// What was read, as it was.
+    old: Vec<Part>,
+    /// What is to be written, and where.
+    new: Vec<Part>,
+    /// Where they are written.
+    place: Option<Apart>,
+}
+
+/// The structures and instances that the turns of a loop read and write.
+#[derive(Clone, Default)]
+pub(super) struct Records(Vec<Record>);
+
+/// A field of them: its first byte, and the bytes that it has.
+type Field = (i32, i32);
+/// Bytes that are read at once: where they begin, and how many they are.
+type Row = (i32, i32);
+
+/// The cheapest way to read a field and those behind it: the row that begins with it, and the first field behind that.
+#[derive(Clone, Copy)]
+struct Best {
+    cost: u32,
+    row: Option<Row>,
+    next: usize,
+}
+
+impl Kernel {
+    /// The structures and instances of turns side by side.
+    pub(super) fn records(&self, lanes: u32) -> Records {
+        if lanes != TURNS || !self.is_spread() {
+            return Records::default();
+        }
+        let mut all: BTreeMap<(Base, Node, u32, i32), Vec<usize>> = BTreeMap::new();
+        for step in &self.outer.steps {
+            if let Step::Access(number) = *step
+                && let access = &self.accesses[number]
+                && access.width != Width::QuadWord
+                && let Some(step) = self.apart(access)
+            {
+                let (base, pointer, offset) = access.counted();
+                all.entry((base, pointer, offset, step)).or_default().push(number);
+            }
+        }
+        let records = all.into_iter().filter_map(|((.., step), accesses)| self.record(accesses, step)).collect();
+        Records(records)
+    }
+
+    /// The fields to which accesses go, if they all lie between where they go in one turn and where they go in the next.
+    fn record(&self, accesses: Vec<usize>, step: i32) -> Option<Record> {
+        let fields: Vec<Field> = accesses.iter().map(|&number| self.field(number)).collect();
+        let start = fields.iter().map(|&(at, _)| at).min()?;
+        let end = fields.iter().map(|&(at, bytes)| at + bytes).max()?;
+        if end - start > step.abs() {
+            return None;
+        }
+        let written = |&number: &usize| self.accesses[number].value.is_some();
+        let is_read = |&number: &usize| !written(&number) || self.accesses[number].width == Width::Bit;
+        let mut read: Vec<(Field, usize)> = accesses.iter().copied().filter(is_read).map(|number| (self.field(number), number)).collect();
+        read.sort_unstable();
+        read.dedup_by_key(|&mut (field, _)| field);
+        let last = accesses.iter().copied().rfind(written);
+        Some(Record { last, rows: self.rows(&read), accesses, old: Vec::new(), new: Vec::new(), place: None })
+    }
+
+    /// Where a field lies.
+    fn field(&self, number: usize) -> Field {
+        let access = &self.accesses[number];
+        let (_, start, _) = access.area;
+        (start + access.part.map_or(0, |part| part.bytes), access.width.bytes() as i32)
+    }
+
+    /// The rows with which fields in their order are read in the fewest steps.
+    fn rows(&self, fields: &[(Field, usize)]) -> Vec<Row> {
+        let mut best = vec![Best { cost: 0, row: None, next: fields.len() }; fields.len() + 1];
+        for first in (0..fields.len()).rev() {
+            best[first] = Best { cost: FIELD_COST + best[first + 1].cost, row: None, next: first + 1 };
+            for (bytes, cost) in ROWS {
+                for ahead in 0..4 {
+                    let start = fields[first].0.0 - ahead;
+                    let inside = |&&((at, own), number): &&(Field, usize)| {
+                        at + own <= start + bytes && self.may_be_read(number, at, start..start + bytes)
+                    };
+                    let own: Vec<Field> = fields[first..].iter().take_while(inside).map(|&(field, _)| field).collect();
+                    let in_parts = |&(at, own): &Field| {
+                        let place = (at - start) % 4;
+                        if place + own > 4 { PARTS_COST } else { u32::from(own == 1 && place != 0) }
+                    };
+                    let next = first + own.len();
+                    let cost = cost + own.iter().map(in_parts).sum::<u32>() + best[next].cost;
+                    if own.len() > 1 && cost < best[first].cost {
+                        best[first] = Best { cost, row: Some((start, bytes)), next };
+                    }
+                }
+            }
+        }
+        let mut rows = Vec::new();
+        let mut at = 0;
+        while at < fields.len() {
+            rows.extend(best[at].row);
+            at = best[at].next;
+        }
+        rows
+    }
+
+    /// Whether these bytes around a field may be read, so near to the ends of the arena.
+    fn may_be_read(&self, number: usize, at: i32, row: Range<i32>) -> bool {
+        let access = &self.accesses[number];
+        let (base, bytes) = access.bytes();
+        let (before, behind) = (i64::from(at - row.start), i64::from(row.end - at) - i64::from(access.width.bytes()));
+        base == Base::Arena && bytes.start >= before && usize::try_from(bytes.end + behind).is_ok_and(|end| end <= self.size)
+    }
+}
+
+impl Record {
+    /// The parts of which the bytes from a place on are put together, those of the first ones given first; `None` if some are not known.
+    fn parts(&self, wanted: Range<i32>) -> Option<Vec<(Part, Vec<i32>)>> {
+        let mut open: Vec<i32> = wanted.collect();
+        let mut parts = Vec::new();
+        let mut take = |part: &Part, bytes: Range<i32>, open: &mut Vec<i32>| {
+            let own: Vec<i32> = open.iter().copied().filter(|at| bytes.contains(at)).collect();
+            if !own.is_empty() {
+                open.retain(|at| !bytes.contains(at));
+                parts.push((*part, own));
+            }
+        };
+        self.new.iter().for_each(|part| take(part, part.range(), &mut open));
+        let known = |part: &Part| part.at..part.at + part.known;
+        self.new.iter().for_each(|part| take(part, known(part), &mut open));
+        self.old.iter().for_each(|part| take(part, known(part), &mut open));
+        let mut merged: Vec<(Part, Vec<i32>)> = Vec::new();
+        for (part, bytes) in parts {
+            match merged.iter_mut().find(|(other, _)| {
+                other.at == part.at && matches!((other.column, part.column), (Column::Lanes(a), Column::Lanes(b)) if a == b)
+            }) {
+                Some((_, all)) => all.extend(bytes),
+                None => merged.push((part, bytes)),
+            }
+        }
+        open.is_empty().then_some(merged)
+    }
+
+    /// The bytes to be written that follow one another, with those between them that are known.
+    fn runs(&self) -> Vec<Range<i32>> {
+        let mut ranges: Vec<Range<i32>> = self.new.iter().map(Part::range).collect();
+        ranges.sort_unstable_by_key(|range| range.start);
+        let mut runs: Vec<Range<i32>> = Vec::new();
+        for range in ranges {
+            match runs.last_mut() {
+                Some(run) if range.start - run.end <= GAP_MAX && self.parts(run.end..range.start).is_some() => run.end = range.end,
+                _ => runs.push(range),
+            }
+        }
+        runs
+    }
+}
+
+impl Writing<'_, '_, '_> {
+    /// Four bytes of each turn from where a field lies on, if they are read in rows; none behind the field are sure to be its own.
+    pub(super) fn read_in_rows(&mut self, number: usize, apart: Apart) -> Option<Value> {
+        let at = self.records.0.iter().position(|record| record.accesses.contains(&number))?;
+        let (start, bytes) = self.kernel.field(number);
+        let field = start..start + bytes;
+        let meets = |part: &Part| part.at < field.end && field.start < part.at + part.bytes;
+        if self.records.0[at].new.iter().any(meets) {
+            self.write_record(at);
+            return None;
+        }
+        let record = &self.records.0[at];
+        let row = record.rows.iter().copied().find(|&(start, bytes)| start <= field.start && field.end <= start + bytes)?;
+        if record.parts(field.clone()).is_none() {
+            let accesses = record.accesses.clone();
+            accesses.iter().for_each(|&access| self.settle_records(access, true));
+            let columns = self.t.read_rows(apart, row);
+            let parts =
+                (row.0..).step_by(4).zip(columns).map(|(at, column)| Part { at, bytes: 0, known: 4, column: Column::Lanes(column) });
+            self.records.0[at].old.extend(parts);
+        }
+        let parts = self.records.0[at].parts(field.clone())?;
+        let column = self.t.put_in_column(field.start, &parts);
+        // What follows it in the same column is known, too.
+        if let [(part, _)] = &parts[..] {
+            let known = part.at + part.known - field.start;
+            self.records.0[at].old.push(Part { at: field.start, bytes: 0, known, column });
+        }
+        Some(self.t.lanes_of_column(column))
+    }
+
+    /// Notes that four bytes were read where a field lies.
+    pub(super) fn note_old(&mut self, number: usize, vector: Value) {
+        let (at, _) = self.kernel.field(number);
+        if let Some(record) = self.records.0.iter_mut().find(|record| record.accesses.contains(&number)) {
+            record.old.push(Part { at, bytes: 0, known: 4, column: Column::Lanes(vector) });
+        }
+    }
+
+    /// Lets a field wait until it is written with others. Bytes are the lowest of 32 bits each.
+    pub(super) fn write_in_rows(&mut self, number: usize, apart: Apart, value: &Lanes) -> bool {
+        let Some(at) = self.records.0.iter().position(|record| record.accesses.contains(&number)) else { return false };
+        let (start, bytes) = self.kernel.field(number);
+        let record = &self.records.0[at];
+        let meets = |part: &Part| part.at < start + bytes && start < part.at + part.bytes;
+        if record.new.iter().any(|part| meets(part) && (part.at, part.bytes) != (start, bytes)) {
+            self.write_record(at);
+        }
+        let column = match *value {
+            Lanes::One(Val::Const(number)) => {
+                let number = number.to_le_bytes();
+                let mut turned = [0; 4];
+                (0..bytes as usize).for_each(|byte| turned[byte] = number[bytes as usize - 1 - byte]);
+                Column::Same(u32::from_le_bytes(turned))
+            }
+            _ => Column::Lanes(self.t.column_of(value, bytes)),
+        };
+        let record = &mut self.records.0[at];
+        // The other bits of a byte, and the bytes behind it, are those that were read.
+        let whole = matches!(column, Column::Lanes(_)) && self.kernel.accesses[number].width == Width::Bit;
+        let known = record.old.iter().filter(|part| whole && part.at == start).map(|part| part.known).max().unwrap_or(bytes);
+        record.new.retain(|part| part.at != start);
+        record.new.push(Part { at: start, bytes, known, column });
+        record.place = Some(apart);
+        if record.last == Some(number) {
+            self.write_record(at);
+        }
+        true
+    }
+
+    /// Sees to it that memory holds what waits, where an access may go to it; one that writes may change what was read there.
+    pub(super) fn settle_records(&mut self, number: usize, only_read: bool) {
+        for at in 0..self.records.0.len() {
+            let record = &self.records.0[at];
+            if record.accesses.contains(&number) || record.new.is_empty() && (only_read || record.old.is_empty()) {
+                continue;
+            }
+            if record.accesses.iter().any(|&own| self.kernel.touches(own, true, number)) {
+                self.write_record(at);
+            }
+        }
+    }
+
+    /// Writes all that waits.
+    pub(super) fn write_records(&mut self) {
+        (0..self.records.0.len()).for_each(|at| self.write_record(at));
+    }
+
+    fn write_record(&mut self, at: usize) {
+        let record = &self.records.0[at];
+        if let Some(place) = record.place {
+            let mut pieces: Vec<(Range<i32>, Vec<Column>)> = Vec::new();
+            for run in record.runs() {
+                let mut start = run.start;
+                while start < run.end {
+                    let left = run.end - start;
+                    let bytes = [16, 8, 4, 2, 1].into_iter().find(|&bytes| bytes <= left).unwrap_or(1);
+                    // Rather a little of what was written before once more than several short pieces.
+                    let more = match left {
+                        5..=7 | 13..=15 if run.end - 8 >= run.start => 8,
+                        3 if run.end - 4 >= run.start => 4,
+                        _ => bytes,
+                    };
+                    let (from, bytes) = if more > left { (run.end - more, more) } else { (start, bytes) };
+                    let columns = (from..from + bytes).step_by(4).map(|at| {
+                        let parts = record.parts(at..(at + 4).min(from + bytes)).expect("the bytes of a run are known");
+                        self.t.put_in_column(at, &parts)
+                    });
+                    pieces.push((from..from + bytes, columns.collect()));
+                    start = from + bytes;
+                }
+            }
+            for (range, columns) in pieces {
+                self.t.write_rows(place, range, &columns);
+            }
+        }
+        let record = &mut self.records.0[at];
+        record.place = None;
+        record.new.clear();
+        record.old.clear();
+    }
+}
+
+impl Translator<'_> {
+    fn lanes_of_column(&mut self, column: Column) -> Value {
+        match column {
+            Column::Lanes(lanes) => lanes,
+            Column::Same(number) => self.all_words(number),
+        }
+    }
+
+    /// A field of which a column begins with the bytes.
+    pub(super) fn of_column(&mut self, column: Value, shape: Shape, width: Width) -> Lanes {
+        let (ty, _) = shape.vectors(TURNS);
+        let turned = match width {
+            Width::Byte => {
+                let low = self.all_words(0xFF);
+                return Lanes::Words(vec![self.b.ins().band(column, low)]);
+            }
+            Width::Word => self.shuffled(column, column, FIRST_WORDS_TURNED),
+            _ => {
+                let bytes = self.b.ins().bitcast(I8X16, little(), column);
+                self.turned(bytes, 4)
+            }
+        };
+        shape.of(vec![self.b.ins().bitcast(ty, little(), turned)])
+    }
+
+    /// What is written to a field, as it will be in memory.
+    fn column_of(&mut self, value: &Lanes, bytes: i32) -> Value {
+        if bytes == 1 {
+            return self.words(value, TURNS)[0];
+        }
+        let vector = self.vectors_to_write(value, bytes as u8, TURNS)[0];
+        let turned = match bytes {
+            2 => self.shuffled(vector, vector, WORDS_TURNED_APART),
+            _ => {
+                let vector = self.b.ins().bitcast(I8X16, little(), vector);
+                self.turned(vector, 4)
+            }
+        };
+        self.b.ins().bitcast(I32X4, little(), turned)
+    }
+
+    /// Four bytes of each turn from a place on, put together of parts.
+    fn put_in_column(&mut self, at: i32, parts: &[(Part, Vec<i32>)]) -> Column {
+        let moved = |number: u32, by: i32| if by >= 0 { number << (8 * by) } else { number >> (-8 * by) };
+        let mask = |bytes: &[i32]| bytes.iter().fold(0, |mask, byte| mask | 0xFF << (8 * (byte - at)));
+        let mut same = 0;
+        let mut lanes: Option<Value> = None;
+        for (number, (part, bytes)) in parts.iter().enumerate() {
+            let by = part.at - at;
+            let Column::Lanes(vector) = part.column else {
+                if let Column::Same(number) = part.column {
+                    same |= moved(number, by) & mask(bytes);
+                }
+                continue;
+            };
+            let own = match by {
+                0 => vector,
+                1.. => self.b.ins().ishl_imm_u(vector, i64::from(8 * by)),
+                _ => self.b.ins().ushr_imm_u(vector, i64::from(-8 * by)),
+            };
+            // What moving it has made 0 needs no mask, nor what nobody wants.
+            let others = parts.iter().enumerate().filter(|&(other, _)| other != number).map(|(_, (_, bytes))| mask(bytes));
+            let left = moved(!0, by) & others.fold(0, |all, own| all | own);
+            let own = if left == 0 {
+                own
+            } else {
+                let kept = self.all_words(mask(bytes));
+                self.b.ins().band(own, kept)
+            };
+            lanes = Some(lanes.map_or(own, |before| self.b.ins().bor(before, own)));
+        }
+        match lanes {
+            None => Column::Same(same),
+            Some(lanes) if same == 0 => Column::Lanes(lanes),
+            Some(lanes) => {
+                let same = self.all_words(same);
+                Column::Lanes(self.b.ins().bor(lanes, same))
+            }
+        }
+    }
+
+    /// Reads rows, as columns.
+    fn read_rows(&mut self, apart: Apart, (start, bytes): Row) -> Vec<Value> {
+        let rows: Vec<Value> = (0..TURNS as i32)
+            .map(|lane| {
+                let offset = start + apart.step * lane;
+                if bytes == 16 {
+                    return self.b.ins().load(I8X16, data(), apart.first.base, offset);
+                }
+                let row = self.b.ins().load(F64, data(), apart.first.base, offset);
+                let row = self.b.ins().splat(F64X2, row);
+                self.b.ins().bitcast(I8X16, little(), row)
+            })
+            .collect();
+        let columns =
+            if bytes == 16 { self.exchanged([rows[0], rows[1], rows[2], rows[3]]).to_vec() } else { self.columns_of_short_rows(&rows) };
+        columns.into_iter().map(|column| self.b.ins().bitcast(I32X4, little(), column)).collect()
+    }
+
+    /// Two numbers of each of four rows, as two columns.
+    fn columns_of_short_rows(&mut self, rows: &[Value]) -> Vec<Value> {
+        let [a, b] = [(0, 1), (2, 3)].map(|(first, second)| self.pairs(rows[first], rows[second], false));
+        vec![self.halves_of(a, b, false), self.halves_of(a, b, true)]
+    }
+
+    /// Four rows of four numbers as columns, and the other way round.
+    fn exchanged(&mut self, [a, b, c, d]: [Value; 4]) -> [Value; 4] {
+        let [low_a, high_a] = [false, true].map(|high| self.pairs(a, b, high));
+        let [low_c, high_c] = [false, true].map(|high| self.pairs(c, d, high));
+        [
+            self.halves_of(low_a, low_c, false),
+            self.halves_of(low_a, low_c, true),
+            self.halves_of(high_a, high_c, false),
+            self.halves_of(high_a, high_c, true),
+        ]
+    }
+
+    /// The first or last two numbers of each of two vectors, by turns.
+    fn pairs(&mut self, a: Value, b: Value, high: bool) -> Value {
+        let first = if high { 8 } else { 0 };
+        let number = |vector: u8, at: u8| (0..4).map(move |byte| vector * 16 + first + at * 4 + byte);
+        let bytes: Vec<u8> = (0..2).flat_map(|at| number(0, at).chain(number(1, at))).collect();
+        self.shuffled(a, b, bytes.try_into().expect("sixteen bytes"))
+    }
+
+    /// The first or last halves of two vectors.
+    fn halves_of(&mut self, a: Value, b: Value, high: bool) -> Value {
+        let first = if high { 8 } else { 0 };
+        let bytes: Vec<u8> = (first..first + 8).chain(16 + first..24 + first).collect();
+        self.shuffled(a, b, bytes.try_into().expect("sixteen bytes"))
+    }
+
+    /// Writes these bytes of each turn.
+    fn write_rows(&mut self, apart: Apart, range: Range<i32>, columns: &[Column]) {
+        let place = |lane: i32| range.start + apart.step * lane;
+        let bytes = range.len();
+        let base = apart.first.base;
+        let all_same: Option<Vec<u8>> = columns
+            .iter()
+            .map(|column| if let Column::Same(number) = column { Some(number.to_le_bytes()) } else { None })
+            .collect::<Option<Vec<_>>>()
+            .map(|all| all.concat());
+        if let Some(same) = all_same {
+            let ty = [I8, I16, I32, I64].into_iter().find(|ty| ty.bytes() as usize == bytes);
+            let row = match ty {
+                Some(ty) => {
+                    let mut number = [0; 8];
+                    number[..bytes].copy_from_slice(&same[..bytes]);
+                    self.b.ins().iconst(ty, i64::from_le_bytes(number))
+                }
+                None => self.constant_vector(I8X16, same),
+            };
+            for lane in 0..TURNS as i32 {
+                self.b.ins().store(data(), row, base, place(lane));
+            }
+            return;
+        }
+        let columns: Vec<Value> = columns.iter().map(|&column| self.lanes_of_column(column)).collect();
+        match (bytes, &columns[..]) {
+            (16, &[a, b, c, d]) => {
+                for (lane, row) in (0..).zip(self.exchanged([a, b, c, d])) {
+                    self.b.ins().store(data(), row, base, place(lane));
+                }
+            }
+            (8, &[a, b]) => {
+                for high in [false, true] {
+                    let rows = self.pairs(a, b, high);
+                    let rows = self.b.ins().bitcast(F64X2, little(), rows);
+                    for at in 0..2 {
+                        let row = self.b.ins().extractlane(rows, at);
+                        self.b.ins().store(data(), row, base, place(2 * i32::from(high) + i32::from(at)));
+                    }
+                }
+            }
+            (_, &[column]) => {
+                for lane in 0..TURNS as u8 {
+                    let (ty, at) = match bytes {
+                        1 => (I8X16, 4 * lane),
+                        2 => (I16X8, 2 * lane),
+                        // The lowest one is written out of the vector in one step as a REAL.
+                        _ if lane == 0 => (F32X4, 0),
+                        _ => (I32X4, lane),
+                    };
+                    let vector = if ty == I32X4 { column } else { self.b.ins().bitcast(ty, little(), column) };
+                    let number = self.b.ins().extractlane(vector, at);
+                    self.b.ins().store(data(), number, base, place(i32::from(lane)));
+                }
+            }
+            _ => unreachable!("rows have one, two, or four columns"),
+        }
+    }
+}
