@@ -1,6 +1,7 @@
 //! A compiled program: code blocks in IR and data blocks.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use sieben_model::address::{Area, Operand, Width};
 use sieben_model::block::BlockId;
@@ -25,6 +26,9 @@ pub struct CodeBlock {
     /// Values in the local data that are only reached by their constant address, always in this width: position in bits and
     /// width. No pointer, no index and no called block can see them.
     pub private: Vec<(u32, Width)>,
+    /// Pieces of the local data that its language hands to called blocks: bits. A pointer to the beginning of one, which the block makes as
+    /// a constant, leads no further than to its end.
+    pub handed: Vec<Range<u32>>,
     /// Whether its language sees to it that it reads of its local data only what has been written since it began.
     pub reads_own_locals: bool,
 }

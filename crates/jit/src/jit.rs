@@ -1,6 +1,7 @@
 //! The engine: a program as machine code, with an interpreter beside it for what machine code cannot do.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use sieben_engine::ir::{Callee, Code, Inst, Place};
@@ -12,6 +13,7 @@ use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
 
 use crate::entry::{Function, Generation};
+use crate::handed;
 use crate::run::{Areas, Limits, OpenTable, Room, Run, Scratch, areas, open_table};
 use crate::translate::{self, Options};
 
@@ -43,6 +45,8 @@ pub(crate) struct Native {
     pub(crate) code: Code,
     /// Values in the local data that only their constant address reaches, in order: position in bits and width.
     pub(crate) private: Vec<(u32, Width)>,
+    /// Bytes of the local data that nobody needs between statements, in order.
+    pub(crate) handed: Vec<Range<u32>>,
 }
 
 impl Native {
@@ -91,7 +95,7 @@ impl Source {
             }
             let mut private = block.private.clone();
             private.sort_unstable();
-            Native { id, local_size: block.local_size, code, private }
+            Native { id, local_size: block.local_size, code, private, handed: handed::of_one_statement(block) }
         };
         let blocks: Arc<[Native]> = program.code.iter().map(native).collect();
         let asks_before_writing = !layout.read_only.is_empty() || makes_protected_blocks(&blocks);

@@ -4,6 +4,7 @@
 
 mod ask;
 mod entry;
+mod handed;
 mod jit;
 mod run;
 mod tiers;

@@ -283,6 +283,8 @@ struct Translator<'a> {
     first_arena: Value,
     /// Where it is taken from anew.
     arena_slot: Option<clif::StackSlot>,
+    /// Where that was done last.
+    arena_taken: Option<clif::Block>,
     local: Value,
     link: Value,
 }
@@ -376,6 +378,7 @@ impl<'a> Translator<'a> {
             arena,
             first_arena: arena,
             arena_slot: None,
+            arena_taken: None,
             local,
             link,
         }
@@ -430,11 +433,18 @@ impl<'a> Translator<'a> {
             let first = code.statements[statement];
             for (index, inst) in (first..).zip(code.statement(statement)) {
                 self.meet_in_front(index);
+                if matches!(inst, Inst::Jump { .. } | Inst::Branch { .. } | Inst::JumpTable { .. }) {
+                    let behind = &code.insts[index as usize + 1..code.statements[statement + 1] as usize];
+                    self.drop_what_was_handed(behind);
+                }
                 self.inst(index, inst);
                 if self.ended {
                     break;
                 }
                 self.meet_behind(index);
+            }
+            if !self.ended {
+                self.drop_what_was_handed(&[]);
             }
         }
     }

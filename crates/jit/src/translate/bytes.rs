@@ -41,8 +41,17 @@ pub(super) struct Bytes {
     /// Bytes that code looks at bit by bit, and those that it looks at otherwise.
     of_bits: FxHashSet<(Base, i32)>,
     of_others: FxHashSet<(Base, i32)>,
+    /// How often the code writes numbers at offsets in the arena.
+    writes: FxHashMap<i32, u32>,
     /// Whether the piece that begins at a multiple of four is a long one, as far as that was asked.
     long: FxHashMap<(Base, i32), bool>,
+}
+
+impl Bytes {
+    /// Whether the code writes a number in the arena more than once.
+    pub(super) fn is_written_again(&self, offset: i32) -> bool {
+        self.writes.get(&offset).is_some_and(|&count| count > 1)
+    }
 }
 
 /// Bytes that are read and written together.
@@ -230,6 +239,9 @@ impl Translator<'_> {
                 Width::Bit => drop(self.bytes.of_bits.insert((base, offset))),
                 _ => self.bytes.of_others.extend((offset..offset + width.bytes() as i32).map(|offset| (base, offset))),
             }
+            if base == Base::Arena && width != Width::Bit && matches!(inst, Inst::Store { .. }) {
+                *self.bytes.writes.entry(offset).or_default() += 1;
+            }
         }
     }
 
@@ -369,6 +381,36 @@ impl Translator<'_> {
     /// Whether anything waits.
     pub(super) fn anything_waits(&self) -> bool {
         !self.bytes.waiting.is_empty() || self.words_wait()
+    }
+
+    /// Drops what waits for its store in local data of blocks that have ended, if no block of the program can see it there.
+    pub(super) fn drop_what_waits_behind(&mut self) {
+        if self.options.forgets_locals && !self.options.exact {
+            let end = self.local_behind() as i32;
+            self.drop_local(|at| at >= end);
+        }
+    }
+
+    /// Drops what waits for its store in local data that nobody needs behind the running statement, if the instructions left in it do not.
+    pub(super) fn drop_what_was_handed(&mut self, left: &[Inst]) {
+        let ends = left.iter().all(|inst| matches!(inst, Inst::Jump { .. }));
+        if self.options.forgets_locals && !self.options.exact && ends && !self.native().handed.is_empty() {
+            let (handed, first) = (&self.blocks[self.index].handed, self.local_offset);
+            self.drop_local(|at| {
+                let Ok(at) = u32::try_from(at - first) else { return false };
+                let index = handed.partition_point(|bytes| bytes.end <= at);
+                handed.get(index).is_some_and(|bytes| bytes.contains(&at))
+            });
+        }
+    }
+
+    /// Drops what waits for its store in bytes of local data, and forgets it.
+    fn drop_local(&mut self, is_dropped: impl Fn(i32) -> bool) {
+        self.bytes.waiting.retain(|waiting| {
+            let piece = waiting.piece;
+            piece.base != Base::Local || !(piece.start..piece.start + piece.bytes).all(&is_dropped)
+        });
+        self.drop_words(is_dropped);
     }
 
     /// Stores what waits: somebody may look at memory from here on, or other code goes on.

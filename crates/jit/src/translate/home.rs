@@ -36,7 +36,10 @@ impl Translator<'_> {
         let begins = |first: u32| self.arrivals.get(&first).is_some_and(|it| it.again.is_some());
         let inside = self.loops.iter().any(|it| it.contains(statement) && !(it.first == statement && begins(statement)));
         let around = self.outer.iter().any(|outer| outer.is_in_loop());
-        if !inside && !around {
+        // In the same piece of code it is known.
+        let block = self.b.current_block();
+        if !inside && !around && self.arena_taken != block {
+            self.arena_taken = block;
             self.arena = self.b.ins().stack_load(I64, I64, slot, 0);
         }
     }

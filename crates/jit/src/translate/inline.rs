@@ -8,6 +8,7 @@ use cranelift_codegen::ir::{InstBuilder, InstructionData, MemFlagsData, Opcode, 
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
 
+use super::quotients::factor_f32;
 use super::{Translator, value::Val};
 
 impl Translator<'_> {
@@ -163,6 +164,7 @@ impl Translator<'_> {
             Op::AddF32 => { let (a, b) = (self.f32(a), self.f32(b)); let result = self.b.ins().fadd(a, b); self.quiet(result) }
             Op::SubF32 => { let (a, b) = (self.f32(a), self.f32(b)); let result = self.b.ins().fsub(a, b); self.quiet(result) }
             Op::MulF32 => { let (a, b) = (self.f32(a), self.f32(b)); let result = self.b.ins().fmul(a, b); self.quiet(result) }
+            Op::DivF32 if let Some(factor) = factor_f32(b) => self.compute_now(Op::MulF32, &[a, factor]),
             Op::DivF32 => { let (a, b) = (self.f32(a), self.f32(b)); let result = self.b.ins().fdiv(a, b); self.quiet(result) }
             Op::SqrF32 => { let a = self.f32(a); let result = self.b.ins().fmul(a, a); self.quiet(result) }
             // Through f64 and rounded, the root is the same: f64 has more than twice the digits.

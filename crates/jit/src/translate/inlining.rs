@@ -320,6 +320,7 @@ impl Translator<'_> {
         (self.instance, self.in_range, self.written) = (outer.instance, outer.in_range, outer.written);
         self.reliance = outer.reliance;
         (self.local_offset, self.parameters_end) = (outer.local_offset, outer.parameters_end);
+        self.drop_what_waits_behind();
         for (register, value) in RESTORED.into_iter().zip(outer.restored) {
             if !OPEN_BLOCKS.contains(&register) || written & bit_of(register) != 0 {
                 self.set_register(register, value);

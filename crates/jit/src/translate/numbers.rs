@@ -14,7 +14,7 @@ use super::texts::Whole;
 use super::value::Val;
 
 /// Numbers that are remembered, the newest ones: more would keep registers that the code needs.
-const KNOWN_MAX: usize = 8;
+const KNOWN_MAX: usize = 24;
 /// The same of lengths.
 const LENGTHS_MAX: usize = 6;
 
@@ -70,7 +70,7 @@ impl Numbers {
 impl Translator<'_> {
     /// The number at a computed address, if it is known.
     pub(super) fn known_number(&self, address: Address, width: Width) -> Option<Val> {
-        let base = Base::Computed(*self.computed.get(&address.base)?);
+        let base = self.base_of_number(address)?;
         let is_it = |known: &&(Base, i32, Width, Val)| (known.0, known.1, known.2) == (base, address.offset, width);
         self.bytes.numbers.0.iter().find(is_it).map(|known| known.3)
     }
@@ -80,12 +80,17 @@ impl Translator<'_> {
         if width == Width::Bit || !self.options.optimize || self.cold.is_some() {
             return;
         }
-        let Some(&computed) = self.computed.get(&address.base) else { return };
+        let Some(base) = self.base_of_number(address) else { return };
         let value = self.as_read_there(width, value);
         if self.bytes.numbers.0.len() == KNOWN_MAX {
             self.bytes.numbers.0.remove(0);
         }
-        self.bytes.numbers.0.push((Base::Computed(computed), address.offset, width, value));
+        self.bytes.numbers.0.push((base, address.offset, width, value));
+    }
+
+    /// What the address of a number that is remembered is counted from: those in local data are in `words`.
+    fn base_of_number(&self, address: Address) -> Option<Base> {
+        Some(self.known_base(address.base)).filter(|&base| base != Base::Local)
     }
 
     /// How many characters of a text count, if it is known.

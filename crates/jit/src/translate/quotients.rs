@@ -119,6 +119,22 @@ impl Translator<'_> {
     }
 }
 
+/// What a REAL may be multiplied with instead of being divided: the result is the same if both are powers of two.
+pub(super) fn factor_f32(divisor: Val) -> Option<Val> {
+    let bits = divisor.constant()? as u32;
+    let exponent = bits >> 23 & 0xFF;
+    let is_power = bits & 0x007F_FFFF == 0 && (1..=253).contains(&exponent);
+    is_power.then(|| Val::Const(u64::from(bits & 1 << 31 | (254 - exponent) << 23)))
+}
+
+/// The same of LREALs.
+pub(super) fn factor_f64(divisor: Val) -> Option<Val> {
+    let bits = divisor.constant()?;
+    let exponent = bits >> 52 & 0x7FF;
+    let is_power = bits << 12 == 0 && (1..=2045).contains(&exponent);
+    is_power.then(|| Val::Const(bits & 1 << 63 | (2046 - exponent) << 52))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -151,6 +167,29 @@ mod tests {
                     let whole = ((i128::from(number) * i128::from(upper.factor)) >> 32) >> upper.shift;
                     assert_eq!(whole as i64 + i64::from(number < 0), number / d, "{number} / {divisor}: {upper:?}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn a_power_of_two_is_multiplied_instead_of_divided_by() {
+        let dividends = [0, 1, 0x007F_FFFF, 0x0080_0000, 0x3F80_0001, 0x4049_0FDB, 0x7F7F_FFFF, 0x7F80_0000, 0x8000_0001, 0xFF7F_FFFF];
+        for bits in (0..1 << 9).map(|upper| upper << 23).chain([0x4000_0001, 0x3DCC_CCCD]) {
+            let Some(factor) = factor_f32(Val::Const(u64::from(bits))).and_then(Val::constant) else {
+                let exponent = bits >> 23 & 0xFF;
+                assert!(bits & 0x007F_FFFF != 0 || exponent == 0 || exponent >= 254, "{bits:#X}");
+                continue;
+            };
+            for dividend in dividends.map(f32::from_bits) {
+                let [divided, multiplied] = [dividend / f32::from_bits(bits), dividend * f32::from_bits(factor as u32)];
+                assert_eq!(divided.to_bits(), multiplied.to_bits(), "{dividend} / {bits:#X}");
+            }
+        }
+        for upper in 0..1_u64 << 12 {
+            let Some(factor) = factor_f64(Val::Const(upper << 52)).and_then(Val::constant) else { continue };
+            for dividend in dividends.map(|bits| f64::from(f32::from_bits(bits))) {
+                let [divided, multiplied] = [dividend / f64::from_bits(upper << 52), dividend * f64::from_bits(factor)];
+                assert_eq!(divided.to_bits(), multiplied.to_bits(), "{dividend} / {upper:#X}");
             }
         }
     }

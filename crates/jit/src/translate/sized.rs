@@ -3,10 +3,11 @@
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
 use cranelift_codegen::ir::immediates::Ieee64;
 use cranelift_codegen::ir::types::{F32, F64, I8, I16, I32, I64};
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value};
+use cranelift_codegen::ir::{InstBuilder, InstructionData, MemFlagsData, Opcode, Type, Value, ValueDef};
 use sieben_engine::ir::Op;
 
 use super::inline::count;
+use super::quotients::factor_f64;
 use super::{Translator, value::Val};
 
 /// What is computed with two numbers of one size.
@@ -157,6 +158,7 @@ impl Translator<'_> {
             Op::AddF64 => { let (a, b) = (self.f64(a), self.f64(b)); let result = self.b.ins().fadd(a, b); self.quiet_f64(result) }
             Op::SubF64 => { let (a, b) = (self.f64(a), self.f64(b)); let result = self.b.ins().fsub(a, b); self.quiet_f64(result) }
             Op::MulF64 => { let (a, b) = (self.f64(a), self.f64(b)); let result = self.b.ins().fmul(a, b); self.quiet_f64(result) }
+            Op::DivF64 if let Some(factor) = factor_f64(b) => self.compute_now(Op::MulF64, &[a, factor]),
             Op::DivF64 => { let (a, b) = (self.f64(a), self.f64(b)); let result = self.b.ins().fdiv(a, b); self.quiet_f64(result) }
             Op::SqrtF64 => { let a = self.f64(a); let result = self.b.ins().sqrt(a); self.quiet_f64(result) }
             Op::NegF64 => { let a = self.word(a); let sign = self.b.ins().iconst(I64, i64::MIN); Val::Word(self.b.ins().bxor(a, sign)) }
@@ -204,8 +206,8 @@ impl Translator<'_> {
             Op::I64ToF32 => { let a = self.word(a); let real = self.b.ins().fcvt_from_sint(F32, a); Val::Int(self.b.ins().bitcast(I32, MemFlagsData::new(), real)) }
             Op::F32ToF64 => { let a = self.f32(a); let real = self.b.ins().fpromote(F64, a); self.quiet_f64(real) }
             Op::F64ToF32 => { let a = self.f64(a); let real = self.b.ins().fdemote(F32, a); self.quiet(real) }
-            Op::F64ToI32 => { let a = self.f64(a); Val::Int(self.b.ins().fcvt_to_sint_sat(I32, a)) }
-            Op::F64ToI64 => { let a = self.f64(a); Val::Word(self.b.ins().fcvt_to_sint_sat(I64, a)) }
+            Op::F64ToI32 => { let a = self.f64(a); let a = self.to_be_cut(a); Val::Int(self.b.ins().fcvt_to_sint_sat(I32, a)) }
+            Op::F64ToI64 => { let a = self.f64(a); let a = self.to_be_cut(a); Val::Word(self.b.ins().fcvt_to_sint_sat(I64, a)) }
             Op::F64ToU32 => { let a = self.f64(a); Val::Int(self.b.ins().fcvt_to_uint_sat(I32, a)) }
             Op::F64ToU64 => { let a = self.f64(a); Val::Word(self.b.ins().fcvt_to_uint_sat(I64, a)) }
             Op::F64ToI16 => { let a = self.f64(a); self.limited(a, -0x8000, 0x7FFF) }
@@ -492,6 +494,19 @@ impl Translator<'_> {
         let bits = self.b.ins().bitcast(I64, MemFlagsData::new(), real);
         let nan = self.b.ins().iconst(I64, f64::NAN.to_bits() as i64);
         Val::Lreal { real, bits: self.b.ins().select(none, nan, bits) }
+    }
+
+    /// A REAL or LREAL of which only what lies in front of its point counts: what has cut it before, or made it longer, is not needed.
+    fn to_be_cut(&self, mut real: Value) -> Value {
+        let dfg = &self.b.func.dfg;
+        let mut wanted = [Opcode::Trunc, Opcode::Fpromote].into_iter();
+        while let ValueDef::Result(inst, 0) = dfg.value_def(dfg.resolve_aliases(real))
+            && let InstructionData::Unary { opcode, arg } = dfg.insts[inst]
+            && wanted.any(|wanted| wanted == opcode)
+        {
+            real = arg;
+        }
+        real
     }
 
     fn compare_f64(&mut self, condition: FloatCC, a: Val, b: Val) -> Val {

@@ -1,5 +1,5 @@
 //! Numbers in local data: what was written there or read is not read again, and what is written again before anybody can look is not
-//! written before.
+//! written before; nor is that of other numbers that a block writes more than once.
 //!
 //! Nothing of it is lost where somebody is asked, nor over calls: nobody but the block, and blocks that get a pointer from it, reaches
 //! its local data. Other memory may be changed then, and remembering it until then costs more registers than it spares loads.
@@ -18,7 +18,7 @@ use super::value::Val;
 /// Numbers that are remembered, the newest ones: more would keep registers that the code needs.
 const KNOWN_MAX: usize = 12;
 /// Numbers that wait for their store.
-const WAITING_MAX: usize = 4;
+const WAITING_MAX: usize = 16;
 
 /// What is known of numbers in local data.
 #[derive(Clone, Debug, Default)]
@@ -27,9 +27,9 @@ pub(super) struct Words {
     known: Vec<(i32, Width, Val)>,
 }
 
-/// Numbers that wait for their store, the oldest first: offset, width and value. No two overlap, nor does one overlap a bit that waits.
+/// Numbers that wait for their store, the oldest first: base, offset, width and value. No two overlap, nor does one overlap a bit that waits.
 #[derive(Debug, Default)]
-pub(super) struct WaitingWords(Vec<(i32, Width, Val)>);
+pub(super) struct WaitingWords(Vec<(Base, i32, Width, Val)>);
 
 impl Words {
     /// What is known to be a constant.
@@ -131,38 +131,56 @@ impl Translator<'_> {
         self.words.known.push((address.offset, width, value));
     }
 
-    /// Writes a number to an address that is known to be there. In local data it waits for its store.
+    /// Writes a number to an address that is known to be there. In local data it waits for its store, and so does what is written more than
+    /// once elsewhere.
     pub(super) fn write_number(&mut self, address: Address, width: Width, value: Val) {
-        if !self.options.optimize || address.base != self.local {
+        let base = self.known_base(address.base);
+        let waits = match base {
+            Base::Local => true,
+            Base::Arena => self.cold.is_none() && self.bytes.is_written_again(address.offset),
+            Base::Run | Base::Computed(_) => false,
+        };
+        if !self.options.optimize || !waits {
             self.forget_bits_in(address, width);
             self.write(address, width, value);
             return self.remember_number(address, width, value);
         }
         let value = self.force(value);
         let known = self.as_read_there(width, value);
-        if self.known_word(address, width) == Some(known) {
+        if self.known_word(address, width).or_else(|| self.known_number(address, width)) == Some(known) {
             // It is there already, or waits.
             return;
         }
         self.forget_word(address, width);
         let (start, end) = (address.offset, address.offset + width.bytes() as i32);
-        self.bytes.words.0.retain(|&(at, width, _)| at < start || at + width.bytes() as i32 > end);
+        self.bytes.words.0.retain(|&(own, at, width, _)| own != base || at < start || at + width.bytes() as i32 > end);
         self.forget_bits_in(address, width);
-        self.know_word(address, width, known);
-        self.bytes.words.0.push((address.offset, width, value));
+        if base == Base::Local {
+            self.know_word(address, width, known);
+        } else {
+            self.remember_number(address, width, value);
+        }
+        self.bytes.words.0.push((base, address.offset, width, value));
         if self.bytes.words.0.len() > WAITING_MAX {
             let oldest = self.bytes.words.0.remove(0);
             self.store_word_that_waited(oldest);
         }
     }
 
-    fn store_word_that_waited(&mut self, (offset, width, value): (i32, Width, Val)) {
-        self.write(Address { base: self.local, offset, bit: Bit::Number(0) }, width, value);
+    fn store_word_that_waited(&mut self, (base, offset, width, value): (Base, i32, Width, Val)) {
+        let base = self.address_of_base(base);
+        self.write(Address { base, offset, bit: Bit::Number(0) }, width, value);
     }
 
     /// Whether a number waits for its store.
     pub(super) fn words_wait(&self) -> bool {
         !self.bytes.words.0.is_empty()
+    }
+
+    /// Drops numbers in local data that wait and begin at some offsets: memory does not hold what is known of them.
+    pub(super) fn drop_words(&mut self, is_dropped: impl Fn(i32) -> bool) {
+        self.bytes.words.0.retain(|&(base, at, ..)| base != Base::Local || !is_dropped(at));
+        self.words.known.retain(|&(at, ..)| !is_dropped(at));
     }
 
     /// Stores numbers that wait.
@@ -174,10 +192,10 @@ impl Translator<'_> {
 
     /// Stores numbers that wait and share bytes with these.
     pub(super) fn store_waiting_words_in(&mut self, base: Base, bytes: &Range<i32>) {
-        if base != Base::Local {
-            return;
-        }
-        let meets = |&(at, width, _): &(i32, Width, Val)| at < bytes.end && bytes.start < at + width.bytes() as i32;
+        let bytes = i64::from(bytes.start)..i64::from(bytes.end);
+        let meets = |&(own, at, width, _): &(Base, i32, Width, Val)| {
+            own.may_share(&(i64::from(at)..i64::from(at) + i64::from(width.bytes())), base, &bytes)
+        };
         while let Some(index) = self.bytes.words.0.iter().position(meets) {
             let waiting = self.bytes.words.0.remove(index);
             self.store_word_that_waited(waiting);

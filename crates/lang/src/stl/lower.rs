@@ -79,6 +79,7 @@ fn lowered(block: &ResolvedBlock, cpu: &CpuType, counted: bool) -> CodeBlock {
         local_size,
         // A pointer may lead anywhere into the local data.
         private: Vec::new(),
+        handed: Vec::new(),
         reads_own_locals: false,
         spans: block.statements.iter().map(|statement| statement.span).chain([end]).collect(),
     }

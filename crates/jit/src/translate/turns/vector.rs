@@ -7,6 +7,7 @@ use sieben_engine::ir::Op;
 
 use super::super::Translator;
 use super::super::memory::data;
+use super::super::quotients::factor_f32;
 use super::super::value::Val;
 use super::line::{Line, Shape};
 
@@ -203,6 +204,12 @@ impl Translator<'_> {
             Op::MinI16 | Op::MinI32 => pair(self, &mut |this, a, b| this.b.ins().smin(a, b)),
             Op::MaxI16 | Op::MaxI32 => pair(self, &mut |this, a, b| this.b.ins().smax(a, b)),
             Op::MulF32 => pair(self, &mut |this, a, b| this.b.ins().fmul(a, b)),
+            Op::DivF32
+                if let Lanes::One(divisor) = args[1]
+                    && let Some(factor) = factor_f32(divisor) =>
+            {
+                return self.compute_lanes(Op::MulF32, shape, &[args[0].clone(), Lanes::One(factor)], lanes);
+            }
             Op::DivF32 => pair(self, &mut |this, a, b| this.b.ins().fdiv(a, b)),
             Op::Extend16 if matches!(args[0], Lanes::Line(..)) => {
                 let words = self.words(&args[0], lanes);

@@ -1,6 +1,7 @@
 //! Hidden local data: values that outlive an IR statement, actual parameters, texts on their way.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
+use std::ops::Range;
 
 use sieben_model::address::Width;
 
@@ -19,6 +20,8 @@ pub(super) struct Hidden {
     end: u32,
     free: HashMap<Kind, Vec<u32>>,
     used: Vec<(Kind, u32)>,
+    /// All pieces to which pointers lead: bits.
+    shown: BTreeMap<u32, u32>,
 }
 
 /// Pieces given out before.
@@ -44,7 +47,14 @@ impl Hidden {
     /// Room for bytes to which a pointer leads; the position in bits.
     pub(super) fn shown(&mut self, bytes: u32) -> u32 {
         let bytes = bytes.next_multiple_of(2);
-        self.take(Kind::Shown(bytes), bytes)
+        let position = self.take(Kind::Shown(bytes), bytes);
+        self.shown.insert(position, position.saturating_add(bytes.saturating_mul(8)));
+        position
+    }
+
+    /// All pieces to which pointers lead, in bits. Their places are used for nothing else.
+    pub(super) fn all_shown(&self) -> Vec<Range<u32>> {
+        self.shown.iter().map(|(&start, &end)| start..end).collect()
     }
 
     fn take(&mut self, kind: Kind, bytes: u32) -> u32 {

@@ -260,6 +260,7 @@ impl<'a> Lowering<'a> {
             interface: interface.clone(),
             local_size: self.hidden.end().min(LOCAL_BYTES_MAX).next_multiple_of(2),
             private: self.seen.private(),
+            handed: self.hidden.all_shown(),
             reads_own_locals: self.body.locals.iter().all(|local| local.initial.is_some()),
             spans: self.spans,
         }
