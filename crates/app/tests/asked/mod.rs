@@ -36,7 +36,7 @@ impl Host for Noting {
 }
 
 /// `check` behind each scan, all that a Host was asked, and memory at the end without local data.
-pub fn run(program: &Program, load: Load, (scans, seed): (i32, u64)) -> (Vec<i32>, Vec<String>, Vec<u8>) {
+pub(crate) fn run(program: &Program, load: Load, (scans, seed): (i32, u64)) -> (Vec<i32>, Vec<String>, Vec<u8>) {
     let mut loaded = crate::side_by_side::load(program, load);
     let mut host = Noting { asked: Vec::new(), dice: Some(Dice(seed)) };
     let instance = program.data.iter().find(|(_, data)| data.image.len() > 8).map(|(&number, _)| number);
