@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I16, I32, I64};
-use cranelift_codegen::ir::{BlockArg, InstBuilder, InstructionData, MemFlagsData, Opcode, Type, Value, ValueDef};
+use cranelift_codegen::ir::{self as clif, BlockArg, InstBuilder, InstructionData, MemFlagsData, Opcode, Type, Value, ValueDef};
 use sieben_engine::access;
 use sieben_engine::ir::{DataRegister, Inst, OnFault, Place, Var};
 use sieben_engine::machine::{CALLS_SHIFT, Register};
@@ -104,14 +104,8 @@ impl Translator<'_> {
         let failed = self.ask(Question::TryLoad, &[self.link, site, pointer]);
         let value = self.result();
         let value = if wide { value } else { self.b.ins().ireduce(I32, value) };
-        let cold = self.cold_block();
-        self.b.ins().brif(failed, cold, &[], go_on, &[BlockArg::Value(value)]);
         let after = if on_fault == OnFault::DeliverZero { After::Deliver(go_on) } else { After::NextStatement };
-        self.cold_path(cold, Question::Failed, &[self.link, site], after);
-        self.cold = before;
-        self.b.switch_to_block(go_on);
-        self.b.seal_block(go_on);
-        self.forget_what_was_asked();
+        self.go_on_behind_question((failed, site), (go_on, &[BlockArg::Value(value)]), after, before);
         let delivered = match width {
             Width::Bit => Val::Bit { value: delivered, clean: false },
             Width::QuadWord => Val::Word(delivered),
@@ -161,9 +155,20 @@ impl Translator<'_> {
         self.store_open_blocks();
         let site = self.site(index);
         let failed = self.ask(Question::TryStore, &[self.link, site, pointer, value]);
+        self.go_on_behind_question((failed, site), (go_on, &[]), After::NextStatement, before);
+    }
+
+    /// Goes on at a block, which ends the cold code that asked a question there, unless that has failed at a site.
+    pub(super) fn go_on_behind_question(
+        &mut self,
+        (failed, site): (Value, Value),
+        (go_on, arguments): (clif::Block, &[BlockArg]),
+        after: After,
+        before: Option<clif::Block>,
+    ) {
         let cold = self.cold_block();
-        self.b.ins().brif(failed, cold, &[], go_on, &[]);
-        self.cold_path(cold, Question::Failed, &[self.link, site], After::NextStatement);
+        self.b.ins().brif(failed, cold, &[], go_on, arguments);
+        self.cold_path(cold, Question::Failed, &[self.link, site], after);
         self.cold = before;
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);

@@ -48,13 +48,7 @@ impl Translator<'_> {
         self.store_open_blocks();
         let site = self.site(index);
         let failed = self.ask(Question::TryMove, &[self.link, site, pointers[0], pointers[1]]);
-        let cold = self.cold_block();
-        self.b.ins().brif(failed, cold, &[], go_on, &[]);
-        self.cold_path(cold, Question::Failed, &[self.link, site], After::NextStatement);
-        self.cold = before;
-        self.b.switch_to_block(go_on);
-        self.b.seal_block(go_on);
-        self.forget_what_was_asked();
+        self.go_on_behind_question((failed, site), (go_on, &[]), After::NextStatement, before);
         true
     }
 

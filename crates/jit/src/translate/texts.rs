@@ -162,13 +162,7 @@ impl Translator<'_> {
         let failed = self.ask(Question::TryText, &[self.link, site, pointers[0], pointers[1], piece]);
         let value = self.result();
         let value = self.b.ins().ireduce(I32, value);
-        let cold = self.cold_block();
-        self.b.ins().brif(failed, cold, &[], go_on, &[BlockArg::Value(value)]);
-        self.cold_path(cold, Question::Failed, &[self.link, site], After::NextStatement);
-        self.cold = before;
-        self.b.switch_to_block(go_on);
-        self.b.seal_block(go_on);
-        self.forget_what_was_asked();
+        self.go_on_behind_question((failed, site), (go_on, &[BlockArg::Value(value)]), After::NextStatement, before);
         delivered
     }
 

@@ -53,6 +53,10 @@ impl Part {
     fn range(&self) -> Range<i32> {
         self.at..self.at + self.bytes
     }
+
+    fn meets(&self, bytes: &Range<i32>) -> bool {
+        self.at < bytes.end && bytes.start < self.range().end
+    }
 }
 
 /// The structure or instance of each turn to whose fields accesses go.
@@ -73,6 +77,13 @@ struct Record {
 /// The structures and instances that the turns of a loop read and write.
 #[derive(Clone, Default)]
 pub(super) struct Records(Vec<Record>);
+
+impl Records {
+    /// The one to whose field an access goes.
+    fn of(&self, number: usize) -> Option<usize> {
+        self.0.iter().position(|record| record.accesses.contains(&number))
+    }
+}
 
 /// A field of them: its first byte, and the bytes that it has.
 type Field = (i32, i32);
@@ -220,11 +231,10 @@ impl Record {
 impl Writing<'_, '_, '_> {
     /// Four bytes of each turn from where a field lies on, if they are read in rows; none behind the field are sure to be its own.
     pub(super) fn read_in_rows(&mut self, number: usize, apart: Apart) -> Option<Value> {
-        let at = self.records.0.iter().position(|record| record.accesses.contains(&number))?;
+        let at = self.records.of(number)?;
         let (start, bytes) = self.kernel.field(number);
         let field = start..start + bytes;
-        let meets = |part: &Part| part.at < field.end && field.start < part.at + part.bytes;
-        if self.records.0[at].new.iter().any(meets) {
+        if self.records.0[at].new.iter().any(|part| part.meets(&field)) {
             self.write_record(at);
             return None;
         }
@@ -251,18 +261,17 @@ impl Writing<'_, '_, '_> {
     /// Notes that four bytes were read where a field lies.
     pub(super) fn note_old(&mut self, number: usize, vector: Value) {
         let (at, _) = self.kernel.field(number);
-        if let Some(record) = self.records.0.iter_mut().find(|record| record.accesses.contains(&number)) {
-            record.old.push(Part { at, bytes: 0, known: 4, column: Column::Lanes(vector) });
+        if let Some(record) = self.records.of(number) {
+            self.records.0[record].old.push(Part { at, bytes: 0, known: 4, column: Column::Lanes(vector) });
         }
     }
 
     /// Lets a field wait until it is written with others. Bytes are the lowest of 32 bits each.
     pub(super) fn write_in_rows(&mut self, number: usize, apart: Apart, value: &Lanes) -> bool {
-        let Some(at) = self.records.0.iter().position(|record| record.accesses.contains(&number)) else { return false };
+        let Some(at) = self.records.of(number) else { return false };
         let (start, bytes) = self.kernel.field(number);
-        let record = &self.records.0[at];
-        let meets = |part: &Part| part.at < start + bytes && start < part.at + part.bytes;
-        if record.new.iter().any(|part| meets(part) && (part.at, part.bytes) != (start, bytes)) {
+        let field = start..start + bytes;
+        if self.records.0[at].new.iter().any(|part| part.meets(&field) && part.range() != field) {
             self.write_record(at);
         }
         let column = match *value {
