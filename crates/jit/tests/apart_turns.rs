@@ -107,8 +107,8 @@ impl Kind {
         match self {
             Bit => &[(Double, Op::IsNonzero), (Half, Op::IsNonzero)],
             Byte => &[(Half, Op::Low8), (Double, Op::Low8)],
-            Half => &[(Double, Op::Low16), (Byte, Op::Low16)],
-            Double => &[(Half, Op::Extend16), (Quad, Op::Low32)],
+            Half => &[(Double, Op::Low16), (Byte, Op::Low16), (Lreal, Op::F64ToI16)],
+            Double => &[(Half, Op::Extend16), (Quad, Op::Low32), (Lreal, Op::F64ToI32)],
             Real => &[(Double, Op::I32ToF32), (Lreal, Op::F64ToF32)],
             Quad => &[(Double, Op::ExtendI32I64)],
             Lreal => &[(Real, Op::F32ToF64), (Double, Op::I32ToF64)],
@@ -201,7 +201,14 @@ impl Maker<'_> {
             5 => self.constant(kind),
             6 | 7 => {
                 let (from, op) = self.dice.of(kind.conversions());
-                let value = self.number(from, depth - 1);
+                // Mostly a REAL is cut.
+                let is_cut = matches!(op, Op::F64ToI16 | Op::F64ToI32) && self.dice.roll(4) != 0;
+                let mut value = self.number(if is_cut { Real } else { from }, depth - 1);
+                if is_cut {
+                    value = self.b.compute(Op::F32ToF64, &[value]);
+                    let whole = self.dice.of(&[Op::RoundF64, Op::CeilF64, Op::FloorF64, Op::TruncF64, Op::TruncF64]);
+                    value = self.b.compute(whole, &[value]);
+                }
                 self.b.compute(op, &[value])
             }
             8 if kind == Bit => {

@@ -70,9 +70,9 @@ impl Kind {
 
     fn of_one(self) -> &'static [Op] {
         match self {
-            Lreal => &[Op::NegF64, Op::AbsF64, Op::SqrtF64, Op::RoundF64, Op::TruncF64],
+            Lreal => &[Op::NegF64, Op::AbsF64, Op::SqrtF64, Op::RoundF64, Op::CeilF64, Op::FloorF64, Op::TruncF64],
             Quad => &[Op::NotU64, Op::NegI64],
-            Real => &[Op::NegF32, Op::AbsF32],
+            Real => &[Op::NegF32, Op::AbsF32, Op::RoundF32, Op::CeilF32, Op::FloorF32, Op::TruncF32],
             Double => &[Op::NegI32],
             Half => &[Op::Low16],
         }
@@ -87,6 +87,7 @@ impl Kind {
                 (Half, &[Op::ExtendI16I64, Op::I64ToF64]),
                 (Quad, &[Op::I64ToF64]),
                 (Real, &[Op::F32ToF64]),
+                (Real, &[Op::F32ToF64, Op::FloorF64]),
             ],
             Quad => &[
                 (Double, &[Op::ExtendI32I64]),
@@ -97,8 +98,15 @@ impl Kind {
                 (Lreal, &[]),
             ],
             Real => &[(Lreal, &[Op::F64ToF32]), (Double, &[Op::I32ToF32]), (Half, &[Op::ExtendI16I64, Op::I64ToF32])],
-            Double => &[(Lreal, &[Op::RoundF64, Op::F64ToI32]), (Quad, &[Op::Low32]), (Half, &[Op::Extend16])],
-            Half => &[(Double, &[Op::Low16])],
+            Double => &[
+                (Lreal, &[Op::RoundF64, Op::F64ToI32]),
+                (Real, &[Op::F32ToF64, Op::RoundF64, Op::F64ToI32]),
+                (Real, &[Op::F32ToF64, Op::TruncF64, Op::F64ToI32]),
+                (Real, &[Op::F32ToF64, Op::TruncF64, Op::F64ToU16]),
+                (Quad, &[Op::Low32]),
+                (Half, &[Op::Extend16]),
+            ],
+            Half => &[(Double, &[Op::Low16]), (Real, &[Op::F32ToF64, Op::CeilF64, Op::F64ToI16]), (Lreal, &[Op::F64ToI16])],
         }
     }
 }

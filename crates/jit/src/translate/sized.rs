@@ -499,7 +499,7 @@ impl Translator<'_> {
     /// A REAL or LREAL of which only what lies in front of its point counts: what has cut it before, or made it longer, is not needed.
     fn to_be_cut(&self, mut real: Value) -> Value {
         let dfg = &self.b.func.dfg;
-        let mut wanted = [Opcode::Trunc, Opcode::Fpromote].into_iter();
+        let mut wanted = [Opcode::Trunc, Opcode::Fpromote, Opcode::Trunc].into_iter();
         while let ValueDef::Result(inst, 0) = dfg.value_def(dfg.resolve_aliases(real))
             && let InstructionData::Unary { opcode, arg } = dfg.insts[inst]
             && wanted.any(|wanted| wanted == opcode)

@@ -386,6 +386,11 @@ impl Kernel {
                 None
             }
             Op::Shl32 | Op::Shr32 | Op::Sar32 if divisor.is_none_or(|count| count & 0xFF >= 32) => None,
+            // Only what was a REAL is cut side by side.
+            Op::F64ToI32 => {
+                let was_real = matches!(self.what(args[0]), What::Compute(Op::F32ToF64, _));
+                (was_real && shapes[0] == Shape::Lreals).then_some(Shape::Words)
+            }
             // A choice between numbers of 16 bits has 16 bits.
             Op::Select if self.is_16_bits(node) && shapes[1..3].iter().all(is_halves) => {
                 matches!(shapes[0], Shape::Mask | Shape::Line(Line { step: 0, .. })).then_some(Shape::Halves)
@@ -453,6 +458,7 @@ fn shape_of_result(op: Op, args: &[Shape]) -> Option<Shape> {
         O::DivFailsI32 => all(&words, Shape::Mask),
         O::I32ToF32 => all(&words, Shape::Reals),
         O::AddF32 | O::SubF32 | O::MulF32 | O::DivF32 | O::SqrtF32 | O::MinF32 | O::MaxF32 => all(&reals, Shape::Reals),
+        O::RoundF32 | O::CeilF32 | O::FloorF32 | O::TruncF32 => all(&reals, Shape::Reals),
         O::AddU64 | O::SubU64 | O::MulU64 | O::AndU64 | O::OrU64 | O::XorU64 => all(&quads, Shape::Quads),
         O::NotU64 => all(&quads, Shape::Quads),
         O::NegF64 | O::AbsF64 => all(&lreals, Shape::Quads),
@@ -461,6 +467,7 @@ fn shape_of_result(op: Op, args: &[Shape]) -> Option<Shape> {
         O::F32ToF64 if reals(&args[0]) => Some(Shape::Lreals),
         O::F64ToF32 if lreals(&args[0]) => Some(Shape::Reals),
         O::AddF64 | O::SubF64 | O::MulF64 | O::DivF64 | O::SqrtF64 | O::MinF64 | O::MaxF64 => all(&lreals, Shape::Lreals),
+        O::RoundF64 | O::CeilF64 | O::FloorF64 | O::TruncF64 => all(&lreals, Shape::Lreals),
         O::EqF64 | O::LtF64 | O::LeF64 | O::GtF64 | O::GeF64 | O::DifferF64 => all(&lreals, Shape::Mask),
         O::Equal | O::Differ | O::LtI64 | O::LeI64 | O::GtI64 | O::GeI64 if args.iter().any(wide) => all(&quads, Shape::Mask),
         O::LtI64 | O::LeI64 | O::GtI64 | O::GeI64 => None,

@@ -233,9 +233,9 @@ impl Translator<'_> {
                 };
                 return Some(reals.into_iter().flat_map(both).collect());
             }
-            Op::SqrtF64 => {
+            Op::SqrtF64 | Op::RoundF64 | Op::CeilF64 | Op::FloorF64 | Op::TruncF64 => {
                 let a = self.lreals(&args[0], lanes);
-                return Some(a.into_iter().map(|real| self.b.ins().sqrt(real)).collect());
+                return Some(a.into_iter().map(|real| self.root_or_whole(op, real)).collect());
             }
             _ => {}
         }

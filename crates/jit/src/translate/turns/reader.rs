@@ -1043,14 +1043,20 @@ fn is_cheap(op: Op, divisor: Option<u64>) -> bool {
             | O::MaxF64
             | O::F32ToF64
             | O::F64ToF32
+            | O::F64ToI16
+            | O::F64ToU16
             | O::F64ToI32
             | O::RoundF64
+            | O::CeilF64
+            | O::FloorF64
             | O::TruncF64
             | O::MinF32
             | O::MaxF32
             | O::SqrtF32
             | O::SqrtF64
             | O::RoundF32
+            | O::CeilF32
+            | O::FloorF32
             | O::TruncF32
             | O::AbsI32
             | O::AbsI16

@@ -62,6 +62,11 @@ impl Reader<'_, '_> {
                 args = [self.compute(Op::Extend16, of); 4];
                 Op::I32ToF32
             }
+            // What is cut anyway.
+            (Op::F64ToI32, What::Compute(Op::TruncF64, of)) => {
+                args = of;
+                op
+            }
             // A DINT on its way to a REAL.
             (Op::I64ToF32, What::Compute(Op::ExtendI32I64, of)) => {
                 args = of;
@@ -108,9 +113,23 @@ impl Reader<'_, '_> {
         Some(self.compute(op, [value, by, value, value]))
     }
 
-    /// What stays on a line, where the operation itself would hide it.
+    /// What stays on a line, where the operation itself would hide it; and operations of which there are vectors.
     fn simpler(&mut self, op: Op, [a, b, ..]: [Node; 4]) -> Option<Node> {
         match op {
+            // A whole number near a REAL is a REAL.
+            Op::RoundF64 | Op::CeilF64 | Op::FloorF64 | Op::TruncF64 => {
+                let What::Compute(Op::F32ToF64, of) = self.kernel.what(a) else { return None };
+                let op = match op {
+                    Op::RoundF64 => Op::RoundF32,
+                    Op::CeilF64 => Op::CeilF32,
+                    Op::FloorF64 => Op::FloorF32,
+                    _ => Op::TruncF32,
+                };
+                let whole = self.compute(op, of);
+                Some(self.compute(Op::F32ToF64, [whole; 4]))
+            }
+            Op::F64ToI16 => Some(self.cut_to(a, i16::MIN.into(), i16::MAX.into())),
+            Op::F64ToU16 => Some(self.cut_to(a, 0, u16::MAX.into())),
             // Of a pointer to an instance the area is replaced: its other bits are the same for all that the pointer may be.
             Op::AndU32 => {
                 let mask = u32::try_from(self.kernel.constant(b)?).ok()?;
@@ -162,6 +181,15 @@ impl Reader<'_, '_> {
             }
             _ => None,
         }
+    }
+
+    /// An LREAL cut to a number of 16 bits between two limits.
+    fn cut_to(&mut self, real: Node, least: i32, most: i32) -> Node {
+        let [least, most] = [least, most].map(|limit| self.constant(u64::from(limit as u32)));
+        let whole = self.compute(Op::F64ToI32, [real; 4]);
+        let above = self.compute(Op::MaxI32, [whole, least, whole, whole]);
+        let inside = self.compute(Op::MinI32, [above, most, above, above]);
+        self.compute(Op::Low16, [inside; 4])
     }
 
     /// Whether a number is made of constants and of what cells held when a turn began, by operations that keep it on a line.

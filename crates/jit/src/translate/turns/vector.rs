@@ -247,9 +247,9 @@ impl Translator<'_> {
                 let words = self.words(&args[0], lanes);
                 words.into_iter().map(|word| self.b.ins().fcvt_from_sint(F32X4, word)).collect()
             }
-            Op::SqrtF32 => {
+            Op::SqrtF32 | Op::RoundF32 | Op::CeilF32 | Op::FloorF32 | Op::TruncF32 => {
                 let reals = self.reals(&args[0], lanes);
-                reals.into_iter().map(|real| self.b.ins().sqrt(real)).collect()
+                reals.into_iter().map(|real| self.root_or_whole(op, real)).collect()
             }
             Op::MinF32 => pair(self, &mut |this, a, b| this.extreme_vector(FloatCC::LessThan, [a, b], (b, a), is_number[1])),
             Op::MaxF32 => pair(self, &mut |this, a, b| this.extreme_vector(FloatCC::GreaterThan, [b, a], (a, b), is_number[0])),
@@ -271,6 +271,23 @@ impl Translator<'_> {
             _ => unreachable!("the shapes were looked at"),
         };
         shape.of(vectors)
+    }
+
+    /// The roots of some REALs or LREALs, or whole numbers near them.
+    pub(super) fn root_or_whole(&mut self, op: Op, real: Value) -> Value {
+        match op {
+            Op::SqrtF32 | Op::SqrtF64 => self.b.ins().sqrt(real),
+            Op::RoundF32 | Op::RoundF64 => self.b.ins().nearest(real),
+            Op::CeilF32 | Op::CeilF64 => self.b.ins().ceil(real),
+            Op::FloorF32 | Op::FloorF64 => self.b.ins().floor(real),
+            _ => self.b.ins().trunc(real),
+        }
+    }
+
+    /// REALs cut to numbers of 32 bits; the nearest limits outside their range, 0 for what is no number.
+    pub(super) fn cut_lanes(&mut self, reals: &Lanes, lanes: u32) -> Lanes {
+        let reals = self.reals(reals, lanes);
+        Lanes::Words(reals.into_iter().map(|real| self.b.ins().fcvt_to_sint_sat(I32X4, real)).collect())
     }
 
     /// Numbers of 32 bits shifted.

@@ -1015,7 +1015,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             What::Read(_) => unreachable!("what is read is read in its turn"),
             What::Compute(op, args) => {
                 let args: Vec<Lanes> = args[..op.arity()].iter().map(|&arg| self.value(arg, level)).collect();
-                self.compute(node, op, &args)
+                self.compute(node, op, &args, level)
             }
         };
         self.scope(level).values.insert(node, value.clone());
@@ -1026,7 +1026,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         self.outer.values.insert(node, value);
     }
 
-    fn compute(&mut self, node: Node, op: Op, args: &[Lanes]) -> Lanes {
+    fn compute(&mut self, node: Node, op: Op, args: &[Lanes], level: Level) -> Lanes {
         let firsts: Option<Vec<Val>> = args
             .iter()
             .map(|arg| match arg {
@@ -1066,6 +1066,13 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         if let (Some(most), &[ref number, Lanes::One(Val::Const(divisor))]) = (greatest(op), args) {
             let range = self.range_of_divided(node, most);
             return self.t.divide_lanes(op, number, divisor as u32, range, self.lanes);
+        }
+        if op == Op::F64ToI32
+            && let What::Compute(_, [lreal, ..]) = self.kernel.what(node)
+            && let What::Compute(_, [real, ..]) = self.kernel.what(lreal)
+        {
+            let reals = self.value(real, level);
+            return self.t.cut_lanes(&reals, self.lanes);
         }
         self.t.compute_lanes(op, shape, args, self.lanes)
     }
