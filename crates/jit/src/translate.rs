@@ -6,6 +6,7 @@
 use std::collections::BTreeSet;
 use std::mem::offset_of;
 
+use cranelift_codegen::cursor::{Cursor, FuncCursor};
 use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{self as clif, BlockArg, FuncRef, InstBuilder, InstructionData, MemFlagsData, Opcode, Value, ValueDef};
 use cranelift_frontend::{FunctionBuilder, Variable};
@@ -47,6 +48,7 @@ mod meeting;
 mod memory;
 mod moves;
 mod nesting;
+mod next_value;
 mod numbers;
 mod open;
 mod outside;
@@ -185,6 +187,8 @@ struct Translator<'a> {
     pinned: BTreeSet<u16>,
     lazies: Vec<Lazy>,
     constants: Constants,
+    /// Constants that the beginning of the function names.
+    of_function: FxHashMap<u64, Value>,
     /// The cold block that is being written, if it is one.
     cold: Option<clif::Block>,
     references: FxHashMap<FuncId, FuncRef>,
@@ -323,6 +327,7 @@ impl<'a> Translator<'a> {
             pinned: BTreeSet::new(),
             lazies: Vec::new(),
             constants: Constants::default(),
+            of_function: FxHashMap::default(),
             cold: None,
             references: FxHashMap::default(),
             variables,
@@ -528,11 +533,28 @@ impl<'a> Translator<'a> {
             if self.changed & wanted & bit_of(register) != 0
                 && let Some(value) = self.current[register as usize]
             {
-                let value = if is_bit(register) { self.flag(value) } else { self.word(value) };
+                let value = match value {
+                    Val::Const(constant) if open_blocks() & bit_of(register) != 0 => self.constant_of_function(constant),
+                    value if is_bit(register) => self.flag(value),
+                    value => self.word(value),
+                };
                 self.b.def_var(self.variables[register as usize], value);
             }
         }
         self.changed &= !wanted;
+    }
+
+    /// A constant that is the same value in all of the function: where ways meet that open the same data block, nothing is chosen.
+    fn constant_of_function(&mut self, constant: u64) -> Value {
+        if let Some(&value) = self.of_function.get(&constant) {
+            return value;
+        }
+        let Some(entry) = self.b.func.layout.entry_block().filter(|_| self.options.optimize) else {
+            return self.word(Val::Const(constant));
+        };
+        let value = FuncCursor::new(self.b.func).at_first_insertion_point(entry).ins().iconst(I64, constant as i64);
+        self.of_function.insert(constant, value);
+        value
     }
 
     /// Stores registers where others read them.

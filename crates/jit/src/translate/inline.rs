@@ -1,7 +1,7 @@
 //! Operations as machine code. This list is the only place where an operation has a second meaning: each line is compared with
 //! its row in the table of operations over a grid of values.
 
-use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
+use cranelift_codegen::ir::condcodes::{CondCode, FloatCC, IntCC};
 use cranelift_codegen::ir::immediates::Ieee32;
 use cranelift_codegen::ir::types::{F32, I16, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, InstructionData, MemFlagsData, Opcode, Value, ValueDef};
@@ -238,6 +238,10 @@ impl Translator<'_> {
             Val::Const(a) => Val::Const(!a & 1),
             // What is around the bit may turn, too: there is an instruction for `and not`.
             Val::At { value, at } => Val::At { value: self.b.ins().bnot(value), at },
+            a if let Some((condition, x, y)) = self.comparison(a) => {
+                let opposite = self.b.ins().icmp(condition.complement(), x, y);
+                Val::Bit { value: self.b.ins().uextend(I32, opposite), clean: true }
+            }
             a if self.is_clean(a) => {
                 let (a, one) = (self.bit(a), self.constant(1));
                 Val::Bit { value: self.b.ins().bxor(a, one), clean: true }
@@ -283,6 +287,7 @@ impl Translator<'_> {
                     Val::Const(0)
                 }
             }
+            (a, b) if let Some(both) = self.compares_next(a, b) => both,
             (a, b) => {
                 let clean = self.is_clean(a);
                 let (a, b, at) = self.aligned(a, b);
@@ -371,7 +376,14 @@ impl Translator<'_> {
         if let (Val::Const(a), Val::Const(0)) = (a, b)
             && u32::try_from(a).is_ok_and(u32::is_power_of_two)
         {
-            return Val::Int(self.b.ins().ishl_imm_u(condition, i64::from(a.trailing_zeros())));
+            let result = self.b.ins().ishl_imm_u(condition, i64::from(a.trailing_zeros()));
+            return self.know_bits(result, a.trailing_zeros() + 1);
+        }
+        if let (Val::Int(a), Val::Const(0)) = (a, b)
+            && self.most_bits(Val::Int(a)) == 1
+        {
+            let result = self.b.ins().band(condition, a);
+            return self.know_bits(result, 1);
         }
         if self.is_32_bits(a) && self.is_32_bits(b) {
             let most = self.most_bits(a).max(self.most_bits(b));

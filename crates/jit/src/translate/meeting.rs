@@ -7,11 +7,13 @@ use cranelift_codegen::ir::{self as clif, BlockArg, InstBuilder, Value};
 use cranelift_frontend::Variable;
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Inst, Op, Place, Var};
+use sieben_engine::machine::Register;
 use sieben_model::address::Width;
 
 use super::bytes::KnownMemory;
+use super::loops::written;
 use super::value::Val;
-use super::{After, Translator};
+use super::{After, Translator, bit_of};
 use crate::ask::Question;
 
 /// Instructions behind a look at an index that are written twice at most: each look of a long statement would write all that follows
@@ -23,13 +25,16 @@ pub(super) struct Meeting {
     block: clif::Block,
     /// The last instruction of the statement, behind which they meet, or in front of which, if it is a branch.
     last: u32,
-    /// Its condition, then.
-    condition: Option<Var>,
+    /// Its condition, then, and whether that is negated: the ways hand on what it was before.
+    condition: Option<(Var, bool)>,
     /// Registers whose memory may be older than their value, on ways that are written already.
     dirty: u32,
     /// What was known of memory where the ways parted, and what the budget's variable lacked.
     memory: KnownMemory,
     taken: i64,
+    /// Registers of data blocks that the rest of the statement opens, and what they are on all ways.
+    opened: u32,
+    known: Option<Vec<(Register, Val)>>,
 }
 
 impl Translator<'_> {
@@ -42,9 +47,10 @@ impl Translator<'_> {
         }
         let code = &self.native().code;
         let end = code.statements.get(self.statement as usize + 1).copied().unwrap_or(code.insts.len() as u32);
-        let last = end - 1;
+        let last = end - 1 - u32::from(self.ends_with_jump(end));
+        let negates = |condition: Var| matches!(code.insts[last as usize - 1], Inst::Compute { op: Op::Not, dst, .. } if dst == condition);
         let branch = match code.insts[last as usize] {
-            Inst::Branch { condition, .. } => Some(condition),
+            Inst::Branch { condition, .. } => Some((condition, negates(condition))),
             _ => None,
         };
         let holds = self.flag(look);
@@ -57,13 +63,16 @@ impl Translator<'_> {
             if branch.is_some() {
                 self.b.append_block_param(block, I32);
             }
-            self.meeting = Some(Meeting { block, last, condition: branch, dirty: 0, memory: self.known_memory(), taken: self.taken });
+            let opened = code.insts[index as usize..end as usize].iter().fold(0, |all, inst| all | written(inst));
+            let (memory, taken) = (self.known_memory(), self.taken);
+            self.meeting = Some(Meeting { block, last, condition: branch, dirty: 0, memory, taken, opened, known: None });
         }
         let held: Vec<(Variable, Value)> = self.held().into_iter().map(|variable| (variable, self.b.use_var(variable))).collect();
         let [inside, outside] = [self.b.create_block(), self.b.create_block()];
         self.b.set_cold_block(outside);
         self.b.ins().brif(holds, inside, &[], cold, &[]);
         let (temporaries, dirty, memory) = (self.temporaries.clone(), self.dirty, self.known_memory());
+        let (current, changed) = (self.current, self.changed);
         self.cold_path(cold, Question::Unmet, &[self.link, site, shown], After::At(outside));
         self.b.switch_to_block(outside);
         self.b.seal_block(outside);
@@ -80,6 +89,7 @@ impl Translator<'_> {
         self.go_to_meeting();
         self.cold = None;
         (self.temporaries, self.dirty) = (temporaries, dirty);
+        (self.current, self.changed) = (current, changed);
         self.know_memory(memory);
         self.b.switch_to_block(inside);
         self.b.seal_block(inside);
@@ -87,11 +97,13 @@ impl Translator<'_> {
         true
     }
 
-    /// Whether the rest of a statement changes nothing but memory, with its last instruction.
+    /// Whether the rest of a statement changes nothing but memory, with its last instruction, and which data blocks are open.
     fn can_part(&self, index: u32, condition: Var) -> bool {
         let code = &self.native().code;
         let first = code.statements[self.statement as usize];
-        let rest = &code.statement(self.statement as usize)[(index + 1 - first) as usize..];
+        let statement = code.statement(self.statement as usize);
+        let jumps = self.ends_with_jump(first + statement.len() as u32);
+        let rest = &statement[(index + 1 - first) as usize..statement.len() - usize::from(jumps)];
         let is_own = |dst: Var| dst.register().is_none();
         let Some((last, between)) = rest.split_last() else { return false };
         let ends = match *last {
@@ -103,26 +115,47 @@ impl Translator<'_> {
             && is_own(condition)
             && self.choice.is_none()
             && between.iter().all(|inst| match *inst {
-                Inst::Constant { dst, .. } | Inst::Compute { dst, .. } | Inst::Load { dst, .. } => is_own(dst),
+                Inst::Constant { dst, .. } | Inst::Compute { dst, .. } | Inst::Load { dst, .. } | Inst::Parameter { dst, .. } => {
+                    is_own(dst)
+                }
                 Inst::Require { code, .. } => code & NOTED != 0,
+                Inst::Open { .. } => true,
                 _ => false,
             })
     }
 
+    /// Whether the last instruction of a statement, in front of `end`, jumps where the branch in front of it does not.
+    fn ends_with_jump(&self, end: u32) -> bool {
+        let before = &self.native().code.insts[..end as usize];
+        matches!(before, [.., Inst::Branch { .. }, Inst::Jump { .. }])
+    }
+
     /// Ends a way of the running statement.
     fn go_to_meeting(&mut self) {
-        let Some(Meeting { block, condition, taken, .. }) = self.meeting else { return };
-        let value = condition.map(|condition| {
+        let Some(Meeting { block, condition, taken, opened, .. }) = self.meeting else { return };
+        let value = condition.map(|(condition, negated)| {
             let value = self.get(condition);
+            let value = if negated { self.not(value) } else { value };
             self.flag(value)
         });
+        self.define_variables(opened);
         self.store_waiting();
         self.take_from_budget(self.taken - taken);
         let arguments: Vec<BlockArg> = value.into_iter().map(BlockArg::Value).collect();
         self.b.ins().jump(block, &arguments);
         let (dirty, memory) = (self.dirty, self.known_memory_here());
+        let of_opened = Register::ALL.iter().filter(|&&register| opened & bit_of(register) != 0);
+        let constants = of_opened.filter_map(|&register| {
+            let value = self.current[register as usize]?;
+            value.constant().map(|_| (register, value))
+        });
+        let constants: Vec<_> = constants.collect();
         if let Some(meeting) = &mut self.meeting {
             meeting.dirty |= dirty;
+            match &mut meeting.known {
+                Some(known) => known.retain(|it| constants.contains(it)),
+                None => meeting.known = Some(constants),
+            }
             // Each way writes where its own index leads.
             meeting.memory.keep_common(&memory);
         }
@@ -144,14 +177,19 @@ impl Translator<'_> {
 
     fn meet(&mut self) {
         self.go_to_meeting();
-        let Some(Meeting { block, condition, dirty, memory, .. }) = self.meeting.take() else { return };
+        let Some(Meeting { block, condition, dirty, memory, opened, known, .. }) = self.meeting.take() else { return };
         self.know_memory(memory);
+        for &register in Register::ALL.iter().filter(|&&register| opened & bit_of(register) != 0) {
+            let known = known.iter().flatten().find(|(other, _)| *other == register);
+            self.current[register as usize] = known.map(|&(_, value)| value);
+        }
         self.b.switch_to_block(block);
         self.b.seal_block(block);
         self.dirty = dirty;
-        if let Some(condition) = condition {
-            let value: Value = self.b.block_params(block)[0];
-            self.set(condition, Val::Bit { value, clean: true });
+        if let Some((condition, negated)) = condition {
+            let value = Val::Bit { value: self.b.block_params(block)[0], clean: true };
+            let value = if negated { self.not(value) } else { value };
+            self.set(condition, value);
         }
     }
 
