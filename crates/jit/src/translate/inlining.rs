@@ -39,7 +39,7 @@ const LOOPS_MAX: usize = 4;
 /// … but where a block is handed pointers as parameters, only its caller knows where they lead.
 const LOOPS_MAX_WITH_PARAMETERS: usize = 16;
 /// How many IR instructions a function may grow by: so many for each of its own …
-const GROWTH: usize = 3;
+const GROWTH: usize = 8;
 /// … and these, for a block of few calls …
 const GROWTH_MIN: usize = 2_000;
 /// … but not more than this: the time to compile grows faster than a function.
