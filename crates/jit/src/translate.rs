@@ -52,6 +52,7 @@ mod next_value;
 mod numbers;
 mod open;
 mod outside;
+mod own_block;
 mod program;
 mod promote;
 mod quotients;
@@ -345,7 +346,7 @@ impl<'a> Translator<'a> {
             look: None,
             looks: Vec::new(),
             interpreted: Vec::new(),
-            loops: loops::find(&blocks[index].code),
+            loops: Vec::new(),
             promoted: Vec::new(),
             ranges: Ranges::default(),
             bounds: FxHashMap::default(),
@@ -473,6 +474,7 @@ impl<'a> Translator<'a> {
                 mentioned |= written | analysis::effect(inst).reads;
             }
         }
+        self.loops = self.find_loops(self.index);
         for to in back {
             self.expect_way_back(to);
         }

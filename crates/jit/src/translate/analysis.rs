@@ -64,7 +64,7 @@ pub(super) struct Effect {
     pub(super) reads: u32,
     writes: u32,
     /// The statement may count as NOP from here.
-    fails: bool,
+    pub(super) fails: bool,
 }
 
 /// Summaries of all blocks. With `exact` every status bit is needed everywhere.

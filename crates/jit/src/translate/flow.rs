@@ -182,7 +182,7 @@ impl Translator<'_> {
         // A register that nothing in the loop changes is what it was in front of it.
         let inside = |it: &&Loop| it.contains(statement);
         let smallest = self.loops.iter().filter(inside).min_by_key(|it| it.last - it.first).cloned();
-        let written = smallest.as_ref().map_or(self.written, |it| it.written);
+        let (written, touched) = smallest.as_ref().map_or((self.written, self.written), |it| (it.written, it.touched));
         for &register in Register::ALL {
             if written & bit_of(register) != 0 {
                 self.current[register as usize] = None;
@@ -192,8 +192,8 @@ impl Translator<'_> {
         // What is entered in the middle may be reached by a way on which less was stored.
         let changed = match &smallest {
             // What a call restores is in memory as the called block had it, if somebody was asked there.
-            Some(it) if again.is_some() && !it.calls_nothing => (written | restored()) & self.written,
-            _ if again.is_some() => written & self.written,
+            Some(it) if again.is_some() && !it.calls_nothing => (touched | restored()) & self.written,
+            _ if again.is_some() => touched & self.written,
             _ => self.written,
         };
         self.dirty |= changed & !self.dead_at(statement);

@@ -278,12 +278,14 @@ impl Translator<'_> {
         let local_offset = self.local_behind() as i32;
         let promoted = self.keep_in_block();
         let at_call = self.ranges.instance(index);
+        let inside = self.find_loops(code);
+        let loops = std::mem::replace(&mut self.loops, inside);
         self.outer.push(Outer {
             index: self.index,
             statement: self.statement,
             inst: index,
             arrivals: std::mem::take(&mut self.arrivals),
-            loops: std::mem::replace(&mut self.loops, loops::find(&self.blocks[code].code)),
+            loops,
             promoted,
             ranges: std::mem::take(&mut self.ranges),
             elements: Vec::new(),

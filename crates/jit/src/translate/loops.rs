@@ -18,8 +18,10 @@ pub(super) struct Loop {
     pub(super) first: u32,
     /// Its last statement, the last one that jumps back.
     pub(super) last: u32,
-    /// Registers that its statements may change.
+    /// Registers that may hold something else behind a turn than in front of it.
     pub(super) written: u32,
+    /// Registers that its statements may change, though they may be as before behind the turn.
+    pub(super) touched: u32,
     /// Whether its statements call no Rust code.
     pub(super) asks_nothing: bool,
     /// Whether they call no blocks either.
@@ -60,7 +62,9 @@ pub(super) fn written(inst: &Inst) -> u32 {
 }
 
 /// The loops of a block; of two that share statements one is part of the other. What is entered in the middle is none.
-pub(super) fn find(code: &Code) -> Vec<Loop> {
+///
+/// Each statement leaves the registers `kept` as they were.
+pub(super) fn find(code: &Code, kept: u32) -> Vec<Loop> {
     let mut jumps = Vec::new();
     let mut loops: Vec<Loop> = Vec::new();
     for statement in 0..code.statement_count() as u32 {
@@ -72,20 +76,21 @@ pub(super) fn find(code: &Code) -> Vec<Loop> {
             match loops.iter().position(|known| known.first == to) {
                 Some(known) => loops[known].last = statement,
                 None if loops.len() == LOOPS_MAX => return Vec::new(),
-                None => loops.push(Loop { first: to, last: statement, written: 0, asks_nothing: true, calls_nothing: true }),
+                None => loops.push(Loop { first: to, last: statement, written: 0, touched: 0, asks_nothing: true, calls_nothing: true }),
             }
         }
     }
     loops.retain(|it| !jumps.iter().any(|&(from, to)| !it.contains(from) && it.contains(to) && to != it.first));
     for it in &mut loops {
         for inst in (it.first..=it.last).flat_map(|statement| code.statement(statement as usize)) {
-            it.written |= written(inst);
+            it.touched |= written(inst);
             it.asks_nothing &= match inst {
                 Inst::Intrinsic { intrinsic, .. } => *intrinsic == Intrinsic::Clock,
                 inst => !matches!(inst, Inst::Text { .. }),
             };
             it.calls_nothing &= it.asks_nothing && !matches!(inst, Inst::Call { .. });
         }
+        it.written = it.touched & !kept;
     }
     loops
 }
