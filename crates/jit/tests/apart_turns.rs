@@ -18,6 +18,8 @@ const FUNCTION: BlockId = BlockId::fc(1);
 const QUESTIONS_MAX: usize = 30;
 /// Two arrays of records: where they begin, and bytes of a record.
 const ARRAYS: [(u32, u32); 2] = [(0, 32), (512, 34)];
+/// The same where records of both have as many bytes.
+const ALIKE: [(u32, u32); 2] = [(0, 32), (512, 32)];
 /// The same where the fields of one lie over those of the next ones.
 const OVER_ONE_ANOTHER: [(u32, u32); 2] = [(16, 1), (512, 6)];
 const RECORDS: u32 = 14;
@@ -371,7 +373,11 @@ fn records_hold_what_the_interpreter_writes() {
     let (mut asked, mut finished, mut beside) = (0, 0, 0);
     for seed in 0..PROGRAMS {
         let block = BlockId::ob(1);
-        let arrays: &[(u32, u32)] = if seed % 6 == 5 { &OVER_ONE_ANOTHER } else { &ARRAYS };
+        let arrays: &[(u32, u32)] = match seed % 6 {
+            5 => &OVER_ONE_ANOTHER,
+            1 | 3 => &ALIKE,
+            _ => &ARRAYS,
+        };
         let program = program(&[
             (block, 16, &|b| Maker { b, dice: Dice(seed), statements: 0, arrays }.looping()),
             (FUNCTION, 0, &|b| {

@@ -48,7 +48,9 @@ fn keeps(code: &Code, insts: &[Inst], find: Find<'_>, is_loaded: &dyn Fn(u64) ->
         match *inst {
             Inst::Open { register, number } => {
                 is_sure = constants.get(&number).is_some_and(|&number| is_loaded(number));
-                data_registers(register).into_iter().for_each(|register| drop(held.remove(&Var::from(register))));
+                for register in data_registers(register) {
+                    held.remove(&Var::from(register));
+                }
             }
             Inst::Call { callee: Callee::Block(id), .. } => is_sure = find(id).is_some(),
             Inst::Load { place: Place::Fixed { area: Area::Local, .. }, .. }

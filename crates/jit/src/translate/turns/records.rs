@@ -115,8 +115,32 @@ impl Kernel {
                 all.entry((base, pointer, offset, step)).or_default().push(number);
             }
         }
-        let records = all.into_iter().filter_map(|((.., step), accesses)| self.record(accesses, step)).collect();
+        let mut records = Vec::new();
+        for ((.., step), accesses) in all {
+            records.extend(self.by_array(accesses).into_iter().filter_map(|accesses| self.record(accesses, step)));
+        }
         Records(records)
+    }
+
+    /// Accesses that may go to the same bytes in some turns, which are those to one array.
+    fn by_array(&self, accesses: Vec<usize>) -> Vec<Vec<usize>> {
+        let mut arrays: Vec<(Range<i64>, Vec<usize>)> = Vec::new();
+        for number in accesses {
+            let (_, mut bytes) = self.accesses[number].bytes();
+            let mut own = Vec::new();
+            arrays.retain_mut(|(other, accesses)| {
+                let is_apart = other.end <= bytes.start || bytes.end <= other.start;
+                if !is_apart {
+                    bytes = bytes.start.min(other.start)..bytes.end.max(other.end);
+                    own.append(accesses);
+                }
+                is_apart
+            });
+            own.push(number);
+            own.sort_unstable();
+            arrays.push((bytes, own));
+        }
+        arrays.into_iter().map(|(_, accesses)| accesses).collect()
     }
 
     /// The fields to which accesses go, if they all lie between where they go in one turn and where they go in the next.
