@@ -63,8 +63,8 @@ pub(super) fn written(inst: &Inst) -> u32 {
 
 /// The loops of a block; of two that share statements one is part of the other. What is entered in the middle is none.
 ///
-/// Each statement leaves the registers `kept` as they were.
-pub(super) fn find(code: &Code, kept: u32) -> Vec<Loop> {
+/// Each statement leaves the registers `kept` as they were; it is asked for where there is a loop.
+pub(super) fn find(code: &Code, kept: impl FnOnce() -> u32) -> Vec<Loop> {
     let mut jumps = Vec::new();
     let mut loops: Vec<Loop> = Vec::new();
     for statement in 0..code.statement_count() as u32 {
@@ -81,6 +81,7 @@ pub(super) fn find(code: &Code, kept: u32) -> Vec<Loop> {
         }
     }
     loops.retain(|it| !jumps.iter().any(|&(from, to)| !it.contains(from) && it.contains(to) && to != it.first));
+    let kept = if loops.is_empty() { 0 } else { kept() };
     for it in &mut loops {
         for inst in (it.first..=it.last).flat_map(|statement| code.statement(statement as usize)) {
             it.touched |= written(inst);

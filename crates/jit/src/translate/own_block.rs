@@ -21,8 +21,16 @@ impl Translator<'_> {
     /// The loops of a block.
     pub(super) fn find_loops(&self, code: usize) -> Vec<Loop> {
         let code = &self.blocks[code].code;
-        loops::find(code, kept(code, self.find, &|number| self.data_block(number & 0xFFFF).is_some()))
+        loops::find(code, || kept(code, self.find, &|number| self.data_block(number & 0xFFFF).is_some()))
     }
+}
+
+/// What a variable holds.
+#[derive(Clone, Copy, PartialEq)]
+enum Known {
+    /// What a register of DI held at the beginning.
+    Own(Register),
+    Constant(u64),
 }
 
 /// The registers of DI, if they hold at the beginning of each statement what they held when the block began. `is_loaded` says of a data block
@@ -35,22 +43,24 @@ fn kept(code: &Code, find: Find<'_>, is_loaded: &dyn Fn(u64) -> bool) -> u32 {
 
 /// Whether a statement that begins with the own data block ends with it, whatever happens in it.
 fn keeps(code: &Code, insts: &[Inst], find: Find<'_>, is_loaded: &dyn Fn(u64) -> bool) -> bool {
-    let own: FxHashMap<Var, Register> = instance().into_iter().map(|register| (register.into(), register)).collect();
-    // What holds one of the own values, and what a constant.
-    let (mut held, mut constants) = (own.clone(), FxHashMap::default());
-    let is_own = |held: &FxHashMap<Var, Register>| own.iter().all(|(var, register)| held.get(var) == Some(register));
+    // What is known of the variables written so far; a register of DI holds its own value before.
+    let mut known = FxHashMap::default();
+    let value_of = |known: &FxHashMap<Var, Option<Known>>, var: Var| match known.get(&var) {
+        Some(known) => *known,
+        None => instance().into_iter().find(|&register| var == register.into()).map(Known::Own),
+    };
+    let is_own = |known: &_| instance().into_iter().all(|register| value_of(known, register.into()) == Some(Known::Own(register)));
     insts.iter().all(|inst| {
-        let source = match *inst {
-            Inst::Compute { op: Op::Copy, args: [from, ..], .. } => held.get(&from).copied(),
+        let result = match *inst {
+            Inst::Compute { op: Op::Copy, args: [from, ..], .. } => value_of(&known, from),
+            Inst::Constant { value, .. } => Some(Known::Constant(value)),
             _ => None,
         };
         let mut is_sure = !effect(inst).fails;
         match *inst {
             Inst::Open { register, number } => {
-                is_sure = constants.get(&number).is_some_and(|&number| is_loaded(number));
-                for register in data_registers(register) {
-                    held.remove(&Var::from(register));
-                }
+                is_sure = matches!(value_of(&known, number), Some(Known::Constant(number)) if is_loaded(number));
+                known.extend(data_registers(register).map(|register| (Var::from(register), None)));
             }
             Inst::Call { callee: Callee::Block(id), .. } => is_sure = find(id).is_some(),
             Inst::Load { place: Place::Fixed { area: Area::Local, .. }, .. }
@@ -59,19 +69,12 @@ fn keeps(code: &Code, insts: &[Inst], find: Find<'_>, is_loaded: &dyn Fn(u64) ->
         }
         let leaves = targets(code, inst).next().is_some() || matches!(inst, Inst::Return);
         if let Some(dst) = sieben_engine::ir::verify::writes(inst) {
-            held.remove(&dst);
-            constants.remove(&dst);
-            if let Some(source) = source {
-                held.insert(dst, source);
-            }
-            if let Inst::Constant { value, .. } = *inst {
-                constants.insert(dst, value);
-            }
+            known.insert(dst, result);
         }
         // The statement may end here, and variables of an instance may be those of another one.
-        let is_open = is_own(&held);
+        let is_open = is_own(&known);
         is_open || is_sure && !leaves && !touches_instance(inst)
-    }) && is_own(&held)
+    }) && is_own(&known)
 }
 
 /// Whether an instruction itself reads or writes variables of the instance.
