@@ -44,8 +44,16 @@ fn adds(b: &mut Builder, byte: u32, value: u64) {
 
 /// What comes between two data blocks and may end the statement, or use the variables of the wrong one.
 fn between(b: &mut Builder, dice: &mut Dice, head: Target) {
-    match dice.roll(24) {
+    match dice.roll(20) {
         0 => adds(b, 2 * dice.roll(8) as u32, 5),
+        5 | 9 => {
+            let value = b.load(own(2 * dice.roll(8) as u32), Width::Word, OnFault::DeliverZero);
+            b.store(Place::Fixed { area: Area::Local, position: 8 * 12 }, Width::Word, value);
+        }
+        6 => {
+            let number = b.constant(dice.of(&[SMALL, MISSING]));
+            b.push(Inst::Open { register: DataRegister::Shared, number });
+        }
         1 => {
             let condition = b.load(Place::Fixed { area: Area::BitMemory, position: 0 }, Width::Bit, OnFault::SkipStatement);
             b.push(Inst::Require { condition, code: dice.of(&[NOTED | 0x22, 0x22]), register: condition });
@@ -55,7 +63,7 @@ fn between(b: &mut Builder, dice: &mut Dice, head: Target) {
             let value = b.load(place, Width::Word, OnFault::SkipStatement);
             b.store(Place::Fixed { area: Area::Local, position: 8 * 8 }, Width::Word, value);
         }
-        3 => {
+        3 | 7 | 8 => {
             let condition = b.load(Place::Fixed { area: Area::BitMemory, position: 1 }, Width::Bit, OnFault::SkipStatement);
             b.push(Inst::Branch { condition, to: dice.of(&[Target(b.next().0 + 1), head]) });
         }

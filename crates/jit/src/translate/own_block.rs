@@ -21,60 +21,47 @@ impl Translator<'_> {
     /// The loops of a block.
     pub(super) fn find_loops(&self, code: usize) -> Vec<Loop> {
         let code = &self.blocks[code].code;
-        loops::find(code, || kept(code, self.find, &|number| self.data_block(number & 0xFFFF).is_some()))
+        loops::find(code, || kept(code, self.find))
     }
 }
 
-/// What a variable holds.
-#[derive(Clone, Copy, PartialEq)]
-enum Known {
-    /// What a register of DI held at the beginning.
-    Own(Register),
-    Constant(u64),
-}
-
-/// The registers of DI, if they hold at the beginning of each statement what they held when the block began. `is_loaded` says of a data block
-/// whether opening it cannot fail.
-fn kept(code: &Code, find: Find<'_>, is_loaded: &dyn Fn(u64) -> bool) -> u32 {
+/// The registers of DI, if they hold at the beginning of each statement what they held when the block began.
+fn kept(code: &Code, find: Find<'_>) -> u32 {
     let statements = 0..code.statement_count();
-    let keeps = statements.map(|statement| code.statement(statement)).all(|insts| keeps(code, insts, find, is_loaded));
+    let keeps = statements.map(|statement| code.statement(statement)).all(|insts| keeps(code, insts, find));
     if keeps { instance().into_iter().fold(0, |all, register| all | bit_of(register)) } else { 0 }
 }
 
 /// Whether a statement that begins with the own data block ends with it, whatever happens in it.
-fn keeps(code: &Code, insts: &[Inst], find: Find<'_>, is_loaded: &dyn Fn(u64) -> bool) -> bool {
-    // What is known of the variables written so far; a register of DI holds its own value before.
-    let mut known = FxHashMap::default();
-    let value_of = |known: &FxHashMap<Var, Option<Known>>, var: Var| match known.get(&var) {
-        Some(known) => *known,
-        None => instance().into_iter().find(|&register| var == register.into()).map(Known::Own),
+fn keeps(code: &Code, insts: &[Inst], find: Find<'_>) -> bool {
+    // Which of the own values the variables written so far hold; a register of DI holds its own before.
+    let mut held = FxHashMap::default();
+    let value_of = |held: &FxHashMap<Var, Option<Register>>, var: Var| {
+        held.get(&var).copied().unwrap_or_else(|| instance().into_iter().find(|&register| var == register.into()))
     };
-    let is_own = |known: &_| instance().into_iter().all(|register| value_of(known, register.into()) == Some(Known::Own(register)));
+    let is_own = |held: &_| instance().into_iter().all(|register| value_of(held, register.into()) == Some(register));
     insts.iter().all(|inst| {
+        // The statement may end here before the instruction wrote anything, and variables of an instance may be those of another one.
+        let is_sure = match *inst {
+            Inst::Call { callee: Callee::Block(id), .. } => find(id).is_some(),
+            Inst::Load { place: Place::Fixed { area: Area::Local, .. }, .. }
+            | Inst::Store { place: Place::Fixed { area: Area::Local, .. }, .. } => true,
+            _ => !effect(inst).fails,
+        };
+        let leaves = targets(code, inst).next().is_some() || matches!(inst, Inst::Return);
+        let is_harmless = is_sure && !leaves && !touches_instance(inst) || is_own(&held);
         let result = match *inst {
-            Inst::Compute { op: Op::Copy, args: [from, ..], .. } => value_of(&known, from),
-            Inst::Constant { value, .. } => Some(Known::Constant(value)),
+            Inst::Compute { op: Op::Copy, args: [from, ..], .. } => value_of(&held, from),
             _ => None,
         };
-        let mut is_sure = !effect(inst).fails;
-        match *inst {
-            Inst::Open { register, number } => {
-                is_sure = matches!(value_of(&known, number), Some(Known::Constant(number)) if is_loaded(number));
-                known.extend(data_registers(register).map(|register| (Var::from(register), None)));
-            }
-            Inst::Call { callee: Callee::Block(id), .. } => is_sure = find(id).is_some(),
-            Inst::Load { place: Place::Fixed { area: Area::Local, .. }, .. }
-            | Inst::Store { place: Place::Fixed { area: Area::Local, .. }, .. } => is_sure = true,
-            _ => {}
+        if let Inst::Open { register, .. } = *inst {
+            held.extend(data_registers(register).map(|register| (Var::from(register), None)));
         }
-        let leaves = targets(code, inst).next().is_some() || matches!(inst, Inst::Return);
         if let Some(dst) = sieben_engine::ir::verify::writes(inst) {
-            known.insert(dst, result);
+            held.insert(dst, result);
         }
-        // The statement may end here, and variables of an instance may be those of another one.
-        let is_open = is_own(&known);
-        is_open || is_sure && !leaves && !touches_instance(inst)
-    }) && is_own(&known)
+        is_harmless
+    }) && is_own(&held)
 }
 
 /// Whether an instruction itself reads or writes variables of the instance.
