@@ -244,6 +244,8 @@ struct Translator<'a> {
     at_once: Vec<(usize, u32, u32)>,
     /// Where vectors are written to so that they are put together at once, and the number of the next one there.
     together: Option<(clif::StackSlot, u32)>,
+    /// Of masks, simpler ones that are their opposites.
+    opposites: FxHashMap<Value, Value>,
     /// Values whose bits above so many are 0.
     narrow: FxHashMap<Value, u32>,
     /// All registers that the block may change.
@@ -359,6 +361,7 @@ impl<'a> Translator<'a> {
             verify_later: Vec::new(),
             at_once: Vec::new(),
             together: None,
+            opposites: FxHashMap::default(),
             narrow: FxHashMap::default(),
             written: 0,
             instance: Val::Const(0),

@@ -31,6 +31,7 @@ mod late;
 mod left;
 mod left_beside;
 mod line;
+mod masks;
 mod nested;
 mod pieces;
 mod quads;

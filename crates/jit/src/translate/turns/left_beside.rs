@@ -93,7 +93,7 @@ impl Translator<'_> {
             Shape::Quads => masks.iter().flat_map(|&mask| [self.b.ins().swiden_low(mask), self.b.ins().swiden_high(mask)]).collect(),
             _ => masks.to_vec(),
         };
-        new.iter().zip(old).zip(masks).map(|((&new, &old), mask)| self.b.ins().bitselect(mask, new, old)).collect()
+        new.iter().zip(old).zip(masks).map(|((&new, &old), mask)| self.choice(mask, new, old)).collect()
     }
 
     /// What the last turn of all lanes left that left something, or else what was there before. All are integers of the same type.

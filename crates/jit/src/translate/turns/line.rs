@@ -445,7 +445,9 @@ fn shape_of_result(op: Op, args: &[Shape]) -> Option<Shape> {
     let all = |fits: &dyn Fn(&Shape) -> bool, shape: Shape| args.iter().all(fits).then_some(shape);
     match op {
         _ if args.iter().all(same) => Some(Shape::Line(Line::SAME)),
-        O::AddU16 | O::SubU16 | O::MulU16 | O::MinI16 | O::MaxI16 | O::DivI16 | O::RemI16 => all(&is_halves, Shape::Halves),
+        // Only the low halves of what they take count.
+        O::AddU16 | O::SubU16 | O::MulU16 => all(&|shape: &Shape| is_halves(shape) || *shape == Shape::Words, Shape::Halves),
+        O::MinI16 | O::MaxI16 | O::DivI16 | O::RemI16 => all(&is_halves, Shape::Halves),
         // Bits that make a byte.
         O::AndU32 | O::OrU32 | O::Shl32 if args.contains(&Shape::Mask) => {
             args.iter().all(|shape| words(shape) || *shape == Shape::Mask).then_some(Shape::Words)

@@ -158,7 +158,7 @@ impl Translator<'_> {
                 let masks = self.long_masks(&args[0], lanes);
                 let [a, b] = [1, 2].map(|at: usize| self.quads(&args[at], lanes));
                 let both = a.into_iter().zip(b).zip(masks);
-                return Some(Lanes::Quads(both.map(|((a, b), mask)| self.b.ins().bitselect(mask, a, b)).collect()));
+                return Some(Lanes::Quads(both.map(|((a, b), mask)| self.choice(mask, a, b)).collect()));
             }
             Op::Gate if shape == Shape::Quads => {
                 let (values, masks) = (self.quads(&args[0], lanes), self.long_masks(&args[1], lanes));

@@ -39,6 +39,9 @@ enum Column {
     Lanes(Value),
 }
 
+/// The first 16 bits of each number of 32 bits of one vector, and the second ones of another one.
+const SECOND_WORDS: [u8; 16] = [0, 1, 18, 19, 4, 5, 22, 23, 8, 9, 26, 27, 12, 13, 30, 31];
+
 /// A part of the rows that is known.
 #[derive(Clone, Copy)]
 struct Part {
@@ -416,6 +419,9 @@ impl Translator<'_> {
 
     /// Four bytes of each turn from a place on, put together of parts.
     fn put_in_column(&mut self, at: i32, parts: &[(Part, Vec<i32>)]) -> Column {
+        if let Some(column) = self.put_in_words(at, parts) {
+            return column;
+        }
         let moved = |number: u32, by: i32| if by >= 0 { number << (8 * by) } else { number >> (-8 * by) };
         let mask = |bytes: &[i32]| bytes.iter().fold(0, |mask, byte| mask | 0xFF << (8 * (byte - at)));
         let mut same = 0;
@@ -451,6 +457,47 @@ impl Translator<'_> {
                 let same = self.all_words(same);
                 Column::Lanes(self.b.ins().bor(lanes, same))
             }
+        }
+    }
+
+    /// The same where each word of 16 bits is of one part: they are put together in one step each.
+    fn put_in_words(&mut self, at: i32, parts: &[(Part, Vec<i32>)]) -> Option<Column> {
+        let words_of = |bytes: &[i32]| [0, 2].map(|word| bytes.iter().any(|byte| (byte - at) & 2 == word));
+        let all: Vec<[bool; 2]> = parts.iter().map(|(_, bytes)| words_of(bytes)).collect();
+        let is_one = |word: usize| all.iter().filter(|words| words[word]).count() <= 1;
+        if parts.len() != 2 || !is_one(0) || !is_one(1) || parts.iter().all(|(part, _)| matches!(part.column, Column::Same(_))) {
+            return None;
+        }
+        let second = all.iter().position(|words| words[1])?;
+        let [low, high] = [1 - second, second].map(|number| {
+            let (part, _) = &parts[number];
+            let by = part.at - at;
+            match part.column {
+                Column::Same(number) => {
+                    let moved = if by >= 0 { number << (8 * by) } else { number >> (-8 * by) };
+                    self.all_words(moved)
+                }
+                Column::Lanes(vector) => self.moved_column(vector, by),
+            }
+        });
+        let words = self.shuffled(low, high, SECOND_WORDS);
+        Some(Column::Lanes(self.b.ins().bitcast(I32X4, little(), words)))
+    }
+
+    /// 32 bits of each turn, so many bytes further on; nobody needs what comes from outside them.
+    fn moved_column(&mut self, vector: Value, by: i32) -> Value {
+        if by == 0 {
+            return vector;
+        }
+        if let Some((of, bytes)) = self.shuffled_of(vector) {
+            let place = |at: i32| bytes[(at / 4 * 4 + (at % 4 - by).clamp(0, 3)) as usize];
+            let moved: Vec<u8> = (0..16).map(place).collect();
+            let moved = self.shuffled(of, of, moved.try_into().expect("sixteen bytes"));
+            return self.b.ins().bitcast(I32X4, little(), moved);
+        }
+        match by {
+            1.. => self.b.ins().ishl_imm_u(vector, i64::from(8 * by)),
+            _ => self.b.ins().ushr_imm_u(vector, i64::from(-8 * by)),
         }
     }
 

@@ -275,13 +275,9 @@ impl Translator<'_> {
         };
         let mut new = Vec::new();
         for (number, &byte) in bytes.iter().enumerate() {
-            let others = self.b.ins().band_not(byte, own);
             new.push(match &masks {
-                None => others,
-                Some(masks) => {
-                    let set = self.b.ins().band(masks[number], own);
-                    self.b.ins().bor(others, set)
-                }
+                None => self.b.ins().band_not(byte, own),
+                Some(masks) => self.with_bit_of_mask(byte, bit, masks[number]),
             });
         }
         new

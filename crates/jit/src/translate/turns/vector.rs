@@ -1,6 +1,6 @@
 //! Turns side by side: a value of each in the lanes of vectors of 128 bits.
 
-use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
+use cranelift_codegen::ir::condcodes::{CondCode, FloatCC, IntCC};
 use cranelift_codegen::ir::types::{F32, F32X4, F64, F64X2, I8X16, I16, I16X8, I32, I32X4, I64, I64X2};
 use cranelift_codegen::ir::{ConstantData, Endianness, Immediate, InstBuilder, MemFlagsData, Type, Value};
 use sieben_engine::ir::Op;
@@ -10,6 +10,7 @@ use super::super::memory::data;
 use super::super::quotients::factor_f32;
 use super::super::value::Val;
 use super::line::{Line, Shape};
+use super::masks::{is_constant, takes_two};
 
 /// Bytes of a vector.
 pub(super) const VECTOR_BYTES: u32 = 16;
@@ -88,6 +89,7 @@ impl Translator<'_> {
     pub(super) fn halves(&mut self, value: &Lanes, lanes: u32) -> Vec<Value> {
         let (first, line) = match value {
             Lanes::Halves(vectors) => return vectors.clone(),
+            Lanes::Words(vectors) => return self.low_halves(vectors.clone()),
             Lanes::One(first) => (*first, Line::SAME),
             Lanes::Line(first, line) => (*first, *line),
             _ => unreachable!("the shapes were looked at"),
@@ -96,6 +98,13 @@ impl Translator<'_> {
         let first = self.b.ins().ireduce(I16, first);
         let all = self.b.ins().splat(I16X8, first);
         self.along(all, I16X8, line, lanes)
+    }
+
+    /// The low halves of numbers of 32 bits.
+    fn low_halves(&mut self, words: Vec<Value>) -> Vec<Value> {
+        let low = self.constant_vector(I32X4, 0xFFFF_u32.to_le_bytes().repeat(4));
+        let words: Vec<Value> = words.into_iter().map(|word| self.b.ins().band(word, low)).collect();
+        words.chunks(2).map(|pair| self.b.ins().unarrow(pair[0], pair[pair.len() - 1])).collect()
     }
 
     /// As numbers of 32 bits.
@@ -107,7 +116,7 @@ impl Translator<'_> {
             Lanes::Line(first, line) => (*first, *line),
             // What is no number has one form as bits.
             Lanes::Reals(reals) => return reals.clone().into_iter().map(|real| self.quiet_vector(real)).collect(),
-            Lanes::Mask(masks) => return masks.clone().into_iter().map(|mask| self.b.ins().ushr_imm_u(mask, 31)).collect(),
+            Lanes::Mask(masks) => return masks.clone().into_iter().map(|mask| self.number_of_mask(mask)).collect(),
             Lanes::LongMask(masks) => {
                 let masks = self.short_masks(masks);
                 return masks.into_iter().map(|mask| self.b.ins().ushr_imm_u(mask, 31)).collect();
@@ -239,9 +248,7 @@ impl Translator<'_> {
             }
             Op::Low16 => {
                 let words = self.words(&args[0], lanes);
-                let low = self.constant_vector(I32X4, 0xFFFF_u32.to_le_bytes().repeat(4));
-                let words: Vec<Value> = words.into_iter().map(|word| self.b.ins().band(word, low)).collect();
-                words.chunks(2).map(|pair| self.b.ins().unarrow(pair[0], pair[pair.len() - 1])).collect()
+                self.low_halves(words)
             }
             Op::I32ToF32 => {
                 let words = self.words(&args[0], lanes);
@@ -265,6 +272,11 @@ impl Translator<'_> {
             }
             Op::Shl32 | Op::Shr32 | Op::Sar32 => {
                 let Lanes::One(Val::Const(number)) = args[1] else { unreachable!("the shapes were looked at") };
+                if let (Op::Shl32, Lanes::Mask(masks), 1..32) = (op, &args[0], number & 0xFF) {
+                    let own = self.constant_vector(I32X4, (1_u32 << (number & 0xFF)).to_le_bytes().repeat(4));
+                    let masks = masks.clone();
+                    return shape.of(masks.into_iter().map(|mask| self.b.ins().band(mask, own)).collect());
+                }
                 let words = self.words(&args[0], lanes);
                 words.into_iter().map(|word| self.shifted(op, word, number)).collect()
             }
@@ -294,6 +306,7 @@ impl Translator<'_> {
     fn shifted(&mut self, op: Op, word: Value, number: u64) -> Value {
         let count = i64::from(number as u32 & 0xFF);
         match op {
+            _ if count == 0 => word,
             Op::Shl32 => self.b.ins().ishl_imm_u(word, count),
             Op::Shr32 => self.b.ins().ushr_imm_u(word, count),
             _ => self.b.ins().sshr_imm_u(word, count),
@@ -328,12 +341,20 @@ impl Translator<'_> {
         };
         if let Some(condition) = words {
             let [a, b] = [0, 1].map(|at: usize| self.words(&args[at], lanes));
-            return Some(a.into_iter().zip(b).map(|(a, b)| self.b.ins().icmp(condition, a, b)).collect());
+            return Some(a.into_iter().zip(b).map(|(a, b)| self.compared(condition, a, b)).collect());
         }
         if let Some(condition) = halves {
             let [a, b] = [0, 1].map(|at: usize| self.halves(&args[at], lanes));
-            let masks: Vec<Value> = a.into_iter().zip(b).map(|(a, b)| self.b.ins().icmp(condition, a, b)).collect();
-            return Some(self.widened(&masks, true, lanes));
+            let compare = |this: &mut Self, condition: IntCC| {
+                let masks: Vec<Value> = a.iter().zip(&b).map(|(&a, &b)| this.b.ins().icmp(condition, a, b)).collect();
+                this.widened(&masks, true, lanes)
+            };
+            let masks = compare(self, condition);
+            if takes_two(condition) {
+                let opposite = compare(self, condition.complement());
+                self.opposites.extend(masks.iter().copied().zip(opposite));
+            }
+            return Some(masks);
         }
         if let Some(condition) = reals {
             let [a, b] = [0, 1].map(|at: usize| self.reals(&args[at], lanes));
@@ -366,41 +387,41 @@ impl Translator<'_> {
             }
             Op::Not => {
                 let masks = self.masks(&args[0], lanes);
-                Some(masks.into_iter().map(|mask| self.b.ins().bnot(mask)).collect())
+                Some(masks.into_iter().map(|mask| self.opposite_of(mask)).collect())
             }
             Op::And | Op::AndNot | Op::Or | Op::Xor => {
                 let [a, b] = [0, 1].map(|at: usize| self.masks(&args[at], lanes));
-                let one = |(a, b)| match op {
-                    Op::And => self.b.ins().band(a, b),
-                    Op::AndNot => self.b.ins().band_not(a, b),
-                    Op::Or => self.b.ins().bor(a, b),
-                    _ => self.b.ins().bxor(a, b),
-                };
-                Some(a.into_iter().zip(b).map(one).collect())
+                Some(a.into_iter().zip(b).map(|(a, b)| self.logic_of_masks(op, a, b)).collect())
             }
             Op::Select => {
-                let mut masks = self.masks(&args[0], lanes);
-                let [a, b] = [1, 2].map(|at: usize| match shape {
-                    Shape::Halves => self.halves(&args[at], lanes),
-                    Shape::Mask => self.masks(&args[at], lanes),
-                    _ => self.words(&args[at], lanes),
-                });
-                if shape == Shape::Halves {
-                    masks = masks.chunks(2).map(|pair| self.b.ins().snarrow(pair[0], pair[pair.len() - 1])).collect();
+                let masks = self.masks(&args[0], lanes);
+                let (a, b) = (&args[1], &args[2]);
+                if shape == Shape::Mask {
+                    return Some(self.chosen_masks(&masks, a, b, lanes));
                 }
-                let both = a.into_iter().zip(b).zip(masks);
-                Some(both.map(|((a, b), mask)| self.b.ins().bitselect(mask, a, b)).collect())
+                let vectors = |this: &mut Self, of: &Lanes| match shape {
+                    Shape::Halves => this.halves(of, lanes),
+                    _ => this.words(of, lanes),
+                };
+                // What is 0 on one side is cut out by the mask.
+                if is_constant(a, 0) || is_constant(b, 0) {
+                    let (value, holds) = if is_constant(b, 0) { (a, true) } else { (b, false) };
+                    let values = vectors(self, value);
+                    return Some(self.where_masks(values, masks, holds, shape));
+                }
+                let [a, b] = [a, b].map(|of| vectors(self, of));
+                let (masks, holds) = self.simplest(masks);
+                let masks = self.masks_of_shape(masks, shape);
+                let (a, b) = if holds { (a, b) } else { (b, a) };
+                Some(a.into_iter().zip(b).zip(masks).map(|((a, b), mask)| self.choice(mask, a, b)).collect())
             }
             Op::Gate => {
-                let mut masks = self.masks(&args[1], lanes);
+                let masks = self.masks(&args[1], lanes);
                 let values = match shape {
                     Shape::Halves => self.halves(&args[0], lanes),
                     _ => self.words(&args[0], lanes),
                 };
-                if shape == Shape::Halves {
-                    masks = masks.chunks(2).map(|pair| self.b.ins().snarrow(pair[0], pair[pair.len() - 1])).collect();
-                }
-                Some(values.into_iter().zip(masks).map(|(value, mask)| self.b.ins().band(value, mask)).collect())
+                Some(self.where_masks(values, masks, true, shape))
             }
             _ => None,
         }
@@ -409,6 +430,11 @@ impl Translator<'_> {
     /// Turns the bytes of each number of a vector around.
     pub(super) fn turned(&mut self, vector: Value, bytes: u8) -> Value {
         let mask: Vec<u8> = (0..VECTOR_BYTES as u8).map(|at| at / bytes * bytes + (bytes - 1 - at % bytes)).collect();
+        if let Some((of, known)) = self.shuffled_of(vector)
+            && known == mask
+        {
+            return of;
+        }
         let mask: Immediate = self.b.func.dfg.immediates.push(ConstantData::from(mask));
         self.b.ins().shuffle(vector, vector, mask)
     }
