@@ -246,6 +246,8 @@ struct Translator<'a> {
     together: Option<(clif::StackSlot, u32)>,
     /// Of masks, simpler ones that are their opposites.
     opposites: FxHashMap<Value, Value>,
+    /// Of vectors of small numbers of 16 bits, the same numbers with 32.
+    in_words: FxHashMap<Value, Vec<Value>>,
     /// Values whose bits above so many are 0.
     narrow: FxHashMap<Value, u32>,
     /// All registers that the block may change.
@@ -362,6 +364,7 @@ impl<'a> Translator<'a> {
             at_once: Vec::new(),
             together: None,
             opposites: FxHashMap::default(),
+            in_words: FxHashMap::default(),
             narrow: FxHashMap::default(),
             written: 0,
             instance: Val::Const(0),

@@ -4,10 +4,12 @@
 use std::collections::BTreeSet;
 
 use super::kernel::{Kernel, Node, Step, What};
+use super::records::Records;
 
 impl Kernel {
-    /// The steps of a turn without a loop in it, with each read in front of the first write that needs it, or that may go to the same bits.
-    pub(super) fn steps_with_late_reads(&self) -> Vec<Step> {
+    /// The steps of a turn without a loop in it, with each read in front of the first write that needs it or another one of its row, or that
+    /// may go to the same bits in one of the turns side by side.
+    pub(super) fn steps_with_late_reads(&self, lanes: u32, records: &Records) -> Vec<Step> {
         let mut steps = Vec::new();
         let mut waiting: Vec<usize> = Vec::new();
         let mut seen = BTreeSet::new();
@@ -20,10 +22,14 @@ impl Kernel {
             };
             let mut needed = BTreeSet::new();
             [access.pointer, value].into_iter().for_each(|node| self.reads_behind(node, &mut seen, &mut needed));
-            for &read in waiting.iter().filter(|&&read| self.accesses[read].may_meet(access)) {
+            let meets = |read: usize| if lanes == 1 { self.accesses[read].may_meet(access) } else { self.touches(read, false, number) };
+            for &read in waiting.iter().filter(|&&read| meets(read)) {
                 needed.insert(read);
                 self.reads_behind(self.accesses[read].pointer, &mut seen, &mut needed);
             }
+            // A row is read once.
+            let rows: BTreeSet<_> = needed.iter().filter_map(|&read| records.row(self, read)).collect();
+            needed.extend(waiting.iter().filter(|&&read| records.row(self, read).is_some_and(|row| rows.contains(&row))));
             waiting.retain(|&read| {
                 let is_needed = needed.contains(&read);
                 steps.extend(is_needed.then_some(Step::Access(read)));

@@ -86,12 +86,25 @@ impl Records {
     fn of(&self, number: usize) -> Option<usize> {
         self.0.iter().position(|record| record.accesses.contains(&number))
     }
+
+    /// Whether what waits to be written is written at several places of a turn.
+    pub(super) fn are_several(&self) -> bool {
+        self.0.len() > 1
+    }
+
+    /// The row with which a field is read.
+    pub(super) fn row(&self, kernel: &Kernel, number: usize) -> Option<(usize, Row)> {
+        let at = self.of(number)?;
+        let (start, bytes) = kernel.field(number);
+        let row = self.0[at].rows.iter().copied().find(|row| row.0 <= start && start + bytes <= row.0 + row.1)?;
+        Some((at, row))
+    }
 }
 
 /// A field of them: its first byte, and the bytes that it has.
 type Field = (i32, i32);
 /// Bytes that are read at once: where they begin, and how many they are.
-type Row = (i32, i32);
+pub(super) type Row = (i32, i32);
 
 /// The cheapest way to read a field and those behind it: the row that begins with it, and the first field behind that.
 #[derive(Clone, Copy)]
@@ -266,7 +279,7 @@ impl Writing<'_, '_, '_> {
             return None;
         }
         let record = &self.records.0[at];
-        let row = record.rows.iter().copied().find(|&(start, bytes)| start <= field.start && field.end <= start + bytes)?;
+        let (_, row) = self.records.row(self.kernel, number)?;
         if record.parts(field.clone()).is_none() {
             let accesses = record.accesses.clone();
             accesses.iter().for_each(|&access| self.settle_records(access, true));

@@ -173,6 +173,10 @@ impl Translator<'_> {
     pub(super) fn widened(&mut self, halves: &[Value], signed: bool, lanes: u32) -> Vec<Value> {
         let mut words = Vec::new();
         for &half in halves {
+            if let Some(known) = self.in_words.get(&half) {
+                words.extend(known);
+                continue;
+            }
             let both = match signed {
                 true => [self.b.ins().swiden_low(half), self.b.ins().swiden_high(half)],
                 false => [self.b.ins().uwiden_low(half), self.b.ins().uwiden_high(half)],
@@ -393,38 +397,50 @@ impl Translator<'_> {
                 let [a, b] = [0, 1].map(|at: usize| self.masks(&args[at], lanes));
                 Some(a.into_iter().zip(b).map(|(a, b)| self.logic_of_masks(op, a, b)).collect())
             }
-            Op::Select => {
+            Op::Select if shape == Shape::Mask => {
                 let masks = self.masks(&args[0], lanes);
-                let (a, b) = (&args[1], &args[2]);
-                if shape == Shape::Mask {
-                    return Some(self.chosen_masks(&masks, a, b, lanes));
-                }
-                let vectors = |this: &mut Self, of: &Lanes| match shape {
-                    Shape::Halves => this.halves(of, lanes),
-                    _ => this.words(of, lanes),
-                };
-                // What is 0 on one side is cut out by the mask.
-                if is_constant(a, 0) || is_constant(b, 0) {
-                    let (value, holds) = if is_constant(b, 0) { (a, true) } else { (b, false) };
-                    let values = vectors(self, value);
-                    return Some(self.where_masks(values, masks, holds, shape));
-                }
-                let [a, b] = [a, b].map(|of| vectors(self, of));
-                let (masks, holds) = self.simplest(masks);
-                let masks = self.masks_of_shape(masks, shape);
-                let (a, b) = if holds { (a, b) } else { (b, a) };
-                Some(a.into_iter().zip(b).zip(masks).map(|((a, b), mask)| self.choice(mask, a, b)).collect())
+                Some(self.chosen_masks(&masks, &args[1], &args[2], lanes))
             }
-            Op::Gate => {
-                let masks = self.masks(&args[1], lanes);
-                let values = match shape {
-                    Shape::Halves => self.halves(&args[0], lanes),
-                    _ => self.words(&args[0], lanes),
-                };
-                Some(self.where_masks(values, masks, true, shape))
+            Op::Select | Op::Gate => {
+                let chosen = self.chosen_numbers(op, shape, args, lanes);
+                let is_small = |arg: &Lanes| matches!(arg, Lanes::One(Val::Const(0..0x8000)));
+                let numbers = if op == Op::Gate { &args[..1] } else { &args[1..] };
+                // Cranelift would not see that they are the same.
+                if shape == Shape::Halves && numbers.iter().all(is_small) {
+                    let words = self.chosen_numbers(op, Shape::Words, args, lanes);
+                    let words = words.chunks(2).map(<[Value]>::to_vec);
+                    self.in_words.extend(chosen.iter().copied().zip(words));
+                }
+                Some(chosen)
             }
             _ => None,
         }
+    }
+
+    /// A choice between numbers of 16 or 32 bits, or between one and 0.
+    fn chosen_numbers(&mut self, op: Op, shape: Shape, args: &[Lanes], lanes: u32) -> Vec<Value> {
+        let vectors = |this: &mut Self, of: &Lanes| match shape {
+            Shape::Halves => this.halves(of, lanes),
+            _ => this.words(of, lanes),
+        };
+        if op == Op::Gate {
+            let masks = self.masks(&args[1], lanes);
+            let values = vectors(self, &args[0]);
+            return self.where_masks(values, masks, true, shape);
+        }
+        let masks = self.masks(&args[0], lanes);
+        let (a, b) = (&args[1], &args[2]);
+        // What is 0 on one side is cut out by the mask.
+        if is_constant(a, 0) || is_constant(b, 0) {
+            let (value, holds) = if is_constant(b, 0) { (a, true) } else { (b, false) };
+            let values = vectors(self, value);
+            return self.where_masks(values, masks, holds, shape);
+        }
+        let [a, b] = [a, b].map(|of| vectors(self, of));
+        let (masks, holds) = self.simplest(masks);
+        let masks = self.masks_of_shape(masks, shape);
+        let (a, b) = if holds { (a, b) } else { (b, a) };
+        a.into_iter().zip(b).zip(masks).map(|((a, b), mask)| self.choice(mask, a, b)).collect()
     }
 
     /// Turns the bytes of each number of a vector around.

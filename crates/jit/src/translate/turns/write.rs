@@ -403,8 +403,10 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 self.progress = Some((turns, progress));
             }
             self.begin(level, &handed, &now[others..]);
-            let is_one_by_one = level == Level::Outer && self.lanes == 1 && self.gathered.is_empty();
-            let steps = if is_one_by_one { self.kernel.steps_with_late_reads() } else { self.kernel.turn(level).steps.clone() };
+            // What is written to one structure is written at the end of a turn.
+            let is_late = level == Level::Outer && self.gathered.is_empty() && (self.lanes == 1 || self.records.are_several());
+            let steps =
+                if is_late { self.kernel.steps_with_late_reads(self.lanes, &self.records) } else { self.kernel.turn(level).steps.clone() };
             for step in steps {
                 match step {
                     Step::Access(access) => {
