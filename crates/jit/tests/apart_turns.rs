@@ -96,8 +96,8 @@ impl Kind {
     fn comparisons(self) -> &'static [Op] {
         match self {
             Bit => &[Op::Xor],
-            Byte | Double => &[Op::LtI32, Op::GeI32, Op::Equal, Op::Differ, Op::DivFailsI32],
-            Half => &[Op::LtI16, Op::GeI16, Op::EqI16],
+            Byte | Double => &[Op::LtI32, Op::GeI32, Op::LeI32, Op::Equal, Op::Differ, Op::DivFailsI32],
+            Half => &[Op::LtI16, Op::GeI16, Op::LeI16, Op::NeI16, Op::EqI16],
             Real => &[Op::LtF32, Op::GeF32, Op::DifferF32, Op::NeF32],
             Quad => &[Op::LtI64, Op::Equal],
             Lreal => &[Op::LtF64, Op::GeF64, Op::DifferF64],
@@ -201,6 +201,10 @@ impl Maker<'_> {
                 self.get(fixed(8 * FLAGS + bit), Bit)
             }
             5 => self.constant(kind),
+            7 if kind == Bit => {
+                let bit = self.number(Bit, depth - 1);
+                self.b.compute(Op::Not, &[bit])
+            }
             6 | 7 => {
                 let (from, op) = self.dice.of(kind.conversions());
                 // Mostly a REAL is cut.
@@ -213,7 +217,7 @@ impl Maker<'_> {
                 }
                 self.b.compute(op, &[value])
             }
-            8 if kind == Bit => {
+            8 | 9 if kind == Bit => {
                 let of = self.dice.of(&[Byte, Half, Double, Real, Quad, Lreal]);
                 let op = self.dice.of(of.comparisons());
                 let parts = [self.number(of, depth - 1), self.number(of, depth - 1)];
