@@ -10,6 +10,10 @@ impl Kernel {
     /// The steps of a turn without a loop in it, with each read in front of the first write that needs it or another one of its row, or that
     /// may go to the same bits in one of the turns side by side.
     pub(super) fn steps_with_late_reads(&self, lanes: u32, records: &Records) -> Vec<Step> {
+        // What is done in order needs what other variables hold at the end of a turn.
+        if !self.in_order.cells.is_empty() {
+            return self.outer.steps.clone();
+        }
         let mut steps = Vec::new();
         let mut waiting: Vec<usize> = Vec::new();
         let mut seen = BTreeSet::new();
