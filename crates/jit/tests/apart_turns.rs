@@ -240,6 +240,7 @@ impl Maker<'_> {
             Bit => self.dice.of(&[0, 1]),
             Real => u64::from(self.dice.of(&[0.5_f32, 3.0, -1.0]).to_bits()),
             Lreal => self.dice.of(&[0.5_f64, 3.0, -1.0]).to_bits(),
+            Half => self.dice.of(&[1, 2, 3, 7, 100, 0x7FFF, 0x8000, 0xFFFF]),
             _ => self.dice.of(&[1, 2, 3, 7, 100, 0x7FFF]),
         };
         self.b.constant(value)
