@@ -236,12 +236,16 @@ impl Translator<'_> {
     fn most_of(&self, index: u32, var: Var) -> u32 {
         let code = &self.native().code;
         let first = code.statements[code.statements.partition_point(|&first| first <= index).saturating_sub(1)];
-        let mut wanted = var;
+        let (mut wanted, mut bits) = (var, 32);
         for inst in code.insts[first as usize..index as usize].iter().rev() {
             match *inst {
                 _ if writes(inst) != Some(wanted) => {}
                 // A negative number is 0.
-                Inst::Constant { value, .. } => return u32::try_from(value as u32 as i32).unwrap_or(0),
+                Inst::Constant { value, .. } => {
+                    let number = (value as u32 as i32) << (32 - bits) >> (32 - bits);
+                    return u32::try_from(number).unwrap_or(0);
+                }
+                Inst::Compute { op: Op::Extend16, args, .. } => (wanted, bits) = (args[0], 16),
                 // What a gate lets through, or 0.
                 Inst::Compute { op: Op::Copy | Op::Gate, args, .. } => wanted = args[0],
                 _ => break,
