@@ -110,7 +110,7 @@ impl Kind {
             Bit => &[(Double, Op::IsNonzero), (Half, Op::IsNonzero)],
             Byte => &[(Half, Op::Low8), (Double, Op::Low8)],
             Half => &[(Double, Op::Low16), (Byte, Op::Low16), (Lreal, Op::F64ToI16)],
-            Double => &[(Half, Op::Extend16), (Quad, Op::Low32), (Lreal, Op::F64ToI32)],
+            Double => &[(Half, Op::Extend16), (Bit, Op::Copy), (Quad, Op::Low32), (Lreal, Op::F64ToI32)],
             Real => &[(Double, Op::I32ToF32), (Lreal, Op::F64ToF32)],
             Quad => &[(Double, Op::ExtendI32I64)],
             Lreal => &[(Real, Op::F32ToF64), (Double, Op::I32ToF64)],
@@ -217,11 +217,14 @@ impl Maker<'_> {
                 }
                 self.b.compute(op, &[value])
             }
-            8 | 9 if kind == Bit => {
-                let of = self.dice.of(&[Byte, Half, Double, Real, Quad, Lreal]);
-                let op = self.dice.of(of.comparisons());
-                let parts = [self.number(of, depth - 1), self.number(of, depth - 1)];
+            8 if kind == Bit => self.comparison(depth),
+            9 if kind == Bit => {
+                let (op, parts) = (self.dice.of(kind.of_two()), [self.comparison(depth), self.comparison(depth)]);
                 self.b.compute(op, &parts)
+            }
+            9 if kind == Half => {
+                let parts = [self.comparison(depth), self.constant(kind), self.constant(kind)];
+                self.b.compute(Op::Select, &parts)
             }
             8 => {
                 let parts = [self.number(Bit, depth - 1), self.number(kind, depth - 1), self.number(kind, depth - 1)];
@@ -233,6 +236,13 @@ impl Maker<'_> {
                 self.b.compute(op, &parts)
             }
         }
+    }
+
+    fn comparison(&mut self, depth: usize) -> Var {
+        let of = self.dice.of(&[Byte, Half, Double, Real, Quad, Lreal]);
+        let op = self.dice.of(of.comparisons());
+        let parts = [self.number(of, depth - 1), self.number(of, depth - 1)];
+        self.b.compute(op, &parts)
     }
 
     fn constant(&mut self, kind: Kind) -> Var {
