@@ -24,7 +24,16 @@ const LENGTHS_MAX: usize = 6;
 pub(super) struct Numbers(Vec<(Base, i32, Width, Val)>, Lengths);
 
 /// How many characters count in texts that begin at an offset behind a base and have so much room.
-pub(super) type Lengths = Vec<(Base, i32, TextRoom, Value)>;
+pub(super) type Lengths = Vec<(Base, i32, TextRoom, Characters)>;
+
+/// What is known of the characters of a text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Characters {
+    /// How many count.
+    pub(super) length: Value,
+    /// The only one, in 32 bits, if there is never more than one; anything if there is none.
+    pub(super) only: Option<Value>,
+}
 
 impl Numbers {
     /// Keeps what others know, too.
@@ -40,9 +49,10 @@ impl Numbers {
             let at = i64::from(at);
             !own.may_share(&(at..at + i64::from(width.bytes())), base, &bytes)
         });
-        self.1.retain(|&(own, at, room, _)| {
+        self.1.retain(|&(own, at, room, characters)| {
             let at = i64::from(at);
-            !own.may_share(&(at..at + i64::from(room.head())), base, &bytes)
+            let known = room.head() + characters.only.map_or(0, |_| 1);
+            !own.may_share(&(at..at + i64::from(known)), base, &bytes)
         });
     }
 
@@ -93,19 +103,19 @@ impl Translator<'_> {
         Some(self.known_base(address.base)).filter(|&base| base != Base::Local)
     }
 
-    /// How many characters of a text count, if it is known.
-    pub(super) fn known_length(&self, text: &Whole) -> Option<Value> {
+    /// What is known of the characters of a text.
+    pub(super) fn known_characters(&self, text: &Whole) -> Option<Characters> {
         if self.cold.is_some() {
             // Somebody may have been asked.
             return None;
         }
         let base = self.base_of_text(text)?;
-        let is_it = |known: &&(Base, i32, TextRoom, Value)| (known.0, known.1, known.2) == (base, text.address.offset, text.room);
+        let is_it = |known: &&(Base, i32, TextRoom, Characters)| (known.0, known.1, known.2) == (base, text.address.offset, text.room);
         self.bytes.numbers.1.iter().find(is_it).map(|known| known.3)
     }
 
-    /// Remembers how many characters of a text count. What shares bytes with its lengths is forgotten already if they were written.
-    pub(super) fn remember_length(&mut self, text: &Whole, length: Value) {
+    /// Remembers how many characters of a text count. What shares bytes with it is forgotten already if they were written.
+    pub(super) fn remember_characters(&mut self, text: &Whole, characters: Characters) {
         let Some(base) = self.base_of_text(text) else { return };
         if !self.options.optimize || self.cold.is_some() {
             return;
@@ -114,7 +124,7 @@ impl Translator<'_> {
         if lengths.len() == LENGTHS_MAX {
             lengths.remove(0);
         }
-        lengths.push((base, text.address.offset, text.room, length));
+        lengths.push((base, text.address.offset, text.room, characters));
     }
 
     /// What a text is counted from that does not say itself how much room it has, and of which the place is known.

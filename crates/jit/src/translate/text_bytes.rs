@@ -5,12 +5,13 @@
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I8, I8X16, I16, I32, I64};
-use cranelift_codegen::ir::{Block, InstBuilder, Type, Value};
+use cranelift_codegen::ir::{Block, BlockArg, InstBuilder, Type, Value};
 use sieben_engine::ir::verify::{reads, writes};
 use sieben_engine::ir::{Inst, Op, TextAction, Var};
 
 use super::Translator;
 use super::memory::{Address, Bit, data};
+use super::numbers::Characters;
 use super::outside::Outside;
 use super::texts::Whole;
 use super::value::Val;
@@ -26,14 +27,14 @@ pub(super) const PAIRS: [Type; 4] = [I8X16, I64, I32, I16];
 /// What an instruction that is written out leaves.
 pub(super) struct Written {
     pub(super) result: Value,
-    /// How many characters its target has, if it wrote a text there.
-    pub(super) length: Option<Value>,
+    /// What is known of those of its target, if it wrote a text there.
+    pub(super) characters: Option<Characters>,
 }
 
 impl Written {
     /// A result of an instruction that writes no text.
     fn nothing(result: Value) -> Self {
-        Self { result, length: None }
+        Self { result, characters: None }
     }
 }
 
@@ -44,7 +45,7 @@ impl Translator<'_> {
         if let Some(&[_, length]) = self.constant_head(text).as_deref() {
             return self.constant(u32::from(length).min(text.room.characters_max.into()));
         }
-        if let Some(length) = self.known_length(text) {
+        if let Some(Characters { length, .. }) = self.known_characters(text) {
             return length;
         }
         let length = match text.room.wide {
@@ -57,8 +58,21 @@ impl Translator<'_> {
         };
         let most = self.room(text);
         let length = self.fewer(length, most);
-        self.remember_length(text, length);
+        self.remember_characters(text, Characters { length, only: None });
         length
+    }
+
+    /// The only character of a text that never has more than one, if it is known; anything if it has none.
+    pub(super) fn only_character(&mut self, text: &Whole) -> Option<Value> {
+        match self.constant_characters_of(text, 1) {
+            Some(characters) => Some(self.constant(characters.first().copied().unwrap_or(0).into())),
+            None if let Some(only) = self.known_characters(text).and_then(|known| known.only) => Some(only),
+            None if text.most.is_none() && text.characters_there() == 1 && !text.room.wide => {
+                let Address { base, offset, .. } = text.address;
+                Some(self.b.ins().uload8(I32, data(), base, offset + text.room.head() as i32))
+            }
+            None => None,
+        }
     }
 
     /// Both lengths of a STRING, if they are known, as those of a literal are.
@@ -113,13 +127,14 @@ impl Translator<'_> {
             TextAction::Assign if from.empty => {
                 let (room, none) = (self.room(to), self.constant(0));
                 self.store_lengths(to, room, none);
-                Some(Written { result: none, length: Some(none) })
+                Some(Written { result: none, characters: Some(Characters { length: none, only: Some(none) }) })
             }
             TextAction::Assign | TextAction::Piece | TextAction::Append => Some(self.put((index, action), to, from, piece)),
             TextAction::Unsigned | TextAction::Signed | TextAction::SignedAlways => {
                 let result = self.put_digits(action, to, word)?;
                 let room = self.room(to);
-                Some(Written { result, length: Some(self.fewer(result, room)) })
+                let length = self.fewer(result, room);
+                Some(Written { result, characters: Some(Characters { length, only: None }) })
             }
             TextAction::Find => self.find_characters(to, from).map(Written::nothing),
             TextAction::Compare if self.only_equality_counts(index, dst) => Some(Written::nothing(self.differ(to, from))),
@@ -195,12 +210,19 @@ impl Translator<'_> {
             let behind = first + count.min(characters.len() - first);
             characters[first..behind].to_vec()
         });
-        let copied = (put, most.min(most_read).min(count_most));
+        let only = self.only_character(from);
+        let most_put = if only.is_some() { 1 } else { most.min(most_read).min(count_most) };
+        let copied = (put, most_put);
+        let mut written = None;
         match characters {
             // Nothing is cut where the room is known.
             Some(characters) if behind.is_none() && to.most.is_none() && characters.len() as u32 <= most => {
+                if let [] | [_] = characters[..] {
+                    written = Some(self.constant(characters.first().copied().unwrap_or(0).into()));
+                }
                 self.store_characters(target, &characters)
             }
+            _ if most_put == 1 => written = Some(self.put_one((source, only), target, put)),
             Some(characters) => {
                 let [whole, cut, done] = [(); 3].map(|()| self.b.create_block());
                 self.b.set_cold_block(cut);
@@ -229,7 +251,22 @@ impl Translator<'_> {
             }
             _ => count,
         };
-        Written { result, length: Some(end) }
+        let only = written.filter(|_| behind.is_none());
+        Written { result, characters: Some(Characters { length: end, only }) }
+    }
+
+    /// Writes one character or none; the one.
+    fn put_one(&mut self, (from, only): (Address, Option<Value>), to: Address, count: Value) -> Value {
+        let [one, done] = [(); 2].map(|()| self.b.create_block());
+        let result = self.b.append_block_param(done, I32);
+        let nothing = self.constant(0);
+        self.b.ins().brif(count, one, &[], done, &[BlockArg::Value(only.unwrap_or(nothing))]);
+        self.go_on_in(one);
+        let byte = only.unwrap_or_else(|| self.b.ins().uload8(I32, data(), from.base, from.offset));
+        self.b.ins().istore8(data(), byte, to.base, to.offset);
+        self.b.ins().jump(done, &[BlockArg::Value(byte)]);
+        self.go_on_in(done);
+        only.unwrap_or(result)
     }
 
     /// How large a number of characters can be, as far as the statement of an instruction tells.

@@ -59,8 +59,26 @@ impl Translator<'_> {
         }
     }
 
+    /// Two texts of at most one character each, as numbers that have the order and the equality of the texts.
+    fn as_numbers(&mut self, a: &Whole, b: &Whole) -> Option<[Value; 2]> {
+        let only = [self.only_character(a)?, self.only_character(b)?];
+        let lengths = [a, b].map(|text| self.text_length(text));
+        let zero = self.constant(0);
+        Some([0, 1].map(|which| {
+            let some = self.b.ins().iadd_imm_u(only[which], 1);
+            self.b.ins().select(lengths[which], some, zero)
+        }))
+    }
+
     /// 0 if two texts have the same characters, else another number.
     pub(super) fn differ(&mut self, a: &Whole, b: &Whole) -> Value {
+        let is_empty = |text: &Whole| self.constant_characters(text).is_some_and(|characters| characters.is_empty());
+        if !is_empty(a)
+            && !is_empty(b)
+            && let Some([a, b]) = self.as_numbers(a, b)
+        {
+            return self.b.ins().bxor(a, b);
+        }
         match (self.constant_characters(a), self.constant_characters(b)) {
             (Some(characters), _) => return self.differ_from(b, &characters),
             (_, Some(characters)) => return self.differ_from(a, &characters),
@@ -156,6 +174,9 @@ impl Translator<'_> {
 
     /// −1, 0 or 1: the first word in which two texts differ as far as both go, the first character highest, or their lengths.
     pub(super) fn order(&mut self, a: &Whole, b: &Whole) -> Value {
+        if let Some(numbers) = self.as_numbers(a, b) {
+            return self.order_of(numbers);
+        }
         let lengths = [a, b].map(|text| self.text_length(text));
         let known = [a, b].map(|text| self.constant_characters(text));
         let both = self.b.ins().umin(lengths[0], lengths[1]);
@@ -217,6 +238,10 @@ impl Translator<'_> {
     /// Where characters stand in others that are known: one of them is looked for without a look at memory, which would wait for the literal.
     fn find_in_constant(&mut self, characters: &[u8], to: &Whole, from: &Whole) -> Value {
         let count = self.text_length(from);
+        if let Some(wanted) = self.only_character(from) {
+            let (place, zero) = (self.find_one_in_constant(characters, wanted), self.constant(0));
+            return self.b.ins().select(count, place, zero);
+        }
         let [one, others, done] = [(); 3].map(|()| self.b.create_block());
         let result = self.b.append_block_param(done, I32);
         let is_one = self.b.ins().icmp_imm_u(IntCC::Equal, count, 1);
@@ -233,6 +258,14 @@ impl Translator<'_> {
         self.go_on_in(one);
         let Address { base, offset, .. } = from.address;
         let wanted = self.b.ins().uload8(I32, data(), base, offset + from.room.head() as i32);
+        let place = self.find_one_in_constant(characters, wanted);
+        self.b.ins().jump(done, &[BlockArg::Value(place)]);
+        self.go_on_in(done);
+        result
+    }
+
+    /// Where one character stands in others that are known, 0 = nowhere.
+    fn find_one_in_constant(&mut self, characters: &[u8], wanted: Value) -> Value {
         let wanted = self.b.ins().ireduce(I8, wanted);
         let wanted = self.b.ins().splat(I8X16, wanted);
         let mut bits = self.b.ins().iconst(I64, 0);
@@ -253,10 +286,7 @@ impl Translator<'_> {
         let place = self.b.ins().ireduce(I32, place);
         let place = self.b.ins().iadd_imm_u(place, 1);
         let zero = self.constant(0);
-        let place = self.b.ins().select(bits, place, zero);
-        self.b.ins().jump(done, &[BlockArg::Value(place)]);
-        self.go_on_in(done);
-        result
+        self.b.ins().select(bits, place, zero)
     }
 
     /// Where characters stand in a text; `None` = Rust code has to look.

@@ -100,12 +100,12 @@ impl Translator<'_> {
             self.b.seal_block(fast);
             slow
         });
-        let mut length = None;
+        let mut characters = None;
         let result = match &target {
             None => self.text_length(&source),
             Some(target) => match self.text_written_out((action, target, &source, piece), (index, dst, word)) {
                 Some(written) => {
-                    length = written.length;
+                    characters = written.characters;
                     written.result
                 }
                 None => self.call_for_texts(action, target, &source, word),
@@ -121,8 +121,8 @@ impl Translator<'_> {
             let is_text = action != TextAction::Number && !target.room.wide && target.most.is_none();
             let says = base == self.local && is_text && self.constant_bytes(offset, 1).is_some();
             self.forget_text(&target);
-            if let Some(length) = length.filter(|_| is_known) {
-                self.remember_length(&target, length);
+            if let Some(characters) = characters.filter(|_| is_known) {
+                self.remember_characters(&target, characters);
             }
             if says {
                 // It says so again.
