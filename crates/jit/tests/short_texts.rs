@@ -128,14 +128,20 @@ fn statements(b: &mut Builder, dice: &mut Dice) {
     // In some programs all of it is a loop of a few turns.
     let loops = dice.roll(3) == 0;
     let begin = b.next();
+    // The text that was written last, if its place is known: mostly it is looked at again.
+    let mut last: Option<(Place, TextRoom)> = None;
     for statement in 0..STATEMENTS {
         b.begin_statement();
         if dice.roll(2) == 0 {
-            something_else(b, dice);
+            something_else(b, dice, last.map(|(place, _)| place));
         }
         let action = dice.of(&actions);
         let (mut to, mut to_room) = text(b, dice);
-        let (mut from, mut from_room) = if dice.roll(3) == 0 { literal(b, dice) } else { text(b, dice) };
+        let (mut from, mut from_room) = match last {
+            Some(last) if dice.roll(2) == 0 => last,
+            _ if dice.roll(3) == 0 => literal(b, dice),
+            _ => text(b, dice),
+        };
         if matches!(action, TextAction::Find | TextAction::Compare) && dice.roll(2) == 0 {
             // Characters of a text in a literal.
             ((to, to_room), (from, from_room)) = ((from, from_room), (to, to_room));
@@ -143,7 +149,13 @@ fn statements(b: &mut Builder, dice: &mut Dice) {
         if action == TextAction::Number {
             to_room = TextRoom::NUMBER;
         }
-        let piece = number(b, dice, action);
+        let mut piece = number(b, dice, action);
+        if action == TextAction::Piece && dice.roll(3) == 0 {
+            let one = b.constant(dice.of(&[1, 1, 1, 0xFFFF]));
+            piece[1] = b.compute(dice.of(&[Op::Copy, Op::Extend16]), &[one]);
+        }
+        last = matches!((action, to), (TextAction::Assign | TextAction::Piece | TextAction::Append, Place::Fixed { .. }))
+            .then_some((to, to_room));
         let dst = b.temporary();
         b.push(Inst::Text { action, dst, to, to_room, from, from_room, piece });
         let result = at(Area::BitMemory, RESULTS + 4 * statement as u32);
@@ -170,14 +182,20 @@ fn statements(b: &mut Builder, dice: &mut Dice) {
 }
 
 /// Reads or writes bits, bytes or words that may be those of a text.
-fn something_else(b: &mut Builder, dice: &mut Dice) {
+fn something_else(b: &mut Builder, dice: &mut Dice, text: Option<Place>) {
     let width = dice.of(&[Width::Bit, Width::Byte, Width::Word, Width::DoubleWord]);
     let mut place = || {
         let (area, byte) = if dice.roll(2) == 0 { (Area::Local, 0) } else { (Area::BitMemory, TEXTS) };
         let bit = if width == Width::Bit { dice.roll(8) as u32 } else { 0 };
         Place::Fixed { area, position: 8 * (byte + dice.roll(BYTES) as u32) + bit }
     };
-    let [from, to] = [place(), place()];
+    let [from, mut to] = [place(), place()];
+    if let Some(Place::Fixed { area, position }) = text
+        && dice.roll(3) == 0
+    {
+        // Its lengths, or its first characters.
+        to = Place::Fixed { area, position: position + 8 * dice.roll(4) as u32 };
+    }
     let value = match dice.roll(2) {
         0 => b.load(from, width, OnFault::SkipStatement),
         _ => b.constant(dice.roll(1 << 32) & dice.of(&[1, 0x0707_0707, 0xFFFF_FFFF])),
