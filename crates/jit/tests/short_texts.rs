@@ -135,7 +135,11 @@ fn statements(b: &mut Builder, dice: &mut Dice) {
         if dice.roll(2) == 0 {
             something_else(b, dice, last.map(|(place, _)| place));
         }
-        let action = dice.of(&actions);
+        let action = match dice.roll(4) {
+            0 => TextAction::Piece,
+            1 if last.is_some() => dice.of(&[TextAction::Compare, TextAction::Find]),
+            _ => dice.of(&actions),
+        };
         let (mut to, mut to_room) = text(b, dice);
         let (mut from, mut from_room) = match last {
             Some(last) if dice.roll(2) == 0 => last,
