@@ -354,3 +354,47 @@ fn decimals_in_texts_are_the_same_on_all_engines() {
         of(engine.as_ref()).assert_ends_as(&of(reference.as_ref()), &|| String::from_utf8_lossy(&characters).into_owned());
     }
 }
+
+#[test]
+fn a_single_character_that_is_written_over_is_read_again() {
+    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+    for changed in 0..4 {
+        let body = |b: &mut Builder| {
+            let [from, to] = [0, 100].map(|byte| at(Area::BitMemory, TEXTS + byte));
+            let literal = at(Area::Local, LITERAL);
+            let room = TextRoom::narrow(20);
+            b.begin_statement();
+            let [first, one, dst] = [b.constant(2), b.constant(1), b.temporary()];
+            b.push(Inst::Text { action: TextAction::Piece, dst, to, to_room: room, from, from_room: room, piece: [first, one] });
+            b.begin_statement();
+            let other = b.constant(u64::from(b'X'));
+            b.store(at(Area::BitMemory, TEXTS + 100 + changed), Width::Byte, other);
+            for (number, action) in [TextAction::Compare, TextAction::Find].into_iter().enumerate() {
+                b.begin_statement();
+                for (byte, number) in [1, 1, b'c'].into_iter().enumerate() {
+                    let number = b.constant(number.into());
+                    b.store(at(Area::Local, LITERAL + byte as u32), Width::Byte, number);
+                }
+                let [piece, dst] = [b.constant(0), b.temporary()];
+                b.push(Inst::Text { action, dst, to: literal, to_room: TextRoom::narrow(1), from: to, from_room: room, piece: [piece; 2] });
+                b.store(at(Area::BitMemory, RESULTS + 4 * number as u32), Width::DoubleWord, dst);
+            }
+            b.begin_statement();
+            b.push(Inst::Return);
+        };
+        let program = program(&[(BlockId::ob(1), LOCAL, &body)]);
+        let layout = layout(&program);
+        let outcome = |engine: &dyn Engine| {
+            let prepare = |machine: &mut Machine| {
+                let memory = machine.memory.area_mut(Area::BitMemory);
+                memory[TEXTS as usize..][..6].copy_from_slice(&[20, 4, b'a', b'b', b'c', b'd']);
+            };
+            run(engine, &layout, &entry, &prepare, &|_, _, _| Reaction::Continue)
+        };
+        let expected = outcome(&*Interpreter::load(&program, &layout));
+        for status in [StatusBits::All, StatusBits::Needed] {
+            let got = outcome(&*Jit::compiled(&program, &layout, status).expect("machine code"));
+            got.assert_ends_as(&expected, &|| format!("byte {changed}, {status:?}"));
+        }
+    }
+}
