@@ -9,10 +9,9 @@
 use std::collections::BTreeMap;
 use std::env;
 use std::fmt::Write as _;
-use std::path::Path;
 use std::process::Command;
 
-use side_by_side::{Loaded, TURNS, c_program, compiled, load, now_ns};
+use side_by_side::{CProgram, Loaded, TURNS, c_program, compiled, load, now_ns};
 use sieben_engine::{Interpreter, Machine, StatementEvent, Tracer};
 use sieben_jit::{Jit, StatusBits};
 
@@ -179,8 +178,8 @@ fn from_files(name: &str, file: &str, scans: u64) -> Case {
     Case { name: name.to_owned(), stl: read("awl"), c: read("c"), scans }
 }
 
-fn c_ns(program: &Path, scans: u64) -> f64 {
-    let output = Command::new(program).args([scans.to_string(), "5".to_owned()]).output().expect("the C program runs");
+fn c_ns(program: &CProgram, scans: u64) -> f64 {
+    let output = Command::new(program.path()).args([scans.to_string(), "5".to_owned()]).output().expect("the C program runs");
     String::from_utf8_lossy(&output.stdout).trim().parse().expect("nanoseconds")
 }
 

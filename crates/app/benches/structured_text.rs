@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::{env, fs};
 
 use programs::{CHECKED_SCANS, Case, check};
-use side_by_side::{TURNS, c_program, compiled, load, now_ns};
+use side_by_side::{CProgram, TURNS, c_program, compiled, load, now_ns};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
 use sieben_jit::{Jit, StatusBits};
 
@@ -29,8 +29,8 @@ const INTERPRETED_SCANS: u64 = 40;
 const C_FLAGS: &[&str] = &["-ffp-contract=off"];
 
 /// Nanoseconds of a scan, and `check` behind the last one.
-fn c_turn(program: &Path, scans: u64) -> (f64, i32) {
-    let output = Command::new(program).arg(scans.to_string()).output().expect("the C program runs");
+fn c_turn(program: &CProgram, scans: u64) -> (f64, i32) {
+    let output = Command::new(program.path()).arg(scans.to_string()).output().expect("the C program runs");
     let text = String::from_utf8_lossy(&output.stdout);
     let (ns, check) = text.trim().split_once(' ').expect("two figures");
     (ns.parse().expect("nanoseconds"), check.parse().expect("a number"))

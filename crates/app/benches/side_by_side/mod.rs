@@ -65,13 +65,29 @@ pub(crate) fn read(file: &str) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// Compiles a C program together with a `main` and its header, both in a folder below `benches`; the executable.
-pub(crate) fn c_program(name: &str, text: &str, main: &str, flags: &[&str], index: usize) -> PathBuf {
-    let folder = env::temp_dir().join(format!("sieben-bench-{}", std::process::id()));
-    fs::create_dir_all(&folder).expect("a temporary folder");
-    let source = folder.join(format!("{index}.c"));
+/// A compiled C program, in a temporary folder that goes with it.
+pub(crate) struct CProgram(PathBuf);
+
+impl CProgram {
+    /// The executable.
+    pub(crate) fn path(&self) -> PathBuf {
+        self.0.join("program")
+    }
+}
+
+impl Drop for CProgram {
+    fn drop(&mut self) {
+        // What cannot be removed is left to whoever cleans the folder of temporary files.
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Compiles a C program together with a `main` and its header, both in a folder below `benches`.
+pub(crate) fn c_program(name: &str, text: &str, main: &str, flags: &[&str], index: usize) -> CProgram {
+    let compiled = CProgram(env::temp_dir().join(format!("sieben-bench-{}-{index}-{}", std::process::id(), flags.len())));
+    fs::create_dir_all(&compiled.0).expect("a temporary folder");
+    let source = compiled.0.join("program.c");
     fs::write(&source, text).expect("a temporary file");
-    let program = folder.join(format!("{index}-{}", flags.len()));
     let main = root().join("benches").join(main);
     let status = Command::new("cc")
         .arg("-O3")
@@ -81,10 +97,10 @@ pub(crate) fn c_program(name: &str, text: &str, main: &str, flags: &[&str], inde
         .arg(&source)
         .arg(&main)
         .arg("-o")
-        .arg(&program)
+        .arg(compiled.path())
         .status();
     assert!(status.is_ok_and(|status| status.success()), "the system's C compiler compiles {name}");
-    program
+    compiled
 }
 
 /// A program in an engine, and the memory that it works on.
