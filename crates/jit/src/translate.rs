@@ -789,6 +789,10 @@ impl<'a> Translator<'a> {
             {
                 self.set(dst, Val::Const(u64::from(least)));
             }
+            Inst::Compute { op: Op::PassOnPointer, dst, args } if self.ranges.is_passed_on_as_it_is(index) => {
+                let pointer = self.get(args[0]);
+                self.set(dst, pointer);
+            }
             Inst::Compute { op, dst, args } => {
                 let result = self.compute(op, dst, args);
                 self.note_range(index, result);

@@ -7,6 +7,7 @@
 use std::ops::Range;
 
 use sieben_engine::Layout;
+use sieben_engine::access::pointed_area;
 use sieben_engine::ir::{Callee, Code, Inst, Op, Place, Var, verify};
 use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
@@ -304,7 +305,7 @@ impl Translator<'_> {
 /// The pointers that a block reads and follows, or hands on; `None` if it does anything else with them.
 pub(super) fn pairs(code: &Code, pointers: &InstancePointer, (effects, find): (&[Option<Effects>], Find<'_>)) -> Option<Vec<Pair>> {
     let mut pairs: Vec<Pair> = Vec::new();
-    let mut follows = Follower { code, pointers, effects, find };
+    let mut follows = Follower { code, pointers, effects, find, handed: Vec::new() };
     // What counts as a pointer is known only when all statements have been seen.
     for statement in 0..code.statement_count() as u32 {
         follows.statement(statement, &mut pairs, false)?;
@@ -318,9 +319,17 @@ pub(super) fn pairs(code: &Code, pointers: &InstancePointer, (effects, find): (&
 /// What a temporary holds.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Held {
+    Constant(u64),
     Parameter(u16),
     Number(Source),
     Pointer(Source),
+}
+
+/// Where a block writes what it hands on: behind AR2, or in its local data.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Handed {
+    Instance(u32),
+    Local(u32),
 }
 
 struct Follower<'a> {
@@ -328,13 +337,16 @@ struct Follower<'a> {
     pointers: &'a InstancePointer,
     effects: &'a [Option<Effects>],
     find: Find<'a>,
+    /// Where pairs are written that are handed on, and their bits.
+    handed: Vec<(Handed, u32)>,
 }
 
 impl Follower<'_> {
     /// Finds the pairs of a statement, or makes sure that nothing else is done with those that were found.
     fn statement(&mut self, statement: u32, pairs: &mut Vec<Pair>, looks: bool) -> Option<()> {
         let mut held: Vec<(Var, Held)> = Vec::new();
-        let mut stored: Vec<(u32, Held)> = Vec::new();
+        let mut stored: Vec<(Handed, Held)> = Vec::new();
+        let mut passed: Vec<Option<Held>> = Vec::new();
         let mut opened = None;
         let mut instance = self.pointers.at(statement);
         let first = self.code.statements[statement as usize];
@@ -344,8 +356,10 @@ impl Follower<'_> {
             let mut followed = None;
             let mut reads_as_such: Vec<Var> = Vec::new();
             match *inst {
+                Inst::Constant { value, .. } => result = Some(Held::Constant(value)),
                 Inst::Parameter { index, .. } => result = Some(Held::Parameter(index)),
-                Inst::Compute { op: Op::Copy, args, .. } => {
+                Inst::PassParameter { src } => passed.push(of(src)),
+                Inst::Compute { op: Op::Copy | Op::PassOnPointer, args, .. } => {
                     result = of(args[0]);
                     reads_as_such.push(args[0]);
                 }
@@ -375,14 +389,21 @@ impl Follower<'_> {
                         Width::DoubleWord => Some(Held::Pointer(source)),
                         _ => None,
                     });
+                    if looks && self.may_be_handed_on(place, width, instance) {
+                        return None;
+                    }
                     followed = Some(place);
                 }
                 Inst::Store { place, src, .. } => {
-                    if let (Place::Indirect { area: Area::InstanceData, pointer, offset }, Some(added), Some(held)) =
-                        (place, instance, of(src))
-                        && pointer.register() == Some(Register::Ar2)
-                    {
-                        stored.push((added.wrapping_add(offset), held));
+                    let at = match place {
+                        Place::Fixed { area: Area::Local, position } => Some(Handed::Local(position)),
+                        Place::Indirect { area: Area::InstanceData, pointer, offset } if pointer.register() == Some(Register::Ar2) => {
+                            instance.map(|added| Handed::Instance(added.wrapping_add(offset)))
+                        }
+                        _ => None,
+                    };
+                    if let (Some(at), Some(held)) = (at, of(src)) {
+                        stored.push((at, held));
                         reads_as_such.push(src);
                     }
                     followed = Some(place);
@@ -396,21 +417,24 @@ impl Follower<'_> {
                         self.follow(place, &of, opened, pairs_if(pairs, !looks), &mut reads_as_such);
                     }
                 }
-                Inst::Call { callee: Callee::Block(id), .. } => {
+                Inst::Call { callee: Callee::Block(id), parameters } => {
                     let effects = (self.find)(id).and_then(|code| self.effects[code as usize].as_ref());
-                    let handed = effects.into_iter().flat_map(|effects| &effects.pointed);
-                    for pointed in handed {
-                        let (Some(Source::Instance(number)), Source::Instance(pointer), Some(added)) =
-                            (pointed.number, pointed.pointer, instance)
-                        else {
-                            continue;
-                        };
-                        let find =
-                            |offset: u32| stored.iter().rev().find(|(at, _)| *at == added.wrapping_add(offset)).map(|&(_, held)| held);
-                        if let (Some(Held::Number(number)), Some(Held::Pointer(pointer))) = (find(number), find(pointer)) {
-                            add(pairs_if(pairs, !looks), (number, pointer));
+                    let given = passed.split_off(passed.len().saturating_sub(usize::from(parameters)));
+                    let handed = |source: Source| match source {
+                        Source::Instance(offset) => instance.map(|added| Handed::Instance(added.wrapping_add(offset))),
+                        Source::Given(parameter, offset) => match given.get(usize::from(parameter)) {
+                            Some(Some(Held::Constant(pointer))) => own_local(*pointer, offset).map(Handed::Local),
+                            _ => None,
+                        },
+                    };
+                    for pointed in effects.into_iter().flat_map(|effects| &effects.pointed) {
+                        let (Some(number), Some(pointer)) = (pointed.number.and_then(handed), handed(pointed.pointer)) else { continue };
+                        let find = |place: Handed| stored.iter().rev().find(|(at, _)| *at == place).map(|&(_, held)| held);
+                        if let (Some(Held::Number(of_number)), Some(Held::Pointer(of_pointer))) = (find(number), find(pointer)) {
+                            add(pairs_if(pairs, !looks), (of_number, of_pointer));
+                            self.handed.extend([(number, Width::Word.bits()), (pointer, Width::DoubleWord.bits())]);
                         }
-                        stored.retain(|(at, _)| ![number, pointer].map(|offset| added.wrapping_add(offset)).contains(at));
+                        stored.retain(|(at, _)| ![number, pointer].contains(at));
                     }
                     held.clear();
                     opened = None;
@@ -439,6 +463,20 @@ impl Follower<'_> {
         (!looks || !stored.iter().any(|&(_, held)| is_in(pairs, held))).then_some(())
     }
 
+    /// Whether a place is one where pointers are written for others: as numbers they are not what they are when the block is looked at.
+    fn may_be_handed_on(&self, place: Place, width: Width, instance: Option<u32>) -> bool {
+        let shares = |own: u32, bits: u32| own < bits || own.wrapping_neg() < width.bits();
+        self.handed.iter().any(|&(handed, bits)| match (place, handed) {
+            (Place::Fixed { area: Area::Local, position }, Handed::Local(at)) => shares(position.wrapping_sub(at), bits),
+            (Place::Indirect { area: Area::Local, .. }, Handed::Local(_)) => true,
+            (Place::Indirect { area: Area::InstanceData, pointer, offset }, Handed::Instance(at)) => {
+                let added = instance.filter(|_| pointer.register() == Some(Register::Ar2));
+                added.is_some_and(|added| shares(added.wrapping_add(offset).wrapping_sub(at), bits))
+            }
+            _ => false,
+        })
+    }
+
     /// Follows a pointer to what it leads to.
     fn follow(
         &self,
@@ -456,10 +494,17 @@ impl Follower<'_> {
     }
 }
 
+/// The bit of the local data to which a pointer leads that a block hands to one which it calls.
+fn own_local(pointer: u64, offset: u32) -> Option<u32> {
+    let position = pointer as u32 & 0x00FF_FFFF;
+    let is_own = pointed_area(pointer, false) == Ok(Area::CallerLocal) && position >> CALLS_SHIFT == 0;
+    is_own.then(|| position.wrapping_add(offset))
+}
+
 /// Whether a value is a pointer that is followed, or the number that belongs to one.
 fn is_in(pairs: &[Pair], held: Held) -> bool {
     match held {
-        Held::Parameter(_) => false,
+        Held::Constant(_) | Held::Parameter(_) => false,
         Held::Number(source) => pairs.iter().any(|pair| pair.0 == source),
         Held::Pointer(source) => pairs.iter().any(|pair| pair.1 == source),
     }

@@ -6,6 +6,7 @@ use cranelift_codegen::ir::immediates::Ieee32;
 use cranelift_codegen::ir::types::{F32, I16, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, InstructionData, MemFlagsData, Opcode, Value, ValueDef};
 use sieben_engine::ir::Op;
+use sieben_engine::machine::CALLS_SHIFT;
 use sieben_model::address::Width;
 
 use super::quotients::factor_f32;
@@ -212,6 +213,14 @@ impl Translator<'_> {
             Op::BitOf if let Some(bit) = b.constant() => { let bit = bit & 63; let a = self.word(a); let moved = self.b.ins().ushr_imm_u(a, bit as i64); Val::Bit { value: self.b.ins().ireduce(I32, moved), clean: false } }
 
             // Pointers and status.
+            Op::PassOnPointer => {
+                let pointer = self.int(a);
+                let calls = self.b.ins().ushr_imm_u(pointer, i64::from(CALLS_SHIFT));
+                let calls = self.b.ins().iadd_imm_s(calls, -(0x8700_0000_i64 >> CALLS_SHIFT));
+                let has_room = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, calls, 0x1F);
+                let farther = self.b.ins().iadd_imm_u(pointer, 1 << CALLS_SHIFT);
+                Val::Int(self.b.ins().select(has_room, farther, pointer))
+            }
             Op::AddPointer => {
                 let (register, offset) = (self.int(a), self.i16(b));
                 let sum = self.b.ins().iadd(register, offset);

@@ -85,6 +85,8 @@ pub(super) struct Ranges {
     texts: FxHashMap<u32, [Option<TextPlace>; 2]>,
     /// Conditions that always hold.
     met: FxHashSet<u32>,
+    /// Pointers that are the same one call further in.
+    passed_on: FxHashSet<u32>,
     /// Ranges of results, of numbers without sign.
     results: FxHashMap<u32, (u32, u32)>,
     /// Areas to which pointers go that are not known beforehand and may name any: by instruction, and whether it is written.
@@ -150,6 +152,11 @@ impl Ranges {
     /// Whether the condition of an instruction always holds.
     pub(super) fn is_met(&self, inst: u32) -> bool {
         self.met.contains(&inst)
+    }
+
+    /// Whether a pointer that an instruction passes on leads nowhere near the local data of the caller, and so stays as it is.
+    pub(super) fn is_passed_on_as_it_is(&self, inst: u32) -> bool {
+        self.passed_on.contains(&inst)
     }
 
     /// The least and the greatest result of an instruction.

@@ -1,6 +1,7 @@
 //! Ranges of values, and what operations make of them.
 
 use sieben_engine::ir::Op;
+use sieben_engine::machine::CALLS_SHIFT;
 
 /// What is known of a value: it is `x` modulo 2 to the power of its bits, for some `x` from `least` to `most`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +16,9 @@ pub(in crate::translate) struct Interval {
 
 /// Beyond this nothing is worth knowing of a value of up to 32 bits.
 const FAR: i128 = 1 << 40;
+
+/// A pointer to the local data of the caller, without the bits that say where it leads there.
+const LOCAL_OF_CALLER: i128 = 0x8700_0000 >> CALLS_SHIFT;
 
 /// How far below 0 a constant counts as negative: a pointer is not.
 const NEGATIVE_MAX: i64 = 1 << 20;
@@ -46,6 +50,12 @@ impl Interval {
     pub(in crate::translate) fn exact(&self) -> Option<u64> {
         let mask = if self.bits == 64 { u64::MAX } else { (1 << self.bits) - 1 };
         (self.least == self.most).then_some(self.least as u64 & mask)
+    }
+
+    /// Whether a pointer leads nowhere in the local data of the caller.
+    pub(super) fn leads_elsewhere(&self) -> bool {
+        let (least, most) = self.unsigned(32);
+        most >> CALLS_SHIFT < LOCAL_OF_CALLER || least >> CALLS_SHIFT > LOCAL_OF_CALLER | 0x1F
     }
 
     /// The same constant; one a little below 0 as such, since a counter that begins there goes on above 0.
@@ -298,6 +308,8 @@ pub(in crate::translate) fn result(op: Op, [a, b, c]: [Interval; 3]) -> Interval
             computed(|a, b| a + b, a.unsigned(64), b.unsigned(64), b.zeros.min(32), 64)
         }
         Op::Copy => a,
+        Op::OverflowsI16 => outside(a.signed(32), 16),
+        Op::OverflowsI32 => outside(a.signed(64), 32),
         Op::Low8 => low(a, 8),
         Op::Low16 => low(a, 16),
         Op::Low32 => low(a, 32),
@@ -333,6 +345,16 @@ pub(in crate::translate) fn result(op: Op, [a, b, c]: [Interval; 3]) -> Interval
         Op::DivU64 => quotient(Number::Unsigned(64), a, b),
         Op::Select => b.joined(&c),
         Op::Gate => a.joined(&Interval { bits: a.bits, ..Interval::constant(0) }),
+        Op::PassOnPointer => {
+            let (least, most) = a.unsigned(32);
+            match (least >> CALLS_SHIFT, most >> CALLS_SHIFT) {
+                (first, last) if first == last && first == LOCAL_OF_CALLER => {
+                    computed(|a, b| a + b, (least, most), (1 << CALLS_SHIFT, 1 << CALLS_SHIFT), a.zeros, 32)
+                }
+                _ if a.leads_elsewhere() => low(a, 32),
+                _ => Interval { zeros: a.zeros.min(CALLS_SHIFT), ..Interval::any(32) },
+            }
+        }
         Op::AddPointer => {
             let sum = computed(|a, b| a + b, a.unsigned(32), b.signed(16), a.zeros.min(b.zeros), 32);
             // The area stays, and the position turns over inside it.
@@ -345,6 +367,18 @@ pub(in crate::translate) fn result(op: Op, [a, b, c]: [Interval; 3]) -> Interval
             }
         }
         _ => Interval::any(64),
+    }
+}
+
+/// Whether a number is none with sign of so many bits.
+fn outside((least, most): (i128, i128), bits: u32) -> Interval {
+    let half = 1_i128 << (bits - 1);
+    if least >= -half && most < half {
+        Interval::constant(0)
+    } else if most < -half || least >= half {
+        Interval::constant(1)
+    } else {
+        flag()
     }
 }
 
@@ -404,6 +438,12 @@ fn overflow(op: Op) -> Option<(Compute, Number)> {
         Op::MulOverflowsU8 => (multiply, Unsigned(8)),
         Op::MulOverflowsU16 => (multiply, Unsigned(16)),
         Op::MulOverflowsU32 => (multiply, Unsigned(32)),
+        Op::AddOverflowsI64 => (add, Signed(64)),
+        Op::AddOverflowsU64 => (add, Unsigned(64)),
+        Op::SubOverflowsI64 => (subtract, Signed(64)),
+        Op::SubOverflowsU64 => (subtract, Unsigned(64)),
+        Op::MulOverflowsI64 => (multiply, Signed(64)),
+        Op::MulOverflowsU64 => (multiply, Unsigned(64)),
         _ => return None,
     })
 }

@@ -35,6 +35,10 @@ impl Analysis<'_> {
                 }
                 Inst::Compute { op, dst, args } => {
                     let args = args.map(|arg| self.get(&state, &temporaries, arg));
+                    let pointer = args[0].range;
+                    if notes && op == Op::PassOnPointer && pointer.bits <= 32 && pointer.leads_elsewhere() {
+                        self.found.passed_on.insert(index);
+                    }
                     let known = self.compute(op, args);
                     put(&mut state, &mut temporaries, dst, known);
                 }
@@ -222,6 +226,10 @@ impl Analysis<'_> {
         let is_bit = |known: Known| known.range.unsigned(64).1 <= 1;
         match op {
             Op::Copy => return a,
+            Op::Low8 if a.range.bits <= 8 => return a,
+            Op::Low16 if a.range.bits <= 16 => return a,
+            Op::Low32 if a.range.bits <= 32 => return a,
+            Op::PassOnPointer if a.range.bits <= 32 && a.range.leads_elsewhere() => return a,
             Op::Select => match exact(a) {
                 Some(true) => return b,
                 Some(false) => return c,
