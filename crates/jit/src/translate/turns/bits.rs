@@ -137,6 +137,7 @@ fn condition(kernel: &Kernel, node: Node, own: Node, step: Node) -> Option<Condi
         Op::LeI16 => made(a, b, true, 16),
         Op::LtI16 => made(a, b, false, 16),
         Op::LeU64 => unsigned(a, b, true),
+        Op::Below => unsigned(a, b, false),
         Op::GeU64 => unsigned(b, a, true),
         Op::GtU64 => unsigned(b, a, false),
         // A step that is a variable may be below 0, and may lead out of the type.

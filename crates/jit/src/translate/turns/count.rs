@@ -22,6 +22,8 @@ pub(super) struct Count {
     pub(super) limit: Option<Node>,
     step: i64,
     bits: u32,
+    /// Whether these are numbers with sign.
+    signed: bool,
     /// Whether the limit itself is one more turn.
     inclusive: bool,
 }
@@ -30,21 +32,32 @@ pub(super) struct Count {
 pub(super) fn condition(kernel: &Kernel, level: Level) -> Option<Count> {
     let What::Compute(op, [counter, limit, ..]) = kernel.what(kernel.turn(level).again) else { return None };
     let Line { step, bits } = kernel.line(counter, level)?;
-    let up = match op {
+    let (up, inclusive) = match op {
         Op::IsNonzero if bits == 16 && step == 0xFFFF => {
-            return Some(Count { counter, limit: None, step: -1, bits, inclusive: false });
+            return Some(Count { counter, limit: None, step: -1, bits, signed: false, inclusive: false });
         }
-        Op::LeI32 | Op::LtI32 | Op::LeI16 | Op::LtI16 => true,
-        Op::GeI32 | Op::GtI32 | Op::GeI16 | Op::GtI16 => false,
+        Op::LeI32 | Op::LeI16 | Op::LeU64 => (true, true),
+        Op::LtI32 | Op::LtI16 | Op::Below => (true, false),
+        Op::GeI32 | Op::GeI16 | Op::GeU64 => (false, true),
+        Op::GtI32 | Op::GtI16 | Op::GtU64 => (false, false),
         _ => return None,
     };
-    let halves = matches!(op, Op::LeI16 | Op::LtI16 | Op::GeI16 | Op::GtI16);
-    if halves != (bits == 16) || !kernel.line(limit, level)?.is_same() {
+    let signed = !is_unsigned(op);
+    let fits = match op {
+        _ if !signed => kernel.is_32_bits(counter) && kernel.is_32_bits(limit),
+        Op::LeI16 | Op::LtI16 | Op::GeI16 | Op::GtI16 => bits == 16,
+        _ => bits == 32,
+    };
+    if !fits || !kernel.line(limit, level)?.is_same() {
         return None;
     }
-    let step = if halves { i64::from(step as u16 as i16) } else { i64::from(step as i32) };
-    let inclusive = matches!(op, Op::LeI32 | Op::LeI16 | Op::GeI32 | Op::GeI16);
-    (step != 0 && (step > 0) == up).then_some(Count { counter, limit: Some(limit), step, bits, inclusive })
+    let step = if bits == 16 { i64::from(step as u16 as i16) } else { i64::from(step as i32) };
+    (step != 0 && (step > 0) == up).then_some(Count { counter, limit: Some(limit), step, bits, signed, inclusive })
+}
+
+/// Whether an operation that may decide about another turn compares numbers without sign.
+pub(super) fn is_unsigned(op: Op) -> bool {
+    matches!(op, Op::LeU64 | Op::Below | Op::GeU64 | Op::GtU64)
 }
 
 impl Count {
@@ -58,24 +71,35 @@ impl Count {
 
     /// The greatest and the least number of its type.
     fn limits(self) -> (i64, i64) {
-        if self.bits == 16 { (i64::from(i16::MIN), i64::from(i16::MAX)) } else { (i64::from(i32::MIN), i64::from(i32::MAX)) }
+        match (self.signed, self.bits) {
+            (true, 16) => (i64::from(i16::MIN), i64::from(i16::MAX)),
+            (true, _) => (i64::from(i32::MIN), i64::from(i32::MAX)),
+            (false, 16) => (0, i64::from(u16::MAX)),
+            (false, _) => (0, i64::from(u32::MAX)),
+        }
     }
 
-    fn signed(self, value: u64) -> i64 {
-        match (self.limit, self.bits) {
-            (None, _) => i64::from(value as u16),
-            (_, 16) => i64::from(value as u16 as i16),
-            _ => i64::from(value as u32 as i32),
+    fn counted(self, counter: u64) -> i64 {
+        match (self.signed, self.bits) {
+            (true, 16) => i64::from(counter as u16 as i16),
+            (true, _) => i64::from(counter as u32 as i32),
+            (false, 16) => i64::from(counter as u16),
+            (false, _) => i64::from(counter as u32),
         }
+    }
+
+    /// The limit, which may be beyond what the counter may become if it has no sign.
+    fn limited(self, limit: u64) -> i64 {
+        if self.signed { self.counted(limit) } else { i64::from(limit as u32) }
     }
 
     /// How many turns a loop makes whose first counter and limit are constants.
     pub(super) fn constant(self, counter: u64, limit: u64) -> Option<i64> {
-        let turns = self.turns(self.signed(counter), self.signed(limit));
-        let last = self.signed(counter) + (turns - 1) * self.step;
+        let turns = self.turns(self.counted(counter), self.limited(limit));
+        let last = self.counted(counter) + (turns - 1) * self.step;
         let (least, most) = self.limits();
         // Nor may the first step turn over: what the counter held before lies on the line, too.
-        let first = self.signed(counter) - self.step;
+        let first = self.counted(counter) - self.step;
         let inside = self.limit.is_none() || (least..=most).contains(&last) && (least..=most).contains(&first);
         (inside && turns <= INNER_TURNS_MAX).then_some(turns)
     }
@@ -103,7 +127,12 @@ impl Translator<'_> {
         if count.limit.is_none() {
             return (self.b.ins().iadd_imm_s(counter, 1), None);
         }
-        let limit = self.counted(count, limit);
+        let limit = if count.signed {
+            self.counted(count, limit)
+        } else {
+            let limit = self.int(limit);
+            self.b.ins().uextend(I64, limit)
+        };
         let way = if count.step > 0 { self.b.ins().isub(limit, counter) } else { self.b.ins().isub(counter, limit) };
         let way = if count.inclusive { way } else { self.b.ins().iadd_imm_s(way, -1) };
         let steps = match count.step.unsigned_abs() {
@@ -128,13 +157,13 @@ impl Translator<'_> {
     }
 
     fn counted(&mut self, count: Count, value: Val) -> Value {
-        if count.limit.is_none() {
-            let value = self.int(value);
-            let low = self.b.ins().band_imm_u(value, 0xFFFF);
-            return self.b.ins().uextend(I64, low);
+        if count.signed {
+            let value = if count.bits == 16 { self.i16(value) } else { self.int(value) };
+            return self.b.ins().sextend(I64, value);
         }
-        let value = if count.bits == 16 { self.i16(value) } else { self.int(value) };
-        self.b.ins().sextend(I64, value)
+        let value = self.int(value);
+        let value = if count.bits == 16 { self.b.ins().band_imm_u(value, 0xFFFF) } else { value };
+        self.b.ins().uextend(I64, value)
     }
 }
 
@@ -164,7 +193,7 @@ mod tests {
     fn turns_are_those_that_the_condition_makes() {
         for step in [-7, -2, -1, 1, 2, 3, 8] {
             for inclusive in [false, true] {
-                let count = Count { counter: Node::numbered(0), limit: Some(Node::numbered(0)), step, bits: 32, inclusive };
+                let count = Count { counter: Node::numbered(0), limit: Some(Node::numbered(0)), step, bits: 32, signed: true, inclusive };
                 for counter in -20..20 {
                     for limit in -20..20 {
                         assert_eq!(count.turns(counter, limit), counted(count, counter, limit), "{count:?} {counter} {limit}");

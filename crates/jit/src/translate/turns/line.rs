@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
 
+use super::count::is_unsigned;
 use super::divide::greatest;
 use super::extremes::Extreme;
 use super::kernel::{Cell, Kernel, Level, Node, Step, Turn, What};
@@ -93,7 +94,7 @@ impl Kernel {
     fn line_of(&self, node: Node, level: Level) -> Option<Line> {
         match self.what(node) {
             What::Constant(_) => Some(Line::SAME),
-            What::Start(of, cell) if of == level => self.cell_line(level, cell),
+            What::Start(of, cell) if of == level => self.start_line(level, cell),
             What::Start(Level::Outer, _) => Some(Line::SAME),
             // The inner loop is the same for all turns of the outer one as far as where it begins.
             What::Start(Level::Inner, cell) => {
@@ -136,6 +137,16 @@ impl Kernel {
             }
             _ => None,
         }
+    }
+
+    /// The line on which lies what a cell holds when a turn begins. A counter without sign does not leave its type while turns follow: see
+    /// `count`.
+    pub(super) fn start_line(&self, level: Level, cell: Cell) -> Option<Line> {
+        let line = self.cell_line(level, cell)?;
+        let What::Compute(op, [counter, ..]) = self.what(self.turn(level).again) else { return Some(line) };
+        let is_counter = level == Level::Outer && is_unsigned(op) && self.turn(level).ends.get(&cell) == Some(&counter);
+        let widened = is_counter && line.bits == 16;
+        Some(if widened { Line { step: i32::from(line.step as u16 as i16) as u32, bits: 32 } } else { line })
     }
 
     /// Whether a value is what the cell holds when a turn begins whose end decides, as an INT, whether another turn follows.

@@ -835,7 +835,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     }
                     // An inner loop's line is the same for turns side by side, or begins on a line of the outer one.
                     let across = match level {
-                        Level::Outer => line,
+                        Level::Outer => self.kernel.start_line(level, cell).unwrap_or(line),
                         Level::Inner => self.kernel.line(self.plan.entry(cell), Level::Outer).unwrap_or(Line::SAME),
                     };
                     let value = if self.lanes > 1 && !across.is_same() { Lanes::Line(value, across) } else { Lanes::One(value) };
