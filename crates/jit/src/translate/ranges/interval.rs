@@ -53,7 +53,7 @@ impl Interval {
     }
 
     /// Whether a pointer leads nowhere in the local data of the caller.
-    pub(super) fn leads_elsewhere(&self) -> bool {
+    pub(in crate::translate) fn leads_elsewhere(&self) -> bool {
         let (least, most) = self.unsigned(32);
         most >> CALLS_SHIFT < LOCAL_OF_CALLER || least >> CALLS_SHIFT > LOCAL_OF_CALLER | 0x1F
     }

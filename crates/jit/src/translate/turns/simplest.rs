@@ -116,6 +116,7 @@ impl Reader<'_, '_> {
     /// What stays on a line, where the operation itself would hide it; and operations of which there are vectors.
     fn simpler(&mut self, op: Op, [a, b, ..]: [Node; 4]) -> Option<Node> {
         match op {
+            Op::PassOnPointer if self.kernel.is_32_bits(a) && self.range(a, DEPTH_MAX).leads_elsewhere() => Some(a),
             // A whole number near a REAL is a REAL.
             Op::RoundF64 | Op::CeilF64 | Op::FloorF64 | Op::TruncF64 => {
                 let What::Compute(Op::F32ToF64, of) = self.kernel.what(a) else { return None };
