@@ -50,6 +50,13 @@ pub(crate) struct Native {
 }
 
 impl Native {
+    /// Whether nobody needs so many bytes of the local data between statements.
+    pub(crate) fn is_handed(&self, at: i32, bytes: u32) -> bool {
+        let Ok(at) = u32::try_from(at) else { return false };
+        let index = self.handed.partition_point(|piece| piece.end <= at);
+        self.handed.get(index).is_some_and(|piece| piece.start <= at && at + bytes <= piece.end)
+    }
+
     /// The statement of an instruction.
     pub(crate) fn statement_of(&self, inst: usize) -> u32 {
         // The last entry marks the end of the code.

@@ -395,12 +395,8 @@ impl Translator<'_> {
     pub(super) fn drop_what_was_handed(&mut self, left: &[Inst]) {
         let ends = left.iter().all(|inst| matches!(inst, Inst::Jump { .. }));
         if self.options.forgets_locals && !self.options.exact && ends && !self.native().handed.is_empty() {
-            let (handed, first) = (&self.blocks[self.index].handed, self.local_offset);
-            self.drop_local(|at| {
-                let Ok(at) = u32::try_from(at - first) else { return false };
-                let index = handed.partition_point(|bytes| bytes.end <= at);
-                handed.get(index).is_some_and(|bytes| bytes.contains(&at))
-            });
+            let (block, first) = (&self.blocks[self.index], self.local_offset);
+            self.drop_local(|at| block.is_handed(at - first, 1));
         }
     }
 

@@ -14,7 +14,7 @@ use super::vector::{Lanes, little};
 use super::write::{Form, Writing};
 
 /// Operations of a turn that are done in order.
-const OPERATIONS_MAX: usize = 10;
+const OPERATIONS_MAX: usize = 16;
 
 /// What is done in the order of the turns.
 #[derive(Clone, Debug, Default)]

@@ -28,7 +28,7 @@ const INSTRUCTIONS_MAX: usize = 2000;
 /// Longer ones are done one by one as they are written.
 const INSTRUCTIONS_ALONE_MAX: usize = 640;
 /// Instructions that a turn computes though it may jump over them, where turns are done side by side.
-const CHOSEN_MAX: usize = 400;
+const CHOSEN_MAX: usize = 500;
 /// The same where they are done one by one: beyond that, it would be faster to jump.
 const CHOSEN_ALONE_MAX: usize = 160;
 /// What a division by an unknown number counts among them.
@@ -174,6 +174,7 @@ impl Reader<'_, '_> {
         let again = self.statements((first, last), &mut steps)?;
         self.write_held(&mut steps);
         self.held.forget();
+        self.forget_handed();
         let weight = weight((last - first) as usize);
         let (blocks, blocks_most) = (self.blocks, self.blocks_most);
         Some(Turn { steps, ends: std::mem::take(&mut self.now), entry: BTreeMap::new(), again: again?, weight, blocks, blocks_most })
@@ -467,6 +468,19 @@ impl Reader<'_, '_> {
         let cells = &self.kernel.cells;
         self.now.retain(|cell, _| match cells[cell.number()] {
             Kept::Memory { base: Base::Local, offset, .. } => offset < first,
+            _ => true,
+        });
+    }
+
+    /// Forgets what the block handed to others through its local data, if nobody needs it behind the statement that did so.
+    fn forget_handed(&mut self) {
+        let t = &*self.translator;
+        if !t.options.forgets_locals {
+            return;
+        }
+        let (cells, first) = (&self.kernel.cells, t.local_offset);
+        self.now.retain(|cell, _| match cells[cell.number()] {
+            Kept::Memory { base: Base::Local, offset, width, .. } => !t.native().is_handed(offset - first, width.bytes()),
             _ => true,
         });
     }
