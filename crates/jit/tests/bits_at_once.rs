@@ -108,6 +108,7 @@ impl Maker<'_> {
             (Type::Int, false) => self.b.compute(Op::LtI16, &[next, limit]),
             (_, true) if self.dice.roll(2) == 0 => self.b.compute(Op::LeU64, &[next, limit]),
             (_, true) => self.b.compute(Op::GeU64, &[limit, next]),
+            (_, false) if self.dice.roll(2) == 0 => self.b.compute(Op::Below, &[next, limit]),
             (_, false) => self.b.compute(Op::GtU64, &[limit, next]),
         };
         let (below, ge, overflows) = match self.of {
