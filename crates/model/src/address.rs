@@ -47,7 +47,7 @@ impl Area {
     }
 
     /// The code of the area in byte 3 of an area-crossing pointer; reads and writes of the peripheral share 16#80.
-    pub fn pointer_code(self) -> u8 {
+    pub const fn pointer_code(self) -> u8 {
         match self {
             Self::PeripheralInput | Self::PeripheralOutput => 0x80,
             Self::Input => 0x81,

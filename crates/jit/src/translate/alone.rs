@@ -7,12 +7,11 @@
 use std::ops::Range;
 
 use sieben_engine::Layout;
-use sieben_engine::access::pointed_area;
 use sieben_engine::ir::{Callee, Code, Inst, Op, Place, Var, verify};
 use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 
-use super::effects::{Effects, Source};
+use super::effects::{Effects, Source, own_local};
 use super::inside::FIRST_BYTE;
 use super::instance_pointer::InstancePointer;
 use super::promote::Base;
@@ -423,7 +422,9 @@ impl Follower<'_> {
                     let handed = |source: Source| match source {
                         Source::Instance(offset) => instance.map(|added| Handed::Instance(added.wrapping_add(offset))),
                         Source::Given(parameter, offset) => match given.get(usize::from(parameter)) {
-                            Some(Some(Held::Constant(pointer))) => own_local(*pointer, offset).map(Handed::Local),
+                            Some(Some(Held::Constant(pointer))) => {
+                                own_local(*pointer).map(|position| Handed::Local(position.wrapping_add(offset)))
+                            }
                             _ => None,
                         },
                     };
@@ -492,13 +493,6 @@ impl Follower<'_> {
             add(pairs, (number, pointer));
         }
     }
-}
-
-/// The bit of the local data to which a pointer leads that a block hands to one which it calls.
-fn own_local(pointer: u64, offset: u32) -> Option<u32> {
-    let position = pointer as u32 & 0x00FF_FFFF;
-    let is_own = pointed_area(pointer, false) == Ok(Area::CallerLocal) && position >> CALLS_SHIFT == 0;
-    is_own.then(|| position.wrapping_add(offset))
 }
 
 /// Whether a value is a pointer that is followed, or the number that belongs to one.

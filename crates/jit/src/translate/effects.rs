@@ -195,6 +195,12 @@ impl Numbers {
     }
 }
 
+/// Where in the local data of a block a pointer leads that it hands to one which it calls, in bits.
+pub(super) fn own_local(pointer: u64) -> Option<u32> {
+    let position = pointer as u32 & 0x00FF_FFFF;
+    (pointed_area(pointer, false) == Ok(Area::CallerLocal) && position >> CALLS_SHIFT == 0).then_some(position)
+}
+
 /// The effects of all blocks that may become part of others; `None` = nothing is told of that block.
 pub(super) fn find(
     blocks: &[Native],

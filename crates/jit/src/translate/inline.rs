@@ -9,6 +9,7 @@ use sieben_engine::ir::Op;
 use sieben_engine::machine::CALLS_SHIFT;
 use sieben_model::address::Width;
 
+use super::memory::LOCAL_OF_CALLER;
 use super::quotients::factor_f32;
 use super::{Translator, value::Val};
 
@@ -216,7 +217,7 @@ impl Translator<'_> {
             Op::PassOnPointer => {
                 let pointer = self.int(a);
                 let calls = self.b.ins().ushr_imm_u(pointer, i64::from(CALLS_SHIFT));
-                let calls = self.b.ins().iadd_imm_s(calls, -(0x8700_0000_i64 >> CALLS_SHIFT));
+                let calls = self.b.ins().iadd_imm_s(calls, -LOCAL_OF_CALLER);
                 let has_room = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, calls, 0x1F);
                 let farther = self.b.ins().iadd_imm_u(pointer, 1 << CALLS_SHIFT);
                 Val::Int(self.b.ins().select(has_room, farther, pointer))

@@ -18,6 +18,9 @@ use super::{After, Translator};
 use crate::ask::Question;
 use crate::run::{Link, Run};
 
+/// The bits above the address of a pointer to the local data of the caller that no call has passed on.
+pub(super) const LOCAL_OF_CALLER: i64 = (Area::CallerLocal.pointer_code() as i64) << (24 - CALLS_SHIFT);
+
 /// Data memory: always there, at any alignment.
 pub(super) fn data() -> MemFlagsData {
     MemFlagsData::new().with_notrap()
@@ -396,8 +399,7 @@ impl Translator<'_> {
         };
         let caller = self.b.ins().isub(caller, self.arena);
         let calls = self.b.ins().ushr_imm_u(bits, i64::from(CALLS_SHIFT));
-        let direct = i64::from(Area::CallerLocal.pointer_code()) << (24 - CALLS_SHIFT);
-        let is_caller = self.b.ins().icmp_imm_u(IntCC::Equal, calls, direct);
+        let is_caller = self.b.ins().icmp_imm_u(IntCC::Equal, calls, LOCAL_OF_CALLER);
         let start = self.b.ins().select(is_caller, caller, start);
         (start, self.b.ins().select(is_caller, bytes, length))
     }

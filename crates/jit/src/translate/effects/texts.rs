@@ -5,12 +5,11 @@
 
 use std::collections::BTreeMap;
 
-use sieben_engine::access::pointed_area;
 use sieben_engine::ir::{Callee, Inst, Op, Place, TextRoom, Var, verify};
-use sieben_engine::machine::{CALLS_SHIFT, Register};
+use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
-use super::Source;
+use super::{Source, own_local};
 use crate::jit::Native;
 use crate::translate::instance_pointer::InstancePointer;
 use crate::translate::texts::NUMBER_SHIFT;
@@ -119,10 +118,7 @@ pub(super) fn written(
                     for text in called(&callee)? {
                         let own = |source: Source, width: Width| own_number(&local, &given, source, width);
                         let (number, pointer) = (own(text.number, Width::Word)?, own(text.pointer, Width::DoubleWord)?);
-                        let is_own = number == 0
-                            && pointed_area(pointer, true) == Ok(Area::CallerLocal)
-                            && (pointer & 0x00FF_FFFF) >> CALLS_SHIFT == 0;
-                        is_own.then_some(())?;
+                        own_local(pointer).filter(|_| number == 0)?;
                     }
                     held.clear();
                     local.clear();
@@ -151,9 +147,7 @@ fn forget(local: &mut BTreeMap<u32, (Width, u64)>, position: u32, bits: u32) {
 fn own_number(local: &BTreeMap<u32, (Width, u64)>, given: &[Held], source: Source, width: Width) -> Option<u64> {
     let Source::Given(parameter, offset) = source else { return None };
     let Held::Constant(pointer) = *given.get(usize::from(parameter))? else { return None };
-    let is_own = pointed_area(pointer, false) == Ok(Area::CallerLocal) && (pointer & 0x00FF_FFFF) >> CALLS_SHIFT == 0;
-    let position = (pointer & 0x00FF_FFFF) as u32 + offset;
-    local.get(&position).filter(|(written, _)| is_own && *written == width).map(|&(_, value)| value)
+    local.get(&(own_local(pointer)? + offset)).filter(|(written, _)| *written == width).map(|&(_, value)| value)
 }
 
 fn add(texts: &mut Vec<WrittenText>, text: WrittenText) {

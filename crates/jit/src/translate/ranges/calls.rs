@@ -9,7 +9,7 @@ use sieben_model::address::{Area, Width};
 
 use super::{Analysis, Bytes, Element, Interval, Known, State};
 use crate::translate::alone::Alone;
-use crate::translate::effects::{Effects, Given, POSITIONS, Pointed, Source, WrittenText};
+use crate::translate::effects::{Effects, Given, POSITIONS, Pointed, Source, WrittenText, own_local};
 use crate::translate::promote::Base;
 
 /// Bytes that lie in front of a bit, if only in part.
@@ -161,12 +161,11 @@ impl Analysis<'_> {
             }
             Source::Given(parameter, offset) => {
                 let pointer = given.get(usize::from(parameter))?.range.exact()?;
-                let is_own = pointed_area(pointer, false) == Ok(Area::CallerLocal) && (pointer & 0x00FF_FFFF) >> CALLS_SHIFT == 0;
-                let position = (pointer & 0x00FF_FFFF) as i64 + i64::from(offset);
+                let position = i64::from(own_local(pointer)?) + i64::from(offset);
                 let (first, bytes) = self.around.local;
                 let inside = position % 8 == 0 && position / 8 + i64::from(width.bytes()) <= i64::from(bytes);
                 let offset = i32::try_from(i64::from(first) + position / 8).ok()?;
-                state.cells.get(&(Base::Local, offset, width)).filter(|_| is_own && inside).copied()
+                state.cells.get(&(Base::Local, offset, width)).filter(|_| inside).copied()
             }
         }
     }

@@ -3,6 +3,8 @@
 use sieben_engine::ir::Op;
 use sieben_engine::machine::CALLS_SHIFT;
 
+use crate::translate::memory::LOCAL_OF_CALLER;
+
 /// What is known of a value: it is `x` modulo 2 to the power of its bits, for some `x` from `least` to `most`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::translate) struct Interval {
@@ -16,9 +18,6 @@ pub(in crate::translate) struct Interval {
 
 /// Beyond this nothing is worth knowing of a value of up to 32 bits.
 const FAR: i128 = 1 << 40;
-
-/// A pointer to the local data of the caller, without the bits that say where it leads there.
-const LOCAL_OF_CALLER: i128 = 0x8700_0000 >> CALLS_SHIFT;
 
 /// How far below 0 a constant counts as negative: a pointer is not.
 const NEGATIVE_MAX: i64 = 1 << 20;
@@ -55,7 +54,8 @@ impl Interval {
     /// Whether a pointer leads nowhere in the local data of the caller.
     pub(in crate::translate) fn leads_elsewhere(&self) -> bool {
         let (least, most) = self.unsigned(32);
-        most >> CALLS_SHIFT < LOCAL_OF_CALLER || least >> CALLS_SHIFT > LOCAL_OF_CALLER | 0x1F
+        let nearest = i128::from(LOCAL_OF_CALLER);
+        most >> CALLS_SHIFT < nearest || least >> CALLS_SHIFT > nearest | 0x1F
     }
 
     /// The same constant; one a little below 0 as such, since a counter that begins there goes on above 0.
@@ -348,7 +348,7 @@ pub(in crate::translate) fn result(op: Op, [a, b, c]: [Interval; 3]) -> Interval
         Op::PassOnPointer => {
             let (least, most) = a.unsigned(32);
             match (least >> CALLS_SHIFT, most >> CALLS_SHIFT) {
-                (first, last) if first == last && first == LOCAL_OF_CALLER => {
+                (first, last) if first == last && first == i128::from(LOCAL_OF_CALLER) => {
                     computed(|a, b| a + b, (least, most), (1 << CALLS_SHIFT, 1 << CALLS_SHIFT), a.zeros, 32)
                 }
                 _ if a.leads_elsewhere() => low(a, 32),
