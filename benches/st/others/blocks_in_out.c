@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { uint32_t total; uint16_t peak; bool low; } Meter;
 typedef struct { uint8_t pos; bool alarm; } Valve;
 typedef struct { int32_t alarms; Meter own; Valve v1, v2; } Pipe;

@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { int32_t sum; uint16_t hits; double last; } Acc;
 static Acc accs[8]; static int32_t scans;
 static int32_t mix(int8_t a, int16_t b, int32_t c, uint8_t d, uint16_t e, uint32_t f, bool g, uint16_t h, float i, double j, int64_t k, uint8_t l, bool *parity) {

@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 enum { RING = 48 };
 typedef struct { bool used; uint32_t key; uint64_t value; uint8_t hits; } Slot;
 typedef struct { uint32_t stamp; uint8_t src; uint16_t data[4]; int16_t next; } Event;

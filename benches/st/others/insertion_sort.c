@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { int32_t key; char name[11]; uint16_t qty; float price; bool flags[4]; } Order;
 static Order o[41]; static int16_t ix[41]; static int32_t scans;
 static bool less(const Order *a, const Order *b) { return a->key < b->key || (a->key == b->key && a->qty < b->qty); }

@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct Shape Shape;
 typedef struct { int (*area)(Shape *); void (*grow)(Shape *, int); } Ops;
 struct Shape { const Ops *ops; int w, h, d; };

@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { bool req, ack, run, fault; int cnt; } Cell;
 typedef struct { bool latch, prio, e, f; bool busy; } Interlock;
 typedef struct { Interlock l[9]; uint16_t mask; } Rack;

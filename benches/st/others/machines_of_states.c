@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef enum { Idle, Filling, Heating, Mixing, Draining, Cleaning, Failed } Step;
 typedef struct { bool inlet, outlet, heater, mixer, alarm; } Valves;
 typedef struct { Step state; uint8_t ticks; Valves v; uint16_t done; } Tank;

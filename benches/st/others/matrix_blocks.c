@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { float e[4][4]; } Block;
 static Block a[8][8], b[8][8], c[8][8]; static int32_t scans;
 static Block mulblock(const Block *a, const Block *b) {

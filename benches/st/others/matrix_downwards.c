@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 static float gM[3][32][32], gGain = 0.03125f; static int32_t scans;
 static void multiply(int src, int dst) {
   for (int i = 31; i >= 0; i--) for (int j = 0; j < 32; j++) {

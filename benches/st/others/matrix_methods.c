@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 enum { N = 32, BLK = 8 };
 typedef struct { int16_t data[N * N]; } Mat;
 static Mat a, b, c; static int32_t scans;

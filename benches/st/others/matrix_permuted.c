@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 static int16_t a[32][32], b[32][32], c[32][32], old[32][32]; static uint8_t p[32]; static int32_t scans;
 static int16_t sat(int32_t x) { return x < -2000 ? -2000 : x > 2000 ? 2000 : x; }
 static int32_t muladd(int32_t acc, int16_t a, int16_t b) { if (a == 0 || b == 0) return acc; return acc + a * b; }

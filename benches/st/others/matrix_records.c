@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { int16_t v[32]; } Row;
 static Row a[32], b[32], c[32]; static int32_t scans;
 static int16_t dot(const Row *a, const Row *b) { int16_t s = 0; for (int i = 0; i < 32; i++) s += a->v[i] * b->v[i]; return s; }

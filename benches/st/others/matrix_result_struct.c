@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { float norm; float x[32]; } Line;
 static float b[32][32], rows[32][32]; static Line r[32]; static int32_t scans;
 static Line rowtimes(const float *row) {

@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 static bool maj(bool a, bool b, bool c) { return (a && b) || (a && c) || (b && c); }
 static bool odd4(bool a, bool b, bool c, bool d, bool *any) { *any = a || b || c || d; return a ^ b ^ c ^ d; }
 static int32_t scans; static uint64_t x = 0x0123456789ABCDEFull; static bool m[4][5][5];

@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef enum { Start, Sign, Digits, Fraction, HexMark, HexDigits, Skip } PState;
 static char lines[6][61] = { "12;-345;$1F;7.25;9;", "  88;x7;-;100000;$zz;4.5;", "1.999;2.1;3;;;;-5;",
   "$DEAD;$beef;-$10;42;", "7;7;7;7;7;7;7;7;7;7;7;7;7;7;7;", "hello;world;1;2;3;" };

@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 #include <xmmintrin.h>
 typedef enum { Manual, Auto, Cascade, Hold } Mode;
 typedef struct { Mode m; float i, y, ring[8]; int pos; } State;

@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { float kp, ki, kd, lo, hi; } Tuning;
 typedef struct { float out, integral, last; } Pid;
 static Tuning T = { 1.5f, 0.25f, 0.05f, -50.0f, 50.0f }; static Pid loops[65]; static float temp[65]; static int32_t scans;

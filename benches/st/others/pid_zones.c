@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { int32_t sp, pv; int64_t integ; int32_t hist[4]; uint8_t head; int32_t last, period; } Loop;
 typedef struct { char name[13]; Loop loops[9]; } Zone;
 static Zone zones[8]; static int32_t scans, now;

@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { double x, y; uint8_t kind; } Point;
 typedef struct { Point pts[5]; int32_t born; int32_t at; char title[16]; } Track;
 typedef struct { Track tracks[5]; Track best; } Sector;

@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 static uint32_t flags[64]; static int32_t scans;
 static bool setbit(uint32_t *b, int n) { b[n / 32] |= 1u << (n % 32); return true; }
 static bool testbit(uint32_t *b, int n) { return b[n / 32] >> (n % 32) & 1; }

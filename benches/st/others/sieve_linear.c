@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { uint16_t lpf; bool isPrime; uint8_t omega; } Num;
 static Num c[10][10][10]; static uint16_t primes[201]; static int32_t scans;
 static int64_t sumof(const uint16_t *list, int n) {

@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 enum { N = 2001 };
 static bool field[N]; static int32_t scans;
 static int fill(bool *a, int n, bool v) { for (int i = 0; i < n; i++) a[i] = v; return n; }

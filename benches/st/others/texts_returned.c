@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { int id; char name[17], path[65]; } Device;
 static Device dev[9]; static int32_t scans;
 static int bracket(char *d, const char *s) { int n = strlen(s); d[0] = '['; memcpy(d + 1, s, n); d[n + 1] = ']'; d[n + 2] = 0; return n + 2; }

@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 #include <stdio.h>
 #include <stdlib.h>
 typedef struct { char key[21]; uint32_t count; } Entry;

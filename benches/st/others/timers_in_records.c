@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 enum { MOTORS = 168 };
 typedef struct { Ton on; Tof off; Ctu starts; int64_t limit; bool running; } Motor;
 static Motor motors[MOTORS + 1]; static int32_t scans;

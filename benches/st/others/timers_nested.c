@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { int level; bool lamp; Ton delay[4]; Tp pulse; Ctud buffer; Ctd batch; } Station;
 typedef struct { int score; Station st[8]; } Line;
 typedef struct { int score; Line l[10]; } Hall;

@@ -1,4 +1,4 @@
-#include "/tmp/fresh4/lib.h"
+#include "iec_timers.h"
 typedef struct { int64_t preset, started; bool active; uint16_t count; } Timer;
 static Timer timers[500]; static int32_t scans, gExpired; static int64_t gNow; static Ton gTick;
 static void start(Timer *t) { if (t->active) return; t->active = true; t->started = gNow; }

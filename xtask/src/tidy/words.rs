@@ -12,6 +12,7 @@ const FORBIDDEN: &[(&str, &str)] = &[
     (concat!("/ho", "me/"), "a path of one machine"),
     (concat!("/ro", "ot/"), "a path of one machine"),
     (concat!("C:\\Us", "ers\\"), "a path of one machine"),
+    (concat!("#include \"", "/"), "a path of one machine"),
     (concat!("static.crates", ".io"), "a host of a package registry"),
     (concat!("index.crates", ".io"), "a host of a package registry"),
     (concat!("pypi", ".org"), "a host of a package registry"),
