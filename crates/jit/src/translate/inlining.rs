@@ -44,6 +44,8 @@ const GROWTH: usize = 8;
 const GROWTH_MIN: usize = 2_000;
 /// … but not more than this: the time to compile grows faster than a function.
 const GROWTH_MAX: usize = 40_000;
+/// IR instructions of a block beside its loops from which on Cranelift's optimizations cost more than they bring in the loops.
+const BESIDE_LOOPS_MAX: usize = 8_000;
 
 /// What a call restores for the caller.
 pub(super) const RESTORED: [Register; 8] =
@@ -71,6 +73,8 @@ pub(super) struct Plan {
     local: usize,
     /// Whether its function has a loop.
     pub(super) loops: bool,
+    /// Whether so much lies beside its own loops that what is optimized in these would cost more there.
+    pub(super) is_long: bool,
     /// What it takes from the budget with all that becomes part of it, at most.
     weight: i64,
 }
@@ -128,7 +132,12 @@ pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
 /// The plan of a block that is not inlined itself.
 fn reach(plans: &[Plan], blocks: &[Native], index: usize, callees: &[usize]) -> Plan {
     let own = &blocks[index].code;
-    let own = Plan { loops: !loop_heads(own).is_empty(), weight: i64::from(weight(own.statement_count())), ..Plan::default() };
+    let own = Plan {
+        loops: !loop_heads(own).is_empty(),
+        is_long: loops::instructions_beside(own) > BESIDE_LOOPS_MAX,
+        weight: i64::from(weight(own.statement_count())),
+        ..Plan::default()
+    };
     callees.iter().fold(own, |all, &callee| {
         let inner = if plans[callee].inlined.is_some() { plans[callee] } else { Plan::default() };
         Plan {
@@ -136,6 +145,7 @@ fn reach(plans: &[Plan], blocks: &[Native], index: usize, callees: &[usize]) -> 
             depth: all.depth.max(1 + inner.depth),
             local: all.local.max(blocks[callee].local_size as usize + inner.local),
             loops: all.loops || inner.loops,
+            is_long: all.is_long,
             weight: all.weight.saturating_add(inner.weight),
         }
     })

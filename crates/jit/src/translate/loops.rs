@@ -7,6 +7,7 @@ use sieben_model::block::BlockKind;
 
 use super::analysis::{ALL, restored};
 use super::bit_of;
+use crate::jit::jumps_back;
 
 /// Blocks with more loops get no analysis of them: it takes time that grows with the number of loops times that of jumps.
 const LOOPS_MAX: usize = 400;
@@ -45,6 +46,20 @@ pub(crate) fn targets<'a>(code: &'a Code, inst: &Inst) -> impl Iterator<Item = u
         _ => (None, &[]),
     };
     one.into_iter().chain(table.iter().copied()).map(|Target(to)| to)
+}
+
+/// How many instructions of a block are between no jump back and where it leads.
+pub(super) fn instructions_beside(code: &Code) -> usize {
+    let mut ends = vec![0; code.statement_count() + 1];
+    for (from, to) in jumps_back(code) {
+        ends[to as usize] = ends[to as usize].max(from + 1);
+    }
+    let mut end = 0;
+    let is_beside = |&statement: &usize| {
+        end = end.max(ends[statement]);
+        statement >= end
+    };
+    (0..code.statement_count()).filter(is_beside).map(|statement| code.statement(statement).len()).sum()
 }
 
 /// Registers that an instruction may change. What a block changes that a call restores is as before behind it.

@@ -149,8 +149,9 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     // Cranelift's optimizations move calculations to where their results are used: good in a loop, bad in straight bit logic, where the
     // bytes that were read wait in registers until then.
     let for_loops = if options.optimize { Some(instruction_set("speed", "backtracking", machine)?) } else { None };
-    // The allocator of the first tier gives each value that leaves its piece of code a place of its own, the other one shares them.
-    let for_room = if options.optimize { None } else { Some(instruction_set("none", "backtracking", machine)?) };
+    // The allocator of the first tier gives each value that leaves its piece of code a place of its own, the other one shares them; and
+    // optimized code of thousands of statements in a row keeps what it has read until it is used.
+    let for_room = instruction_set("none", "backtracking", machine)?;
     let frame_limit = STACK_BYTES / levels_needed(layout) - STACK_BYTES_OF_A_CALL;
     let mut builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
     let insts: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
@@ -179,7 +180,7 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
         context.func.signature = block_signature(&module);
         let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
         let target = module.target_config();
-        let for_loops = for_loops.as_ref().filter(|_| plans[index].loops);
+        let for_loops = for_loops.as_ref().filter(|_| plans[index].loops && !plans[index].is_long);
         let program = Program {
             functions: &functions,
             blocks,
@@ -196,7 +197,7 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
         if options.lists {
             listing += &format!("{}\n{}\n", blocks[index].id, context.func.display());
         }
-        let sets = Sets { other: for_loops, for_room: for_room.as_ref(), frame_limit };
+        let sets = Sets { other: for_loops, for_room: &for_room, frame_limit };
         define(&mut module, function, &mut context, sets).map_err(|error| format!("{}: {error}", blocks[index].id))?;
         listing += context.compiled_code().and_then(|code| code.vcode.as_deref()).unwrap_or_default();
         let code = context.compiled_code().map_or(&[][..], |code| code.code_buffer());
@@ -215,21 +216,26 @@ struct Sets<'a> {
     /// What it is compiled for instead.
     other: Option<&'a OwnedTargetIsa>,
     /// What it is compiled for if its frame has more bytes than this.
-    for_room: Option<&'a OwnedTargetIsa>,
+    for_room: &'a OwnedTargetIsa,
     frame_limit: usize,
 }
 
 /// Compiles a function.
 fn define(module: &mut JITModule, id: FuncId, context: &mut Context, sets: Sets<'_>) -> Result<(), Box<ModuleError>> {
-    let mut compile = |isa: &dyn TargetIsa| match context.compile(isa, &mut ControlPlane::default()) {
+    let compile = |context: &mut Context, isa: &dyn TargetIsa| match context.compile(isa, &mut ControlPlane::default()) {
         Ok(code) => Ok(frame_bytes(code.code_buffer())),
         Err(error) => Err(Box::new(ModuleError::from(error))),
     };
     let mut isa = sets.other.map_or(module.isa(), |isa| &**isa);
-    let frame = compile(isa)?;
-    if let Some(for_room) = sets.for_room.filter(|_| frame > sets.frame_limit) {
-        isa = &**for_room;
-        compile(isa)?;
+    // Optimizations move calculations, and nothing moves them back.
+    let as_written = sets.other.map(|_| context.func.clone());
+    let frame = compile(context, isa)?;
+    if frame > sets.frame_limit {
+        isa = &**sets.for_room;
+        if let Some(function) = as_written {
+            context.func = function;
+        }
+        compile(context, isa)?;
     }
     let code = context.compiled_code().expect("it was compiled");
     let alignment = u64::from(code.buffer.alignment).max(u64::from(isa.function_alignment().minimum)).max(isa.symbol_alignment());

@@ -15,6 +15,7 @@ use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
 use super::effects::Effects;
+use super::loops::instructions_beside;
 use super::promote::Base;
 use crate::jit::{jumps_back, loop_heads};
 
@@ -29,8 +30,10 @@ pub(super) use interval::{Interval, result};
 use interval::{Number, Relation};
 pub(super) use relative::{Relative, pointers};
 
-/// Blocks with more instructions are not looked at: it takes time that grows faster than they do.
-const INSTRUCTIONS_MAX: usize = 6_000;
+/// Blocks with more instructions in loops are not looked at: it takes time that grows faster than they do …
+const INSTRUCTIONS_IN_LOOPS_MAX: usize = 6_000;
+/// … nor are blocks with more of all kinds; those beside loops are passed over a few times.
+const INSTRUCTIONS_MAX: usize = 100_000;
 /// Variables in memory whose ranges are followed in a block.
 const PLACES_MAX: usize = 48;
 /// Passes over a loop in which a range that grows stops at the next number where it may: so many, and these for each loop in it, one of
@@ -396,7 +399,8 @@ impl Element {
 
 /// Looks at a block. Nothing is known where that would not pay.
 pub(super) fn find(code: &Code, around: &Surroundings<'_>) -> Ranges {
-    if code.insts.len() > INSTRUCTIONS_MAX {
+    let count = code.insts.len();
+    if count > INSTRUCTIONS_MAX || count > INSTRUCTIONS_IN_LOOPS_MAX + instructions_beside(code) {
         return Ranges::default();
     }
     let relevant = places::relevant(code);
