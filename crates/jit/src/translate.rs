@@ -73,6 +73,7 @@ use alone::Reliance;
 use analysis::{SPARED, Summary, open_blocks, set_by_calls};
 use budget::Look;
 use bytes::Bytes;
+use choices::Choice;
 use effects::Effects;
 use elements::Elements;
 use flow::Arrival;
@@ -278,7 +279,9 @@ struct Translator<'a> {
     /// Safe points on ways back that are still to be written: the block, the statement, where it begins.
     ways: Vec<(clif::Block, u32, clif::Block)>,
     /// The next value that is written stays away if this is not 0, or if it is.
-    choice: Option<(Value, bool)>,
+    choice: Option<Choice>,
+    /// Where in its piece the running statement writes a bit last, if that is known: a good place to work on bits.
+    aim: Option<u8>,
     /// Where the ways of the running statement meet, if it is written twice.
     meeting: Option<Meeting>,
     /// The running statement has not begun yet.
@@ -382,6 +385,7 @@ impl<'a> Translator<'a> {
             grown: 0,
             ways: Vec::new(),
             choice: None,
+            aim: None,
             meeting: None,
             arriving: false,
             ended: false,
@@ -442,6 +446,7 @@ impl<'a> Translator<'a> {
             self.passed.clear();
             self.look_at_budget();
             self.look_at_statements();
+            self.aim = self.written_bit(code.statement(statement));
             let first = code.statements[statement];
             for (index, inst) in (first..).zip(code.statement(statement)) {
                 self.meet_in_front(index);

@@ -10,13 +10,13 @@ use std::ops::Range;
 use cranelift_codegen::ir::types::I32;
 use cranelift_codegen::ir::{Endianness, InstBuilder, MemFlagsData, Value};
 use rustc_hash::{FxHashMap, FxHashSet};
-use sieben_engine::ir::Inst;
+use sieben_engine::ir::{Inst, Place};
 use sieben_model::address::Width;
 
 use super::Translator;
 use super::elements::Elements;
 use super::loops::Loop;
-use super::memory::{Address, Bit, data};
+use super::memory::{Address, Bit, data, moved};
 use super::numbers::Numbers;
 use super::promote::Base;
 use super::value::Val;
@@ -248,6 +248,22 @@ impl Translator<'_> {
     /// The piece with a bit of a byte, and which of its bits that is.
     fn piece_of(&mut self, base: Value, offset: i32, number: u8) -> (Piece, u8) {
         let base = self.known_base(base);
+        self.piece_at(base, offset, number)
+    }
+
+    /// Which bit of its piece some instructions write last, if they write one at an address known beforehand.
+    pub(super) fn written_bit(&mut self, insts: &[Inst]) -> Option<u8> {
+        let Some(Inst::Store { place, width: Width::Bit, .. }) = insts.last() else { return None };
+        let (base, offset) = self.constant_address(*place, Width::Bit)?;
+        let position = match *place {
+            Place::Fixed { position, .. } => position,
+            Place::Indirect { pointer, offset, .. } => moved(self.constant_pointer(pointer)?, offset),
+            Place::Crossing { .. } => return None,
+        };
+        Some(self.piece_at(base, offset, (position % 8) as u8).1)
+    }
+
+    fn piece_at(&mut self, base: Base, offset: i32, number: u8) -> (Piece, u8) {
         if let Base::Computed(_) = base {
             return (Piece { base, start: offset, bytes: 1 }, number);
         }

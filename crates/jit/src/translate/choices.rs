@@ -1,7 +1,7 @@
 //! A jump over one assignment: the value is computed in any case, and chosen where it is written. Nobody foresees such a jump if it
 //! depends on the plant, and what is known of memory in front of it is known behind it.
 
-use cranelift_codegen::ir::{InstBuilder, Value};
+use cranelift_codegen::ir::{InstBuilder, InstructionData, Opcode, Value};
 use sieben_engine::ir::{Inst, OnFault, Op, Place, Var};
 use sieben_model::address::Width;
 
@@ -10,6 +10,17 @@ use super::value::Val;
 
 /// Longer statements are jumped over.
 const INSTRUCTIONS_MAX: usize = 8;
+
+/// A condition under which a statement is jumped over.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Choice {
+    /// Not 0 if it is …
+    value: Value,
+    /// … or is not.
+    negated: bool,
+    /// Whether the value is 0 or 1.
+    is_flag: bool,
+}
 
 /// Whether an operation takes no longer than a jump that was not foreseen.
 pub(super) fn is_cheap(op: Op) -> bool {
@@ -55,7 +66,9 @@ impl Translator<'_> {
         if !self.options.optimize || to != next + 1 || !is_last || self.arrivals.contains_key(&next) || !self.is_plain(next) {
             return false;
         }
-        self.choice = Some(self.condition(condition));
+        let (value, negated) = self.condition(condition);
+        let is_flag = !matches!(self.force(condition), Val::At { at: 1.., .. });
+        self.choice = Some(Choice { value, negated, is_flag });
         true
     }
 
@@ -81,11 +94,17 @@ impl Translator<'_> {
     }
 
     /// What a statement that is not jumped over writes: what is there already if the condition holds.
-    pub(super) fn chosen(&mut self, (condition, negated): (Value, bool), (place, width): (Place, Width), index: u32, value: Val) -> Val {
+    pub(super) fn chosen(&mut self, choice: Choice, (place, width): (Place, Width), index: u32, value: Val) -> Val {
+        let Choice { value: condition, negated, .. } = choice;
         let free = Var::temporary(self.temporaries.len()).unwrap_or_default();
         self.load(index, free, place, width, OnFault::SkipWrite);
         let (old, new) = (self.get(free), self.force(value));
         let old = self.force(old);
+        if width == Width::DoubleWord
+            && let Some(sum) = self.chosen_sum(choice, old, new)
+        {
+            return Val::Int(sum);
+        }
         let (old, new) = if negated { (new, old) } else { (old, new) };
         match width {
             Width::Bit => {
@@ -112,6 +131,40 @@ impl Translator<'_> {
                 let [old, new] = [old, new].map(|value| self.int(value));
                 Val::Int(self.b.ins().select(condition, old, new))
             }
+        }
+    }
+
+    /// A variable to which something is added if the condition holds that was not negated, or does not hold that was: a sum in any case,
+    /// of nothing if need be. Who counts on waits for one addition then, and for no choice.
+    fn chosen_sum(&mut self, choice: Choice, old: Val, new: Val) -> Option<Value> {
+        let Choice { value: condition, negated, is_flag } = choice;
+        if self.is_comparison(condition) {
+            // It is one with a choice behind it.
+            return None;
+        }
+        let (Val::Int(old), Val::Int(new)) = (old, new) else { return None };
+        let (_, InstructionData::Binary { opcode: Opcode::Iadd, args: [a, b] }) = self.definition(new)? else { return None };
+        let [of, a, b] = [old, a, b].map(|value| self.b.func.dfg.resolve_aliases(value));
+        let added = if a == of { b } else { Some(a).filter(|_| b == of)? };
+        let added = match self.iconst(added) {
+            Some(number) if is_flag => {
+                let given = if negated { condition } else { self.b.ins().bxor_imm_u(condition, 1) };
+                self.b.ins().imul_imm_u(given, i64::from(number))
+            }
+            _ => {
+                let none = self.constant(0);
+                let (first, second) = if negated { (added, none) } else { (none, added) };
+                self.b.ins().select(condition, first, second)
+            }
+        };
+        Some(self.b.ins().iadd(old, added))
+    }
+
+    fn is_comparison(&self, value: Value) -> bool {
+        match self.definition(value) {
+            Some((_, InstructionData::Unary { opcode: Opcode::Uextend, arg })) => self.is_comparison(arg),
+            Some((_, data)) => matches!(data, InstructionData::IntCompare { .. } | InstructionData::FloatCompare { .. }),
+            None => false,
         }
     }
 }

@@ -239,7 +239,8 @@ impl Translator<'_> {
         sum.terms.len() <= TERMS_MAX
     }
 
-    fn iconst(&self, value: Value) -> Option<u32> {
+    /// The number that a value is, if it is a constant.
+    pub(super) fn iconst(&self, value: Value) -> Option<u32> {
         let dfg = &self.b.func.dfg;
         let ValueDef::Result(inst, 0) = dfg.value_def(dfg.resolve_aliases(value)) else { return None };
         match dfg.insts[inst] {

@@ -426,7 +426,7 @@ impl Translator<'_> {
         Some((base, i32::try_from(start + byte).ok()?))
     }
 
-    fn constant_pointer(&self, pointer: Var) -> Option<u64> {
+    pub(super) fn constant_pointer(&self, pointer: Var) -> Option<u64> {
         self.current[pointer.register()? as usize].and_then(Val::constant)
     }
 

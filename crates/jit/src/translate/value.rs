@@ -169,12 +169,18 @@ impl Translator<'_> {
         }
     }
 
-    /// Two bits at the same position, which is returned behind them: bits of bytes are moved at most once.
+    /// Two bits at the same position, which is returned behind them: bits of bytes are moved at most once, to where the statement writes
+    /// its result, if that is known.
     pub(super) fn aligned(&mut self, a: Val, b: Val) -> (Value, Value, u8) {
-        match (a, b) {
-            (Val::At { value: a, at }, Val::At { value: b, at: other }) => {
-                let b = self.moved(b, other, at);
-                (a, b, at)
+        let among_others = |value: Val| match value {
+            Val::At { value, at } => Some((value, at)),
+            Val::Bit { value, clean: false } => Some((value, 0)),
+            _ => None,
+        };
+        match (among_others(a), among_others(b)) {
+            (Some((a, at)), Some((b, other))) if self.aim.is_some() || at > 0 && other > 0 => {
+                let to = if at == other { at } else { self.aim.unwrap_or(at) };
+                (self.moved(a, at, to), self.moved(b, other, to), to)
             }
             _ => (self.bit(a), self.bit(b), 0),
         }
@@ -186,6 +192,11 @@ impl Translator<'_> {
             return value;
         }
         let by = self.constant(u32::from(from.wrapping_sub(to) % 32));
+        if let Some((_, InstructionData::Unary { opcode: Opcode::Bnot, arg })) = self.definition(value) {
+            // A NOT behind it is one with the AND that follows, in most cases.
+            let value = self.b.ins().rotr(arg, by);
+            return self.b.ins().bnot(value);
+        }
         self.b.ins().rotr(value, by)
     }
 
