@@ -109,30 +109,29 @@ impl Both {
     }
 }
 
-/// 250 networks of four operands, 25 latches with a seal-in contact, 12 SR and 12 RS. Ten times as many in one block keep the allocator of
-/// registers busy for minutes.
+/// 2500 networks of four operands, 250 latches with a seal-in contact, 125 SR and 125 RS.
 fn bit_logic() -> Case {
     let mut random = Random(2_025);
     let mut both = Both::with(
-        "    y : ARRAY[0..249] OF BOOL;\n    latch : ARRAY[0..24] OF BOOL;\n    sr : ARRAY[0..11] OF SR;\n    rs : ARRAY[0..11] OF RS;\n",
-        "static uint8_t y[250], latch[25], sr[12], rs[12];\n",
+        "    y : ARRAY[0..2499] OF BOOL;\n    latch : ARRAY[0..249] OF BOOL;\n    sr : ARRAY[0..124] OF SR;\n    rs : ARRAY[0..124] OF RS;\n",
+        "static uint8_t y[2500], latch[250], sr[125], rs[125];\n",
     );
-    for network in 0..250 {
+    for network in 0..2500 {
         let [a, b, d] = [(); 3].map(|()| random.below(64));
-        let other = random.below(250);
+        let other = random.below(2500);
         both.network(
             &format!("y[{network}] := (x[{a}] AND NOT x[{b}]) OR (x[{d}] AND y[{other}]);"),
             &format!("y[{network}] = (x[{a}] & !x[{b}]) | (x[{d}] & y[{other}]);"),
         );
     }
-    for latch in 0..25 {
+    for latch in 0..250 {
         let [on, off] = [(); 2].map(|()| random.below(64));
         both.network(
             &format!("latch[{latch}] := (x[{on}] OR latch[{latch}]) AND NOT x[{off}];"),
             &format!("latch[{latch}] = (x[{on}] | latch[{latch}]) & !x[{off}];"),
         );
     }
-    for number in 0..12 {
+    for number in 0..125 {
         let [set, reset] = [(); 2].map(|()| random.below(64));
         both.network(
             &format!("sr[{number}](S1 := x[{set}], R := y[{reset}]);"),
@@ -146,19 +145,19 @@ fn bit_logic() -> Case {
     both.case(
         "bool",
         "FOR i := 0 TO 99 DO
-    k := (scans * 100 + i) MOD 250;
+    k := (scans * 100 + i) MOD 2500;
     IF y[k] THEN check := check + 1; END_IF;
-    IF latch[k MOD 25] THEN check := check + 2; END_IF;
-    IF sr[k MOD 12].Q1 THEN check := check + 3; END_IF;
-    IF rs[k MOD 12].Q1 THEN check := check + 5; END_IF;
+    IF latch[k MOD 250] THEN check := check + 2; END_IF;
+    IF sr[k MOD 125].Q1 THEN check := check + 3; END_IF;
+    IF rs[k MOD 125].Q1 THEN check := check + 5; END_IF;
 END_FOR;
 ",
         "    for (int32_t i = 0; i < 100; i++) {
-        int32_t k = (scans * 100 + i) % 250;
-        check += y[k] + 2 * latch[k % 25] + 3 * sr[k % 12] + 5 * rs[k % 12];
+        int32_t k = (scans * 100 + i) % 2500;
+        check += y[k] + 2 * latch[k % 250] + 3 * sr[k % 125] + 5 * rs[k % 125];
     }
 ",
-        9_751,
+        13_273,
     )
 }
 
@@ -168,7 +167,7 @@ struct timer { int32_t et, start; uint8_t m, q; };
 struct counter { int16_t cv; uint8_t mu, md, q, qd; };
 struct edge { uint8_t m, q; };
 
-static struct timer ton[34], tof[33], tp[33];
+static struct timer ton[100], tof[100], tp[100];
 static struct counter ctu[60], ctd[40], ctud[40];
 static struct edge rise[30], fall[30];
 
@@ -292,16 +291,16 @@ static void run_fall(struct edge *e, uint8_t clk)
 }
 ";
 
-/// 100 timers, 140 counters and 60 edges, each an instance.
+/// 300 timers, 140 counters and 60 edges, each an instance.
 fn timers() -> Case {
     let mut random = Random(61_131);
     let mut both = Both::with(
-        "    ton : ARRAY[0..33] OF TON;\n    tof : ARRAY[0..32] OF TOF;\n    tp : ARRAY[0..32] OF TP;\n    ctu : ARRAY[0..59] OF CTU;\n    \
+        "    ton : ARRAY[0..99] OF TON;\n    tof : ARRAY[0..99] OF TOF;\n    tp : ARRAY[0..99] OF TP;\n    ctu : ARRAY[0..59] OF CTU;\n    \
          ctd : ARRAY[0..39] OF CTD;\n    ctud : ARRAY[0..39] OF CTUD;\n    rise : ARRAY[0..29] OF R_TRIG;\n    fall : ARRAY[0..29] OF F_TRIG;\n",
         TIMERS_C,
     );
-    for (kind, count) in [("ton", 34), ("tof", 33), ("tp", 33)] {
-        for number in 0..count {
+    for kind in ["ton", "tof", "tp"] {
+        for number in 0..100 {
             let (input, ms) = (random.below(64), 10 * (1 + random.below(12)));
             both.network(
                 &format!("{kind}[{number}](IN := x[{input}], PT := T#{ms}ms);"),
@@ -355,6 +354,6 @@ END_FOR;
         check += 6 * ctud[k].q + 7 * ctud[k].qd + 8 * rise[k].q + 9 * fall[k].q;
     }
 ",
-        22_419,
+        20_406,
     )
 }
