@@ -231,6 +231,8 @@ struct Translator<'a> {
     bounds_of_results: FxHashMap<Value, (u32, u32)>,
     /// The first value that the running instruction may have added.
     newest: u32,
+    /// What remained of divisions: of which number of 32 bits with sign, and the divisor.
+    rests: FxHashMap<Value, (Value, u32)>,
     /// Quotients and rests that are sums in machine code: their ranges are known, those of what they are made of do not count.
     divided: FxHashSet<Value>,
     /// Values in the running statement that the smallest loop around it does not change.
@@ -359,6 +361,7 @@ impl<'a> Translator<'a> {
             bounds: FxHashMap::default(),
             bounds_of_results: FxHashMap::default(),
             newest: 0,
+            rests: FxHashMap::default(),
             divided: FxHashSet::default(),
             fixed: FxHashSet::default(),
             writes: FxHashMap::default(),

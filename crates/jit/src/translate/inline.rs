@@ -416,7 +416,9 @@ impl Translator<'_> {
     /// A comparison of whole values, unsigned unless both are of the same form.
     pub(super) fn compare(&mut self, condition: IntCC, a: Val, b: Val) -> Val {
         let (a, b) = (self.force(a), self.force(b));
-        let result = if self.is_32_bits(a) && self.is_32_bits(b) {
+        let result = if let Some(result) = self.compares_rest(condition, a, b) {
+            result
+        } else if self.is_32_bits(a) && self.is_32_bits(b) {
             let a = self.int(a);
             match b {
                 Val::Const(b) => self.b.ins().icmp_imm_u(condition, a, b as i64),
@@ -433,14 +435,18 @@ impl Translator<'_> {
     }
 
     fn compare_i16(&mut self, condition: IntCC, a: Val, b: Val) -> Val {
-        let (a, b) = (self.i16(a), self.i16(b));
-        let result = self.b.ins().icmp(condition, a, b);
+        let result = self.compares_rest(condition, a, b).unwrap_or_else(|| {
+            let (a, b) = (self.i16(a), self.i16(b));
+            self.b.ins().icmp(condition, a, b)
+        });
         Val::Bit { value: self.b.ins().uextend(I32, result), clean: true }
     }
 
     fn compare_i32(&mut self, condition: IntCC, a: Val, b: Val) -> Val {
-        let (a, b) = (self.int(a), self.int(b));
-        let result = self.b.ins().icmp(condition, a, b);
+        let result = self.compares_rest(condition, a, b).unwrap_or_else(|| {
+            let (a, b) = (self.int(a), self.int(b));
+            self.b.ins().icmp(condition, a, b)
+        });
         Val::Bit { value: self.b.ins().uextend(I32, result), clean: true }
     }
 

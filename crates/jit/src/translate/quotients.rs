@@ -2,6 +2,7 @@
 //! little greater than the reciprocal. How much greater it may be depends on the numbers that are divided, so that those of which a small
 //! range is known take a short factor.
 
+use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{InstBuilder, Value};
 
@@ -63,7 +64,65 @@ impl Upper {
     }
 }
 
+/// How to see whether a number of 32 bits with sign is a multiple of another one: the product with the inverse of its odd part modulo 2^32
+/// is the exact quotient then, and so one of the numbers around 0 that are as many as there are multiples; any other number has another
+/// product.
+#[derive(Clone, Copy, Debug)]
+struct Multiples {
+    inverse: u32,
+    /// Added to the product, lets the least of them be 0.
+    added: u32,
+    /// Powers of two in the divisor, by which the sum is turned to the right.
+    twos: u32,
+    /// The greatest result.
+    limit: u32,
+}
+
+impl Multiples {
+    /// Those of a divisor of at most 31 bits that is no power of two.
+    fn of(divisor: u32) -> Self {
+        let twos = divisor.trailing_zeros();
+        let odd = divisor >> twos;
+        // Right in the lowest three bits, and in twice as many with each step.
+        let inverse = (0..4).fold(odd, |inverse, _| inverse.wrapping_mul(2_u32.wrapping_sub(odd.wrapping_mul(inverse))));
+        let added = (i32::MAX as u32 / odd) >> twos << twos;
+        Self { inverse, added, twos, limit: (2 * added) >> twos }
+    }
+}
+
 impl Translator<'_> {
+    /// Notes that a value is 0 if a number of 32 bits with sign is a multiple of a divisor, and only then.
+    pub(super) fn note_rest(&mut self, rest: Val, of: Value, divisor: u32) {
+        if let Val::Int(rest) = rest
+            && (2..=i32::MAX as u32).contains(&divisor)
+            && self.options.optimize
+        {
+            self.rests.insert(rest, (of, divisor));
+        }
+    }
+
+    /// Whether what remained of a division is 0, or is not, if that is seen without it.
+    pub(super) fn compares_rest(&mut self, condition: IntCC, a: Val, b: Val) -> Option<Value> {
+        let (IntCC::Equal | IntCC::NotEqual, Val::Int(rest), Val::Const(0)) = (condition, a, b) else { return None };
+        let &(of, divisor) = self.rests.get(&rest)?;
+        if divisor.is_power_of_two() {
+            let rest = self.b.ins().band_imm_u(of, i64::from(divisor) - 1);
+            return Some(self.b.ins().icmp_imm_u(condition, rest, 0));
+        }
+        let Multiples { inverse, added, twos, limit } = Multiples::of(divisor);
+        let product = self.b.ins().imul_imm_u(of, i64::from(inverse));
+        let sum = self.b.ins().iadd_imm_u(product, i64::from(added));
+        let turned = match twos {
+            0 => sum,
+            _ => {
+                let twos = self.constant(twos);
+                self.b.ins().rotr(sum, twos)
+            }
+        };
+        let condition = if condition == IntCC::Equal { IntCC::UnsignedLessThanOrEqual } else { IntCC::UnsignedGreaterThan };
+        Some(self.b.ins().icmp_imm_u(condition, turned, i64::from(limit)))
+    }
+
     /// The quotient of a number in 32 bits and a constant, cut towards 0, if it is known how to compute it without a division.
     pub(super) fn quotient_by(&mut self, a: Value, divisor: u32, range: (i64, i64)) -> Option<Value> {
         let quotient = self.multiplied(a, divisor, range)?;
@@ -167,6 +226,21 @@ mod tests {
                     let whole = ((i128::from(number) * i128::from(upper.factor)) >> 32) >> upper.shift;
                     assert_eq!(whole as i64 + i64::from(number < 0), number / d, "{number} / {divisor}: {upper:?}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn multiples_are_seen() {
+        let divisors = (3..2000).chain([9_999, 10_000, 65_535, 65_537, 0x2AAA_AAAB, 0x3000_0000, 0x6000_0000, 0x7FFF_FFFE, 0x7FFF_FFFF]);
+        for divisor in divisors.filter(|divisor: &u32| !divisor.is_power_of_two()) {
+            let Multiples { inverse, added, twos, limit } = Multiples::of(divisor);
+            let (d, least, most) = (i64::from(divisor), i64::from(i32::MIN), i64::from(i32::MAX));
+            let multiples = [least / d, least / d + 1, -2, -1, 0, 1, 2, most / d - 1, most / d, most / d / 2];
+            let around = multiples.into_iter().flat_map(|times| (-33..=33).map(move |more| times * d + more));
+            for number in around.chain([least, least + 1, most - 1, most]).filter(|number| (least..=most).contains(number)) {
+                let is_multiple = (number as u32).wrapping_mul(inverse).wrapping_add(added).rotate_right(twos) <= limit;
+                assert_eq!(is_multiple, number % d == 0, "{number}, {divisor}");
             }
         }
     }

@@ -365,9 +365,18 @@ impl Translator<'_> {
     }
 
     fn rest(&mut self, size: Size, a: Val, b: Val) -> Val {
+        let rest = self.computed_rest(size, a, b);
+        if let (Size::Signed(bits @ (16 | 32)), Some(divisor)) = (size, b.constant()) {
+            let (of, _) = self.in_range(bits, a);
+            self.note_rest(rest, of, divisor_of(divisor, bits));
+        }
+        rest
+    }
+
+    fn computed_rest(&mut self, size: Size, a: Val, b: Val) -> Val {
         let (Size::Signed(bits) | Size::Unsigned(bits)) = size;
         if let (Size::Unsigned(64), true) = (size, self.is_32_bits(a) && self.is_32_bits(b)) {
-            return self.rest(Size::Unsigned(32), a, b);
+            return self.computed_rest(Size::Unsigned(32), a, b);
         }
         if let (Size::Signed(16 | 32), Some(divisor)) = (size, b.constant()) {
             let (a, range) = self.in_range(bits, a);
