@@ -1,4 +1,4 @@
-//! Loops that fill and cross out bits of arrays: with counters of 16 and 32 bits, with and without sign, with steps that are constants or
+//! Loops that fill and cross out bits and bytes of arrays: with counters of 16 and 32 bits, with and without sign, with steps that are constants or
 //! variables, wherever the bits begin and whenever somebody looks.
 
 use std::cell::RefCell;
@@ -50,6 +50,8 @@ struct Maker<'b> {
     places: [Place; 3],
     /// The limit, if it is a constant.
     limit: Option<u64>,
+    /// Whether bytes are written, or bits.
+    bytes: bool,
 }
 
 impl Maker<'_> {
@@ -63,7 +65,7 @@ impl Maker<'_> {
         self.b.store(self.places[variable], self.of.width(), value);
     }
 
-    /// One bit, where the counter points to.
+    /// One bit or byte, where the counter points to.
     fn write(&mut self) {
         let counter = self.get(0);
         let number = if self.of == Type::Int { self.b.compute(Op::Extend16, &[counter]) } else { counter };
@@ -71,27 +73,32 @@ impl Maker<'_> {
         let lower = self.b.constant(lower);
         let mut index = self.b.compute(Op::SubU32, &[number, lower]);
         let looked_at = self.dice.roll(3) != 0;
-        let value = self.dice.roll(2);
+        let (width, value) = if self.bytes { (Width::Byte, self.dice.of(&[0, 1, 0xAA])) } else { (Width::Bit, self.dice.roll(2)) };
         let value = self.b.constant(value);
-        let limit = self.dice.of(&[100, 800, 1500, 1600, 1600, 1700]);
+        let limit = if self.bytes { self.dice.of(&[100, 190, 199, 200, 201]) } else { self.dice.of(&[100, 800, 1500, 1600, 1600, 1700]) };
         let limit = self.b.constant(limit);
         let inside = self.b.compute(Op::Below, &[index, limit]);
         if looked_at {
             self.b.push(Inst::Require { condition: inside, code: 163, register: number });
             index = self.b.compute(Op::Gate, &[index, inside]);
         }
-        let base = self.dice.of(&[0, 0, 1, 3, 8, 64]);
+        if self.bytes {
+            let bits = self.dice.of(&[3, 3, 3, 3, 2, 4]);
+            let bits = self.b.constant(bits);
+            index = self.b.compute(Op::Shl32, &[index, bits]);
+        }
+        let base = if self.bytes { self.dice.of(&[0, 0, 0, 8, 64, 1]) } else { self.dice.of(&[0, 0, 1, 3, 8, 64]) };
         let base = self.b.constant(base);
         let pointer = self.b.compute(Op::AddU32, &[base, index]);
-        let offset = self.dice.of(&[0, 0, 16, 5]);
+        let offset = if self.bytes { self.dice.of(&[0, 0, 0, 16, 5]) } else { self.dice.of(&[0, 0, 16, 5]) };
         let place = Place::Indirect { area: Area::SharedData, pointer, offset };
         let written = if looked_at {
-            let old = self.b.load(place, Width::Bit, OnFault::SkipStatement);
+            let old = self.b.load(place, width, OnFault::SkipStatement);
             self.b.compute(Op::Select, &[inside, value, old])
         } else {
             value
         };
-        self.b.store(place, Width::Bit, written);
+        self.b.store(place, width, written);
     }
 
     /// The condition of another turn.
@@ -147,12 +154,13 @@ fn one_loop(b: &mut Builder, seed: u64) {
         |dice: &mut Dice, all: &[u64]| dice.of(all).wrapping_add(dice.roll(3)) & if of.width() == Width::Word { 0xFFFF } else { !0 >> 32 };
     let first = number(&mut dice, &[0, 0, 1, 2, 5, 8, 63, 700, 32_000, 65_000, 0xFFFF_FFFC]);
     let step = number(&mut dice, &[0, 1, 1, 2, 3, 7, 15, 100, 32_000, 0xFFFF_FFFE]);
-    let last = number(&mut dice, &[14, 40, 100, 700, 1500, 1590, 1600, 1600, 3000, 32_765, 65_533, 0x7FFF_FFFD, 0xFFFF_FFFC]);
+    let last = number(&mut dice, &[14, 40, 100, 190, 197, 700, 1500, 1590, 1600, 1600, 3000, 32_765, 65_533, 0x7FFF_FFFD, 0xFFFF_FFFC]);
     let limit = (dice.roll(2) == 0).then_some(last);
+    let bytes = dice.roll(3) == 0;
     let (by_variable, careful) = (dice.roll(2) == 0, dice.roll(2) == 0);
     let by_one = dice.roll(2) == 0;
     let step = if by_one { 1 } else { step };
-    let mut maker = Maker { b, dice, of, places, limit };
+    let mut maker = Maker { b, dice, of, places, limit, bytes };
     maker.b.begin_statement();
     let number = maker.b.constant(1);
     maker.b.push(Inst::Open { register: DataRegister::Shared, number });
@@ -197,7 +205,7 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 }
 
 #[test]
-fn bits_that_loops_fill_and_cross_out_are_those_of_the_interpreter() {
+fn bits_and_bytes_that_loops_fill_and_cross_out_are_those_of_the_interpreter() {
     let (mut asked, mut finished, mut changed) = (0, 0, 0);
     for seed in 0..PROGRAMS {
         let block = BlockId::ob(1);

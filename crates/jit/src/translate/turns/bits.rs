@@ -31,18 +31,37 @@ enum Stride {
 
 /// What the variable that counts can hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Type {
-    bits: u32,
-    signed: bool,
+pub(super) struct Type {
+    pub(super) bits: u32,
+    pub(super) signed: bool,
 }
 
 impl Type {
-    fn most(self) -> i64 {
+    pub(super) fn most(self) -> i64 {
         if self.signed { (1 << (self.bits - 1)) - 1 } else { (1 << self.bits) - 1 }
     }
 }
 
-/// A loop that writes bits.
+/// What is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Written {
+    /// Bits, all of them set or not.
+    Bits(bool),
+    /// Whole bytes.
+    Bytes(u8),
+}
+
+impl Written {
+    /// The bits of each of them.
+    fn bits(self) -> i64 {
+        match self {
+            Self::Bits(_) => 1,
+            Self::Bytes(_) => 8,
+        }
+    }
+}
+
+/// A loop that writes bits or bytes.
 #[derive(Debug)]
 pub(super) struct Bits {
     /// The variable that counts.
@@ -55,17 +74,21 @@ pub(super) struct Bits {
     pointer: Node,
     offset: u32,
     area: (Base, i32, u64),
-    value: bool,
+    written: Written,
     /// What else is the same behind each turn.
     same: Vec<(Cell, u64)>,
 }
 
+/// Bits of an area that are set or not.
+type Bit = ((Base, i32, u64), bool);
+
 /// The condition of another turn of a loop that counts up.
-struct Condition {
-    counted: Node,
-    limit: Node,
-    inclusive: bool,
-    of: Type,
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Condition {
+    pub(super) counted: Node,
+    pub(super) limit: Node,
+    pub(super) inclusive: bool,
+    pub(super) of: Type,
 }
 
 /// What a loop does, if it only writes bits.
@@ -84,8 +107,13 @@ pub(super) fn read(kernel: &Kernel) -> Option<Bits> {
     if kernel.accesses.iter().any(|access| access.value.is_none() && !(access.sure && access.inside.is_some())) {
         return None;
     }
-    let value = kernel.constant(value)? & 1 != 0;
-    if store.width != Width::Bit || kernel.outer.blocks_most != 0 {
+    let value = kernel.constant(value)?;
+    let written = match store.width {
+        Width::Bit => Written::Bits(value & 1 != 0),
+        Width::Byte => Written::Bytes(value as u8),
+        _ => return None,
+    };
+    if kernel.outer.blocks_most != 0 {
         return None;
     }
     let start = |node: Node| kernel.is_start(node, Level::Outer, counter);
@@ -110,7 +138,11 @@ pub(super) fn read(kernel: &Kernel) -> Option<Bits> {
     }
     // Pointers, and numbers that have to stay below limits, are the counter and something that stays.
     let follows = |node: Node| is_counter_and_more(kernel, node, own, of, &unchanged);
-    if !follows(store.pointer) || !kernel.required.iter().all(|&(number, _)| follows(number)) {
+    let points = match written {
+        Written::Bits(_) => follows(store.pointer),
+        Written::Bytes(_) => is_eight_times(kernel, store.pointer, &follows, &unchanged),
+    };
+    if !points || !kernel.required.iter().all(|&(number, _)| follows(number)) {
         return None;
     }
     let stride = match kernel.constant(step) {
@@ -118,11 +150,11 @@ pub(super) fn read(kernel: &Kernel) -> Option<Bits> {
         _ => Stride::Computed(step),
     };
     let (pointer, offset, area) = (store.pointer, store.offset, store.area);
-    Some(Bits { counter, of, stride, limit, inclusive, pointer, offset, area, value, same })
+    Some(Bits { counter, of, stride, limit, inclusive, pointer, offset, area, written, same })
 }
 
 /// The condition under which a loop goes on that counts up by a step, which is above 0, and does not leave its type.
-fn condition(kernel: &Kernel, node: Node, own: Node, step: Node) -> Option<Condition> {
+pub(super) fn condition(kernel: &Kernel, node: Node, own: Node, step: Node) -> Option<Condition> {
     let What::Compute(op, [a, b, c, _]) = kernel.what(node) else { return None };
     let made = |counted: Node, limit: Node, inclusive: bool, bits: u32| {
         Some(Condition { counted, limit, inclusive, of: Type { bits, signed: true } })
@@ -168,6 +200,17 @@ fn is_counter_and_more(kernel: &Kernel, node: Node, own: Node, of: Type, unchang
     }
 }
 
+/// Whether a number is eight times one that follows the counter, and something that stays.
+fn is_eight_times(kernel: &Kernel, node: Node, follows: &dyn Fn(Node) -> bool, unchanged: &dyn Fn(Node) -> bool) -> bool {
+    let is = |node: Node| is_eight_times(kernel, node, follows, unchanged);
+    match kernel.what(node) {
+        What::Compute(Op::Shl32, [index, count, ..]) => follows(index) && kernel.constant(count) == Some(3),
+        What::Compute(Op::AddU32, [a, b, ..]) => is(a) && unchanged(b) || is(b) && unchanged(a),
+        What::Compute(Op::SubU32, [a, b, ..]) => is(a) && unchanged(b),
+        _ => false,
+    }
+}
+
 impl Translator<'_> {
     /// Writes turns of a loop that writes bits, as many as there are and as nobody asks about, and goes on where more turns may follow.
     pub(super) fn bits_at_once(&mut self, kernel: &Kernel, bits: &Bits, it: &Loop) {
@@ -204,12 +247,18 @@ impl Translator<'_> {
         let enough = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, turns, least);
         let before = self.b.ins().iadd_imm_s(turns, -1);
         let distance = self.b.ins().imul(before, step);
-        let last = self.b.ins().iadd(position, distance);
+        let way = self.b.ins().imul_imm_s(distance, bits.written.bits());
+        let last = self.b.ins().iadd(position, way);
         let inside = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, last, (bits.area.2 * 8) as i64);
         // The counter stays inside its type.
         let end = self.b.ins().iadd(limit, step);
         let fits = self.b.ins().icmp_imm_s(IntCC::SignedLessThanOrEqual, end, bits.of.most());
         let mut guard = [up, inside, fits].into_iter().fold(enough, |all, one| self.b.ins().band(all, one));
+        if bits.written.bits() != 1 {
+            let bit = self.b.ins().band_imm_u(position, 7);
+            let is_whole = self.b.ins().icmp_imm_u(IntCC::Equal, bit, 0);
+            guard = self.b.ins().band(guard, is_whole);
+        }
         for &(number, limit) in &kernel.required {
             let first = self.value_in_front(kernel, number);
             let first = self.int(first);
@@ -223,9 +272,22 @@ impl Translator<'_> {
         self.b.switch_to_block(enter);
         self.b.seal_block(enter);
         let base = self.address_of_base(bits.area.0);
-        match bits.stride {
-            Stride::One => self.fill_bits(bits, base, position, turns),
-            Stride::Computed(_) => self.cross_out(bits, base, position, step, turns),
+        match (bits.written, bits.stride) {
+            (Written::Bits(value), Stride::One) => self.fill_bits((bits.area, value), base, position, turns),
+            (Written::Bits(value), Stride::Computed(_)) => self.cross_out((bits.area, value), base, position, step, turns),
+            (Written::Bytes(value), stride) => {
+                let byte = self.b.ins().ushr_imm_u(position, 3);
+                let address = self.b.ins().iadd(base, byte);
+                match stride {
+                    Stride::One => self.fill_bytes(address, bits.area.1, value, turns),
+                    Stride::Computed(_) => {
+                        let byte = self.b.ins().iconst(I8, i64::from(value));
+                        self.four_at_a_time(address, step, turns, |this, address| {
+                            this.b.ins().store(data(), byte, address, bits.area.1);
+                        });
+                    }
+                }
+            }
         }
         let way = self.b.ins().imul(turns, step);
         let counted = self.b.ins().iadd(first, way);
@@ -250,7 +312,7 @@ impl Translator<'_> {
     }
 
     /// A number as the loop compares it.
-    fn number_of(&mut self, of: Type, value: Val) -> Value {
+    pub(super) fn number_of(&mut self, of: Type, value: Val) -> Value {
         match of {
             Type { bits: 16, signed: true } => {
                 let value = self.i16(value);
@@ -273,7 +335,7 @@ impl Translator<'_> {
     }
 
     /// Part of the first and of the last byte, and between them whole bytes, 16 at a time.
-    fn fill_bits(&mut self, bits: &Bits, base: Value, position: Value, turns: Value) {
+    fn fill_bits(&mut self, (area, value): Bit, base: Value, position: Value, turns: Value) {
         let last = self.b.ins().iadd(position, turns);
         let last = self.b.ins().iadd_imm_s(last, -1);
         let [first_byte, last_byte] = [position, last].map(|bit| self.b.ins().ushr_imm_u(bit, 3));
@@ -289,41 +351,46 @@ impl Translator<'_> {
         for (byte, mask) in [(first_byte, first_mask), (last_byte, last_mask)] {
             let mask = self.b.ins().ireduce(I8, mask);
             let address = self.b.ins().iadd(base, byte);
-            self.put_bits(bits, address, mask);
+            self.put_bits((area, value), address, mask);
         }
-        let byte = self.b.ins().iconst(I8, if bits.value { 0xFF } else { 0 });
-        let vector = self.b.ins().splat(I8X16, byte);
         let count = self.b.ins().isub(last_byte, first_byte);
         let count = self.b.ins().iadd_imm_s(count, -1);
-        let vectors = self.b.ins().ushr_imm_u(count, i64::from(BITS_OF_A_VECTOR.trailing_zeros()) - 3);
-        let bytes = self.b.ins().band_imm_u(count, BITS_OF_A_VECTOR / 8 - 1);
         let address = self.b.ins().iadd(base, first_byte);
         let address = self.b.ins().iadd_imm_s(address, 1);
+        self.fill_bytes(address, area.1, if value { 0xFF } else { 0 }, count);
+    }
+
+    /// Writes a byte to so many that follow one another, 16 at a time.
+    fn fill_bytes(&mut self, address: Value, start: i32, value: u8, count: Value) {
+        let byte = self.b.ins().iconst(I8, i64::from(value));
+        let vector = self.b.ins().splat(I8X16, byte);
+        let vectors = self.b.ins().ushr_imm_u(count, i64::from(BITS_OF_A_VECTOR.trailing_zeros()) - 3);
+        let bytes = self.b.ins().band_imm_u(count, BITS_OF_A_VECTOR / 8 - 1);
         let way = self.b.ins().isub(count, bytes);
         let behind = self.b.ins().iadd(address, way);
         for (address, size, count, value) in [(address, BITS_OF_A_VECTOR / 8, vectors, vector), (behind, 1, bytes, byte)] {
             let size = self.b.ins().iconst(I64, size);
             self.repeat_if_any(address, size, count, |this, address| {
-                this.b.ins().store(data(), value, address, bits.area.1);
+                this.b.ins().store(data(), value, address, start);
             });
         }
     }
 
     /// Writes the bits of a byte that a mask shows.
-    fn put_bits(&mut self, bits: &Bits, address: Value, mask: Value) {
-        let old = self.b.ins().load(I8, data(), address, bits.area.1);
-        let new = if bits.value { self.b.ins().bor(old, mask) } else { self.b.ins().band_not(old, mask) };
-        self.b.ins().store(data(), new, address, bits.area.1);
+    fn put_bits(&mut self, ((_, start, _), value): Bit, address: Value, mask: Value) {
+        let old = self.b.ins().load(I8, data(), address, start);
+        let new = if value { self.b.ins().bor(old, mask) } else { self.b.ins().band_not(old, mask) };
+        self.b.ins().store(data(), new, address, start);
     }
 
     /// Bits that lie so far from each other: few one after the other.
-    fn cross_out(&mut self, bits: &Bits, base: Value, position: Value, step: Value, turns: Value) {
+    fn cross_out(&mut self, (area, value): Bit, base: Value, position: Value, step: Value, turns: Value) {
         let [many, few, behind] = [self.b.create_block(), self.b.create_block(), self.b.create_block()];
         let pays = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, turns, PASSES_MIN);
         self.b.ins().brif(pays, many, &[], few, &[]);
         self.b.switch_to_block(many);
         self.b.seal_block(many);
-        self.stride_bits(bits, base, position, step, turns);
+        self.stride_bits((area, value), base, position, step, turns);
         self.b.ins().jump(behind, &[]);
         self.b.switch_to_block(few);
         self.b.seal_block(few);
@@ -331,7 +398,7 @@ impl Translator<'_> {
             let byte = this.b.ins().ushr_imm_u(position, 3);
             let address = this.b.ins().iadd(base, byte);
             let mask = this.mask_of(position);
-            this.put_bits(bits, address, mask);
+            this.put_bits((area, value), address, mask);
         });
         self.b.ins().jump(behind, &[]);
         self.b.switch_to_block(behind);
@@ -348,7 +415,7 @@ impl Translator<'_> {
     }
 
     /// Once over the bytes for each of eight bits: behind eight turns the same bit follows, as many bytes later as the step has bits.
-    fn stride_bits(&mut self, bits: &Bits, base: Value, position: Value, step: Value, turns: Value) {
+    fn stride_bits(&mut self, (area, value): Bit, base: Value, position: Value, step: Value, turns: Value) {
         let [head, behind] = [self.b.create_block(), self.b.create_block()];
         let eight = self.b.ins().iconst(I64, 8);
         self.b.ins().jump(head, &[BlockArg::Value(eight), BlockArg::Value(position), BlockArg::Value(turns)]);
@@ -359,8 +426,19 @@ impl Translator<'_> {
         let mask = self.mask_of(position);
         let more = self.b.ins().iadd_imm_s(turns, 7);
         let count = self.b.ins().ushr_imm_u(more, 3);
-        let write = |this: &mut Self, address: Value| this.put_bits(bits, address, mask);
-        // Four bits in each round, and those that are left.
+        self.four_at_a_time(address, step, count, |this, address| this.put_bits((area, value), address, mask));
+        let passes = self.b.ins().iadd_imm_s(passes, -1);
+        let position = self.b.ins().iadd(position, step);
+        let turns = self.b.ins().iadd_imm_s(turns, -1);
+        let arguments = [passes, position, turns].map(BlockArg::Value);
+        self.b.ins().brif(passes, head, &arguments, behind, &[]);
+        self.b.seal_block(head);
+        self.b.switch_to_block(behind);
+        self.b.seal_block(behind);
+    }
+
+    /// Does something at so many addresses, four in each round, and those that are left.
+    fn four_at_a_time(&mut self, address: Value, step: Value, count: Value, write: impl Fn(&mut Self, Value)) {
         let [rounds, left] = [self.b.ins().ushr_imm_u(count, 2), self.b.ins().band_imm_u(count, 3)];
         let [double, four] = [self.b.ins().ishl_imm_u(step, 1), self.b.ins().ishl_imm_u(step, 2)];
         let triple = self.b.ins().iadd(double, step);
@@ -374,14 +452,6 @@ impl Translator<'_> {
             }
         });
         self.repeat_if_any(address_left, step, left, |this, address| write(this, address));
-        let passes = self.b.ins().iadd_imm_s(passes, -1);
-        let position = self.b.ins().iadd(position, step);
-        let turns = self.b.ins().iadd_imm_s(turns, -1);
-        let arguments = [passes, position, turns].map(BlockArg::Value);
-        self.b.ins().brif(passes, head, &arguments, behind, &[]);
-        self.b.seal_block(head);
-        self.b.switch_to_block(behind);
-        self.b.seal_block(behind);
     }
 
     fn repeat_if_any(&mut self, address: Value, step: Value, count: Value, body: impl FnOnce(&mut Self, Value)) {
