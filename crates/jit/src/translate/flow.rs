@@ -199,18 +199,22 @@ impl Translator<'_> {
         self.dirty |= changed & !self.dead_at(statement);
         if let Some(head) = again {
             // Behind a safe point the loop may begin anew: see `behind_question`.
+            let mut idle = None;
             if let Some(it) = smallest {
                 self.promote(&it);
                 if let Some(known) = known_in_front {
                     self.know_in_loop(&it, known);
                 }
                 let words = self.words.clone();
-                self.turns_at_once(&it);
+                idle = self.turns_at_once(&it);
                 self.words = words;
                 self.look_at_turn(&it);
             }
             self.b.ins().jump(head, &[]);
             self.b.switch_to_block(head);
+            if let Some(idle) = idle {
+                self.pass_idle_turns(&idle);
+            }
         }
     }
 

@@ -40,7 +40,7 @@ pub(super) struct Interpreted {
     first: u32,
     last: u32,
     /// The look at the budget.
-    look: usize,
+    pub(super) look: usize,
     /// In front of the loop, if it is a turn.
     front: Option<clif::Block>,
     /// Where the whole piece is handed over.

@@ -8,6 +8,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+use cranelift_codegen::ir::InstBuilder;
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
 
@@ -25,6 +26,7 @@ mod count;
 mod divide;
 mod extremes;
 mod held;
+mod idle;
 mod in_order;
 mod kernel;
 mod late;
@@ -47,6 +49,7 @@ mod ways;
 mod write;
 
 use count::Count;
+pub(super) use idle::Idle;
 use kernel::{Access, Cell, Kernel, Level, Node, What};
 use line::{Carried, Shape};
 use nested::Nested;
@@ -104,22 +107,29 @@ impl Plan {
 }
 
 impl Translator<'_> {
-    /// Writes versions of a loop whose turns nobody looks at, in front of it.
-    pub(super) fn turns_at_once(&mut self, it: &Loop) {
-        if !self.options.optimize || self.at_once.len() >= LOOPS_MAX {
-            return;
-        }
+    /// Whether a loop, or one around it, is done at once.
+    fn is_at_once(&self, it: &Loop) -> bool {
         let around = |&(index, first, last): &(usize, u32, u32)| index == self.index && first <= it.first && it.last <= last;
-        if self.at_once.iter().any(around) {
-            return;
+        self.at_once.iter().any(around)
+    }
+
+    /// Writes versions of a loop whose turns nobody looks at, in front of it. What is given back are turns that do nothing, if the loop as it
+    /// stands passes them: where most of them do nothing, that is faster.
+    pub(super) fn turns_at_once(&mut self, it: &Loop) -> Option<Idle> {
+        self.write_at_once(it).or_else(|| self.idle_turns(it))
+    }
+
+    fn write_at_once(&mut self, it: &Loop) -> Option<Idle> {
+        if !self.options.optimize || self.at_once.len() >= LOOPS_MAX || self.is_at_once(it) {
+            return None;
         }
-        let Some(kernel) = reader::read(self, it).filter(|kernel| !kernel.repeats_itself()) else { return };
+        let kernel = reader::read(self, it).filter(|kernel| !kernel.repeats_itself())?;
         self.pinned.extend(&kernel.opened);
         if let Some(bits) = bits::read(&kernel) {
             self.at_once.push((self.index, it.first, it.last));
             self.bits_at_once(&kernel, &bits, it);
         }
-        let Some(plan) = Plan::of(kernel) else { return };
+        let plan = Plan::of(kernel)?;
         if plan.kernel.only_side_by_side {
             if plan.kernel.inner.is_none()
                 && let Some(beside) = plan.side_by_side_or_in_order()
@@ -127,20 +137,24 @@ impl Translator<'_> {
                 self.at_once.push((self.index, it.first, it.last));
                 self.write_beside(&beside, it);
             }
-            return;
+            return None;
         }
         if plan.kernel.inner.is_some() && plan.lanes().is_empty() {
             if let Some(nested) = plan.nested() {
                 self.at_once.push((self.index, it.first, it.last));
                 Writing::write(self, &plan, it, Writes { nested: Some(&nested), ..Writes::lanes(1) });
-                return;
+                return None;
             }
             if self.inner_is_side_by_side(it) {
-                return;
+                return None;
             }
         }
+        let sums = bit_sums::read(&plan);
+        let one_by_one = sums.is_none() && plan.kernel.inner.is_none() && plan.side_by_side_or_in_order().is_none();
+        let idle = if one_by_one { self.idle_turns(it) } else { None };
+        let few = idle.as_ref().map(|idle| self.look_for_idle_turns(idle));
         self.at_once.push((self.index, it.first, it.last));
-        if let Some(sums) = bit_sums::read(&plan) {
+        if let Some(sums) = sums {
             self.bit_sums_at_once(&plan, &sums, it);
         }
         if let Some(settled) = plan.kernel.settled().filter(|kernel| !kernel.repeats_itself()).and_then(Plan::of) {
@@ -159,6 +173,12 @@ impl Translator<'_> {
             Writing::write(self, unsigned, it, Writes::lanes(1));
         }
         Writing::write(self, &plan, it, Writes::lanes(1));
+        if let Some(few) = few {
+            self.b.ins().jump(few, &[]);
+            self.b.switch_to_block(few);
+            self.b.seal_block(few);
+        }
+        idle
     }
 
     /// Writes the versions of a loop with turns side by side. Whether nothing in them is done in order.

@@ -160,6 +160,8 @@ pub(super) struct Kernel {
     pub(super) inner: Option<Turn>,
     /// Numbers on lines that have to be below limits in all turns.
     pub(super) required: Vec<(Node, u32)>,
+    /// Conditions of the way through a turn, and whether they hold on it, if one way alone was read.
+    pub(super) ways: Vec<(Node, bool)>,
     /// Conditions that are the same in all turns, and whether they have to hold.
     pub(super) settled: Vec<(Node, bool)>,
     /// Least and greatest value of numbers that are divided by constants and never negative.
@@ -201,6 +203,7 @@ impl Kernel {
             outer: Turn::default(),
             inner: None,
             required: Vec::new(),
+            ways: Vec::new(),
             settled: Vec::new(),
             bounds: BTreeMap::new(),
             size: 0,
@@ -238,6 +241,7 @@ impl Kernel {
         waiting.extend(conditions.into_iter().flatten());
         // What has to be below a limit is looked at though nobody needs the element.
         waiting.extend(self.required.iter().map(|&(number, _)| number));
+        waiting.extend(self.ways.iter().map(|&(condition, _)| condition));
         while let Some(node) = waiting.pop() {
             if needed.insert(node) {
                 match self.what(node) {

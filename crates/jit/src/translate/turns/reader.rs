@@ -46,6 +46,16 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
     if inner.next().is_some() {
         return None;
     }
+    read_turn(translator, it, inside, None)
+}
+
+/// Reads one way through a turn of a loop: which way each of its jumps goes is a bit of a number, the lowest one that of the first jump, and
+/// not set where the jump is made. What has to hold for that is noted with the kernel.
+pub(super) fn read_way(translator: &mut Translator<'_>, it: &Loop, ways: u32) -> Option<Kernel> {
+    read_turn(translator, it, None, Some(ways))
+}
+
+fn read_turn(translator: &mut Translator<'_>, it: &Loop, inside: Option<(u32, u32)>, one_way: Option<u32>) -> Option<Kernel> {
     let facts = [Some(it.first), inside.map(|(first, _)| first)].map(|first| facts(translator, first));
     let mut reader = Reader {
         translator,
@@ -74,6 +84,7 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
         blocks_most: 0,
         reads_tables: !it.calls_nothing,
         only_side_by_side: false,
+        one_way,
     };
     // A block that reaches its instance by AR2 and nothing else counts from there.
     let pointer = reader.translator.current[Register::Ar2 as usize];
@@ -164,6 +175,8 @@ pub(super) struct Reader<'t, 'a> {
     /// Whether choices by numbers are worth it: not in turns that do little else, where a jump is as fast as four choices.
     reads_tables: bool,
     only_side_by_side: bool,
+    /// Which way jumps go that have not been reached yet, if one way alone is read.
+    one_way: Option<u32>,
 }
 
 impl Reader<'_, '_> {
@@ -226,6 +239,11 @@ impl Reader<'_, '_> {
                         }
                         again = Some(self.get(condition)?);
                     }
+                    // Who leaves the loop does not go on with the turn.
+                    Inst::Branch { condition, to: Target(to) } if self.one_way.is_some() && to > last => {
+                        let condition = self.get(condition)?;
+                        self.kernel.ways.push((condition, false));
+                    }
                     Inst::Branch { condition, to: Target(to) } if is_ahead(to) => {
                         let condition = self.get(condition)?;
                         let (taken, other) = self.ways_behind(condition);
@@ -254,7 +272,7 @@ impl Reader<'_, '_> {
                         arriving.entry(otherwise).or_default().join(ways)?;
                     }
                     Inst::Return if is_last && !is_loop && statement == last => {}
-                    Inst::Call { callee: Callee::Block(id), parameters } => {
+                    Inst::Call { callee: Callee::Block(id), parameters } if self.one_way.is_none() => {
                         let called = (self.translator.find)(id)? as usize;
                         self.call(called, usize::from(parameters), steps)?;
                     }
@@ -267,10 +285,16 @@ impl Reader<'_, '_> {
     }
 
     /// The ways behind a branch on which its condition holds, and on which it does not.
-    fn ways_behind(&self, condition: Node) -> (Ways, Ways) {
-        if let Some(value) = self.kernel.constant(condition) {
+    fn ways_behind(&mut self, condition: Node) -> (Ways, Ways) {
+        let known = self.kernel.constant(condition).map(|value| value & 1 != 0);
+        let chosen = self.one_way.filter(|_| known.is_none()).map(|ways| ways & 1 == 0);
+        if let (Some(holds), Some(ways)) = (chosen, &mut self.one_way) {
+            *ways >>= 1;
+            self.kernel.ways.push((condition, holds));
+        }
+        if let Some(holds) = known.or(chosen) {
             let both = (self.ways.clone(), Ways::default());
-            return if value & 1 != 0 { both } else { (both.1, both.0) };
+            return if holds { both } else { (both.1, both.0) };
         }
         let (condition, holds) = self.positive(condition);
         (self.ways.and(condition, holds), self.ways.and(condition, !holds))
