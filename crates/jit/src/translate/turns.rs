@@ -22,6 +22,7 @@ mod bits;
 mod by_four;
 mod cells;
 mod chased;
+mod copies;
 mod count;
 mod divide;
 mod extremes;

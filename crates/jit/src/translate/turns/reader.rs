@@ -16,7 +16,7 @@ use super::super::inside::FIRST_BYTE;
 use super::super::loops::Loop;
 use super::super::memory::moved;
 use super::super::promote::Base;
-use super::super::ranges::{self, Interval, Ranges};
+use super::super::ranges::{self, Bytes, Interval, Ranges};
 use super::super::value::Val;
 use super::super::{AFTER_CALL, AT_CALL, OPEN_BLOCKS, Translator, bit_of};
 use super::held::Held;
@@ -33,6 +33,8 @@ const CHOSEN_MAX: usize = 500;
 const CHOSEN_ALONE_MAX: usize = 160;
 /// What a division by an unknown number counts among them.
 const DIVISION: usize = 60;
+/// Choices in choices in which a condition is looked for.
+const CHOICES_MAX: usize = 6;
 /// How far the range of a value is followed back.
 pub(super) const DEPTH_MAX: usize = 8;
 
@@ -584,8 +586,19 @@ impl Reader<'_, '_> {
         node
     }
 
+    /// What a cell holds on the ways that led here.
+    pub(super) fn read_here(&mut self, cell: Cell) -> Node {
+        let node = self.read_cell(cell);
+        self.known_here(node)
+    }
+
+    /// The bytes that a copy reads and writes, if they are known to lie inside their areas where it is reached.
+    pub(super) fn moved(&self, index: u32) -> Option<[Bytes; 2]> {
+        self.translator.ranges.moved(index)
+    }
+
     /// Writes a cell on the ways that led here.
-    fn put(&mut self, cell: Cell, value: Node) {
+    pub(super) fn put(&mut self, cell: Cell, value: Node) {
         let value = if self.ways.is_always() {
             value
         } else {
@@ -617,10 +630,23 @@ impl Reader<'_, '_> {
 
     fn on_way(&mut self, way: &[(Node, bool)], value: Node, other: Node) -> Node {
         let Some((&(condition, holds), rest)) = way.split_first() else { return value };
-        let [here, there] = [holds, !holds].map(|holds| self.known(other, &vec![(condition, holds)]));
+        let [here, there] = [holds, !holds].map(|holds| self.known_inside(other, (condition, holds), CHOICES_MAX));
         let here = self.on_way(rest, value, here);
         let (a, b) = if holds { (here, there) } else { (there, here) };
         self.compute(Op::Select, [condition, a, b, condition])
+    }
+
+    /// A value where a condition is known to hold or not, with what that makes of choices in choices: of a variable to which each branch
+    /// of a CASE writes nobody needs what it held before.
+    fn known_inside(&mut self, node: Node, known: (Node, bool), depth: usize) -> Node {
+        let node = self.known(node, &vec![known]);
+        match self.kernel.what(node) {
+            What::Compute(Op::Select, [condition, a, b, _]) if depth > 0 => {
+                let [here, there] = [a, b].map(|side| self.known_inside(side, known, depth - 1));
+                if (here, there) == (a, b) { node } else { self.compute(Op::Select, [condition, here, there, condition]) }
+            }
+            _ => node,
+        }
     }
 
     /// A value where some conditions are known to hold or not.
@@ -720,12 +746,10 @@ impl Reader<'_, '_> {
                 self.note_range(index, node);
                 self.set(dst, node)
             }
+            Inst::Move { from, to, bytes } => self.copy(index, (from, to, bytes), steps),
             Inst::Load { dst, place, width, .. } => {
                 let node = match self.place(index, place, width, false)? {
-                    Reached::Cell(cell) => {
-                        let node = self.read_cell(cell);
-                        self.known_here(node)
-                    }
+                    Reached::Cell(cell) => self.read_here(cell),
                     Reached::Access(access) => self.read_at(access, steps),
                 };
                 // The same in every turn: a pointer that a caller handed on, for one.
@@ -827,6 +851,12 @@ impl Reader<'_, '_> {
     }
 
     fn place(&mut self, index: u32, place: Place, width: Width, write: bool) -> Option<Reached> {
+        let inside = self.translator.ranges.inside(index);
+        self.reach((place, width), inside, write)
+    }
+
+    /// What is reached at a place, which is known to lie among some bytes wherever it is reached, perhaps.
+    pub(super) fn reach(&mut self, (place, width): (Place, Width), inside: Option<Bytes>, write: bool) -> Option<Reached> {
         let (area, pointer, offset) = match place {
             Place::Fixed { area, position } => (area, self.constant(0), position),
             Place::Indirect { area, pointer, offset } => (area, self.get(pointer)?, offset),
@@ -870,7 +900,7 @@ impl Reader<'_, '_> {
         let (pointer, offset) = self.without_constants(pointer, offset);
         let area = (base, start, length);
         let always = self.always_inside(area, pointer, offset, width);
-        let inside = match self.translator.ranges.inside(index) {
+        let inside = match inside {
             _ if always.is_some() => always.clone(),
             Some((known, range)) if known == base && i64::from(start) <= range.start && range.end <= i64::from(start) + length as i64 => {
                 Some(range)
@@ -1037,7 +1067,7 @@ impl Reader<'_, '_> {
 }
 
 /// What an instruction reaches.
-enum Reached {
+pub(super) enum Reached {
     Cell(Cell),
     Access(Access),
 }
