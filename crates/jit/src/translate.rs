@@ -57,6 +57,7 @@ mod program;
 mod promote;
 mod quotients;
 mod ranges;
+mod series;
 mod shifts;
 mod sized;
 mod text_bytes;
@@ -91,6 +92,7 @@ use program::{Find, block_signature, words_signature};
 pub(crate) use program::{Options, listing, program};
 use promote::{Base, Computed, Promoted};
 use ranges::Ranges;
+use series::Series;
 use value::{Constants, Lazy, Val};
 use versions::{Known, Versions};
 use words::Words;
@@ -280,6 +282,8 @@ struct Translator<'a> {
     grown: usize,
     /// Safe points on ways back that are still to be written: the block, the statement, where it begins.
     ways: Vec<(clif::Block, u32, clif::Block)>,
+    /// Calls that were written side by side, of which the rest is still to be written.
+    series: Option<Series>,
     /// The next value that is written stays away if this is not 0, or if it is.
     choice: Option<Choice>,
     /// Where in its piece the running statement writes a bit last, if that is known: a good place to work on bits.
@@ -387,6 +391,7 @@ impl<'a> Translator<'a> {
             parameters_end: 0,
             grown: 0,
             ways: Vec::new(),
+            series: None,
             choice: None,
             aim: None,
             meeting: None,
@@ -449,9 +454,13 @@ impl<'a> Translator<'a> {
             self.passed.clear();
             self.look_at_budget();
             self.look_at_statements();
+            self.begin_series();
             self.aim = self.written_bit(code.statement(statement));
             let first = code.statements[statement];
             for (index, inst) in (first..).zip(code.statement(statement)) {
+                if self.is_in_series(index) {
+                    continue;
+                }
                 self.meet_in_front(index);
                 if matches!(inst, Inst::Jump { .. } | Inst::Branch { .. } | Inst::JumpTable { .. }) {
                     let behind = &code.insts[index as usize + 1..code.statements[statement + 1] as usize];
@@ -466,6 +475,7 @@ impl<'a> Translator<'a> {
             if !self.ended {
                 self.drop_what_was_handed(&[]);
             }
+            self.end_series();
         }
     }
 

@@ -61,6 +61,11 @@ impl Translator<'_> {
         true
     }
 
+    /// For how much more the last look at the budget may be.
+    pub(super) fn left_of_look(&self) -> i64 {
+        self.look.map_or(0, |look| WEIGHT_MAX - self.looks[look].weight)
+    }
+
     /// The weight that a look is for at the end, and more.
     pub(super) fn weight_of_look(&mut self, index: usize, added: i64) -> Value {
         let limit = self.b.ins().iconst(I64, self.looks[index].weight + added);

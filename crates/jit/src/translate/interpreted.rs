@@ -21,6 +21,8 @@ use crate::turn::span;
 const INSTRUCTIONS_MAX: usize = 4_000;
 /// Instructions of its own that statements which follow one another have. So many are looked at in front of each of them that enters blocks.
 const OWN_MAX: usize = 400;
+/// The same where they begin with calls that may be done side by side.
+const OWN_MAX_IN_SERIES: usize = 800;
 
 /// What a statement enters.
 struct Entered {
@@ -113,6 +115,7 @@ impl Translator<'_> {
     fn last_of_piece(&self) -> Option<u32> {
         let code = &self.native().code;
         let (mut own, mut weight, mut size) = (0, 0, 0_usize);
+        let own_max = if self.may_begin_series() { OWN_MAX_IN_SERIES } else { OWN_MAX };
         // Behind the last statement that a jump of the piece goes to, and the end of the piece so far.
         let (mut reached, mut end) = (self.statement, None);
         if self.entered(self.statement)?.weight == 0 {
@@ -128,7 +131,7 @@ impl Translator<'_> {
             reached = reached.max(farthest.unwrap_or(0));
             let leaves = insts.iter().any(|inst| matches!(inst, Inst::Return)) || reached as usize > code.statement_count();
             let begins_loop = statement > self.statement && self.arrivals.get(&statement).is_some_and(|it| it.backward);
-            if own > OWN_MAX || weight > WEIGHT_MAX || size > INSTRUCTIONS_MAX || leaves || begins_loop {
+            if own > own_max || weight > WEIGHT_MAX || size > INSTRUCTIONS_MAX || leaves || begins_loop {
                 break;
             }
             if reached <= statement + 1 {

@@ -605,6 +605,11 @@ impl Translator<'_> {
         self.kept().into_iter().for_each(|it| self.take(it));
     }
 
+    /// Whether a register stands for memory at the running statement.
+    pub(super) fn keeps_memory(&self) -> bool {
+        self.promoted.iter().any(|it| it.is_in(self.statement) && it.base != Base::Run)
+    }
+
     /// Whether something is kept here that is not kept at another statement.
     pub(super) fn leaves_loop(&self, to: u32) -> bool {
         self.promoted.iter().any(|it| it.is_in(self.statement) && !it.is_in(to))

@@ -40,6 +40,7 @@ mod pieces;
 mod quads;
 mod reader;
 mod records;
+pub(super) mod series;
 mod settled;
 mod signs;
 mod simplest;

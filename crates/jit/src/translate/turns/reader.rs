@@ -23,6 +23,10 @@ use super::held::Held;
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Part, Step, Turn, What};
 use super::ways::{Way, Ways};
 
+mod calls;
+
+pub(super) use calls::{Called, Instances};
+
 /// Instructions of a turn that is looked at, with those of the blocks that are part of it.
 const INSTRUCTIONS_MAX: usize = 2000;
 /// Longer ones are done one by one as they are written.
@@ -59,35 +63,8 @@ pub(super) fn read_way(translator: &mut Translator<'_>, it: &Loop, ways: u32) ->
 
 fn read_turn(translator: &mut Translator<'_>, it: &Loop, inside: Option<(u32, u32)>, one_way: Option<u32>) -> Option<Kernel> {
     let facts = [Some(it.first), inside.map(|(first, _)| first)].map(|first| facts(translator, first));
-    let mut reader = Reader {
-        translator,
-        written: it.written,
-        inside,
-        kernel: Kernel::empty(),
-        numbers: HashMap::new(),
-        outer: BTreeMap::new(),
-        now: BTreeMap::new(),
-        level: Level::Outer,
-        written_inside: None,
-        elements: Vec::new(),
-        temporaries: BTreeMap::new(),
-        ways: Ways::always(),
-        held: Held::default(),
-        frames: Vec::new(),
-        passed: Vec::new(),
-        given: Vec::new(),
-        facts,
-        ranges: HashMap::new(),
-        met: BTreeSet::new(),
-        unsure: Vec::new(),
-        read: 0,
-        chosen: 0,
-        blocks: 0,
-        blocks_most: 0,
-        reads_tables: !it.calls_nothing,
-        only_side_by_side: false,
-        one_way,
-    };
+    let mut reader = Reader::new(translator, it.written, facts);
+    (reader.inside, reader.reads_tables, reader.one_way) = (inside, !it.calls_nothing, one_way);
     // A block that reaches its instance by AR2 and nothing else counts from there.
     let pointer = reader.translator.current[Register::Ar2 as usize];
     if reader.translator.ranges.is_relative() {
@@ -179,6 +156,41 @@ pub(super) struct Reader<'t, 'a> {
     only_side_by_side: bool,
     /// Which way jumps go that have not been reached yet, if one way alone is read.
     one_way: Option<u32>,
+}
+
+impl<'t, 'a> Reader<'t, 'a> {
+    /// Reads turns that change some registers, with what is known of variables when one begins.
+    pub(super) fn new(translator: &'t mut Translator<'a>, written: u32, facts: [Vec<(Kept, Interval)>; 2]) -> Self {
+        Reader {
+            translator,
+            written,
+            inside: None,
+            kernel: Kernel::empty(),
+            numbers: HashMap::new(),
+            outer: BTreeMap::new(),
+            now: BTreeMap::new(),
+            level: Level::Outer,
+            written_inside: None,
+            elements: Vec::new(),
+            temporaries: BTreeMap::new(),
+            ways: Ways::always(),
+            held: Held::default(),
+            frames: Vec::new(),
+            passed: Vec::new(),
+            given: Vec::new(),
+            facts,
+            ranges: HashMap::new(),
+            met: BTreeSet::new(),
+            unsure: Vec::new(),
+            read: 0,
+            chosen: 0,
+            blocks: 0,
+            blocks_most: 0,
+            reads_tables: true,
+            only_side_by_side: false,
+            one_way: None,
+        }
+    }
 }
 
 impl Reader<'_, '_> {
@@ -603,9 +615,26 @@ impl Reader<'_, '_> {
             value
         } else {
             let before = self.now_in(cell);
-            self.chosen(value, before)
+            let chosen = self.chosen(value, before);
+            self.without_start(cell, (value, before), chosen)
         };
         self.now.insert(cell, value);
+    }
+
+    /// What is chosen between a value and what a cell held before: of a variable to which each branch of a CASE writes nobody needs what it
+    /// held when the turn began, which only a look at choices in choices shows.
+    fn without_start(&mut self, cell: Cell, (value, before): (Node, Node), chosen: Node) -> Node {
+        let Some(&start) = self.numbers.get(&What::Start(self.level, cell)) else { return chosen };
+        let needs_start = |this: &Self, node: Node| {
+            let mut rests = BTreeSet::new();
+            this.kernel.rests(node, &mut rests);
+            rests.contains(&start)
+        };
+        if before == start || !needs_start(self, chosen) {
+            return chosen;
+        }
+        let shortest = self.chosen_within(value, before, CHOICES_MAX);
+        if needs_start(self, shortest) { chosen } else { shortest }
     }
 
     /// What a cell holds, which may be known of a register that the turn has not written.
@@ -624,20 +653,24 @@ impl Reader<'_, '_> {
 
     /// A value on the ways that led here, another one on all others.
     pub(super) fn chosen(&mut self, value: Node, other: Node) -> Node {
-        let ways = self.ways.clone();
-        ways.each().iter().fold(other, |other, way| self.on_way(way, value, other))
+        self.chosen_within(value, other, 0)
     }
 
-    fn on_way(&mut self, way: &[(Node, bool)], value: Node, other: Node) -> Node {
+    /// The same with a look at so many choices in choices.
+    fn chosen_within(&mut self, value: Node, other: Node, depth: usize) -> Node {
+        let ways = self.ways.clone();
+        ways.each().iter().fold(other, |other, way| self.on_way(way, value, other, depth))
+    }
+
+    fn on_way(&mut self, way: &[(Node, bool)], value: Node, other: Node, depth: usize) -> Node {
         let Some((&(condition, holds), rest)) = way.split_first() else { return value };
-        let [here, there] = [holds, !holds].map(|holds| self.known_inside(other, (condition, holds), CHOICES_MAX));
-        let here = self.on_way(rest, value, here);
+        let [here, there] = [holds, !holds].map(|holds| self.known_inside(other, (condition, holds), depth));
+        let here = self.on_way(rest, value, here, depth);
         let (a, b) = if holds { (here, there) } else { (there, here) };
         self.compute(Op::Select, [condition, a, b, condition])
     }
 
-    /// A value where a condition is known to hold or not, with what that makes of choices in choices: of a variable to which each branch
-    /// of a CASE writes nobody needs what it held before.
+    /// A value where a condition is known to hold or not, with what that makes of so many choices in choices.
     fn known_inside(&mut self, node: Node, known: (Node, bool), depth: usize) -> Node {
         let node = self.known(node, &vec![known]);
         match self.kernel.what(node) {
@@ -746,7 +779,11 @@ impl Reader<'_, '_> {
                 self.note_range(index, node);
                 self.set(dst, node)
             }
-            Inst::Move { from, to, bytes } => self.copy(index, (from, to, bytes), steps),
+            Inst::Move { from, to, bytes } => {
+                // Turn by turn, a copy of many bytes at once is faster.
+                self.only_side_by_side = true;
+                self.copy(index, (from, to, bytes), steps)
+            }
             Inst::Load { dst, place, width, .. } => {
                 let node = match self.place(index, place, width, false)? {
                     Reached::Cell(cell) => self.read_here(cell),
