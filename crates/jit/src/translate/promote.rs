@@ -580,6 +580,12 @@ impl Translator<'_> {
         self.store_overlapping(&Touched::Bytes(*base, bytes.clone()));
     }
 
+    /// Whether an access to some of these bytes may touch what is kept in a register.
+    pub(super) fn keeps_some_of(&self, (base, bytes): (Base, Range<i64>)) -> bool {
+        let touched = Touched::Bytes(base, bytes);
+        self.kept().iter().any(|it| it.overlaps(&touched))
+    }
+
     /// Takes again what a write to some of these bytes may have changed.
     pub(super) fn take_promoted_in(&mut self, (base, bytes): &(Base, Range<i64>)) {
         self.take_overlapping(&Touched::Bytes(*base, bytes.clone()));

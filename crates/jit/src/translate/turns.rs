@@ -126,6 +126,10 @@ impl Translator<'_> {
             return None;
         }
         let kernel = reader::read(self, it).filter(|kernel| !kernel.repeats_itself())?;
+        // A loop around a block that became part of it does not know where the block reaches by its pointers.
+        if kernel.accesses.iter().any(|access| self.keeps_some_of(access.bytes())) {
+            return None;
+        }
         self.pinned.extend(&kernel.opened);
         if let Some(bits) = bits::read(&kernel) {
             self.at_once.push((self.index, it.first, it.last));

@@ -226,6 +226,9 @@ impl Translator<'_> {
         // Most conditions jump over something.
         let idle = (0..1 << JUMPS_MAX).find_map(|ways: u32| {
             let kernel = reader::read_way(self, it, ways).filter(|kernel| !kernel.repeats_itself())?;
+            if kernel.accesses.iter().any(|access| self.keeps_some_of(access.bytes())) {
+                return None;
+            }
             // Of less jumps than there are bits it is read but once.
             let is_new = ways == 0 || ways.ilog2() < kernel.ways.len() as u32;
             is_new.then(|| Idle::of(kernel, it.first)).flatten()
