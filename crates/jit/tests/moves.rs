@@ -47,7 +47,14 @@ fn place(b: &mut Builder, dice: &mut Dice) -> Place {
         let index = b.load(COUNTER, Width::Word, OnFault::SkipStatement);
         let step = b.constant(8 * dice.of(&[1, 4, 24]));
         let by = b.compute(Op::MulU32, &[index, step]);
-        b.compute(Op::AddU64, &[pointer, by])
+        if dice.roll(3) == 0 {
+            return b.compute(Op::AddU64, &[pointer, by]);
+        }
+        // As Structured Text does it: the number of the data block stays above the sum.
+        let (own, half) = (b.compute(Op::AddU32, &[pointer, by]), b.constant(32));
+        let number = b.compute(Op::Shr64, &[pointer, half]);
+        let number = b.compute(Op::Shl64, &[number, half]);
+        b.compute(Op::OrU64, &[number, own])
     };
     match dice.roll(8) {
         0 => Place::Fixed { area: dice.of(&[Area::Local, Area::BitMemory, Area::SharedData, Area::InstanceData]), position: offset },

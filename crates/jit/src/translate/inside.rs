@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::I64;
+use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{self as clif, InstBuilder, InstructionData, Opcode, Value, ValueDef};
 use sieben_engine::access;
 use sieben_engine::ir::{Callee, Inst, Place};
@@ -336,7 +336,19 @@ impl Translator<'_> {
     fn moved_span(&mut self, index: u32, place: Place, bytes: u32, write: bool) -> Option<Address> {
         let Place::Crossing { pointer, offset } = place else { return self.span(place, bytes, write) };
         let value = self.get(pointer);
-        let area = match self.force(value).constant() {
+        let value = self.force(value);
+        if let Some(number) = self.ranges.named_block(index, write) {
+            let block = self.layout.data_blocks.get(&number)?;
+            let area = (self.arena, i32::try_from(block.start).ok()?, block.len() as u64);
+            return match value.constant() {
+                Some(pointer) => span_at(area, pointer, offset, bytes),
+                None => {
+                    let pointer = self.without_number(value);
+                    Some(self.address_inside(area, pointer, offset, (Width::Byte, bytes)))
+                }
+            };
+        }
+        let area = match value.constant() {
             // The number of a data block is not that of an open one.
             Some(pointer) if pointer >> 32 != 0 => return None,
             Some(pointer) => match access::pointed_area(pointer, write).ok()? {
@@ -359,16 +371,28 @@ impl Translator<'_> {
             Place::Crossing { .. } => return None,
         };
         let pointer = self.force(pointer);
-        let (base, start, length) = self.known_area(area, write)?;
-        let end = u64::from(bytes);
+        let area = self.known_area(area, write)?;
         match pointer.constant() {
-            Some(pointer) => {
-                let byte = u64::from(super::memory::moved(pointer, offset) / 8);
-                let offset = i32::try_from(start as i64 + byte as i64).ok()?;
-                (byte + end <= length).then_some(Address { base, offset, bit: Bit::Number(0) })
-            }
-            None => Some(self.address_inside((base, start, length), pointer, offset, (Width::Byte, bytes))),
+            Some(pointer) => span_at(area, pointer, offset, bytes),
+            None => Some(self.address_inside(area, pointer, offset, (Width::Byte, bytes))),
         }
+    }
+
+    /// A pointer without the number of the data block above it.
+    fn without_number(&mut self, pointer: Val) -> Val {
+        let word = self.word(pointer);
+        let extended = |value: Value| match self.definition(value) {
+            Some((_, InstructionData::Unary { opcode: Opcode::Uextend, arg })) if self.b.func.dfg.value_type(arg) == I32 => Some(arg),
+            _ => None,
+        };
+        let low = match self.definition(word) {
+            Some((_, InstructionData::Binary { opcode: Opcode::Bor, args: [a, b] })) => {
+                let is_number = |value: Value| self.iconst(value) == Some(0);
+                [(a, b), (b, a)].into_iter().find_map(|(number, own)| if is_number(number) { extended(own) } else { None })
+            }
+            _ => None,
+        };
+        low.map_or(pointer, Val::Int)
     }
 
     /// What the code relies on from a statement on, if that can have changed while somebody was asked.
@@ -466,4 +490,11 @@ impl Translator<'_> {
         }
         holds
     }
+}
+
+/// Where bytes lie behind a pointer that is a constant, if they are in an area: where that begins, and its length.
+fn span_at((base, start, length): (Value, i32, u64), pointer: u64, offset: u32, bytes: u32) -> Option<Address> {
+    let byte = u64::from(super::memory::moved(pointer, offset) / 8);
+    let offset = i32::try_from(i64::from(start) + byte as i64).ok()?;
+    (byte + u64::from(bytes) <= length).then_some(Address { base, offset, bit: Bit::Number(0) })
 }

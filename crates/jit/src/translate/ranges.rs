@@ -94,6 +94,8 @@ pub(super) struct Ranges {
     results: FxHashMap<u32, (u32, u32)>,
     /// Areas to which pointers go that are not known beforehand and may name any: by instruction, and whether it is written.
     areas: FxHashMap<(u32, bool), Area>,
+    /// Data blocks that pointers name by a number above them: by instruction, and whether it is written.
+    named_blocks: FxHashMap<(u32, bool), u16>,
     /// Variables that instructions reach through pointers that name the area.
     pointed: FxHashMap<u32, (Base, i32)>,
     /// For each statement what its code relies on.
@@ -145,6 +147,11 @@ impl Ranges {
     /// The area to which the pointer of an access goes that may name any.
     pub(super) fn pointed_area(&self, inst: u32, write: bool) -> Option<Area> {
         self.areas.get(&(inst, write)).copied()
+    }
+
+    /// The data block that the pointer of a move names, in which all bytes are known to lie.
+    pub(super) fn named_block(&self, inst: u32, write: bool) -> Option<u16> {
+        self.named_blocks.get(&(inst, write)).copied()
     }
 
     /// The variable that an access reaches through a pointer that names its area.

@@ -48,7 +48,11 @@ impl Analysis<'_> {
                     let low = |pointer: i128| i64::from(pointer as u32);
                     let own = Interval { least: low(least), most: low(most), zeros, bits: 32 };
                     let position = interval::result(Op::AddU32, [own, Interval::constant(u64::from(offset)), own]);
-                    return self.far_bytes(least as u64, position, bytes, write).unwrap_or(Reach::Anything);
+                    let Some(reach) = self.far_bytes(least as u64, position, bytes, write) else { return Reach::Anything };
+                    if let Some(role) = notes {
+                        self.found.named_blocks.insert(role, (least as u64 >> NUMBER_SHIFT) as u16);
+                    }
+                    return reach;
                 }
                 let far = least >> 32 != 0 && matches!(span, Span::Bytes(_));
                 if !far && least >> 24 == most >> 24 && pointed_area(least as u64, write) == Ok(Area::CallerLocal) {

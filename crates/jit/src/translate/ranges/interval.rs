@@ -68,12 +68,12 @@ impl Interval {
 
     fn of((least, most): (i128, i128), zeros: u32, bits: u32) -> Self {
         let any = Self { zeros: zeros.min(32), ..Self::any(bits) };
-        if bits < 64 && (least < -FAR || most > FAR || most - least >= 1 << bits) {
-            return any;
-        }
         // Of the numbers that are the same value, those near 0: what is computed further does not get too far then.
         let turn = if bits < 64 && (most < -(1 << (bits - 1)) || least >= 1 << bits) { least.div_euclid(1 << bits) << bits } else { 0 };
         let (least, most) = (least - turn, most - turn);
+        if bits < 64 && (least < -FAR || most > FAR || most - least >= 1 << bits) {
+            return any;
+        }
         match (i64::try_from(least), i64::try_from(most)) {
             (Ok(least), Ok(most)) => Self { least, most, ..any },
             _ => any,
@@ -514,10 +514,10 @@ mod tests {
 
         /// A range, mostly a short one near a number where something turns over.
         fn interval(&mut self) -> Interval {
-            const EDGES: [i64; 10] = [0, 1, 7, 31, 255, 0x7FFF, 0x8000, 0xFFFF, 0x7FFF_FFFF, 0xFFFF_FFFF];
+            const EDGES: [i64; 11] = [0, 1, 7, 31, 255, 0x7FFF, 0x8000, 0xFFFF, 0x7FFF_FFFF, 0xFFFF_FFFF, 0x3E80_8400_0040];
             let bits = [8, 16, 32, 64][(self.roll() % 4) as usize];
             let zeros = (self.roll() % 5).saturating_sub(1) as u32;
-            let edge = EDGES[(self.roll() % 10) as usize] - (self.roll() % 6) as i64;
+            let edge = EDGES[(self.roll() % 11) as usize] - (self.roll() % 6) as i64;
             let step = 1_i64 << zeros;
             let least = if self.roll().is_multiple_of(3) { -edge } else { edge } / step * step;
             let most = least + (self.roll() % 40) as i64 / step * step;
@@ -542,6 +542,14 @@ mod tests {
         let distance = value.wrapping_sub(range.least as u64) & mask;
         let zeros = (1_u64 << range.zeros.min(range.bits - 1)) - 1;
         i128::from(distance) <= i128::from(range.most) - i128::from(range.least) && value & zeros == 0
+    }
+
+    #[test]
+    fn the_number_above_a_pointer_is_no_part_of_its_sum() {
+        let pointer = Interval::constant(0x3E80_8400_0020);
+        let by = Interval { least: 0, most: 448, zeros: 5, bits: 32 };
+        let sum = result(Op::AddU32, [pointer, by, by]);
+        assert_eq!((sum.unsigned(32), sum.bits), ((0x8400_0020, 0x8400_0020 + 448), 32));
     }
 
     #[test]

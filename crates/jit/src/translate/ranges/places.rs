@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::ir::{Code, Inst, Place, Var};
 
-use sieben_model::address::Area;
+use sieben_model::address::{Area, Width};
 
 use super::interval::comparison;
 use super::{CONSTANTS_MAX, PLACES_MAX, STOPS};
@@ -15,6 +15,34 @@ const PASSED_MAX: usize = 48;
 
 /// Places that addresses, checked conditions and what these are compared with are computed from.
 pub(super) fn relevant(code: &Code) -> FxHashSet<Place> {
+    let mut relevant = computed_from(code);
+    let given = given_to_instances(code);
+    if relevant.union(&given).count() <= PLACES_MAX {
+        relevant.extend(given);
+    }
+    relevant
+}
+
+/// Numbers that statements write to the instances of blocks that they call: pointers, indexes, limits.
+fn given_to_instances(code: &Code) -> FxHashSet<Place> {
+    let mut given = FxHashSet::default();
+    for index in 0..code.statement_count() {
+        let insts = code.statement(index);
+        let Some(call) = insts.iter().position(|inst| matches!(inst, Inst::Call { parameters: 0, .. })) else { continue };
+        given.extend(insts[..call].iter().filter_map(|inst| match *inst {
+            Inst::Store {
+                place: place @ Place::Indirect { area: Area::InstanceData, pointer, .. },
+                width: Width::Word | Width::DoubleWord,
+                ..
+            } if pointer.register().is_some() => Some(place),
+            _ => None,
+        }));
+    }
+    given
+}
+
+/// Places that addresses are computed from in the block itself, and what it hands on in its local data.
+fn computed_from(code: &Code) -> FxHashSet<Place> {
     let is_plain = |place: Place| match place {
         Place::Fixed { .. } => true,
         Place::Indirect { pointer, .. } => pointer.register().is_some(),
