@@ -417,9 +417,14 @@ impl Translator<'_> {
     /// Where a pointer to the local data of a caller goes, if that caller is in this function: byte behind the local data of its outermost
     /// block, and bit. Not if the access would fail.
     pub(super) fn way_to_caller(&self, position: u32, width: Width) -> Option<(i32, u8)> {
-        let (first, bytes) = self.caller_local((position >> CALLS_SHIFT) as usize)?;
-        let (byte, bit) = ((position & CALLS_MASK) / 8, (position % 8) as u8);
-        let inside = byte as usize + width.bytes() as usize <= bytes;
-        (inside && (width == Width::Bit || bit == 0)).then_some((first + byte as i32, bit))
+        let caller = self.caller_local((position >> CALLS_SHIFT) as usize)?;
+        way_into(position, width, caller)
     }
+}
+
+/// Where a pointer to the local data of a caller goes: first byte and number of bytes of these are known.
+pub(super) fn way_into(position: u32, width: Width, (first, bytes): (i32, usize)) -> Option<(i32, u8)> {
+    let (byte, bit) = ((position & CALLS_MASK) / 8, (position % 8) as u8);
+    let inside = byte as usize + width.bytes() as usize <= bytes;
+    (inside && (width == Width::Bit || bit == 0)).then_some((first + byte as i32, bit))
 }

@@ -7,12 +7,12 @@ use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{self as clif, InstBuilder, InstructionData, Opcode, Value, ValueDef};
 use sieben_engine::access;
 use sieben_engine::ir::{Callee, Inst, Place};
-use sieben_engine::machine::Register;
+use sieben_engine::machine::{CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 
 use super::alone::Reliance;
 use super::analysis::{open_blocks, set_by_calls};
-use super::inlining::Outer;
+use super::inlining::{self, Outer};
 use super::memory::{Address, Bit};
 use super::moves::MOVED_BYTES_MAX;
 use super::promote::Base;
@@ -49,9 +49,14 @@ impl Translator<'_> {
         ranges
     }
 
-    /// The same for a block whose callers are not those of the running code.
-    pub(super) fn find_ranges_alone(&mut self) -> Ranges {
-        let ranges = self.ranges_of(Vec::new(), Vec::new(), &|_, _| None, None);
+    /// The same for a block whose callers are not those of the running code: what is known where it is called, and where the local data of
+    /// its callers lie, the nearest first.
+    pub(super) fn find_ranges_of_called(&mut self, facts: Vec<Fact>, callers: &[(i32, usize)]) -> Ranges {
+        let caller = |position: u32, width: Width| {
+            let &(first, bytes) = callers.get((position >> CALLS_SHIFT) as usize)?;
+            inlining::way_into(position, width, (first, bytes))
+        };
+        let ranges = self.ranges_of(Vec::new(), facts, &caller, None);
         self.pinned.extend(ranges.opened());
         ranges
     }

@@ -61,6 +61,9 @@ use write::Writing;
 /// Loops of a function of which there are such versions.
 const LOOPS_MAX: usize = 100;
 
+/// Turns of an inner loop whose numbers are looked at one after the other.
+const LOOKED_AT_MAX: i64 = 256;
+
 /// Turns that are done side by side.
 const SIDE_BY_SIDE_MAX: u32 = 32;
 
@@ -229,6 +232,9 @@ impl Plan {
         };
         // Only what is on a line can be looked at in front of the loop.
         if !kernel.required.iter().all(|&(number, _)| kernel.line(number, Level::Outer).is_some_and(|line| line.bits == 32)) {
+            return None;
+        }
+        if !kernel.required_inside.iter().all(|&(number, limit)| kernel.counts_below(number, limit, inner_turns)) {
             return None;
         }
         let plan = Self { kernel, count, inner_turns };
@@ -400,6 +406,34 @@ impl Kernel {
             return true;
         }
         self.turns_stay_apart(a, b) || self.bits_stay_apart(a, b)
+    }
+
+    /// Whether a number that counts in the inner loop stays below a limit for so many turns of it.
+    fn counts_below(&self, number: Node, limit: u32, turns: i64) -> bool {
+        turns <= LOOKED_AT_MAX && (0..turns).all(|turn| self.constant_in_turn(number, turn).is_some_and(|number| number < u64::from(limit)))
+    }
+
+    /// A value in a turn of the inner loop, if it rests on nothing but what is counted there from constants.
+    fn constant_in_turn(&self, node: Node, turn: i64) -> Option<u64> {
+        match self.what(node) {
+            What::Start(Level::Inner, cell) => {
+                let line = self.cell_line(Level::Inner, cell)?;
+                let first = self.constant(*self.inner.as_ref()?.entry.get(&cell)?)?;
+                if turn == 0 || line.is_same() {
+                    return Some(first);
+                }
+                let counted = (first as u32).wrapping_add((turn as u32).wrapping_mul(line.step));
+                Some(if line.bits == 16 { u64::from(counted as u16) } else { u64::from(counted) })
+            }
+            What::Compute(op, args) => {
+                let mut words = [0; 4];
+                for (word, &arg) in words.iter_mut().zip(&args[..op.arity()]) {
+                    *word = self.constant_in_turn(arg, turn)?;
+                }
+                Some(Op::eval(op, words))
+            }
+            _ => self.constant(node),
+        }
     }
 
     /// A value when the inner loop begins, if it is a constant.

@@ -162,6 +162,8 @@ pub(super) struct Kernel {
     pub(super) required: Vec<(Node, u32)>,
     /// Conditions of the way through a turn, and whether they hold on it, if one way alone was read.
     pub(super) ways: Vec<(Node, bool)>,
+    /// Numbers that count in the inner loop and have to be below limits in all of its turns.
+    pub(super) required_inside: Vec<(Node, u32)>,
     /// Conditions that are the same in all turns, and whether they have to hold.
     pub(super) settled: Vec<(Node, bool)>,
     /// Least and greatest value of numbers that are divided by constants and never negative.
@@ -204,6 +206,7 @@ impl Kernel {
             inner: None,
             required: Vec::new(),
             ways: Vec::new(),
+            required_inside: Vec::new(),
             settled: Vec::new(),
             bounds: BTreeMap::new(),
             size: 0,
@@ -240,7 +243,7 @@ impl Kernel {
         let mut waiting: Vec<Node> = self.outer.ends.values().copied().chain(self.all_ends()).chain(of_accesses).collect();
         waiting.extend(conditions.into_iter().flatten());
         // What has to be below a limit is looked at though nobody needs the element.
-        waiting.extend(self.required.iter().map(|&(number, _)| number));
+        waiting.extend(self.required.iter().chain(&self.required_inside).map(|&(number, _)| number));
         waiting.extend(self.ways.iter().map(|&(condition, _)| condition));
         while let Some(node) = waiting.pop() {
             if needed.insert(node) {
@@ -473,7 +476,7 @@ impl Kept {
     }
 
     /// The bytes that a cell stands for, and which bit of them.
-    fn bytes(self) -> Option<(Base, Range<i64>, Option<u8>)> {
+    pub(super) fn bytes(self) -> Option<(Base, Range<i64>, Option<u8>)> {
         match self {
             Self::Register(_) | Self::Element { .. } | Self::Budget | Self::Clock | Self::Given { .. } => None,
             Self::Memory { base, offset, width, bit } => {

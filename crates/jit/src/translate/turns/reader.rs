@@ -7,22 +7,22 @@ use sieben_engine::access::{data_registers, pointed_area};
 use sieben_engine::interpreter::weight;
 use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, Target, Var};
-use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
+use sieben_engine::machine::{CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 
-use super::super::analysis::open_blocks;
-use super::super::inlining::RESTORED;
+use super::super::inlining::way_into;
 use super::super::inside::FIRST_BYTE;
 use super::super::loops::Loop;
 use super::super::memory::moved;
 use super::super::promote::Base;
 use super::super::ranges::{self, Bytes, Interval, Ranges};
 use super::super::value::Val;
-use super::super::{AFTER_CALL, AT_CALL, OPEN_BLOCKS, Translator, bit_of};
+use super::super::{Translator, bit_of};
 use super::held::Held;
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Part, Step, Turn, What};
 use super::ways::{Way, Ways};
 
+mod called;
 mod calls;
 
 pub(super) use calls::{Called, Instances};
@@ -35,6 +35,8 @@ const INSTRUCTIONS_ALONE_MAX: usize = 640;
 const CHOSEN_MAX: usize = 500;
 /// The same where they are done one by one: beyond that, it would be faster to jump.
 const CHOSEN_ALONE_MAX: usize = 160;
+/// How often a loop in a called block is read to find what it writes.
+const READINGS_MAX: usize = 4;
 /// What a division by an unknown number counts among them.
 const DIVISION: usize = 60;
 /// Choices in choices in which a condition is looked for.
@@ -48,7 +50,7 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
         return None;
     }
     let mut inner = translator.loops.iter().filter(|inner| inner.first > it.first && inner.last <= it.last);
-    let inside = inner.next().map(|inner| (inner.first, inner.last));
+    let inside = inner.next().cloned();
     if inner.next().is_some() {
         return None;
     }
@@ -61,8 +63,9 @@ pub(super) fn read_way(translator: &mut Translator<'_>, it: &Loop, ways: u32) ->
     read_turn(translator, it, None, Some(ways))
 }
 
-fn read_turn(translator: &mut Translator<'_>, it: &Loop, inside: Option<(u32, u32)>, one_way: Option<u32>) -> Option<Kernel> {
-    let facts = [Some(it.first), inside.map(|(first, _)| first)].map(|first| facts(translator, first));
+fn read_turn(translator: &mut Translator<'_>, it: &Loop, inside: Option<Loop>, one_way: Option<u32>) -> Option<Kernel> {
+    let facts = [Some(it.first), inside.as_ref().map(|inside| inside.first)].map(|first| facts(translator, first));
+    let statements_inside = inside.as_ref().map(|inside| (inside.first, inside.last));
     let mut reader = Reader::new(translator, it.written, facts);
     (reader.inside, reader.reads_tables, reader.one_way) = (inside, !it.calls_nothing, one_way);
     // A block that reaches its instance by AR2 and nothing else counts from there.
@@ -82,7 +85,7 @@ fn read_turn(translator: &mut Translator<'_>, it: &Loop, inside: Option<(u32, u3
     kernel.add_at_once();
     kernel.forget_unread();
     kernel.live = !(translator.dead_at(it.first) & translator.dead_at(it.last + 1));
-    let live_inside = inside.map_or(!0, |(first, last)| !(translator.dead_at(first) & translator.dead_at(last + 1)));
+    let live_inside = statements_inside.map_or(!0, |(first, last)| !(translator.dead_at(first) & translator.dead_at(last + 1)));
     kernel.forget_dead(live_inside);
     kernel.is_apart().then_some(kernel)
 }
@@ -107,14 +110,39 @@ struct Frame {
     pointer: Option<Val>,
     given: Vec<Node>,
     passed: Vec<Node>,
+    inside: Option<Loop>,
+    facts_inside: Vec<(Kept, Interval)>,
+}
+
+/// What is read when statements follow one another.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Piece {
+    /// A turn of a loop.
+    Turn,
+    /// A block that is called.
+    Block,
+}
+
+/// How much has been read, so that what follows can be read again.
+struct Mark {
+    nodes: usize,
+    cells: usize,
+    accesses: usize,
+    unsure: usize,
+    required: [usize; 2],
+    ranges: HashMap<Node, Interval>,
+    bounds: BTreeMap<Node, (u32, u32)>,
+    met: BTreeSet<Node>,
+    read: usize,
+    chosen: usize,
 }
 
 pub(super) struct Reader<'t, 'a> {
     translator: &'t mut Translator<'a>,
     /// Registers that the loop changes.
     written: u32,
-    /// First and last statement of the inner loop.
-    inside: Option<(u32, u32)>,
+    /// The loop in the block that is read, or in the turn.
+    inside: Option<Loop>,
     pub(super) kernel: Kernel,
     numbers: HashMap<What, Node>,
     /// What cells hold in front of the inner loop, while that is read.
@@ -139,6 +167,8 @@ pub(super) struct Reader<'t, 'a> {
     given: Vec<Node>,
     /// Ranges of variables when a turn of the whole loop begins, and one of the inner loop.
     facts: [Vec<(Kept, Interval)>; 2],
+    /// Variables in local data that are read or written.
+    touched: BTreeSet<Cell>,
     /// Ranges that values have in each turn.
     ranges: HashMap<Node, Interval>,
     /// Conditions that hold in each turn.
@@ -179,6 +209,7 @@ impl<'t, 'a> Reader<'t, 'a> {
             passed: Vec::new(),
             given: Vec::new(),
             facts,
+            touched: BTreeSet::new(),
             ranges: HashMap::new(),
             met: BTreeSet::new(),
             unsure: Vec::new(),
@@ -198,19 +229,19 @@ impl Reader<'_, '_> {
         let mut steps = Vec::new();
         self.held.forget();
         (self.blocks, self.blocks_most) = (0, 0);
-        let again = self.statements((first, last), &mut steps)?;
+        let again = self.statements((first, last), Piece::Turn, &mut steps)?;
         self.write_held(&mut steps);
         self.held.forget();
-        self.forget_handed();
+        self.forget_handed()?;
         let weight = weight((last - first) as usize);
         let (blocks, blocks_most) = (self.blocks, self.blocks_most);
         Some(Turn { steps, ends: std::mem::take(&mut self.now), entry: BTreeMap::new(), again: again?, weight, blocks, blocks_most })
     }
 
     /// Reads statements that follow one another; the condition under which the last one jumps back to the first.
-    fn statements(&mut self, (first, last): (u32, u32), steps: &mut Vec<Step>) -> Option<Option<Node>> {
+    fn statements(&mut self, (first, last): (u32, u32), piece: Piece, steps: &mut Vec<Step>) -> Option<Option<Node>> {
         let code = &self.translator.native().code;
-        let is_loop = self.frames.is_empty();
+        let is_loop = piece == Piece::Turn;
         let mut arriving: BTreeMap<u32, Ways> = BTreeMap::new();
         let mut again = None;
         let mut statement = first;
@@ -223,15 +254,14 @@ impl Reader<'_, '_> {
                 continue;
             }
             if self.level == Level::Outer
-                && is_loop
-                && let Some((inner, end)) = self.inside
-                && inner == statement
+                && let Some(inside) = self.inside.clone()
+                && inside.first == statement
             {
                 if !self.ways.is_always() {
                     return None;
                 }
-                self.inner((inner, end), steps)?;
-                statement = end + 1;
+                self.inner(&inside, steps)?;
+                statement = inside.last + 1;
                 continue;
             }
             self.temporaries.clear();
@@ -325,23 +355,33 @@ impl Reader<'_, '_> {
 
     /// Reads the inner loop: once to see what it writes, and once more with what else is known. Where its turns write variables at addresses
     /// that are the same in all of them, it is read again with these as cells.
-    fn inner(&mut self, statements: (u32, u32), steps: &mut Vec<Step>) -> Option<()> {
+    fn inner(&mut self, inside: &Loop, steps: &mut Vec<Step>) -> Option<()> {
+        // There is only one.
+        if self.kernel.inner.is_some() {
+            return None;
+        }
+        let statements = (inside.first, inside.last);
         let held = std::mem::take(&mut self.held);
-        let before = (self.kernel.accesses.len(), self.unsure.len(), self.ranges.clone());
-        let (blocks, read, chosen) = ((self.blocks, self.blocks_most), self.read, self.chosen);
+        let before = self.mark();
+        let blocks = (self.blocks, self.blocks_most);
         self.outer = std::mem::take(&mut self.now);
         self.level = Level::Inner;
-        let mut written: BTreeSet<Cell> = self.turn(statements)?.ends.into_keys().collect();
-        self.read_again(&before);
+        let mut written = if self.frames.is_empty() {
+            let written: BTreeSet<Cell> = self.turn(statements)?.ends.into_keys().collect();
+            self.read_again(&before);
+            written
+        } else {
+            self.written_in_called(statements, &before)?
+        };
         self.written_inside = Some(written.clone());
         let mut turn = self.turn(statements)?;
         if turn.ends.keys().eq(&written) {
-            self.elements = self.elements_of(before.0);
+            self.elements = self.elements_of(before.accesses);
         }
         if !self.elements.is_empty() {
             self.read_again(&before);
             // It was read once already.
-            (self.read, self.chosen) = (read, chosen);
+            (self.read, self.chosen) = (before.read, before.chosen);
             for number in 0..self.elements.len() {
                 let cell = self.element(number);
                 written.insert(cell);
@@ -379,12 +419,61 @@ impl Reader<'_, '_> {
         Some(())
     }
 
+    /// What the turns of a loop in a called block write. Pointers that the block was given lie in memory: what no turn writes is taken to be
+    /// what it was in front of the loop, first of all, then all but what turns write that are read so, until they write no other cells.
+    fn written_in_called(&mut self, statements: (u32, u32), before: &Mark) -> Option<BTreeSet<Cell>> {
+        let mut written = BTreeSet::new();
+        for _ in 0..READINGS_MAX {
+            self.written_inside = Some(written.clone());
+            let ends = self.turn(statements)?.ends;
+            let is_all = ends.keys().eq(&written);
+            // Cells that were new in this reading are numbered anew in the next one.
+            let kept: Vec<Kept> = ends.keys().map(|&cell| self.kernel.kept(cell)).collect();
+            self.read_anew(before);
+            written = kept.into_iter().map(|kept| self.cell(kept)).collect();
+            if is_all {
+                return Some(written);
+            }
+        }
+        None
+    }
+
+    fn mark(&self) -> Mark {
+        Mark {
+            nodes: self.kernel.nodes.len(),
+            cells: self.kernel.cells.len(),
+            accesses: self.kernel.accesses.len(),
+            unsure: self.unsure.len(),
+            required: [self.kernel.required.len(), self.kernel.required_inside.len()],
+            ranges: self.ranges.clone(),
+            bounds: self.kernel.bounds.clone(),
+            met: self.met.clone(),
+            read: self.read,
+            chosen: self.chosen,
+        }
+    }
+
     /// Forgets what a loop did when it was read before: what is read then may be something else.
-    fn read_again(&mut self, (accesses, unsure, ranges): &(usize, usize, HashMap<Node, Interval>)) {
-        self.ranges.clone_from(ranges);
-        self.kernel.accesses.truncate(*accesses);
-        self.kernel.reads.truncate(*accesses);
-        self.unsure.truncate(*unsure);
+    fn read_again(&mut self, before: &Mark) {
+        self.ranges.clone_from(&before.ranges);
+        self.met.clone_from(&before.met);
+        self.kernel.bounds.clone_from(&before.bounds);
+        self.kernel.accesses.truncate(before.accesses);
+        self.kernel.reads.truncate(before.accesses);
+        self.kernel.required.truncate(before.required[0]);
+        self.kernel.required_inside.truncate(before.required[1]);
+        self.unsure.truncate(before.unsure);
+    }
+
+    /// The same, with all values and cells.
+    fn read_anew(&mut self, before: &Mark) {
+        self.read_again(before);
+        self.kernel.nodes.truncate(before.nodes);
+        self.numbers.retain(|_, node| (node.number() as usize) < before.nodes);
+        self.kernel.cells.truncate(before.cells);
+        self.touched.retain(|cell| cell.number() < before.cells);
+        self.temporaries.clear();
+        (self.read, self.chosen) = (before.read, before.chosen);
     }
 
     /// Variables that the turns of the inner loop write at addresses that are the same in all of them, and to which no other access goes,
@@ -416,124 +505,6 @@ impl Reader<'_, '_> {
         }
         let number = self.elements.iter().position(|element| element.is_same(access))?;
         Some(self.element(number))
-    }
-
-    /// Reads a block that becomes part of the loop.
-    fn call(&mut self, code: usize, parameters: usize, steps: &mut Vec<Step>) -> Option<()> {
-        let t = &mut *self.translator;
-        let block = &t.blocks[code].code;
-        let others = bit_of(Register::Ma) | bit_of(Register::Nesting);
-        let touches = |inst: &Inst| {
-            let register = |var: Var| var.register().map_or(0, bit_of);
-            let read = sieben_engine::ir::verify::reads(inst).map(register).fold(0, |all, bit| all | bit);
-            let written = sieben_engine::ir::verify::writes(inst).map_or(0, register);
-            read & others != 0 || written & (others | open_blocks()) != 0
-        };
-        // What a call restores stays as it is.
-        if t.ranges.is_relative() || !t.inlines(code) || block.insts.iter().any(touches) {
-            return None;
-        }
-        let given = self.passed.split_off(self.passed.len().checked_sub(parameters)?);
-        let behind = i32::try_from(t.local_behind()).ok()?;
-        let weight = u32::from(weight(block.statement_count()));
-        let last = (block.statement_count() as u32).checked_sub(1)?;
-        self.blocks_most += weight;
-        if self.ways.is_always() {
-            self.blocks += weight;
-        } else {
-            self.take_sometimes(weight)?;
-        }
-        for &(register, value) in AT_CALL.iter().filter(|(register, _)| !RESTORED.contains(register)) {
-            let value = self.constant(value);
-            self.set(register.into(), value)?;
-        }
-        let pointer = self.get(Register::Ar2.into())?;
-        let known = |this: &Self, node: Node| this.kernel.constant(node).map(Val::Const);
-        let unknown = Val::Word(self.translator.arena);
-        let instance = known(self, pointer).unwrap_or(unknown);
-        let vals = given.iter().map(|&node| known(self, node).unwrap_or(unknown)).collect();
-        // The data blocks that are open where the block is called, not those in front of the loop.
-        let mut open = [None; OPEN_BLOCKS.len()];
-        for (value, register) in open.iter_mut().zip(OPEN_BLOCKS) {
-            let node = self.get(register.into())?;
-            *value = known(self, node);
-        }
-        let t = &mut *self.translator;
-        self.frames.push(Frame {
-            index: std::mem::replace(&mut t.index, code),
-            local_offset: std::mem::replace(&mut t.local_offset, behind),
-            ranges: std::mem::take(&mut t.ranges),
-            vals: std::mem::replace(&mut t.given, vals),
-            instance: std::mem::replace(&mut t.instance, instance),
-            pointer: std::mem::replace(&mut t.current[Register::Ar2 as usize], instance.constant().map(Val::Const)),
-            given: std::mem::replace(&mut self.given, given),
-            passed: std::mem::take(&mut self.passed),
-        });
-        let before = OPEN_BLOCKS.map(|register| t.current[register as usize]);
-        OPEN_BLOCKS.iter().zip(open).for_each(|(&register, value)| t.current[register as usize] = value);
-        t.ranges = t.find_ranges_alone();
-        OPEN_BLOCKS.iter().zip(before).for_each(|(&register, value)| t.current[register as usize] = value);
-        let ways = self.ways.clone();
-        let open = OPEN_BLOCKS.map(|register| {
-            let cell = self.cell(Kept::Register(register));
-            (cell, self.now.get(&cell).copied())
-        });
-        self.statements((0, last), steps)?;
-        self.forget_locals();
-        self.leave_frames(self.frames.len() - 1);
-        self.ways = ways;
-        for (cell, before) in open {
-            match before {
-                Some(before) => self.now.insert(cell, before),
-                None => self.now.remove(&cell),
-            };
-        }
-        self.temporaries.clear();
-        for (register, value) in AFTER_CALL {
-            let value = self.constant(value);
-            self.set(register.into(), value)?;
-        }
-        Some(())
-    }
-
-    /// Forgets the local data of a block that has ended, if nobody reads what it left there.
-    fn forget_locals(&mut self) {
-        let t = &*self.translator;
-        if !t.options.forgets_locals {
-            return;
-        }
-        let first = t.local_offset;
-        let cells = &self.kernel.cells;
-        self.now.retain(|cell, _| match cells[cell.number()] {
-            Kept::Memory { base: Base::Local, offset, .. } => offset < first,
-            _ => true,
-        });
-    }
-
-    /// Forgets what the block handed to others through its local data, if nobody needs it behind the statement that did so.
-    fn forget_handed(&mut self) {
-        let t = &*self.translator;
-        if !t.options.forgets_locals {
-            return;
-        }
-        let (cells, first) = (&self.kernel.cells, t.local_offset);
-        self.now.retain(|cell, _| match cells[cell.number()] {
-            Kept::Memory { base: Base::Local, offset, width, .. } => !t.native().is_handed(offset - first, width.bytes()),
-            _ => true,
-        });
-    }
-
-    /// Goes back to a caller, by the number of its own callers.
-    fn leave_frames(&mut self, depth: usize) {
-        while self.frames.len() > depth
-            && let Some(frame) = self.frames.pop()
-        {
-            let t = &mut *self.translator;
-            (t.index, t.local_offset, t.ranges, t.given, t.instance) =
-                (frame.index, frame.local_offset, frame.ranges, frame.vals, frame.instance);
-            t.current[Register::Ar2 as usize] = frame.pointer;
-            (self.given, self.passed) = (frame.given, frame.passed);
-        }
     }
 
     /// Notes what a block takes from the budget that some turns do not enter.
@@ -571,6 +542,13 @@ impl Reader<'_, '_> {
         Cell::numbered(at as u16)
     }
 
+    /// Notes that a cell is read or written, if it lies in local data.
+    fn touch(&mut self, cell: Cell) {
+        if let Kept::Memory { base: Base::Local, .. } = self.kernel.kept(cell) {
+            self.touched.insert(cell);
+        }
+    }
+
     /// What a cell holds, whatever way led here.
     fn read_cell(&mut self, cell: Cell) -> Node {
         if let Some(&node) = self.now.get(&cell) {
@@ -584,7 +562,7 @@ impl Reader<'_, '_> {
             return self.constant(value);
         }
         let mut level = self.level;
-        if level == Level::Inner && self.written_inside.as_ref().is_some_and(|written| !written.contains(&cell)) {
+        if level == Level::Inner && !self.is_written_inside(cell) {
             if let Some(&node) = self.outer.get(&cell) {
                 return node;
             }
@@ -637,13 +615,18 @@ impl Reader<'_, '_> {
         if needs_start(self, shortest) { chosen } else { shortest }
     }
 
+    /// Whether the running loop is the inner one, and its turns may write a cell.
+    fn is_written_inside(&self, cell: Cell) -> bool {
+        self.level == Level::Inner && self.written_inside.as_ref().is_none_or(|written| written.contains(&cell))
+    }
+
     /// What a cell holds, which may be known of a register that the turn has not written.
     fn now_in(&mut self, cell: Cell) -> Node {
         if let Kept::Register(register) = self.kernel.kept(cell) {
             let is_written = [&self.now, &self.outer].iter().any(|written| written.contains_key(&cell));
             // AR2 may be known when a turn begins though turns change it.
             let as_it_began =
-                !is_written && (self.written & bit_of(register) == 0 || register == Register::Ar2 && self.level == Level::Outer);
+                !is_written && (self.written & bit_of(register) == 0 || register == Register::Ar2 && !self.is_written_inside(cell));
             if as_it_began && let Some(Val::Const(value)) = self.translator.current[register as usize] {
                 return self.constant(value);
             }
@@ -786,7 +769,10 @@ impl Reader<'_, '_> {
             }
             Inst::Load { dst, place, width, .. } => {
                 let node = match self.place(index, place, width, false)? {
-                    Reached::Cell(cell) => self.read_here(cell),
+                    Reached::Cell(cell) => {
+                        self.touch(cell);
+                        self.read_here(cell)
+                    }
                     Reached::Access(access) => self.read_at(access, steps),
                 };
                 // The same in every turn: a pointer that a caller handed on, for one.
@@ -801,7 +787,10 @@ impl Reader<'_, '_> {
                 let value = self.get(src)?;
                 let value = self.cut(width, value);
                 match self.place(index, place, width, true)? {
-                    Reached::Cell(cell) => self.put(cell, value),
+                    Reached::Cell(cell) => {
+                        self.touch(cell);
+                        self.put(cell, value);
+                    }
                     Reached::Access(access) => self.write_at(access, value, steps),
                 }
                 Some(())
@@ -857,10 +846,15 @@ impl Reader<'_, '_> {
         }
         let What::Compute(Op::Below, [number, limit, ..]) = self.kernel.what(condition) else { return None };
         let limit = u32::try_from(self.kernel.constant(limit)?).ok()?;
-        if self.level == Level::Inner || limit == 0 || !self.kernel.is_32_bits(number) {
+        if limit == 0 || !self.kernel.is_32_bits(number) {
             return None;
         }
-        self.kernel.required.push((number, limit));
+        // What is the same in all turns of the inner loop is looked at with the turns around them.
+        if self.level == Level::Outer || self.kernel.is_fixed(number, &mut HashMap::new()) {
+            self.kernel.required.push((number, limit));
+        } else {
+            self.kernel.required_inside.push((number, limit));
+        }
         self.met.insert(condition);
         let range = Interval { least: 0, most: i64::from(limit) - 1, zeros: 0, bits: 32 };
         self.ranges.insert(number, range);
@@ -1004,13 +998,8 @@ impl Reader<'_, '_> {
 
     /// A variable in the local data of a caller.
     fn in_caller(&mut self, position: u32, width: Width) -> Option<Reached> {
-        let (first, bytes) = self.caller_local((position >> CALLS_SHIFT) as usize)?;
-        let (byte, bit) = ((position & CALLS_MASK) / 8, (position % 8) as u8);
-        let inside = byte as usize + width.bytes() as usize <= bytes && (width == Width::Bit || bit == 0);
-        if !inside {
-            return None;
-        }
-        let offset = first + byte as i32;
+        let caller = self.caller_local((position >> CALLS_SHIFT) as usize)?;
+        let (offset, bit) = way_into(position, width, caller)?;
         Some(Reached::Cell(self.cell(Kept::Memory { base: Base::Local, offset, width, bit })))
     }
 

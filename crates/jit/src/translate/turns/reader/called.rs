@@ -1,0 +1,202 @@
+//! Reads a block that a turn calls: with what the turn knows where it calls, and the loop in it, if there is one.
+
+use sieben_engine::interpreter::weight;
+use sieben_engine::ir::{Inst, Op, Var};
+use sieben_engine::machine::Register;
+use sieben_model::address::Width;
+
+use super::super::super::analysis::open_blocks;
+use super::super::super::inlining::RESTORED;
+use super::super::super::promote::Base;
+use super::super::super::ranges::{self, Fact};
+use super::super::super::value::Val;
+use super::super::super::{AFTER_CALL, AT_CALL, OPEN_BLOCKS, bit_of};
+use super::super::kernel::{Access, Cell, Kept, Level, Node, Step};
+use super::{DEPTH_MAX, Frame, Piece, Reader, facts};
+
+/// Variables whose ranges are known where a block is called.
+const FACTS_MAX: usize = 64;
+
+impl Reader<'_, '_> {
+    /// Reads a block that becomes part of the loop.
+    pub(super) fn call(&mut self, code: usize, parameters: usize, steps: &mut Vec<Step>) -> Option<()> {
+        let t = &mut *self.translator;
+        let block = &t.blocks[code].code;
+        let others = bit_of(Register::Ma) | bit_of(Register::Nesting);
+        let touches = |inst: &Inst| {
+            let register = |var: Var| var.register().map_or(0, bit_of);
+            let read = sieben_engine::ir::verify::reads(inst).map(register).fold(0, |all, bit| all | bit);
+            let written = sieben_engine::ir::verify::writes(inst).map_or(0, register);
+            read & others != 0 || written & (others | open_blocks()) != 0
+        };
+        // What a call restores stays as it is.
+        if t.ranges.is_relative() || !t.inlines(code) || block.insts.iter().any(touches) {
+            return None;
+        }
+        let given = self.passed.split_off(self.passed.len().checked_sub(parameters)?);
+        let behind = i32::try_from(t.local_behind()).ok()?;
+        let weight = u32::from(weight(block.statement_count()));
+        let last = (block.statement_count() as u32).checked_sub(1)?;
+        self.blocks_most += weight;
+        if self.ways.is_always() {
+            self.blocks += weight;
+        } else {
+            self.take_sometimes(weight)?;
+        }
+        for &(register, value) in AT_CALL.iter().filter(|(register, _)| !RESTORED.contains(register)) {
+            let value = self.constant(value);
+            self.set(register.into(), value)?;
+        }
+        let pointer = self.get(Register::Ar2.into())?;
+        let known = |this: &Self, node: Node| this.kernel.constant(node).map(Val::Const);
+        let unknown = Val::Word(self.translator.arena);
+        let instance = known(self, pointer).unwrap_or(unknown);
+        let vals = given.iter().map(|&node| known(self, node).unwrap_or(unknown)).collect();
+        // The data blocks that are open where the block is called, not those in front of the loop.
+        let mut open = [None; OPEN_BLOCKS.len()];
+        for (value, register) in open.iter_mut().zip(OPEN_BLOCKS) {
+            let node = self.get(register.into())?;
+            *value = known(self, node);
+        }
+        let t = &mut *self.translator;
+        self.frames.push(Frame {
+            index: std::mem::replace(&mut t.index, code),
+            local_offset: std::mem::replace(&mut t.local_offset, behind),
+            ranges: std::mem::take(&mut t.ranges),
+            vals: std::mem::replace(&mut t.given, vals),
+            instance: std::mem::replace(&mut t.instance, instance),
+            pointer: std::mem::replace(&mut t.current[Register::Ar2 as usize], instance.constant().map(Val::Const)),
+            given: std::mem::replace(&mut self.given, given),
+            passed: std::mem::take(&mut self.passed),
+            inside: self.inside.take(),
+            facts_inside: std::mem::take(&mut self.facts[1]),
+        });
+        let known_facts = self.facts_here();
+        let callers: Vec<(i32, usize)> = (0..).map_while(|calls| self.caller_local(calls)).collect();
+        let t = &mut *self.translator;
+        let before = OPEN_BLOCKS.map(|register| t.current[register as usize]);
+        OPEN_BLOCKS.iter().zip(open).for_each(|(&register, value)| t.current[register as usize] = value);
+        let ranges = t.find_ranges_of_called(known_facts, &callers);
+        t.ranges = ranges;
+        OPEN_BLOCKS.iter().zip(before).for_each(|(&register, value)| t.current[register as usize] = value);
+        let ways = self.ways.clone();
+        let open = OPEN_BLOCKS.map(|register| {
+            let cell = self.cell(Kept::Register(register));
+            (cell, self.now.get(&cell).copied())
+        });
+        self.loop_in_called(code)?;
+        self.statements((0, last), Piece::Block, steps)?;
+        self.forget_locals()?;
+        self.leave_frames(self.frames.len() - 1);
+        self.ways = ways;
+        for (cell, before) in open {
+            match before {
+                Some(before) => self.now.insert(cell, before),
+                None => self.now.remove(&cell),
+            };
+        }
+        self.temporaries.clear();
+        for (register, value) in AFTER_CALL {
+            let value = self.constant(value);
+            self.set(register.into(), value)?;
+        }
+        Some(())
+    }
+
+    /// Forgets the local data of a block that has ended, if nobody reads what it left there; `None` if some of it is read otherwise than it is
+    /// written.
+    fn forget_locals(&mut self) -> Option<()> {
+        let t = &*self.translator;
+        if !t.options.forgets_locals {
+            return Some(());
+        }
+        let first = t.local_offset;
+        self.forget(|offset, _| offset >= first)?;
+        let cells = &self.kernel.cells;
+        self.touched.retain(|cell| !matches!(cells[cell.number()], Kept::Memory { offset, .. } if offset >= first));
+        Some(())
+    }
+
+    /// Forgets what the block handed to others through its local data, if nobody needs it behind the statement that did so.
+    pub(super) fn forget_handed(&mut self) -> Option<()> {
+        let t = &*self.translator;
+        if !t.options.forgets_locals {
+            return Some(());
+        }
+        let (block, first) = (t.native(), t.local_offset);
+        self.forget(|offset, width| block.is_handed(offset - first, width.bytes()))
+    }
+
+    /// Forgets what was written to some local data. No variable that shares bits with them has another name: nobody would know then that one is
+    /// written where the other one is read.
+    fn forget(&mut self, is_forgotten: impl Fn(i32, Width) -> bool) -> Option<()> {
+        let cells = &self.kernel.cells;
+        let is_forgotten = |cell: Cell| match cells[cell.number()] {
+            Kept::Memory { base: Base::Local, offset, width, .. } => is_forgotten(offset, width),
+            _ => false,
+        };
+        for &cell in self.now.keys().filter(|&&cell| is_forgotten(cell)) {
+            let (base, bytes, bit) = cells[cell.number()].bytes()?;
+            let shares = |&other: &Cell| {
+                let Some((other_base, others, other_bit)) = cells[other.number()].bytes() else { return false };
+                let same_byte = base.may_share(&bytes, other_base, &others);
+                other != cell && same_byte && (bit.is_none() || other_bit.is_none() || bit == other_bit)
+            };
+            let is_reached = |access: &Access| {
+                let (other_base, others) = access.bytes();
+                base.may_share(&bytes, other_base, &others)
+            };
+            if self.touched.iter().any(shares) || self.kernel.accesses.iter().any(is_reached) {
+                return None;
+            }
+        }
+        self.now.retain(|&cell, _| !is_forgotten(cell));
+        Some(())
+    }
+
+    /// Goes back to a caller, by the number of its own callers.
+    pub(super) fn leave_frames(&mut self, depth: usize) {
+        while self.frames.len() > depth
+            && let Some(frame) = self.frames.pop()
+        {
+            let t = &mut *self.translator;
+            (t.index, t.local_offset, t.ranges, t.given, t.instance) =
+                (frame.index, frame.local_offset, frame.ranges, frame.vals, frame.instance);
+            t.current[Register::Ar2 as usize] = frame.pointer;
+            (self.given, self.passed, self.inside) = (frame.given, frame.passed, frame.inside);
+            self.facts[1] = frame.facts_inside;
+        }
+    }
+
+    /// What is known of variables in memory where a block is called.
+    fn facts_here(&self) -> Vec<Fact> {
+        let fact = |(&cell, &node): (&Cell, &Node)| {
+            let Kept::Memory { base, offset, width: width @ (Width::Byte | Width::Word | Width::DoubleWord), .. } = self.kernel.kept(cell)
+            else {
+                return None;
+            };
+            let range = self.range(node, DEPTH_MAX);
+            let range = match width {
+                _ if range.bits <= width.bits() || range.exact().is_some() => range,
+                Width::Word => ranges::result(Op::Low16, [range; 3]),
+                _ => range,
+            };
+            let is_known = range.bits <= width.bits() || range.exact().is_some_and(|value| value >> width.bits() == 0);
+            (is_known && range.most - range.least < (1 << width.bits()) - 1).then_some(Fact { cell: (base, offset, width), range })
+        };
+        let around = self.outer.iter().filter(|&(&cell, _)| !self.now.contains_key(&cell) && !self.is_written_inside(cell));
+        self.now.iter().chain(around).filter_map(fact).take(FACTS_MAX).collect()
+    }
+
+    /// Notes the loop of a called block: the one inside the loop that is read, if there is one.
+    fn loop_in_called(&mut self, code: usize) -> Option<()> {
+        let mut loops = self.translator.find_loops(code).into_iter();
+        let Some(inside) = loops.next() else { return Some(()) };
+        if self.level == Level::Inner || loops.next().is_some() || !inside.asks_nothing {
+            return None;
+        }
+        self.facts[1] = facts(self.translator, Some(inside.first));
+        self.inside = Some(inside);
+        Some(())
+    }
+}
