@@ -342,6 +342,9 @@ struct Analysis<'a> {
     around: &'a Surroundings<'a>,
     /// Places whose ranges matter.
     relevant: FxHashSet<Place>,
+    /// Those of them that matter in called blocks alone, and what the running statement has written there.
+    given: FxHashSet<Place>,
+    given_cells: Vec<Cell>,
     /// Statements to which a later one jumps back.
     heads: BTreeSet<u32>,
     /// Where ranges that grow stop.
@@ -410,12 +413,14 @@ pub(super) fn find(code: &Code, around: &Surroundings<'_>) -> Ranges {
     if count > INSTRUCTIONS_MAX || count > INSTRUCTIONS_IN_LOOPS_MAX + instructions_beside(code) {
         return Ranges::default();
     }
-    let relevant = places::relevant(code);
+    let (relevant, given) = places::relevant(code);
     let count = code.statement_count() + 1;
     let analysis = Analysis {
         code,
         around,
         relevant,
+        given,
+        given_cells: Vec::new(),
         heads: loop_heads(code),
         stops: places::stops(code),
         origins: Vec::new(),

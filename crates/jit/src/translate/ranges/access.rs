@@ -347,6 +347,9 @@ impl Analysis<'_> {
                     let range = range.near_zero();
                     let stored = if range == value.range { value } else { self.value(range) };
                     state.cells.insert((base, offset, width), stored);
+                    if self.given.contains(&place) {
+                        self.given_cells.push((base, offset, width));
+                    }
                 }
             }
             Reach::Inside(base, range) => {

@@ -38,6 +38,9 @@ impl Analysis<'_> {
         if notes {
             self.found.at_calls.insert(index, state.facts());
         }
+        for cell in std::mem::take(&mut self.given_cells) {
+            state.cells.remove(&cell);
+        }
         let around = self.around;
         let effects = (around.called)(inst).and_then(|code| around.effects[code].as_ref());
         let elements = effects.and_then(|effects| self.forget_effects(effects, state, &given, ar2, notes.then_some(index)));

@@ -14,13 +14,15 @@ use super::{CONSTANTS_MAX, PLACES_MAX, STOPS};
 const PASSED_MAX: usize = 48;
 
 /// Places that addresses, checked conditions and what these are compared with are computed from.
-pub(super) fn relevant(code: &Code) -> FxHashSet<Place> {
+pub(super) fn relevant(code: &Code) -> (FxHashSet<Place>, FxHashSet<Place>) {
     let mut relevant = computed_from(code);
-    let given = given_to_instances(code);
-    if relevant.union(&given).count() <= PLACES_MAX {
-        relevant.extend(given);
+    let mut given = given_to_instances(code);
+    given.retain(|place| !relevant.contains(place));
+    if relevant.len() + given.len() > PLACES_MAX {
+        given.clear();
     }
-    relevant
+    relevant.extend(&given);
+    (relevant, given)
 }
 
 /// Numbers that statements write to the instances of blocks that they call: pointers, indexes, limits.

@@ -22,6 +22,7 @@ impl Analysis<'_> {
         let first = code.statements[statement as usize];
         let registers = state.registers.clone();
         self.computed.clear();
+        self.given_cells.clear();
         self.passes_elements = self.passes_elements(code.statement(statement as usize));
         let mut temporaries: BTreeMap<u8, Known> = BTreeMap::new();
         let mut passed = Vec::new();
