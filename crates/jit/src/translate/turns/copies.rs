@@ -33,14 +33,14 @@ impl Reader<'_, '_> {
         for &(first, width) in &pieces {
             let known = part(false, first, width);
             values.push(match self.reach((behind(from, first), width), known, false)? {
-                Reached::Cell(cell) => self.read_here(cell),
+                Reached::Cell(cell) => self.read_here(cell)?,
                 Reached::Access(access) => self.read_at(access, steps),
             });
         }
         for (&(first, width), value) in pieces.iter().zip(values) {
             let known = part(true, first, width);
             match self.reach((behind(to, first), width), known, true)? {
-                Reached::Cell(cell) => self.put(cell, value),
+                Reached::Cell(cell) => self.write_here(cell, value),
                 Reached::Access(access) => self.write_at(access, value, steps),
             }
         }

@@ -167,8 +167,9 @@ pub(super) struct Reader<'t, 'a> {
     given: Vec<Node>,
     /// Ranges of variables when a turn of the whole loop begins, and one of the inner loop.
     facts: [Vec<(Kept, Interval)>; 2],
-    /// Variables in local data that are read or written.
-    touched: BTreeSet<Cell>,
+    /// Variables in local data that are read or written, and when they were written last.
+    touched: BTreeMap<Cell, usize>,
+    writes: usize,
     /// Ranges that values have in each turn.
     ranges: HashMap<Node, Interval>,
     /// Conditions that hold in each turn.
@@ -209,7 +210,8 @@ impl<'t, 'a> Reader<'t, 'a> {
             passed: Vec::new(),
             given: Vec::new(),
             facts,
-            touched: BTreeSet::new(),
+            touched: BTreeMap::new(),
+            writes: 0,
             ranges: HashMap::new(),
             met: BTreeSet::new(),
             unsure: Vec::new(),
@@ -394,6 +396,11 @@ impl Reader<'_, '_> {
         self.held = held;
         (self.blocks, self.blocks_most) = blocks;
         // Each of its turns takes the same from the budget.
+        // What one turn writes as a variable the next one may read as part of it.
+        let shared = |&cell: &Cell| self.touched.keys().any(|&other| self.shares_local(cell, other));
+        if turn.ends.keys().any(shared) {
+            return None;
+        }
         if !turn.ends.keys().eq(written.iter()) || turn.blocks != turn.blocks_most {
             return None;
         }
@@ -471,7 +478,7 @@ impl Reader<'_, '_> {
         self.kernel.nodes.truncate(before.nodes);
         self.numbers.retain(|_, node| (node.number() as usize) < before.nodes);
         self.kernel.cells.truncate(before.cells);
-        self.touched.retain(|cell| cell.number() < before.cells);
+        self.touched.retain(|cell, _| cell.number() < before.cells);
         self.temporaries.clear();
         (self.read, self.chosen) = (before.read, before.chosen);
     }
@@ -542,11 +549,33 @@ impl Reader<'_, '_> {
         Cell::numbered(at as u16)
     }
 
-    /// Notes that a cell is read or written, if it lies in local data.
-    fn touch(&mut self, cell: Cell) {
+    /// Notes that a cell is written, if it lies in local data.
+    fn written_in_local(&mut self, cell: Cell) {
         if let Kept::Memory { base: Base::Local, .. } = self.kernel.kept(cell) {
-            self.touched.insert(cell);
+            self.writes += 1;
+            self.touched.insert(cell, self.writes);
         }
+    }
+
+    /// Notes that a cell is read, if it lies in local data; `None` if some of its bits were written as those of another one since.
+    fn read_in_local(&mut self, cell: Cell) -> Option<()> {
+        if let Kept::Memory { base: Base::Local, .. } = self.kernel.kept(cell) {
+            let written = *self.touched.entry(cell).or_insert(0);
+            if self.touched.iter().any(|(&other, &later)| later > written && self.shares_local(cell, other)) {
+                return None;
+            }
+        }
+        Some(())
+    }
+
+    /// Whether two cells in local data that are not the same have bits in common.
+    fn shares_local(&self, cell: Cell, other: Cell) -> bool {
+        let [Some((base, bytes, bit)), Some((other_base, others, other_bit))] = [cell, other].map(|cell| self.kernel.kept(cell).bytes())
+        else {
+            return false;
+        };
+        let is_local = base == Base::Local && base.may_share(&bytes, other_base, &others);
+        cell != other && is_local && (bit.is_none() || other_bit.is_none() || bit == other_bit)
     }
 
     /// What a cell holds, whatever way led here.
@@ -577,9 +606,16 @@ impl Reader<'_, '_> {
     }
 
     /// What a cell holds on the ways that led here.
-    pub(super) fn read_here(&mut self, cell: Cell) -> Node {
+    pub(super) fn read_here(&mut self, cell: Cell) -> Option<Node> {
+        self.read_in_local(cell)?;
         let node = self.read_cell(cell);
-        self.known_here(node)
+        Some(self.known_here(node))
+    }
+
+    /// Writes a variable.
+    pub(super) fn write_here(&mut self, cell: Cell, value: Node) {
+        self.written_in_local(cell);
+        self.put(cell, value);
     }
 
     /// The bytes that a copy reads and writes, if they are known to lie inside their areas where it is reached.
@@ -588,7 +624,7 @@ impl Reader<'_, '_> {
     }
 
     /// Writes a cell on the ways that led here.
-    pub(super) fn put(&mut self, cell: Cell, value: Node) {
+    fn put(&mut self, cell: Cell, value: Node) {
         let value = if self.ways.is_always() {
             value
         } else {
@@ -769,10 +805,7 @@ impl Reader<'_, '_> {
             }
             Inst::Load { dst, place, width, .. } => {
                 let node = match self.place(index, place, width, false)? {
-                    Reached::Cell(cell) => {
-                        self.touch(cell);
-                        self.read_here(cell)
-                    }
+                    Reached::Cell(cell) => self.read_here(cell)?,
                     Reached::Access(access) => self.read_at(access, steps),
                 };
                 // The same in every turn: a pointer that a caller handed on, for one.
@@ -787,10 +820,7 @@ impl Reader<'_, '_> {
                 let value = self.get(src)?;
                 let value = self.cut(width, value);
                 match self.place(index, place, width, true)? {
-                    Reached::Cell(cell) => {
-                        self.touch(cell);
-                        self.put(cell, value);
-                    }
+                    Reached::Cell(cell) => self.write_here(cell, value),
                     Reached::Access(access) => self.write_at(access, value, steps),
                 }
                 Some(())

@@ -113,7 +113,7 @@ impl Reader<'_, '_> {
         let first = t.local_offset;
         self.forget(|offset, _| offset >= first)?;
         let cells = &self.kernel.cells;
-        self.touched.retain(|cell| !matches!(cells[cell.number()], Kept::Memory { offset, .. } if offset >= first));
+        self.touched.retain(|cell, _| !matches!(cells[cell.number()], Kept::Memory { offset, .. } if offset >= first));
         Some(())
     }
 
@@ -127,8 +127,7 @@ impl Reader<'_, '_> {
         self.forget(|offset, width| block.is_handed(offset - first, width.bytes()))
     }
 
-    /// Forgets what was written to some local data. No variable that shares bits with them has another name: nobody would know then that one is
-    /// written where the other one is read.
+    /// Forgets what was written to some local data, where no computed address leads: nobody would know then that it is written.
     fn forget(&mut self, is_forgotten: impl Fn(i32, Width) -> bool) -> Option<()> {
         let cells = &self.kernel.cells;
         let is_forgotten = |cell: Cell| match cells[cell.number()] {
@@ -136,17 +135,12 @@ impl Reader<'_, '_> {
             _ => false,
         };
         for &cell in self.now.keys().filter(|&&cell| is_forgotten(cell)) {
-            let (base, bytes, bit) = cells[cell.number()].bytes()?;
-            let shares = |&other: &Cell| {
-                let Some((other_base, others, other_bit)) = cells[other.number()].bytes() else { return false };
-                let same_byte = base.may_share(&bytes, other_base, &others);
-                other != cell && same_byte && (bit.is_none() || other_bit.is_none() || bit == other_bit)
-            };
+            let (base, bytes, _) = cells[cell.number()].bytes()?;
             let is_reached = |access: &Access| {
                 let (other_base, others) = access.bytes();
                 base.may_share(&bytes, other_base, &others)
             };
-            if self.touched.iter().any(shares) || self.kernel.accesses.iter().any(is_reached) {
+            if self.kernel.accesses.iter().any(is_reached) {
                 return None;
             }
         }
