@@ -47,7 +47,11 @@ impl Reader<'_, '_> {
         kernel.shorten_choices();
         kernel.forget_unread();
         let is_own = |access: &Access| access.pointer == start && access.sure && access.inside.is_some();
-        let is_simple = blocks == most && kernel.inner.is_none() && kernel.required.is_empty() && kernel.accesses.iter().all(is_own) && kernel.is_apart();
+        let is_simple = blocks == most
+            && kernel.inner.is_none()
+            && kernel.required.is_empty()
+            && kernel.accesses.iter().all(is_own)
+            && kernel.is_apart();
         is_simple.then_some(Called { kernel, after, weight: blocks.into() })
     }
 }
