@@ -47,6 +47,7 @@ mod simplest;
 mod spread;
 mod sums;
 mod vector;
+mod waits;
 mod ways;
 mod write;
 
@@ -128,7 +129,7 @@ impl Translator<'_> {
         if !self.options.optimize || self.at_once.len() >= LOOPS_MAX || self.is_at_once(it) {
             return None;
         }
-        let kernel = reader::read(self, it).filter(|kernel| !kernel.repeats_itself())?;
+        let kernel = reader::read(self, it).filter(|kernel| !kernel.repeats_itself() && !kernel.waits_for_choices())?;
         // A loop around a block that became part of it does not know where the block reaches by its pointers.
         if kernel.accesses.iter().any(|access| self.keeps_some_of(access.bytes())) {
             return None;

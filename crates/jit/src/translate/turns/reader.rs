@@ -1129,7 +1129,7 @@ pub(super) enum Reached {
 }
 
 /// Whether an operation divides: by an unknown number that takes as long as many others.
-fn divides(op: Op) -> bool {
+pub(super) fn divides(op: Op) -> bool {
     matches!(op, Op::DivI16 | Op::DivI32 | Op::RemI16 | Op::RemI32)
 }
 
