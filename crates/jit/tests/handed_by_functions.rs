@@ -1,10 +1,13 @@
 //! Functions that are given a pointer in the local data of their caller, reach elements behind it, and hand it on to others from their own
 //! local data: what a loop knows over such calls is what the interpreter finds, whatever a Host does that is asked.
 
+use std::ops::Range;
+
 use dice::Dice;
 use noting::{all_engines_agree_beside, layout_with, program};
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{FaultPlace, Machine, Reaction, StopReason};
+use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
@@ -285,4 +288,46 @@ fn a_pointer_that_was_handed_on_is_a_number_too() {
 #[test]
 fn a_pointer_that_stays_in_local_data_is_a_number_too() {
     agree_where_a_pointer_is_a_number(false);
+}
+
+/// A function is handed a number in front of a loop that may ask in each turn: whether the number is compared there with what it was.
+fn is_compared_behind_questions(handed: Option<Range<u32>>) -> bool {
+    let main = |b: &mut Builder| {
+        b.begin_statement();
+        let number = b.constant(1445);
+        b.store(local(NUMBER), Width::Word, number);
+        let pointer = b.constant(0x8700_0000 | u64::from(NUMBER));
+        b.push(Inst::PassParameter { src: pointer });
+        b.push(Inst::Call { callee: Callee::Block(BlockId::fc(1)), parameters: 1 });
+        for _ in 0..2 {
+            b.begin_statement();
+            let (counter, one) = (load(b, memory(COUNTER), Width::Word), b.constant(1));
+            let next = b.compute(Op::AddU16, &[counter, one]);
+            b.store(memory(COUNTER), Width::Word, next);
+        }
+        let (value, limit) = (load(b, memory(COUNTER), Width::Word), b.constant(100));
+        let again = b.compute(Op::LtI16, &[value, limit]);
+        b.push(Inst::Branch { condition: again, to: Target(1) });
+        b.begin_statement();
+        b.push(Inst::Return);
+    };
+    let function = |b: &mut Builder| {
+        b.begin_statement();
+        let pointer = b.temporary();
+        b.push(Inst::Parameter { dst: pointer, index: 0 });
+        let number = load(b, Place::Crossing { pointer, offset: 0 }, Width::Word);
+        b.store(memory(RESULT), Width::Word, number);
+    };
+    let mut program = program(&[(BlockId::ob(1), LOCAL_BYTES, &main), (BlockId::fc(1), 0, &function)]);
+    for block in program.code.values_mut() {
+        block.reads_own_locals = true;
+    }
+    program.code.get_mut(&BlockId::ob(1)).expect("the caller").handed = handed.into_iter().collect();
+    Jit::listing(&program, &layout_with(&program, DATA_BYTES)).expect("machine code").contains("-1445")
+}
+
+#[test]
+fn what_was_handed_on_is_not_compared_behind_the_statement_that_did_so() {
+    assert!(is_compared_behind_questions(None));
+    assert!(!is_compared_behind_questions(Some(NUMBER..NUMBER + 16)));
 }

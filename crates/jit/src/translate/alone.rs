@@ -17,6 +17,7 @@ use super::instance_pointer::InstancePointer;
 use super::promote::Base;
 use super::ranges::{self, Fact, Interval, Ranges, Surroundings};
 use super::{Find, Translator, loops};
+use crate::jit::Native;
 
 /// Pointers of a block that are followed.
 const POINTERS_MAX: usize = 12;
@@ -116,8 +117,7 @@ impl<'a> Look<'a> {
     /// Looks at a block that is given pointers.
     pub(super) fn at(
         world: &'a World,
-        code: &Code,
-        local_size: u32,
+        block: &Native,
         pairs: Vec<Pair>,
         pointers: &InstancePointer,
         (effects, find): (&[Option<Effects>], Find<'_>),
@@ -137,7 +137,7 @@ impl<'a> Look<'a> {
         ] {
             registers[register as usize] = Some(value);
         }
-        let parameters = code.insts.iter().filter_map(|inst| match inst {
+        let parameters = block.code.insts.iter().filter_map(|inst| match inst {
             Inst::Parameter { index, .. } => Some(1 + u64::from(*index)),
             _ => None,
         });
@@ -166,7 +166,7 @@ impl<'a> Look<'a> {
             layout: &world.layout,
             registers,
             parameters: (0..parameters).map(given).collect(),
-            local: (0, local_size),
+            local: (0, block.local_size),
             words: Vec::new(),
             facts,
             caller: &caller,
@@ -177,7 +177,7 @@ impl<'a> Look<'a> {
             called: &called,
             relative: None,
         };
-        let ranges = ranges::find(code, &around);
+        let ranges = ranges::find(block, &around);
         Some(Self { world, pairs, ranges })
     }
 

@@ -255,7 +255,7 @@ impl Search<'_> {
             return None;
         }
         let pairs = alone::pairs(&block.code, pointers, called)?;
-        Look::at(self.world?, &block.code, block.local_size, pairs, pointers, called)
+        Look::at(self.world?, block, pairs, pointers, called)
     }
 
     fn look_at(&self, index: usize) -> Option<Effects> {

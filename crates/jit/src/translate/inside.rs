@@ -104,7 +104,7 @@ impl Translator<'_> {
             called: &called,
             relative,
         };
-        ranges::find(&self.native().code, &surroundings)
+        ranges::find(self.native(), &surroundings)
     }
 
     /// What a load finds, if that is known to be a constant.

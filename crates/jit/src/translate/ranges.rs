@@ -17,7 +17,7 @@ use sieben_model::address::{Area, Width};
 use super::effects::Effects;
 use super::loops::instructions_beside;
 use super::promote::Base;
-use crate::jit::{jumps_back, loop_heads};
+use crate::jit::{Native, jumps_back, loop_heads};
 
 mod access;
 mod calls;
@@ -338,6 +338,7 @@ impl Span {
 }
 
 struct Analysis<'a> {
+    block: &'a Native,
     code: &'a Code,
     around: &'a Surroundings<'a>,
     /// Places whose ranges matter.
@@ -408,7 +409,8 @@ impl Element {
 }
 
 /// Looks at a block. Nothing is known where that would not pay.
-pub(super) fn find(code: &Code, around: &Surroundings<'_>) -> Ranges {
+pub(super) fn find(block: &Native, around: &Surroundings<'_>) -> Ranges {
+    let code = &block.code;
     let count = code.insts.len();
     if count > INSTRUCTIONS_MAX || count > INSTRUCTIONS_IN_LOOPS_MAX + instructions_beside(code) {
         return Ranges::default();
@@ -416,6 +418,7 @@ pub(super) fn find(code: &Code, around: &Surroundings<'_>) -> Ranges {
     let (relevant, given) = places::relevant(code);
     let count = code.statement_count() + 1;
     let analysis = Analysis {
+        block,
         code,
         around,
         relevant,
@@ -759,10 +762,20 @@ impl<'a> Analysis<'a> {
         state
     }
 
+    /// Forgets what a statement that has ended handed on in local data: nobody needs it any more, so it may not be written there.
+    fn forget_handed(&self, state: &mut State) {
+        if self.block.handed.is_empty() {
+            return;
+        }
+        let first = self.around.local.0;
+        state.cells.retain(|&(base, offset, width), _| base != Base::Local || !self.block.is_handed(offset - first, width.bytes()));
+    }
+
     /// Notes what is known on a way to a statement.
     fn arrive(&mut self, to: u32, state: &State, from: Option<u32>) {
         let mut state = state.clone();
         state.elements.clear();
+        self.forget_handed(&mut state);
         if let Some(pointer) = (self.around.instance[0])(to) {
             let known = self.value(Interval::constant(pointer));
             state.registers.insert(Register::Ar2 as u8, known);
