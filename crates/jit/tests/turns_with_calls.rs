@@ -28,6 +28,7 @@ const INSTANCE: u32 = 8;
 const COUNTER: u32 = 8 * INSTANCES * INSTANCE;
 const NUMBERS: u32 = COUNTER + 32;
 const FLAGS: u32 = NUMBERS + 64;
+const QUOTIENT: u32 = NUMBERS + 96;
 const DATA_BYTES: usize = 64;
 /// Fields of an instance: where they lie, in bits.
 const FIELDS: &[(u32, Width)] = &[(0, Width::DoubleWord), (0, Width::Word), (32, Width::Word), (48, Width::Bit), (49, Width::Bit)];
@@ -258,20 +259,22 @@ fn behind_a_call_that_some_turns_jump_over_the_instance_of_the_loop_is_known() {
 
 #[test]
 fn some_divisions_that_some_turns_jump_over_are_done_in_all_of_them() {
-    let divides = |op: Op, count: u32| {
+    let divides = |op: Op, count: u32, to: u32| {
         move |b: &mut Builder| {
             for _ in 0..count {
                 let [a, by] = [0, 32].map(|offset| load(b, own(NUMBERS + offset), Width::DoubleWord));
                 let result = b.compute(op, &[a, by]);
-                b.store(own(NUMBERS), Width::DoubleWord, result);
+                b.store(own(to), Width::DoubleWord, result);
             }
         }
     };
     for op in [Op::DivI32, Op::RemI32, Op::DivI16, Op::RemI16, Op::DivFailsI32, Op::DivisorIsZero] {
-        assert!(is_done_at_once(&divides(op, 2)), "{op:?}");
+        assert!(is_done_at_once(&divides(op, 2, QUOTIENT)), "{op:?}");
     }
-    assert!(!is_done_at_once(&divides(Op::DivI32, 3)), "that takes longer than to jump");
-    assert!(!is_done_at_once(&divides(Op::DivI64, 1)), "one that takes long itself");
+    assert!(!is_done_at_once(&divides(Op::DivI32, 9, QUOTIENT)), "that takes longer than to jump");
+    assert!(!is_done_at_once(&divides(Op::DivI64, 1, QUOTIENT)), "one that takes long itself");
+    assert!(is_done_at_once(&divides(Op::DivI32, 1, NUMBERS)), "the next turn waits, but not for long");
+    assert!(!is_done_at_once(&divides(Op::DivI32, 2, NUMBERS)), "the next turn would wait for what this one had jumped over");
 }
 
 #[test]
