@@ -10,13 +10,13 @@ use std::ops::Range;
 use cranelift_codegen::ir::types::I32;
 use cranelift_codegen::ir::{Endianness, InstBuilder, MemFlagsData, Value};
 use rustc_hash::{FxHashMap, FxHashSet};
-use sieben_engine::ir::{Inst, Place};
+use sieben_engine::ir::Inst;
 use sieben_model::address::Width;
 
 use super::Translator;
 use super::elements::Elements;
 use super::loops::Loop;
-use super::memory::{Address, Bit, data, moved};
+use super::memory::{Address, Bit, data};
 use super::numbers::Numbers;
 use super::promote::Base;
 use super::value::Val;
@@ -255,11 +255,7 @@ impl Translator<'_> {
     pub(super) fn written_bit(&mut self, insts: &[Inst]) -> Option<u8> {
         let Some(Inst::Store { place, width: Width::Bit, .. }) = insts.last() else { return None };
         let (base, offset) = self.constant_address(*place, Width::Bit)?;
-        let position = match *place {
-            Place::Fixed { position, .. } => position,
-            Place::Indirect { pointer, offset, .. } => moved(self.constant_pointer(pointer)?, offset),
-            Place::Crossing { .. } => return None,
-        };
+        let (_, position) = self.constant_position(*place)?;
         Some(self.piece_at(base, offset, (position % 8) as u8).1)
     }
 

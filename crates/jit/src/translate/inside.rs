@@ -53,8 +53,8 @@ impl Translator<'_> {
     /// its callers lie, the nearest first.
     pub(super) fn find_ranges_of_called(&mut self, facts: Vec<Fact>, callers: &[(i32, usize)]) -> Ranges {
         let caller = |position: u32, width: Width| {
-            let &(first, bytes) = callers.get((position >> CALLS_SHIFT) as usize)?;
-            inlining::way_into(position, width, (first, bytes))
+            let &local = callers.get((position >> CALLS_SHIFT) as usize)?;
+            inlining::way_into(position, width, local)
         };
         let ranges = self.ranges_of(Vec::new(), facts, &caller, None);
         self.pinned.extend(ranges.opened());

@@ -398,13 +398,18 @@ impl Translator<'_> {
         Some((base?, length?))
     }
 
+    /// The area of a place that is known beforehand, and the number of its first bit there.
+    pub(super) fn constant_position(&self, place: Place) -> Option<(Area, u32)> {
+        match place {
+            Place::Fixed { area, position } => Some((area, position)),
+            Place::Indirect { area, pointer, offset } => Some((area, moved(self.constant_pointer(pointer)?, offset))),
+            Place::Crossing { .. } => None,
+        }
+    }
+
     /// The address of a place that is known beforehand, without its bit, if all of it lies inside its area.
     pub(super) fn constant_address(&self, place: Place, width: Width) -> Option<(Base, i32)> {
-        let (area, position) = match place {
-            Place::Fixed { area, position } => (area, position),
-            Place::Indirect { area, pointer, offset } => (area, moved(self.constant_pointer(pointer)?, offset)),
-            Place::Crossing { .. } => return None,
-        };
+        let (area, position) = self.constant_position(place)?;
         if width != Width::Bit && position % 8 != 0 {
             return None;
         }
@@ -426,7 +431,7 @@ impl Translator<'_> {
         Some((base, i32::try_from(start + byte).ok()?))
     }
 
-    pub(super) fn constant_pointer(&self, pointer: Var) -> Option<u64> {
+    fn constant_pointer(&self, pointer: Var) -> Option<u64> {
         self.current[pointer.register()? as usize].and_then(Val::constant)
     }
 

@@ -412,7 +412,8 @@ impl Element {
 pub(super) fn find(block: &Native, around: &Surroundings<'_>) -> Ranges {
     let code = &block.code;
     let count = code.insts.len();
-    if count > INSTRUCTIONS_MAX || count > INSTRUCTIONS_IN_LOOPS_MAX + instructions_beside(code) {
+    let is_long = || count > INSTRUCTIONS_IN_LOOPS_MAX && count - instructions_beside(code) > INSTRUCTIONS_IN_LOOPS_MAX;
+    if count > INSTRUCTIONS_MAX || is_long() {
         return Ranges::default();
     }
     let (relevant, given) = places::relevant(code);

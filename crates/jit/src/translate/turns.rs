@@ -418,9 +418,12 @@ impl Kernel {
     fn constant_in_turn(&self, node: Node, turn: i64) -> Option<u64> {
         match self.what(node) {
             What::Start(Level::Inner, cell) => {
-                let line = self.cell_line(Level::Inner, cell)?;
                 let first = self.constant(*self.inner.as_ref()?.entry.get(&cell)?)?;
-                if turn == 0 || line.is_same() {
+                if turn == 0 {
+                    return Some(first);
+                }
+                let line = self.cell_line(Level::Inner, cell)?;
+                if line.is_same() {
                     return Some(first);
                 }
                 let counted = (first as u32).wrapping_add((turn as u32).wrapping_mul(line.step));
@@ -439,20 +442,6 @@ impl Kernel {
 
     /// A value when the inner loop begins, if it is a constant.
     fn constant_at_entry(&self, node: Node) -> Option<u64> {
-        match self.what(node) {
-            What::Constant(value) => Some(value),
-            What::Start(Level::Inner, cell) => {
-                let entry = self.inner.as_ref()?.entry.get(&cell)?;
-                self.constant(*entry)
-            }
-            What::Compute(op, args) => {
-                let mut words = [0; 4];
-                for (word, &arg) in words.iter_mut().zip(&args[..op.arity()]) {
-                    *word = self.constant_at_entry(arg)?;
-                }
-                Some(Op::eval(op, words))
-            }
-            _ => None,
-        }
+        self.constant_in_turn(node, 0)
     }
 }

@@ -13,7 +13,8 @@ use super::{CONSTANTS_MAX, PLACES_MAX, STOPS};
 /// Local data that a block passes to others and that count as being relevant.
 const PASSED_MAX: usize = 48;
 
-/// Places that addresses, checked conditions and what these are compared with are computed from.
+/// Places that addresses, checked conditions and what these are compared with are computed from, in the block and in blocks that it calls;
+/// and those of them that matter in called blocks alone.
 pub(super) fn relevant(code: &Code) -> (FxHashSet<Place>, FxHashSet<Place>) {
     let mut relevant = computed_from(code);
     let mut given = given_to_instances(code);
