@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use sieben_engine::ir::{Callee, Code, Inst, Place};
 use sieben_engine::machine::Register;
@@ -169,7 +170,7 @@ impl Source {
             open_table: open_table(&self.layout),
             any_registers: options.exact,
         };
-        Ok(Jit { compiled, layout: self.layout.clone(), known_layout: OnceLock::new() })
+        Ok(Jit { compiled, layout: self.layout.clone(), number: ENGINES.fetch_add(1, Ordering::Relaxed) })
     }
 }
 
@@ -239,9 +240,12 @@ pub enum StatusBits {
 pub struct Jit {
     compiled: Compiled,
     layout: Layout,
-    /// The layout of the first machine that ran here, to compare addresses instead of contents.
-    known_layout: OnceLock<Arc<Layout>>,
+    /// By which a machine knows it that has run here, so that its layout is not compared again.
+    number: u64,
 }
+
+/// Numbers of engines that were given away.
+static ENGINES: AtomicU64 = AtomicU64::new(0);
 
 impl Jit {
     /// Compiles all blocks of a program for a layout. A program that cannot become machine code is interpreted.
@@ -303,10 +307,9 @@ impl Jit {
     }
 
     /// Whether this run can be machine code: nobody watches statements, and the machine is laid out as the code was compiled for.
-    fn fits(&self, machine: &Machine) -> bool {
-        let memory = &machine.memory;
-        let known = self.known_layout.get().is_some_and(|known| Arc::ptr_eq(known, &memory.layout));
-        (known || self.is_my_layout(&memory.layout))
+    fn fits(&self, machine: &mut Machine) -> bool {
+        let memory = &mut machine.memory;
+        (memory.known_layout.is_known(self.number, &memory.layout) || self.is_my_layout(memory))
             // Data blocks that another program created may lie behind what this one knows.
             && memory.arena.len() >= self.layout.size
             && machine.timers.len() == usize::from(self.layout.timers)
@@ -316,11 +319,10 @@ impl Jit {
 
     /// Whether a layout is the one that the code was compiled for.
     #[cold]
-    fn is_my_layout(&self, layout: &Arc<Layout>) -> bool {
-        let is_it = **layout == self.layout;
+    fn is_my_layout(&self, memory: &mut Memory) -> bool {
+        let is_it = *memory.layout == self.layout;
         if is_it {
-            // Somebody else may have been first; then this layout is compared again each time.
-            let _ = self.known_layout.set(Arc::clone(layout));
+            memory.known_layout.note(self.number, &memory.layout);
         }
         is_it
     }
@@ -335,8 +337,8 @@ impl Jit {
     }
 
     /// The organization block, if it may begin as machine code on this machine.
-    fn begins(&self, context: &Context<'_>, entry: &Entry) -> Option<&Outermost> {
-        let machine = &*context.machine;
+    fn begins(&self, context: &mut Context<'_>, entry: &Entry) -> Option<&Outermost> {
+        let machine = &mut *context.machine;
         let block = self.compiled.outermost.get(usize::from(entry.block.number))?.as_ref()?;
         // The code of other blocks relies on a caller.
         let begins = entry.block.kind == BlockKind::OrganizationBlock

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use sieben_engine::Machine;
 use sieben_engine::machine::data_block_table::DataBlockTable;
+use sieben_engine::machine::known_layout::KnownLayout;
 use sieben_engine::machine::{Counter, Frame, Layout, Memory, Registers, Timer};
 
 use super::Cpu;
@@ -75,6 +76,7 @@ impl MachineImage {
                 arena: self.pages.concat(),
                 layout: Arc::clone(&self.layout),
                 data_blocks: DataBlockTable::clone(&self.data_blocks),
+                known_layout: KnownLayout::default(),
             },
             timers: self.timers.to_vec(),
             counters: self.counters.to_vec(),

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use sieben_model::address::{Address, Area, Operand, Width};
 
 use super::data_block_table::DataBlockTable;
+use super::known_layout::KnownLayout;
 use super::layout::{Layout, RESERVE};
 
 /// All data memory of a CPU.
@@ -17,6 +18,8 @@ pub struct Memory {
     pub layout: Arc<Layout>,
     /// Data blocks by number.
     pub data_blocks: DataBlockTable,
+    /// Which engine knows the layout.
+    pub known_layout: KnownLayout,
 }
 
 /// A loaded data block.
@@ -42,7 +45,7 @@ impl Memory {
                 read_only: layout.read_only.contains(&number),
             });
         }
-        Self { arena: vec![0; layout.size], layout, data_blocks: DataBlockTable::new(data_blocks) }
+        Self { arena: vec![0; layout.size], layout, data_blocks: DataBlockTable::new(data_blocks), known_layout: KnownLayout::default() }
     }
 
     /// The loaded data block with this number.

@@ -2,6 +2,7 @@
 
 pub mod counters;
 pub mod data_block_table;
+pub mod known_layout;
 pub mod layout;
 pub mod memory;
 pub mod registers;
