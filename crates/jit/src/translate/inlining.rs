@@ -43,7 +43,7 @@ const GROWTH: usize = 8;
 /// … and these, for a block of few calls …
 const GROWTH_MIN: usize = 2_000;
 /// … but not more than this: the time to compile grows faster than a function.
-const GROWTH_MAX: usize = 40_000;
+const GROWTH_MAX: usize = 100_000;
 /// IR instructions of a block beside its loops from which on Cranelift's optimizations cost more than they bring in the loops.
 const BESIDE_LOOPS_MAX: usize = 8_000;
 
