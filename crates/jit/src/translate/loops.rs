@@ -25,6 +25,8 @@ pub(super) struct Loop {
     pub(super) touched: u32,
     /// Whether its statements call no Rust code.
     pub(super) asks_nothing: bool,
+    /// Whether they call none but for texts.
+    pub(super) asks_for_texts: bool,
     /// Whether they call no blocks either.
     pub(super) calls_nothing: bool,
 }
@@ -91,7 +93,15 @@ pub(super) fn find(code: &Code, kept: impl FnOnce() -> u32) -> Vec<Loop> {
             match loops.iter().position(|known| known.first == to) {
                 Some(known) => loops[known].last = statement,
                 None if loops.len() == LOOPS_MAX => return Vec::new(),
-                None => loops.push(Loop { first: to, last: statement, written: 0, touched: 0, asks_nothing: true, calls_nothing: true }),
+                None => loops.push(Loop {
+                    first: to,
+                    last: statement,
+                    written: 0,
+                    touched: 0,
+                    asks_nothing: true,
+                    asks_for_texts: true,
+                    calls_nothing: true,
+                }),
             }
         }
     }
@@ -100,10 +110,8 @@ pub(super) fn find(code: &Code, kept: impl FnOnce() -> u32) -> Vec<Loop> {
     for it in &mut loops {
         for inst in (it.first..=it.last).flat_map(|statement| code.statement(statement as usize)) {
             it.touched |= written(inst);
-            it.asks_nothing &= match inst {
-                Inst::Intrinsic { intrinsic, .. } => *intrinsic == Intrinsic::Clock,
-                inst => !matches!(inst, Inst::Text { .. }),
-            };
+            it.asks_for_texts &= !matches!(inst, Inst::Intrinsic { intrinsic, .. } if *intrinsic != Intrinsic::Clock);
+            it.asks_nothing &= it.asks_for_texts && !matches!(inst, Inst::Text { .. });
             it.calls_nothing &= it.asks_nothing && !matches!(inst, Inst::Call { .. });
         }
         it.written = it.touched & !kept;

@@ -13,7 +13,7 @@ use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
 use cranelift_frontend::Variable;
 use sieben_engine::access::data_registers;
 use sieben_engine::intrinsics::Intrinsic;
-use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, Var};
+use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, TextRoom, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
@@ -167,7 +167,7 @@ impl Translator<'_> {
 
     /// Chooses what a loop keeps and loads it, in front of the loop. Registers that it changes are not known here.
     pub(super) fn promote(&mut self, it: &Loop) {
-        if !it.asks_nothing || !self.keeps_over_calls(it) {
+        if !it.asks_for_texts || !self.keeps_over_calls(it) {
             return;
         }
         let mut candidates: Vec<_> = self.candidates(it).into_iter().collect();
@@ -301,6 +301,12 @@ impl Translator<'_> {
                     Inst::Load { place, width, .. } if self.constant_at(index, place, width).is_some() => continue,
                     Inst::Load { place, width, .. } => (place, width, false),
                     Inst::Store { place, width, .. } => (place, width, true),
+                    Inst::Text { action, to, to_room, from, from_room, .. } => {
+                        let written = action.writes().then(|| self.touched_text(index, (to, true), to_room).unwrap_or(Touched::Anything));
+                        others.extend(written);
+                        others.extend(self.touched_text(index, (from, false), from_room));
+                        continue;
+                    }
                     Inst::Compute { op: Op::I32ToF32 | Op::I32ToF64 | Op::I64ToF64, dst, .. } => {
                         results.insert(dst.0);
                         continue;
@@ -378,6 +384,16 @@ impl Translator<'_> {
                 && !kept.iter().any(|kept| kept.overlaps(&Touched::Bytes(base, range.clone())))
         });
         candidates
+    }
+
+    /// What a text instruction may touch, if that is known in front of the loop.
+    fn touched_text(&self, index: u32, (place, is_to): (Place, bool), room: TextRoom) -> Option<Touched> {
+        let (base, bytes) = match (self.constant_address(place, Width::Byte), self.ranges.text(index, is_to)) {
+            (_, Some(known)) => known.bytes,
+            (Some((base, offset)), None) if !room.is_unknown() => (base, i64::from(offset)..i64::from(offset) + i64::from(room.bytes())),
+            _ => return None,
+        };
+        Some(Touched::Bytes(base, bytes))
     }
 
     fn in_data_block(&self, place: Place) -> bool {

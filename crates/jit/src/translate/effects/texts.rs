@@ -20,9 +20,9 @@ pub(in crate::translate) struct WrittenText {
     /// The number of its data block, 0 for other areas.
     pub(in crate::translate) number: Source,
     pub(in crate::translate) pointer: Source,
-    /// Bits from there to where it begins.
+    /// Bits from there to where it begins, or to the first element that it may be.
     pub(in crate::translate) offset: u32,
-    /// Bytes that it has at most.
+    /// Bytes from there to behind it, or behind the last element.
     pub(in crate::translate) bytes: u32,
 }
 
@@ -42,9 +42,41 @@ enum Held {
     DoubleWord(Source),
     /// The number of a data block, where a pointer has it.
     Shifted(Source),
-    /// Number and pointer.
-    Text(Source, Source),
+    /// A pointer and some bits more: at least and at most so many.
+    Moved(Source, u32, u32),
+    /// Number and pointer, and bits more.
+    Text(Source, Source, u32, u32),
+    /// Whether a variable is below a limit.
+    Below(Var, u64),
+    /// A number that is at most this.
+    AtMost(u64),
     Other,
+}
+
+impl Held {
+    /// At least and at most how much it is.
+    fn range(self) -> Option<(u32, u32)> {
+        match self {
+            Self::Constant(value) => u32::try_from(value).ok().map(|value| (value, value)),
+            Self::AtMost(most) => u32::try_from(most).ok().map(|most| (0, most)),
+            _ => None,
+        }
+    }
+
+    /// The sum of two numbers, or of a pointer and a number.
+    fn add(self, other: Self) -> Self {
+        let sum = |least: u32, most: u32, added: (u32, u32)| Some((least.checked_add(added.0)?, most.checked_add(added.1)?));
+        let found = match (self, other) {
+            (Self::DoubleWord(pointer), more) | (more, Self::DoubleWord(pointer)) => {
+                more.range().map(|(least, most)| Self::Moved(pointer, least, most))
+            }
+            (Self::Moved(pointer, least, most), more) | (more, Self::Moved(pointer, least, most)) => {
+                more.range().and_then(|more| sum(least, most, more)).map(|(least, most)| Self::Moved(pointer, least, most))
+            }
+            (a, b) => (|| sum(0, a.range()?.1, (0, b.range()?.1)))().map(|(_, most)| Self::AtMost(most.into())),
+        };
+        found.unwrap_or(Self::Other)
+    }
 }
 
 /// The texts that a block writes by pointers, beside those in its own local data and its instance; `None` = it may write others.
@@ -80,10 +112,30 @@ pub(super) fn written(
                     }
                 }
                 Inst::Compute { op: Op::OrU64, args, .. } => {
-                    if let (Held::Shifted(number), Held::DoubleWord(pointer)) = (of(args[0]), of(args[1])) {
-                        result = Held::Text(number, pointer);
+                    result = match (of(args[0]), of(args[1])) {
+                        (Held::Shifted(number), Held::DoubleWord(pointer)) => Held::Text(number, pointer, 0, 0),
+                        (Held::Shifted(number), Held::Moved(pointer, least, most)) => Held::Text(number, pointer, least, most),
+                        _ => Held::Other,
+                    };
+                }
+                Inst::Compute { op: Op::Below, args, .. } => {
+                    if let Held::Constant(limit @ 1..) = of(args[1]) {
+                        result = Held::Below(args[0], limit);
                     }
                 }
+                Inst::Compute { op: Op::Gate, args, .. } => {
+                    if let Held::Below(var, limit) = of(args[1])
+                        && var == args[0]
+                    {
+                        result = Held::AtMost(limit - 1);
+                    }
+                }
+                Inst::Compute { op: Op::MulU32, args, .. } => {
+                    if let (Some((_, a)), Some((_, b))) = (of(args[0]).range(), of(args[1]).range()) {
+                        result = a.checked_mul(b).map_or(Held::Other, |most| Held::AtMost(most.into()));
+                    }
+                }
+                Inst::Compute { op: Op::AddU32, args, .. } => result = of(args[0]).add(of(args[1])),
                 Inst::Load { place: Place::Crossing { pointer, offset }, width, .. } => {
                     if let Held::Parameter(parameter) = of(pointer) {
                         result = read(Source::Given(parameter, offset), width);
@@ -106,8 +158,10 @@ pub(super) fn written(
                 Inst::Text { action, to, to_room, .. } if action.writes() => match to {
                     Place::Fixed { area: Area::Local, position } => forget(&mut local, position, 8 * bytes_of(to_room)),
                     Place::Crossing { pointer, offset } => {
-                        let Held::Text(number, pointer) = of(pointer) else { return None };
-                        add(&mut texts, WrittenText { number, pointer, offset, bytes: bytes_of(to_room) });
+                        let Held::Text(number, pointer, least, most) = of(pointer) else { return None };
+                        let (first, last) = (offset.checked_add(least)?, offset.checked_add(most)?);
+                        let bytes = (last - first).div_ceil(8).checked_add(bytes_of(to_room))?;
+                        add(&mut texts, WrittenText { number, pointer, offset: first, bytes });
                         local.clear();
                     }
                     _ => local.clear(),
@@ -129,6 +183,10 @@ pub(super) fn written(
                 _ => {}
             }
             if let Some(dst) = verify::writes(inst) {
+                held.retain(|_, held| !matches!(held, Held::Below(var, _) if *var == dst));
+                if matches!(result, Held::Below(var, _) if var == dst) {
+                    result = Held::Other;
+                }
                 held.insert(dst.0, result);
                 if dst == Register::Ar2.into() {
                     instance = pointers.after(at);

@@ -26,10 +26,10 @@ fn reached((least, most): (i128, i128), bits: &Range<i64>, length: i64) -> Range
 }
 
 impl Analysis<'_> {
-    /// Follows a call. Variables that the called block may write are not known behind it, nor any if somebody may be asked in the middle of
-    /// one of its statements.
-    pub(super) fn call(&mut self, index: u32, inst: &Inst, state: &mut State, passed: &mut Vec<Known>, notes: bool) {
-        let Inst::Call { parameters, .. } = *inst else { return };
+    /// Follows a call; whether it cannot fail, because it is known what the block does that becomes part of this one. Variables that the
+    /// called block may write are not known behind it, nor any if somebody may be asked in the middle of one of its statements.
+    pub(super) fn call(&mut self, index: u32, inst: &Inst, state: &mut State, passed: &mut Vec<Known>, notes: bool) -> bool {
+        let Inst::Call { parameters, .. } = *inst else { return false };
         let given = passed.split_off(passed.len().saturating_sub(usize::from(parameters)));
         let ar2 = state.registers.get(&(Register::Ar2 as u8)).copied();
         if notes && let Some(ar2) = ar2 {
@@ -58,6 +58,7 @@ impl Analysis<'_> {
             self.found.kept.insert(index);
             self.found.over_calls.insert(index, state.facts());
         }
+        kept
     }
 
     /// Whether a statement calls a block that reads pointers in its instance.
@@ -214,8 +215,12 @@ impl Analysis<'_> {
     /// Forgets a text that a called block may write by a pointer that it reads.
     fn forget_text(&mut self, text: &WrittenText, state: &mut State, number: u64, pointer: Interval) -> Option<()> {
         let (base, start, length) = self.pointed_bytes(Some(number), pointer, true)?;
-        let first = i64::from(text.offset);
-        let bytes = reached(pointer.unsigned(64), &(first..first + 8 * i64::from(text.bytes)), length);
+        let bits = i64::from(text.offset)..i64::from(text.offset) + 8 * i64::from(text.bytes);
+        if (pointer.unsigned(64).1 & (POSITIONS - 1) as i128) as i64 + bits.end > POSITIONS {
+            // What is added to the pointer may lead to another area.
+            return None;
+        }
+        let bytes = reached(pointer.unsigned(64), &bits, length);
         let bytes = bytes.start..bytes.end.min(length);
         if bytes.start < bytes.end {
             state.forget(base, &(start + bytes.start..start + bytes.end));

@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use sieben_engine::ir::{Code, Inst, Place, Var};
+use sieben_engine::ir::{Code, Inst, Op, Place, Var};
+use sieben_engine::machine::Register;
 
 use sieben_model::address::{Area, Width};
 
@@ -69,6 +70,7 @@ fn computed_from(code: &Code) -> FxHashSet<Place> {
         if begins {
             relevant.extend(loads.iter().copied());
         }
+        relevant.extend(restored_pointer(code.statement(index)).filter(|&place| is_plain(place)));
         if matches!(
             code.statement(index).iter().rev().find(|inst| matches!(inst, Inst::Call { .. })),
             Some(Inst::Call { parameters: 1.., .. })
@@ -102,6 +104,20 @@ fn computed_from(code: &Code) -> FxHashSet<Place> {
         }
         relevant = more;
     }
+}
+
+/// Where a statement finds the AR2 that was kept over a call.
+fn restored_pointer(insts: &[Inst]) -> Option<Place> {
+    let to_ar2 = |inst: &Inst| match *inst {
+        Inst::Compute { op: Op::Copy, dst, args } if dst == Register::Ar2.into() => Some(args[0]),
+        _ => None,
+    };
+    let at = insts.iter().rposition(|inst| to_ar2(inst).is_some())?;
+    let from = to_ar2(&insts[at])?;
+    insts[..at].iter().rev().find_map(|inst| match *inst {
+        Inst::Load { dst, place, .. } if dst == from => Some(place),
+        _ => None,
+    })
 }
 
 /// Those places that most statements load: counters of loops, and what is used beside them.

@@ -168,8 +168,7 @@ impl Analysis<'_> {
                     ended = true;
                 }
                 Inst::Call { .. } => {
-                    fails = true;
-                    self.call(index, inst, &mut state, &mut passed, notes);
+                    fails = !self.call(index, inst, &mut state, &mut passed, notes);
                     temporaries.clear();
                 }
                 Inst::Return => {
