@@ -329,11 +329,15 @@ impl Translator<'_> {
         }
         let [from, to] = [(from, false), (to, true)].map(|(place, write)| self.moved_span(index, place, bytes, write));
         let (Some(from), Some(to)) = (from, to) else { return false };
-        self.settle_bytes();
+        let known = self.known_copy(from, bytes);
         self.store_promoted_in(&read);
         self.store_promoted_in(&write);
-        self.copy_pieces(from, to, bytes);
+        self.settle_touched(&read, false);
+        let pieces = known.unwrap_or_else(|| self.pieces(from, bytes));
+        self.settle_touched(&write, true);
+        self.write_pieces(to, &pieces);
         self.take_promoted_in(&write);
+        self.remember_copy(to, bytes, pieces);
         true
     }
 

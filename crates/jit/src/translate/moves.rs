@@ -55,22 +55,30 @@ impl Translator<'_> {
     /// Copies bytes that may be those of any variable.
     fn copy_touching_anything(&mut self, (from, to): (Address, Address), bytes: u32) {
         self.store_promoted_memory();
-        self.copy_pieces(from, to, bytes);
+        let pieces = self.pieces(from, bytes);
+        self.write_pieces(to, &pieces);
         self.take_promoted_memory();
     }
 
-    /// Copies bytes that are there, as if through a temporary.
-    pub(super) fn copy_pieces(&mut self, from: Address, to: Address, bytes: u32) {
+    /// Reads bytes that are there, as few pieces as possible.
+    pub(super) fn pieces(&mut self, from: Address, bytes: u32) -> Vec<Value> {
         let mut pieces = Vec::new();
         let mut at = 0;
         while at < bytes as i32 {
             let left = bytes as i32 - at;
             let ty = [(16, I8X16), (8, I64), (4, I32), (2, I16)].into_iter().find(|&(size, _)| size <= left).map_or(I8, |(_, ty)| ty);
-            pieces.push((at, self.b.ins().load(ty, data(), from.base, from.offset + at)));
+            pieces.push(self.b.ins().load(ty, data(), from.base, from.offset + at));
             at += ty.bytes() as i32;
         }
-        for (at, piece) in pieces {
-            self.b.ins().store(data(), piece, to.base, to.offset + at);
+        pieces
+    }
+
+    /// Writes pieces one behind the other.
+    pub(super) fn write_pieces(&mut self, to: Address, pieces: &[Value]) {
+        let mut at = to.offset;
+        for &piece in pieces {
+            self.b.ins().store(data(), piece, to.base, at);
+            at += self.b.func.dfg.value_type(piece).bytes() as i32;
         }
     }
 

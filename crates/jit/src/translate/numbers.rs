@@ -1,5 +1,6 @@
-//! Numbers at computed addresses, in the instance of a function block in an array mostly, and how many characters of texts count: what was
-//! written there or read is not read again as long as nothing is written that may be the same bytes, and nobody is asked.
+//! Numbers at computed addresses, in the instance of a function block in an array mostly, how many characters of texts count, and what
+//! structures hold that were copied: what was written there or read is not read again as long as nothing is written that may be the same
+//! bytes, and nobody is asked.
 
 use std::ops::Range;
 
@@ -17,11 +18,23 @@ use super::value::Val;
 const KNOWN_MAX: usize = 24;
 /// The same of lengths.
 const LENGTHS_MAX: usize = 6;
+/// The same of copies, and how many bytes each has at most: a longer one and what is copied in between would not stay in registers.
+const COPIES_MAX: usize = 2;
+const COPIED_BYTES_MAX: u32 = 96;
 
 /// What is known of numbers at computed addresses: base, offset, width, and the value as a load would have it. No two may share bytes
 /// unless both were read.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Numbers(Vec<(Base, i32, Width, Val)>, Lengths);
+pub(super) struct Numbers(Vec<(Base, i32, Width, Val)>, Lengths, Vec<Copied>);
+
+/// Bytes that were copied, and what they are: base, offset, and pieces as they were read, one behind the other.
+#[derive(Clone, Debug, PartialEq)]
+struct Copied {
+    base: Base,
+    offset: i32,
+    bytes: u32,
+    pieces: Vec<Value>,
+}
 
 /// How many characters count in texts that begin at an offset behind a base and have so much room.
 pub(super) type Lengths = Vec<(Base, i32, TextRoom, Characters)>;
@@ -40,6 +53,7 @@ impl Numbers {
     pub(super) fn keep_common(&mut self, other: &Self) {
         self.0.retain(|known| other.0.contains(known));
         self.1.retain(|known| other.1.contains(known));
+        self.2.retain(|known| other.2.contains(known));
     }
 
     /// Forgets what may share bytes with these.
@@ -54,6 +68,10 @@ impl Numbers {
             let known = room.head() + characters.only.map_or(0, |_| 1);
             !own.may_share(&(at..at + i64::from(known)), base, &bytes)
         });
+        self.2.retain(|copied| {
+            let at = i64::from(copied.offset);
+            !copied.base.may_share(&(at..at + i64::from(copied.bytes)), base, &bytes)
+        });
     }
 
     /// What is known of lengths, which a text instruction keeps.
@@ -67,13 +85,14 @@ impl Numbers {
 
     /// Whether nothing is known.
     pub(super) fn is_empty(&self) -> bool {
-        self.0.is_empty() && self.1.is_empty()
+        self.0.is_empty() && self.1.is_empty() && self.2.is_empty()
     }
 
     /// Forgets everything.
     pub(super) fn clear(&mut self) {
         self.0.clear();
         self.1.clear();
+        self.2.clear();
     }
 }
 
@@ -101,6 +120,34 @@ impl Translator<'_> {
     /// What the address of a number that is remembered is counted from: those in local data are in `words`.
     fn base_of_number(&self, address: Address) -> Option<Base> {
         Some(self.known_base(address.base)).filter(|&base| base != Base::Local)
+    }
+
+    /// The pieces of which bytes are made that were copied to an address.
+    pub(super) fn known_copy(&self, address: Address, bytes: u32) -> Option<Vec<Value>> {
+        let base = self.base_of_copy(address, bytes)?;
+        let is_it = |known: &&Copied| (known.base, known.offset, known.bytes) == (base, address.offset, bytes);
+        self.bytes.numbers.2.iter().find(is_it).map(|known| known.pieces.clone())
+    }
+
+    /// Remembers what was copied to an address. What shares bytes with it is forgotten already.
+    pub(super) fn remember_copy(&mut self, address: Address, bytes: u32, pieces: Vec<Value>) {
+        let Some(base) = self.base_of_copy(address, bytes) else { return };
+        let copies = &mut self.bytes.numbers.2;
+        if copies.len() == COPIES_MAX {
+            copies.remove(0);
+        }
+        copies.push(Copied { base, offset: address.offset, bytes, pieces });
+    }
+
+    /// What the address of bytes that are remembered is counted from: it is known, and no register stands for any of them.
+    fn base_of_copy(&self, address: Address, bytes: u32) -> Option<Base> {
+        let is_known = address.base == self.local || address.base == self.arena || self.computed.contains_key(&address.base);
+        if !is_known || bytes > COPIED_BYTES_MAX || !self.options.optimize || self.cold.is_some() {
+            return None;
+        }
+        let base = self.known_base(address.base);
+        let first = i64::from(address.offset);
+        (!self.keeps_some_of((base, first..first + i64::from(bytes)))).then_some(base)
     }
 
     /// What is known of the characters of a text.
