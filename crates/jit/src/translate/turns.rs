@@ -149,7 +149,7 @@ impl Translator<'_> {
             }
             return None;
         }
-        if plan.kernel.inner.is_some() && plan.lanes().is_empty() {
+        if plan.kernel.inner.is_some() && plan.side_by_side_or_in_order().is_none() {
             if let Some(nested) = plan.nested() {
                 self.at_once.push((self.index, it.first, it.last));
                 Writing::write(self, &plan, it, Writes { nested: Some(&nested), ..Writes::lanes(1) });
@@ -359,7 +359,7 @@ impl Plan {
                 }
             };
             form && kernel.accesses[..number].iter().all(|other| kernel.are_apart(access, other))
-        }) && (!kernel.is_by_four() || kernel.few_are_one_by_one())
+        }) && (!kernel.is_by_four() || kernel.few_are_one_by_one(self.inner_turns))
     }
 }
 

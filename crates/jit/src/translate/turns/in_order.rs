@@ -28,9 +28,6 @@ pub(super) struct InOrder {
 impl Kernel {
     /// The same loop with all in order that a turn needs from the one before, if that is little.
     pub(super) fn with_order(&self) -> Option<Self> {
-        if self.inner.is_some() {
-            return None;
-        }
         let chains = self.carried(Level::Outer).into_iter().filter(|(.., carried)| *carried == Carried::Chain);
         let cells: BTreeSet<Cell> = chains.filter(|&(cell, end, _)| self.left_beside(cell, end).is_none()).map(|(cell, ..)| cell).collect();
         if cells.is_empty() || cells.iter().any(|&cell| matches!(self.kept(cell), Kept::Budget | Kept::Clock)) {
@@ -43,13 +40,20 @@ impl Kernel {
         let nodes: BTreeSet<Node> = reached.into_iter().filter(rests).collect();
         let computed = nodes.iter().filter(|&&node| matches!(self.what(node), What::Compute(..))).count();
         let by_turn = self.accesses.iter().map(|access| access.pointer).chain([self.outer.again]);
-        if computed > OPERATIONS_MAX || by_turn.into_iter().any(|node| nodes.contains(&node)) {
+        if computed > OPERATIONS_MAX || by_turn.chain(self.all_of_inner()).any(|node| nodes.contains(&node)) {
             return None;
         }
         let mut kernel = self.clone();
         kernel.in_order = InOrder { cells, nodes };
         kernel.shapes.borrow_mut().clear();
         kernel.has_all_for_order().then_some(kernel)
+    }
+
+    /// What the turns of the inner loop begin with, compute, and leave behind: they are done side by side as a whole.
+    fn all_of_inner(&self) -> Vec<Node> {
+        let Some(inner) = &self.inner else { return Vec::new() };
+        let written = self.accesses.iter().filter(|access| access.level == Level::Inner).filter_map(|access| access.value);
+        inner.entry.values().chain(inner.ends.values()).copied().chain([inner.again]).chain(written).collect()
     }
 
     /// Whether all else that is done in order takes has a form side by side.

@@ -141,8 +141,8 @@ impl Kernel {
         Some(self.shape_by_width(node))
     }
 
-    /// Whether so few operations are done one by one that it is worth it.
-    pub(super) fn few_are_one_by_one(&self) -> bool {
+    /// Whether so few operations are done one by one that it is worth it. Those of an inner loop, of so many turns, are none of them.
+    pub(super) fn few_are_one_by_one(&self, inner_turns: i64) -> bool {
         let mut reached = BTreeSet::new();
         let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
         self.all_ends().chain(of_accesses).for_each(|node| self.rests(node, &mut reached));
@@ -151,6 +151,8 @@ impl Kernel {
         let alone = computed.iter().filter(|&&node| self.is_one_by_one(node)).count();
         let gathered = self.accesses.iter().filter(|access| self.is_gathered(access)).count();
         let (alone, others) = (alone + gathered, computed.len() - alone + self.accesses.len() - gathered);
+        let inside = self.inner.as_ref().map_or(0, |inner| inner.steps.len());
+        let others = others.saturating_add(inside.saturating_mul(usize::try_from(inner_turns).unwrap_or_default()));
         others >= OTHERS_MIN * alone
     }
 
