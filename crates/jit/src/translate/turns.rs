@@ -16,6 +16,7 @@ use super::Translator;
 use super::loops::Loop;
 
 mod accesses;
+mod ahead;
 mod bit_choices;
 mod bit_sums;
 mod bits;
@@ -49,6 +50,7 @@ mod sums;
 mod vector;
 mod waits;
 mod ways;
+mod whole;
 mod write;
 
 use count::Count;
@@ -122,7 +124,34 @@ impl Translator<'_> {
     /// Writes versions of a loop whose turns nobody looks at, in front of it. What is given back are turns that do nothing, if the loop as it
     /// stands passes them: where most of them do nothing, that is faster.
     pub(super) fn turns_at_once(&mut self, it: &Loop) -> Option<Idle> {
-        self.write_at_once(it).or_else(|| self.idle_turns(it))
+        self.write_at_once(it).or_else(|| {
+            self.write_with_copies(it);
+            self.idle_turns(it)
+        })
+    }
+
+    /// Writes a loop that copies structures as a whole.
+    fn write_with_copies(&mut self, it: &Loop) {
+        if !self.options.optimize || self.at_once.len() >= LOOPS_MAX || self.is_at_once(it) {
+            return;
+        }
+        let Some(plan) = self.one_by_one(it).filter(|plan| !plan.kernel.copies.is_empty()) else { return };
+        self.at_once.push((self.index, it.first, it.last));
+        Writing::write(self, &plan, it, Writes::lanes(1));
+    }
+
+    /// How a loop is written whose turns are done one by one, hand on what the next one would read, and copy structures as a whole.
+    fn one_by_one(&mut self, it: &Loop) -> Option<Plan> {
+        let kernel = reader::read_one_by_one(self, it)?;
+        if kernel.only_side_by_side || kernel.repeats_itself() || kernel.waits_for_choices() {
+            return None;
+        }
+        let ends = kernel.copies.iter().flat_map(|copied| [&copied.from, &copied.to]);
+        if kernel.accesses.iter().chain(ends).any(|access| self.keeps_some_of(access.bytes())) {
+            return None;
+        }
+        self.pinned.extend(&kernel.opened);
+        Plan::of(kernel.with_ahead())
     }
 
     fn write_at_once(&mut self, it: &Loop) -> Option<Idle> {
@@ -172,6 +201,8 @@ impl Translator<'_> {
             let kernel = settled.kernel.without_signs().unwrap_or(settled.kernel);
             Writing::write(self, &Plan { kernel, ..settled }, it, Writes::lanes(1));
         }
+        let ahead = if one_by_one { self.one_by_one(it).filter(|plan| !plan.kernel.ahead.is_empty()) } else { None };
+        let plan = ahead.unwrap_or(plan);
         let all_at_once = self.write_side_by_side(&plan, it);
         let unsigned = if !all_at_once { plan.kernel.without_signs() } else { None };
         let unsigned = unsigned.map(|kernel| Plan { kernel, count: plan.count, inner_turns: plan.inner_turns });

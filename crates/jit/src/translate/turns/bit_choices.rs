@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use sieben_engine::ir::Op;
 
-use super::kernel::{Kernel, Node, What};
+use super::kernel::{Copied, Kernel, Node, What};
 
 /// Values of a loop of which choices are looked at.
 const NODES_MAX: usize = 2_000;
@@ -48,6 +48,13 @@ impl Kernel {
         for at in 0..self.accesses.len() {
             self.accesses[at].pointer = self.without_copies(self.accesses[at].pointer);
             self.accesses[at].value = self.accesses[at].value.map(|value| self.without_copies(value));
+        }
+        for at in 0..self.copies.len() {
+            let Copied { from, to, reached, .. } = &self.copies[at];
+            let pointers = [from, to].map(|end| self.without_copies(end.pointer));
+            let reached = reached.map(|(condition, holds)| (self.without_copies(condition), holds));
+            let copied = &mut self.copies[at];
+            ([copied.from.pointer, copied.to.pointer], copied.reached) = (pointers, reached);
         }
     }
 

@@ -4,7 +4,7 @@
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
 
-use super::kernel::{Access, Node, Part, Step};
+use super::kernel::{Access, Copied, Node, Part, Step};
 use super::reader::Reader;
 use super::ways::Ways;
 
@@ -28,6 +28,13 @@ impl Held {
     }
 }
 
+impl Held {
+    /// Forgets what a copy may write. Nothing waits.
+    pub(super) fn forget_copied(&mut self, copied: &Copied) {
+        self.0.retain(|entry| !entry.access.may_meet_copied(&copied.to, copied.bytes));
+    }
+}
+
 impl Access {
     /// Whether another access goes to exactly the same variable.
     pub(super) fn is_same(&self, other: &Self) -> bool {
@@ -36,12 +43,21 @@ impl Access {
 
     /// Whether another access may go to some of the same bits.
     pub(super) fn may_meet(&self, other: &Self) -> bool {
+        self.may_meet_bits(other, if other.width == Width::Bit { 1 } else { other.width.bytes() * 8 })
+    }
+
+    /// Whether it may go to some of the bytes of one end of a copy.
+    pub(super) fn may_meet_copied(&self, end: &Self, bytes: u32) -> bool {
+        self.may_meet_bits(end, 8 * bytes)
+    }
+
+    fn may_meet_bits(&self, other: &Self, bits: u32) -> bool {
         if self.area == other.area && self.pointer == other.pointer {
-            let bits = |access: &Self| if access.width == Width::Bit { 1 } else { access.width.bytes() * 8 };
+            let own = if self.width == Width::Bit { 1 } else { self.width.bytes() * 8 };
             // Positions have 24 bits.
             let ahead = other.offset.wrapping_sub(self.offset) & 0x00FF_FFFF;
             let behind = self.offset.wrapping_sub(other.offset) & 0x00FF_FFFF;
-            return ahead < bits(self) || behind < bits(other);
+            return ahead < own || behind < bits;
         }
         let ((base, bytes), (other_base, others)) = (self.bytes(), other.bytes());
         base.may_share(&bytes, other_base, &others)

@@ -87,6 +87,11 @@ pub(super) enum Kept {
     Given {
         width: Width,
     },
+    /// What the next turn would read with an access, by its number among them.
+    Ahead {
+        number: u16,
+        width: Width,
+    },
 }
 
 /// An access by an address that a turn computes.
@@ -123,10 +128,23 @@ impl Access {
     }
 }
 
+/// A copy of bytes as a whole, in turns that are done one after the other.
+#[derive(Clone, Debug)]
+pub(super) struct Copied {
+    /// Where it reads and writes, as accesses to the first byte that are known to stay inside with all of them.
+    pub(super) from: Access,
+    pub(super) to: Access,
+    pub(super) bytes: u32,
+    /// The condition under which a turn makes it, and whether that has to hold; none if each turn does.
+    pub(super) reached: Option<(Node, bool)>,
+}
+
 /// One step of a turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Step {
     Access(usize),
+    /// A copy, by its number.
+    Copy(usize),
     /// All turns of the inner loop.
     Inner,
 }
@@ -156,6 +174,9 @@ pub(super) struct Kernel {
     pub(super) accesses: Vec<Access>,
     /// What each access reads, as a value.
     pub(super) reads: Vec<Node>,
+    pub(super) copies: Vec<Copied>,
+    /// Reads of which each turn knows what the next one would find.
+    pub(super) ahead: Vec<Access>,
     pub(super) outer: Turn,
     pub(super) inner: Option<Turn>,
     /// Numbers on lines that have to be below limits in all turns.
@@ -191,7 +212,7 @@ impl Kernel {
     pub(super) fn accesses_in_order(&self) -> Vec<(usize, &Access)> {
         let access = |step: &Step| match *step {
             Step::Access(number) => Some((number, &self.accesses[number])),
-            Step::Inner => None,
+            Step::Copy(_) | Step::Inner => None,
         };
         self.outer.steps.iter().filter_map(access).collect()
     }
@@ -202,6 +223,8 @@ impl Kernel {
             cells: Vec::new(),
             accesses: Vec::new(),
             reads: Vec::new(),
+            copies: Vec::new(),
+            ahead: Vec::new(),
             outer: Turn::default(),
             inner: None,
             required: Vec::new(),
@@ -224,7 +247,7 @@ impl Kernel {
         let cells = &self.cells;
         let is_live = |&Cell(cell): &Cell, live: u32| match cells[usize::from(cell)] {
             Kept::Register(register) => live & bit_of(register) != 0,
-            Kept::Memory { .. } | Kept::Element { .. } | Kept::Budget | Kept::Clock | Kept::Given { .. } => true,
+            Kept::Memory { .. } | Kept::Element { .. } | Kept::Budget | Kept::Clock | Kept::Given { .. } | Kept::Ahead { .. } => true,
         };
         self.lines.borrow_mut().clear();
         self.outer.ends.retain(|cell, _| is_live(cell, self.live));
@@ -241,6 +264,7 @@ impl Kernel {
         let of_accesses = kept.flat_map(|access| [Some(access.pointer), access.value]).flatten();
         let conditions = [Some(self.outer.again), self.inner.as_ref().map(|inner| inner.again)];
         let mut waiting: Vec<Node> = self.outer.ends.values().copied().chain(self.all_ends()).chain(of_accesses).collect();
+        waiting.extend(self.of_copies());
         waiting.extend(conditions.into_iter().flatten());
         // What has to be below a limit is looked at though nobody needs the element.
         waiting.extend(self.required.iter().chain(&self.required_inside).map(|&(number, _)| number));
@@ -269,7 +293,7 @@ impl Kernel {
         let nodes = nodes.collect();
         let step = |step: &Step| match *step {
             Step::Access(access) => place(access).map(Step::Access),
-            Step::Inner => Some(Step::Inner),
+            Step::Copy(_) | Step::Inner => Some(*step),
         };
         let [outer, inner] = [Some(&self.outer), self.inner.as_ref()].map(|turn| {
             let steps = turn.map_or(&[][..], |turn| &turn.steps).iter();
@@ -347,10 +371,11 @@ impl Kernel {
     /// Cells with something that the loop may look at when it begins.
     pub(super) fn cells_at_start(&self) -> BTreeSet<Cell> {
         let starts = self.nodes.iter().filter_map(|what| match what {
-            What::Start(_, cell) if !matches!(self.kept(*cell), Kept::Element { .. }) => Some(*cell),
+            What::Start(_, cell) => Some(*cell),
             _ => None,
         });
-        starts.chain(self.outer.ends.keys().copied()).collect()
+        let all = starts.chain(self.outer.ends.keys().copied());
+        all.filter(|&cell| !matches!(self.kept(cell), Kept::Element { .. } | Kept::Ahead { .. })).collect()
     }
 
     /// What the cells of both loops hold at the ends of their turns, and when the inner one begins.
@@ -382,6 +407,7 @@ impl Kernel {
             Kept::Memory { width: Width::Bit | Width::Byte | Width::Word, .. }
                 | Kept::Element { width: Width::Bit | Width::Byte | Width::Word, .. }
                 | Kept::Given { width: Width::Bit | Width::Byte | Width::Word }
+                | Kept::Ahead { width: Width::Bit | Width::Byte | Width::Word, .. }
         )
     }
 
@@ -463,6 +489,13 @@ impl Kernel {
                     return false;
                 }
             }
+            let meets = |end: &Access| {
+                let (other_base, other) = end.bytes();
+                base.may_share(bytes, other_base, &other)
+            };
+            if self.copies.iter().any(|copied| meets(&copied.to) || written(index) && meets(&copied.from)) {
+                return false;
+            }
         }
         true
     }
@@ -471,14 +504,16 @@ impl Kernel {
 impl Kept {
     /// Whether it holds 64 bits.
     pub(super) fn is_wide(self) -> bool {
-        let (Self::Memory { width, .. } | Self::Element { width, .. } | Self::Given { width }) = self else { return false };
+        let (Self::Memory { width, .. } | Self::Element { width, .. } | Self::Given { width } | Self::Ahead { width, .. }) = self else {
+            return false;
+        };
         width == Width::QuadWord
     }
 
     /// The bytes that a cell stands for, and which bit of them.
     pub(super) fn bytes(self) -> Option<(Base, Range<i64>, Option<u8>)> {
         match self {
-            Self::Register(_) | Self::Element { .. } | Self::Budget | Self::Clock | Self::Given { .. } => None,
+            Self::Register(_) | Self::Element { .. } | Self::Budget | Self::Clock | Self::Given { .. } | Self::Ahead { .. } => None,
             Self::Memory { base, offset, width, bit } => {
                 let bit = (width == Width::Bit).then_some(bit);
                 Some((base, i64::from(offset)..i64::from(offset) + i64::from(width.bytes()), bit))

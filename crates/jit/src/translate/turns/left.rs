@@ -103,7 +103,7 @@ impl Kernel {
         let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
         let own = conditions.iter().map(|&(condition, _)| condition).chain([value, self.outer.again]);
         let required = self.required.iter().map(|&(number, _)| number);
-        let mut all = others.chain(of_accesses).chain(own).chain(required);
+        let mut all = others.chain(of_accesses).chain(self.of_copies()).chain(own).chain(required);
         (!all.any(|node| self.rests_on(node, Level::Outer, cell))).then_some((conditions, value))
     }
 }

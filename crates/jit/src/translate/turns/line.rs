@@ -9,7 +9,7 @@ use sieben_model::address::Width;
 use super::count::is_unsigned;
 use super::divide::greatest;
 use super::extremes::Extreme;
-use super::kernel::{Cell, Kernel, Level, Node, Step, Turn, What};
+use super::kernel::{Cell, Kept, Kernel, Level, Node, Step, Turn, What};
 
 /// A value that grows by the same step in each turn, modulo 2 to the power of `bits`; zero-extended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -160,6 +160,10 @@ impl Kernel {
     /// The line of a cell, if it is what the cell held before plus a constant.
     pub(super) fn cell_line(&self, level: Level, cell: Cell) -> Option<Line> {
         let Some(&end) = self.turn(level).ends.get(&cell) else { return Some(Line::SAME) };
+        // Nobody knows what it is before it is read.
+        if matches!(self.kept(cell), Kept::Ahead { .. }) {
+            return None;
+        }
         if self.is_start(end, level, cell) {
             return Some(Line::SAME);
         }
@@ -197,6 +201,7 @@ impl Kernel {
                         waiting.push(access.pointer);
                     }
                 }
+                Step::Copy(copied) => waiting.extend(self.nodes_of_copy(*copied, level)),
                 Step::Inner => {
                     if let Some(inner) = &self.inner {
                         // With what its cells begin that it does not carry is reached from those at which it looks.
@@ -287,7 +292,7 @@ impl Kernel {
         let others = self.turn(level).ends.iter().filter(|&(&other, &end)| other != cell && !is_left(other, end)).map(|(_, &end)| end);
         let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
         let entries = self.inner.iter().flat_map(|inner| inner.entry.values().chain(inner.ends.values()).copied());
-        let mut all = others.chain(of_accesses).chain(entries).chain([added, self.turn(level).again]);
+        let mut all = others.chain(of_accesses).chain(self.of_copies()).chain(entries).chain([added, self.turn(level).again]);
         !all.any(|node| self.rests_on(node, level, cell))
     }
 
@@ -295,7 +300,7 @@ impl Kernel {
     fn is_left_only(&self, level: Level, cell: Cell) -> bool {
         let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
         let turn = self.turn(level);
-        let mut all = turn.ends.values().copied().chain(of_accesses).chain([turn.again]);
+        let mut all = turn.ends.values().copied().chain(of_accesses).chain(self.of_copies()).chain([turn.again]);
         self.inner.is_none() && !all.any(|node| self.rests_on(node, level, cell))
     }
 

@@ -3,29 +3,29 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use sieben_engine::access::{data_registers, pointed_area};
+use sieben_engine::access::data_registers;
 use sieben_engine::interpreter::weight;
 use sieben_engine::intrinsics::Intrinsic;
-use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, Target, Var};
-use sieben_engine::machine::{CALLS_SHIFT, Register};
-use sieben_model::address::{Area, Width};
+use sieben_engine::ir::{Callee, Inst, Op, Place, Target, Var};
+use sieben_engine::machine::Register;
+use sieben_model::address::Width;
 
-use super::super::inlining::way_into;
 use super::super::inside::FIRST_BYTE;
 use super::super::loops::Loop;
-use super::super::memory::moved;
 use super::super::promote::Base;
 use super::super::ranges::{self, Bytes, Interval, Ranges};
 use super::super::value::Val;
 use super::super::{Translator, bit_of};
 use super::held::Held;
-use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Part, Step, Turn, What};
+use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Step, Turn, What};
 use super::ways::{Way, Ways};
 
 mod called;
 mod calls;
+mod places;
 
 pub(super) use calls::{Called, Instances};
+pub(super) use places::{Goes, Reached};
 
 /// Instructions of a turn that is looked at, with those of the blocks that are part of it.
 const INSTRUCTIONS_MAX: usize = 2000;
@@ -54,20 +54,43 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
     if inner.next().is_some() {
         return None;
     }
-    read_turn(translator, it, inside, None)
+    read_as(translator, it, Reading { inside, ..Reading::default() })
 }
 
 /// Reads one way through a turn of a loop: which way each of its jumps goes is a bit of a number, the lowest one that of the first jump, and
 /// not set where the jump is made. What has to hold for that is noted with the kernel.
 pub(super) fn read_way(translator: &mut Translator<'_>, it: &Loop, ways: u32) -> Option<Kernel> {
-    read_turn(translator, it, None, Some(ways))
+    read_as(translator, it, Reading { one_way: Some(ways), ..Reading::default() })
 }
 
-fn read_turn(translator: &mut Translator<'_>, it: &Loop, inside: Option<Loop>, one_way: Option<u32>) -> Option<Kernel> {
+/// Reads a loop whose turns are done one by one: they copy structures as a whole, and of variables at constant distances from each other it
+/// is known that they are.
+pub(super) fn read_one_by_one(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel> {
+    let has_loop = translator.loops.iter().any(|inner| inner.first > it.first && inner.last <= it.last);
+    if !it.asks_nothing || has_loop {
+        return None;
+    }
+    let kernel = read_as(translator, it, Reading { whole_copies: true, ..Reading::default() })?;
+    kernel.inner.is_none().then_some(kernel)
+}
+
+/// How a turn is read.
+#[derive(Default)]
+struct Reading {
+    /// The loop in it.
+    inside: Option<Loop>,
+    /// Which way alone.
+    one_way: Option<u32>,
+    /// Copies are done as a whole, not as numbers.
+    whole_copies: bool,
+}
+
+fn read_as(translator: &mut Translator<'_>, it: &Loop, Reading { inside, one_way, whole_copies }: Reading) -> Option<Kernel> {
     let facts = [Some(it.first), inside.as_ref().map(|inside| inside.first)].map(|first| facts(translator, first));
     let statements_inside = inside.as_ref().map(|inside| (inside.first, inside.last));
     let mut reader = Reader::new(translator, it.written, facts);
     (reader.inside, reader.reads_tables, reader.one_way) = (inside, !it.calls_nothing, one_way);
+    reader.whole_copies = whole_copies;
     // A block that reaches its instance by AR2 and nothing else counts from there.
     let pointer = reader.translator.current[Register::Ar2 as usize];
     if reader.translator.ranges.is_relative() {
@@ -187,6 +210,8 @@ pub(super) struct Reader<'t, 'a> {
     only_side_by_side: bool,
     /// Which way jumps go that have not been reached yet, if one way alone is read.
     one_way: Option<u32>,
+    /// Whether copies are done as a whole.
+    pub(super) whole_copies: bool,
 }
 
 impl<'t, 'a> Reader<'t, 'a> {
@@ -222,6 +247,7 @@ impl<'t, 'a> Reader<'t, 'a> {
             reads_tables: true,
             only_side_by_side: false,
             one_way: None,
+            whole_copies: false,
         }
     }
 }
@@ -745,6 +771,11 @@ impl Reader<'_, '_> {
         self.ways.is_always()
     }
 
+    /// Whether the running statement is in no inner loop.
+    pub(super) fn is_outer(&self) -> bool {
+        self.level == Level::Outer
+    }
+
     fn get(&mut self, var: Var) -> Option<Node> {
         let Some(register) = var.register() else { return self.temporaries.get(&var.0).copied() };
         if register == Register::Nesting {
@@ -798,6 +829,7 @@ impl Reader<'_, '_> {
                 self.note_range(index, node);
                 self.set(dst, node)
             }
+            Inst::Move { from, to, bytes } if self.whole_copies => self.copy_whole(index, (from, to, bytes), steps),
             Inst::Move { from, to, bytes } => {
                 // Turn by turn, a copy of many bytes at once is faster.
                 self.only_side_by_side = true;
@@ -916,123 +948,6 @@ impl Reader<'_, '_> {
         self.reach((place, width), inside, write)
     }
 
-    /// What is reached at a place, which is known to lie among some bytes wherever it is reached, perhaps.
-    pub(super) fn reach(&mut self, (place, width): (Place, Width), inside: Option<Bytes>, write: bool) -> Option<Reached> {
-        let (area, pointer, offset) = match place {
-            Place::Fixed { area, position } => (area, self.constant(0), position),
-            Place::Indirect { area, pointer, offset } => (area, self.get(pointer)?, offset),
-            Place::Crossing { pointer, offset } => {
-                let pointer = self.get(pointer)?;
-                let (least, most) = self.range(pointer, DEPTH_MAX).unsigned(32);
-                if least >> 24 != most >> 24 {
-                    return None;
-                }
-                match pointed_area(least as u64, write).ok()? {
-                    Area::CallerLocal => match self.kernel.constant(pointer) {
-                        Some(constant) => return self.in_caller(moved(constant, offset), width),
-                        None => (Area::CallerLocal, pointer, offset),
-                    },
-                    Area::PeripheralInput | Area::PeripheralOutput => return None,
-                    area => (area, pointer, offset),
-                }
-            }
-        };
-        let (mut start, mut length) = match area {
-            // Of others than the caller itself, positions are greater.
-            Area::CallerLocal => self.caller_local(0).map(|(first, bytes)| (first, bytes as u64))?,
-            _ => self.area(area, write)?,
-        };
-        let mut base = if matches!(area, Area::Local | Area::CallerLocal) { Base::Local } else { Base::Arena };
-        if let Place::Indirect { area: Area::InstanceData, .. } = place
-            && self.translator.ranges.is_relative()
-        {
-            let (instance, bytes) = self.translator.instance_area()?;
-            (base, start, length) = (instance, 0, bytes);
-        }
-        if let Some(pointer) = self.kernel.constant(pointer) {
-            let position = moved(pointer, offset);
-            let (byte, bit) = (u64::from(position / 8), (position % 8) as u8);
-            if byte + u64::from(width.bytes()) > length || width != Width::Bit && bit != 0 {
-                return None;
-            }
-            let offset = i32::try_from(i64::from(start) + byte as i64).ok()?;
-            return Some(Reached::Cell(self.cell(Kept::Memory { base, offset, width, bit })));
-        }
-        let (pointer, offset) = self.without_constants(pointer, offset);
-        let area = (base, start, length);
-        let always = self.always_inside(area, pointer, offset, width);
-        let inside = match inside {
-            _ if always.is_some() => always.clone(),
-            Some((known, range)) if known == base && i64::from(start) <= range.start && range.end <= i64::from(start) + length as i64 => {
-                Some(range)
-            }
-            _ => None,
-        };
-        let sure = always.is_some() || self.ways.is_always() && inside.is_some();
-        let whole = self.range(pointer, DEPTH_MAX);
-        // An element may lie in front of where the pointer goes: positions have 24 bits.
-        let (least, most) = whole.unsigned(24);
-        let signed = (offset << 8) as i32 >> 8;
-        let is_part = always.is_some() && whole.zeros >= 3 && least + i128::from(signed) >= 0 && most + i128::from(signed) < 1 << 24;
-        let part = is_part.then_some(Part { bytes: signed >> 3, bit: (offset % 8) as u8 });
-        let access = Access { level: self.level, area, pointer, offset, width, value: None, inside, sure, part };
-        Some(match self.element_at(&access) {
-            Some(cell) => Reached::Cell(cell),
-            None => Reached::Access(access),
-        })
-    }
-
-    /// A pointer and an offset of 24 bits that lead to the same place as others: accesses at the same distance from each other in each turn
-    /// have the same pointer.
-    fn without_constants(&self, mut pointer: Node, mut offset: u32) -> (Node, u32) {
-        while let What::Compute(op @ (Op::AddU32 | Op::SubU32), [a, b, ..]) = self.kernel.what(pointer) {
-            let [x, y] = [a, b].map(|node| self.kernel.constant(node).map(|constant| constant as u32));
-            (pointer, offset) = match (op, x, y) {
-                (Op::AddU32, Some(constant), _) => (b, offset.wrapping_add(constant)),
-                (Op::AddU32, None, Some(constant)) => (a, offset.wrapping_add(constant)),
-                (Op::SubU32, _, Some(constant)) => (a, offset.wrapping_sub(constant)),
-                _ => break,
-            };
-        }
-        (pointer, offset & 0x00FF_FFFF)
-    }
-
-    /// First byte and number of bytes of an area; those of a data block as it is open in the turn.
-    fn area(&mut self, area: Area, write: bool) -> Option<(i32, u64)> {
-        let register = match area {
-            Area::SharedData => DataRegister::Shared,
-            Area::InstanceData => DataRegister::Instance,
-            _ => return self.translator.known_area(area, write).map(|(_, start, length)| (start, length)),
-        };
-        let mut open = [0; 3];
-        for (value, register) in open.iter_mut().zip(data_registers(register)) {
-            let node = self.get(register.into())?;
-            *value = self.kernel.constant(node)?;
-        }
-        let [number, start, length] = open;
-        let is_protected = self.translator.layout.read_only.iter().any(|&protected| u64::from(protected) == number);
-        (!(write && is_protected)).then_some((i32::try_from(start).ok()?, length))
-    }
-
-    /// Where the local data of a caller begin, and how many bytes they have.
-    fn caller_local(&self, calls: usize) -> Option<(i32, usize)> {
-        match self.frames.len().checked_sub(1 + calls) {
-            Some(at) => {
-                let caller = &self.frames[at];
-                Some((caller.local_offset, self.translator.blocks[caller.index].local_size as usize))
-            }
-            // Behind the callers that are read are those that are written.
-            None => self.translator.caller_local(calls.checked_sub(self.frames.len())?),
-        }
-    }
-
-    /// A variable in the local data of a caller.
-    fn in_caller(&mut self, position: u32, width: Width) -> Option<Reached> {
-        let caller = self.caller_local((position >> CALLS_SHIFT) as usize)?;
-        let (offset, bit) = way_into(position, width, caller)?;
-        Some(Reached::Cell(self.cell(Kept::Memory { base: Base::Local, offset, width, bit })))
-    }
-
     /// Notes what is known of a value in each turn.
     fn note_range(&mut self, index: u32, node: Node) {
         if let Some((least, most)) = self.translator.ranges.result(index)
@@ -1120,12 +1035,6 @@ impl Reader<'_, '_> {
         steps.push(Step::Access(number));
         read
     }
-}
-
-/// What an instruction reaches.
-pub(super) enum Reached {
-    Cell(Cell),
-    Access(Access),
 }
 
 /// Whether an operation divides: by an unknown number that takes as long as many others.

@@ -144,7 +144,7 @@ impl Kernel {
             .iter()
             .filter_map(|step| match *step {
                 Step::Access(number) => Some(number),
-                Step::Inner => None,
+                Step::Copy(_) | Step::Inner => None,
             })
             .collect();
         for (at, &number) in steps.iter().enumerate() {

@@ -162,6 +162,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         self.t.b.ins().brif(guard, enter, &[], go_on, &[]);
         self.t.b.switch_to_block(enter);
         self.t.b.seal_block(enter);
+        self.read_ahead();
         let done = self.turns(Level::Outer, turns);
         debug_assert!(done.is_empty() || self.lanes > 1);
         self.finish(turns);
@@ -305,7 +306,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     }
 
     /// A value as it is in the first turn of the loop, in front of it. It rests on no memory that the loop reads.
-    fn value_before(&mut self, node: Node) -> Val {
+    pub(super) fn value_before(&mut self, node: Node) -> Val {
         match self.kernel.what(node) {
             What::Constant(value) => Val::Const(value),
             What::Start(Level::Outer, cell) => self.before[&cell],
@@ -407,8 +408,19 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             let is_late = level == Level::Outer && self.gathered.is_empty() && (self.lanes == 1 || self.records.are_several());
             let steps =
                 if is_late { self.kernel.steps_with_late_reads(self.lanes, &self.records) } else { self.kernel.turn(level).steps.clone() };
-            for step in steps {
+            let mut steps = steps.into_iter().peekable();
+            while let Some(step) = steps.next() {
                 match step {
+                    Step::Copy(first) => {
+                        let mut numbers = vec![first];
+                        while let Some(&Step::Copy(next)) = steps.peek()
+                            && self.kernel.copies[next].reached == self.kernel.copies[first].reached
+                        {
+                            numbers.push(next);
+                            steps.next();
+                        }
+                        self.copy_whole(&numbers);
+                    }
                     Step::Access(access) => {
                         self.access(access, level);
                         self.written.extend(self.kernel.accesses[access].value.is_some().then_some(access));
@@ -594,10 +606,13 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         }
         let step_of = |access: &Access| self.plan.counted_on(access, level);
         let mut known: Vec<(Base, Node, u32)> = Vec::new();
-        for step in &kernel.turn(level).steps {
-            if let Step::Access(access) = step
-                && let access = &kernel.accesses[*access]
-                && let Some(step) = step_of(access)
+        let ends = kernel.copies.iter().flat_map(|copied| [&copied.from, &copied.to]).filter(|end| kernel.is_counted_end(end, level));
+        let of_steps = kernel.turn(level).steps.iter().filter_map(|step| match *step {
+            Step::Access(access) => Some(&kernel.accesses[access]),
+            Step::Copy(_) | Step::Inner => None,
+        });
+        for access in of_steps.chain(ends) {
+            if let Some(step) = step_of(access)
                 && !known.contains(&access.counted())
             {
                 let (base, pointer, offset) = access.counted();
@@ -621,6 +636,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             waiting.extend(access.value);
             if self.plan.counted_on(access, level).is_none() {
                 waiting.push(access.pointer);
+            }
+        }
+        for step in &kernel.outer.steps {
+            if let Step::Copy(number) = *step {
+                waiting.extend(kernel.nodes_of_copy(number, level));
             }
         }
         for &(cell, end, carried) in carried {
@@ -1107,6 +1127,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         // What a sum was when the last turn began.
         let mut before_last: Vec<(Cell, Sum)> = Vec::new();
         for (cell, end, carried) in self.kernel.carried(Level::Outer) {
+            if matches!(self.kernel.kept(cell), Kept::Ahead { .. }) {
+                continue;
+            }
             let value = match carried {
                 Carried::Line(line) => {
                     let before = self.before[&cell];

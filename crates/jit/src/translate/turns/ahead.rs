@@ -1,0 +1,134 @@
+//! What the next turn of a loop reads, where a turn knows it: the neighbour that it has read or written itself. It is handed on in a register,
+//! so that the next turn does not wait for memory in which it was just written.
+
+use sieben_engine::ir::Op;
+use sieben_model::address::Width;
+
+use super::kernel::{Access, Cell, Copied, Kept, Kernel, Level, Node, Step, What};
+use super::write::Writing;
+
+/// Variables that are handed on so: more would not stay in registers.
+const AHEAD_MAX: usize = 4;
+/// Variables of a turn that are looked at.
+const KNOWN_MAX: usize = 64;
+
+/// What is known of a variable at a computed address.
+#[derive(Clone)]
+struct Known {
+    at: Access,
+    value: Node,
+    /// The condition under which it holds that, and whether that has to hold.
+    only: Option<(Node, bool)>,
+}
+
+impl Kernel {
+    /// The same loop with as much handed on to the next turn as that would read.
+    pub(super) fn with_ahead(mut self) -> Self {
+        let (known, read_first) = self.known_at_end();
+        for number in read_first {
+            let access = self.accesses[number].clone();
+            let Some(step) = self.line(access.pointer, Level::Outer).filter(|line| line.bits == 32 && !line.is_same()) else { continue };
+            let next = Access { offset: access.offset.wrapping_add(step.step) & 0x00FF_FFFF, ..access.clone() };
+            let Some(known) = known.iter().find(|known| known.at.is_same(&next) && known.only.is_none()) else { continue };
+            let (Ok(cell), Ok(at)) = (u16::try_from(self.cells.len()), u16::try_from(self.ahead.len())) else { break };
+            let cell = Cell::numbered(cell);
+            self.cells.push(Kept::Ahead { number: at, width: access.width });
+            self.nodes[self.reads[number].number() as usize] = What::Start(Level::Outer, cell);
+            self.outer.ends.insert(cell, known.value);
+            self.outer.steps.retain(|&step| step != Step::Access(number));
+            self.ahead.push(access);
+            if self.ahead.len() == AHEAD_MAX {
+                break;
+            }
+        }
+        self.lines.borrow_mut().clear();
+        self.shapes.borrow_mut().clear();
+        self
+    }
+
+    /// What is known of variables at the end of a turn, and the reads in front of which nothing may have written what they read.
+    fn known_at_end(&mut self) -> (Vec<Known>, Vec<usize>) {
+        let mut known: Vec<Known> = Vec::new();
+        let mut read_first = Vec::new();
+        for at in 0..self.outer.steps.len() {
+            match self.outer.steps[at] {
+                Step::Access(number) => {
+                    let access = self.accesses[number].clone();
+                    let value = match access.value {
+                        Some(value) => {
+                            known.retain(|known| !known.at.may_meet(&access));
+                            value
+                        }
+                        None => {
+                            if access.width != Width::Bit && self.is_untouched(&access, &self.outer.steps[..at]) {
+                                read_first.push(number);
+                            }
+                            self.reads[number]
+                        }
+                    };
+                    if access.width != Width::Bit && !known.iter().any(|known| known.at.is_same(&access)) && known.len() < KNOWN_MAX {
+                        known.push(Known { at: access, value, only: None });
+                    }
+                }
+                Step::Copy(number) => {
+                    let copied = self.copies[number].clone();
+                    let there = self.known_behind(&known, &copied);
+                    known.retain(|known| !known.at.may_meet_copied(&copied.to, copied.bytes));
+                    known.extend(there);
+                }
+                Step::Inner => return (Vec::new(), Vec::new()),
+            }
+        }
+        (known, read_first)
+    }
+
+    /// What is known of variables where a copy writes.
+    fn known_behind(&mut self, known: &[Known], copied: &Copied) -> Vec<Known> {
+        let mut there = Vec::new();
+        for one in known.iter().filter(|one| one.only.is_none() || one.only == copied.reached) {
+            // Positions have 24 bits.
+            let behind = one.at.offset.wrapping_sub(copied.from.offset) & 0x00FF_FFFF;
+            let is_part = (one.at.area, one.at.pointer) == (copied.from.area, copied.from.pointer)
+                && behind + 8 * one.at.width.bytes() <= 8 * copied.bytes;
+            if !is_part {
+                continue;
+            }
+            let offset = copied.to.offset.wrapping_add(behind) & 0x00FF_FFFF;
+            let at = Access { offset, width: one.at.width, ..copied.to.clone() };
+            let before = known.iter().find(|known| known.at.is_same(&at) && known.only.is_none());
+            there.push(match (copied.reached, before) {
+                (None, _) => Known { at, value: one.value, only: None },
+                (only, None) => Known { at, value: one.value, only },
+                (Some((condition, holds)), Some(before)) => {
+                    let (a, b) = if holds { (one.value, before.value) } else { (before.value, one.value) };
+                    self.nodes.push(What::Compute(Op::Select, [condition, a, b, condition]));
+                    Known { at, value: Node::numbered(self.nodes.len() as u32 - 1), only: None }
+                }
+            });
+        }
+        there
+    }
+
+    /// Whether none of these steps may write what an access reads.
+    fn is_untouched(&self, access: &Access, steps: &[Step]) -> bool {
+        steps.iter().all(|step| match *step {
+            Step::Access(number) => self.accesses[number].value.is_none() || !access.may_meet(&self.accesses[number]),
+            Step::Copy(number) => !access.may_meet_copied(&self.copies[number].to, self.copies[number].bytes),
+            Step::Inner => false,
+        })
+    }
+}
+
+impl Writing<'_, '_, '_> {
+    /// Reads what the first turn would read itself.
+    pub(super) fn read_ahead(&mut self) {
+        for (number, &kept) in self.kernel.cells.iter().enumerate() {
+            let Kept::Ahead { number: at, width } = kept else { continue };
+            let access = &self.kernel.ahead[usize::from(at)];
+            let pointer = self.value_before(access.pointer);
+            let address = self.address_at(access, pointer);
+            let value = self.t.read(address, width);
+            self.before.insert(Cell::numbered(number as u16), value);
+        }
+    }
+}
