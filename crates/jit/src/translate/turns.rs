@@ -17,6 +17,7 @@ use super::loops::Loop;
 
 mod accesses;
 mod ahead;
+mod around;
 mod bit_choices;
 mod bit_sums;
 mod bits;
@@ -35,6 +36,7 @@ mod late;
 mod left;
 mod left_beside;
 mod line;
+mod looked_at;
 mod masks;
 mod nested;
 mod pieces;
@@ -164,7 +166,9 @@ impl Translator<'_> {
             return None;
         }
         self.pinned.extend(&kernel.opened);
-        if let Some(bits) = bits::read(&kernel) {
+        if kernel.looked_at.is_empty()
+            && let Some(bits) = bits::read(&kernel)
+        {
             self.at_once.push((self.index, it.first, it.last));
             self.bits_at_once(&kernel, &bits, it);
         }
@@ -383,10 +387,11 @@ impl Plan {
                         Width::Word => fits(value, Shape::Halves),
                         Width::DoubleWord => fits(value, Shape::Words) || fits(value, Shape::Reals),
                         Width::QuadWord => fits(value, Shape::Quads),
-                        Width::Byte => is_apart && fits(value, Shape::Words),
+                        Width::Byte => (is_apart || kernel.is_scattered(access)) && fits(value, Shape::Words),
                         Width::Bit => (is_apart || is_row) && fits(value, Shape::Mask),
                     };
-                    (follows || is_apart || is_row) && form && self.turns_write_apart(access)
+                    let is_scattered = kernel.is_scattered(access);
+                    (follows || is_apart || is_row || is_scattered) && form && self.turns_write_apart(access)
                 }
             };
             form && kernel.accesses[..number].iter().all(|other| kernel.are_apart(access, other))

@@ -27,6 +27,12 @@ impl Writing<'_, '_, '_> {
         if self.lanes > 1 && self.kernel.is_gathered(access) {
             return self.gather(number, level);
         }
+        if self.lanes > 1
+            && let Some(value) = access.value
+            && self.kernel.is_scattered(access)
+        {
+            return self.scatter(number, value, level);
+        }
         let (_, start, _) = access.area;
         let part = access.part.unwrap_or(Part { bytes: 0, bit: 0 });
         let address = match self.scope(level).addresses.get(&access.counted()) {

@@ -24,6 +24,10 @@ struct Known {
 impl Kernel {
     /// The same loop with as much handed on to the next turn as that would read.
     pub(super) fn with_ahead(mut self) -> Self {
+        // What is looked at in front of the loop is read there as each turn would read it.
+        if !self.looked_at.is_empty() {
+            return self;
+        }
         let (known, read_first) = self.known_at_end();
         for number in read_first {
             let access = self.accesses[number].clone();

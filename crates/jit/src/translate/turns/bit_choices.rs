@@ -48,6 +48,12 @@ impl Kernel {
         for at in 0..self.accesses.len() {
             self.accesses[at].pointer = self.without_copies(self.accesses[at].pointer);
             self.accesses[at].value = self.accesses[at].value.map(|value| self.without_copies(value));
+            for around in 0..self.accesses[at].around.len() {
+                self.accesses[at].around[around].pointer = self.without_copies(self.accesses[at].around[around].pointer);
+            }
+        }
+        for at in 0..self.looked_at.len() {
+            self.looked_at[at].0 = self.without_copies(self.looked_at[at].0);
         }
         for at in 0..self.copies.len() {
             let Copied { from, to, reached, .. } = &self.copies[at];

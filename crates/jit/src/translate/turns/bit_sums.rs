@@ -43,7 +43,7 @@ pub(super) fn read(plan: &Plan) -> Option<BitSums> {
         let is_logic = access.value.is_none_or(|value| is_bits(kernel, value));
         is_logic && access.inside.is_some() && access.sure && kernel.bits_follow(access)
     };
-    let is_more = kernel.inner.is_some() || kernel.outer.blocks_most != 0 || !kernel.required.is_empty();
+    let is_more = kernel.inner.is_some() || kernel.outer.blocks_most != 0 || !(kernel.required.is_empty() && kernel.looked_at.is_empty());
     if is_more || kernel.accesses.is_empty() || !kernel.accesses.iter().all(follows) || !bits_are_apart(kernel) {
         return None;
     }

@@ -1,5 +1,5 @@
-//! Four turns side by side with bits that follow one another, as those of an array of BOOL do, and with what is read at addresses that each
-//! turn computes.
+//! Four turns side by side with bits that follow one another, as those of an array of BOOL do, and with what is read and written at
+//! addresses that each turn computes.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I32, I32X4};
@@ -10,7 +10,7 @@ use super::super::Translator;
 use super::super::memory::{Address, Bit, data};
 use super::super::promote::Base;
 use super::super::value::Val;
-use super::kernel::{Access, Kernel, Level};
+use super::kernel::{Access, Kernel, Level, Node};
 use super::line::Shape;
 use super::vector::Lanes;
 use super::write::Writing;
@@ -35,7 +35,16 @@ impl Kernel {
 
     /// Whether turns read something at addresses that are neither the same nor at equal distances.
     pub(super) fn is_gathered(&self, access: &Access) -> bool {
-        let may = access.value.is_none() && self.inner.is_none() && access.sure && access.inside.is_some();
+        access.value.is_none() && self.lies_anywhere(access)
+    }
+
+    /// Whether turns write something at such addresses.
+    pub(super) fn is_scattered(&self, access: &Access) -> bool {
+        access.value.is_some() && access.width != Width::Bit && self.lies_anywhere(access)
+    }
+
+    fn lies_anywhere(&self, access: &Access) -> bool {
+        let may = self.inner.is_none() && access.sure && access.inside.is_some();
         may && match self.shape(access.pointer) {
             Some(Shape::Words) => true,
             Some(Shape::Line(line)) => {
@@ -48,7 +57,7 @@ impl Kernel {
 
     /// Whether turns are done four at a time.
     pub(super) fn is_by_four(&self) -> bool {
-        let one = |access: &Access| self.is_row_of_bits(access) || self.is_gathered(access);
+        let one = |access: &Access| self.is_row_of_bits(access) || self.is_gathered(access) || self.is_scattered(access);
         self.is_spread() || !self.in_order.nodes.is_empty() || self.accesses.iter().any(one)
     }
 
@@ -92,6 +101,21 @@ impl Writing<'_, '_, '_> {
         let node = self.kernel.read_of(number);
         let value = self.t.side_by_side(self.kernel.shape_by_width(node), &values);
         self.scope(level).values.insert(node, value);
+    }
+
+    /// Writes what each turn leaves at its own address.
+    pub(super) fn scatter(&mut self, number: usize, value: Node, level: Level) {
+        let access = &self.kernel.accesses[number];
+        let pointers = self.value(access.pointer, level);
+        let value = self.value(value, level);
+        for lane in 0..self.lanes {
+            let pointer = self.t.of_lane(&pointers, lane);
+            let address = self.address_at(access, pointer);
+            let own = self.t.of_lane(&value, lane);
+            self.t.write(address, access.width, own);
+            self.forget_bytes(number, address, level);
+        }
+        self.forget_around(number);
     }
 }
 

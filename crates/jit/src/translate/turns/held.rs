@@ -60,7 +60,7 @@ impl Access {
             return ahead < own || behind < bits;
         }
         let ((base, bytes), (other_base, others)) = (self.bytes(), other.bytes());
-        base.may_share(&bytes, other_base, &others)
+        base.may_share(&bytes, other_base, &others) && !self.is_beside(other)
     }
 }
 

@@ -12,6 +12,7 @@ use sieben_model::address::Width;
 
 use super::super::bit_of;
 use super::super::promote::Base;
+use super::around::Around;
 use super::in_order::InOrder;
 use super::line::{Line, Shape};
 
@@ -81,6 +82,8 @@ pub(super) enum Kept {
         number: u16,
         width: Width,
     },
+    /// How many numbers were not below their limits, where all of them are looked at.
+    Beyond,
     /// The clock in milliseconds, which stands still while nobody is asked.
     Clock,
     /// A value of the loop around this one, which all turns share.
@@ -111,6 +114,8 @@ pub(super) struct Access {
     pub(super) sure: bool,
     /// Where the variable lies behind the byte to which the pointer goes, if that is known in each turn.
     pub(super) part: Option<Part>,
+    /// The same place seen from pointers of which its own is made.
+    pub(super) around: Vec<Around>,
 }
 
 /// A part of something to which a pointer goes.
@@ -183,6 +188,8 @@ pub(super) struct Kernel {
     pub(super) required: Vec<(Node, u32)>,
     /// Conditions of the way through a turn, and whether they hold on it, if one way alone was read.
     pub(super) ways: Vec<(Node, bool)>,
+    /// Other numbers that have to be below limits in all turns: no turn changes what they are made of before it looks at it.
+    pub(super) looked_at: Vec<(Node, u32)>,
     /// Numbers that count in the inner loop and have to be below limits in all of its turns.
     pub(super) required_inside: Vec<(Node, u32)>,
     /// Conditions that are the same in all turns, and whether they have to hold.
@@ -229,6 +236,7 @@ impl Kernel {
             inner: None,
             required: Vec::new(),
             ways: Vec::new(),
+            looked_at: Vec::new(),
             required_inside: Vec::new(),
             settled: Vec::new(),
             bounds: BTreeMap::new(),
@@ -247,7 +255,13 @@ impl Kernel {
         let cells = &self.cells;
         let is_live = |&Cell(cell): &Cell, live: u32| match cells[usize::from(cell)] {
             Kept::Register(register) => live & bit_of(register) != 0,
-            Kept::Memory { .. } | Kept::Element { .. } | Kept::Budget | Kept::Clock | Kept::Given { .. } | Kept::Ahead { .. } => true,
+            Kept::Memory { .. }
+            | Kept::Element { .. }
+            | Kept::Budget
+            | Kept::Beyond
+            | Kept::Clock
+            | Kept::Given { .. }
+            | Kept::Ahead { .. } => true,
         };
         self.lines.borrow_mut().clear();
         self.outer.ends.retain(|cell, _| is_live(cell, self.live));
@@ -267,7 +281,7 @@ impl Kernel {
         waiting.extend(self.of_copies());
         waiting.extend(conditions.into_iter().flatten());
         // What has to be below a limit is looked at though nobody needs the element.
-        waiting.extend(self.required.iter().chain(&self.required_inside).map(|&(number, _)| number));
+        waiting.extend(self.required.iter().chain(&self.required_inside).chain(&self.looked_at).map(|&(number, _)| number));
         waiting.extend(self.ways.iter().map(|&(condition, _)| condition));
         while let Some(node) = waiting.pop() {
             if needed.insert(node) {
@@ -513,7 +527,13 @@ impl Kept {
     /// The bytes that a cell stands for, and which bit of them.
     pub(super) fn bytes(self) -> Option<(Base, Range<i64>, Option<u8>)> {
         match self {
-            Self::Register(_) | Self::Element { .. } | Self::Budget | Self::Clock | Self::Given { .. } | Self::Ahead { .. } => None,
+            Self::Register(_)
+            | Self::Element { .. }
+            | Self::Budget
+            | Self::Beyond
+            | Self::Clock
+            | Self::Given { .. }
+            | Self::Ahead { .. } => None,
             Self::Memory { base, offset, width, bit } => {
                 let bit = (width == Width::Bit).then_some(bit);
                 Some((base, i64::from(offset)..i64::from(offset) + i64::from(width.bytes()), bit))

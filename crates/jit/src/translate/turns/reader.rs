@@ -110,6 +110,9 @@ fn read_as(translator: &mut Translator<'_>, it: &Loop, Reading { inside, one_way
     kernel.live = !(translator.dead_at(it.first) & translator.dead_at(it.last + 1));
     let live_inside = statements_inside.map_or(!0, |(first, last)| !(translator.dead_at(first) & translator.dead_at(last + 1)));
     kernel.forget_dead(live_inside);
+    if one_way.is_none() {
+        kernel.look_at_others();
+    }
     kernel.is_apart().then_some(kernel)
 }
 

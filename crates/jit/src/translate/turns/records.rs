@@ -13,6 +13,7 @@ use super::super::Translator;
 use super::super::memory::data;
 use super::super::promote::Base;
 use super::super::value::Val;
+use super::around::Within;
 use super::kernel::{Kernel, Node, Step};
 use super::line::Shape;
 use super::spread::{Apart, FIRST_WORDS_TURNED};
@@ -346,6 +347,22 @@ impl Writing<'_, '_, '_> {
             if record.accesses.iter().any(|&own| self.kernel.touches(own, true, number)) {
                 self.write_record(at);
             }
+        }
+    }
+
+    /// Forgets what was read around fields where an access at an address of its own has written.
+    pub(super) fn forget_around(&mut self, number: usize) {
+        let written = &self.kernel.accesses[number];
+        for record in &mut self.records.0 {
+            let own = &self.kernel.accesses[record.accesses[0]];
+            let (_, start, _) = own.area;
+            let places = self.kernel.places(written);
+            let place = places.into_iter().find(|place| (place.pointer, written.area) == (own.pointer, own.area));
+            record.old.retain(|part| {
+                let from = i64::from(part.at - start);
+                let is_apart = |place: Within| from + i64::from(part.known) <= place.byte || place.byte + place.bytes <= from;
+                own.part.is_some() && place.is_some_and(is_apart)
+            });
         }
     }
 

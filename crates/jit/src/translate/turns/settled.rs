@@ -206,7 +206,18 @@ mod tests {
             let number = self.kernel.accesses.len();
             let (area, inside) = ((Base::Arena, 100, 1000), Some(100..1100));
             let (pointer, width) = (self.pointer, Width::DoubleWord);
-            self.kernel.accesses.push(Access { level: Level::Outer, area, pointer, offset, width, value, inside, sure: true, part: None });
+            self.kernel.accesses.push(Access {
+                level: Level::Outer,
+                area,
+                pointer,
+                offset,
+                width,
+                value,
+                inside,
+                sure: true,
+                part: None,
+                around: Vec::new(),
+            });
             let read = self.node(What::Read(number));
             self.kernel.reads.push(read);
             self.kernel.outer.steps.push(Step::Access(number));

@@ -15,6 +15,7 @@ use super::super::memory::{Address, data};
 use super::super::promote::Base;
 use super::super::value::Val;
 use super::SIDE_BY_SIDE_MAX;
+use super::around::Distance;
 use super::kernel::{Access, Kernel, Level, Node, What};
 use super::line::Shape;
 use super::vector::{Lanes, VECTOR_BYTES, little};
@@ -85,18 +86,10 @@ impl Kernel {
 
     /// Whether what an access touches is not what another one touches so many turns later. Both are counted on.
     fn stay_apart(&self, later: &Access, earlier: &Access, turns: RangeInclusive<i64>) -> bool {
-        let steps = [later, earlier].map(|access| self.counted_on(access, Level::Outer));
-        let [Some(step), Some(other)] = steps else { return false };
-        if step != other || later.area != earlier.area || later.pointer != earlier.pointer {
-            return false;
-        }
-        // Positions have 24 bits.
-        let byte = |access: &Access| (access.offset as i32) << 8 >> 11;
-        let ahead = byte(later).wrapping_sub(byte(earlier)) << 11 >> 11;
-        let (step, ahead) = (i64::from(step as i32) / 8, i64::from(ahead));
-        let [later, earlier] = [later, earlier].map(|access| i64::from(access.width.bytes()));
-        let is_apart = |turns: i64| turns * step + earlier <= ahead || ahead + later <= turns * step;
-        turns.into_iter().all(is_apart)
+        self.distances(later, earlier).into_iter().any(|Distance { step, ahead, later, earlier }| {
+            let is_apart = |turns: i64| turns * step + earlier <= ahead || ahead + later <= turns * step;
+            turns.clone().all(is_apart)
+        })
     }
 
     /// Whether four bytes may be read where an access goes, so near to the end of the arena.
@@ -149,7 +142,7 @@ impl Kernel {
         let is_computed = |node: &Node| matches!(self.what(*node), What::Compute(..)) && self.line(*node, Level::Outer).is_none();
         let computed: Vec<Node> = reached.into_iter().filter(is_computed).collect();
         let alone = computed.iter().filter(|&&node| self.is_one_by_one(node)).count();
-        let gathered = self.accesses.iter().filter(|access| self.is_gathered(access)).count();
+        let gathered = self.accesses.iter().filter(|access| self.is_gathered(access) || self.is_scattered(access)).count();
         let (alone, others) = (alone + gathered, computed.len() - alone + self.accesses.len() - gathered);
         let inside = self.inner.as_ref().map_or(0, |inner| inner.steps.len());
         let others = others.saturating_add(inside.saturating_mul(usize::try_from(inner_turns).unwrap_or_default()));

@@ -62,7 +62,18 @@ impl Reader<'_, '_> {
             }
         }
         let part = self.part_behind(pointer, offset);
-        Some(Access { level: Level::Outer, area, pointer, offset, width: Width::Byte, value: None, inside: Some(inside), sure: true, part })
+        Some(Access {
+            level: Level::Outer,
+            area,
+            pointer,
+            offset,
+            width: Width::Byte,
+            value: None,
+            inside: Some(inside),
+            sure: true,
+            part,
+            around: Vec::new(),
+        })
     }
 }
 

@@ -241,6 +241,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             let is_so = self.t.b.ins().icmp_imm_u(IntCC::Equal, condition, i64::from(holds));
             also(self, is_so);
         }
+        let guard = self.look_at_numbers(turns, guard);
         (turns, guard, all)
     }
 

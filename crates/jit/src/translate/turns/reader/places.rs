@@ -91,7 +91,8 @@ impl Reader<'_, '_> {
         };
         let sure = always.is_some() || self.ways.is_always() && inside.is_some();
         let part = if always.is_some() { self.part_behind(pointer, offset) } else { None };
-        let access = Access { level: self.level, area, pointer, offset, width, value: None, inside, sure, part };
+        let around = if always.is_some() { self.around((pointer, offset), width) } else { Vec::new() };
+        let access = Access { level: self.level, area, pointer, offset, width, value: None, inside, sure, part, around };
         Some(match self.element_at(&access) {
             Some(cell) => Reached::Cell(cell),
             None => Reached::Access(access),
