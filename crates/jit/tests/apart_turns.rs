@@ -325,20 +325,23 @@ impl Maker<'_> {
         }
     }
 
-    /// Two statements or three, of which a number chooses one.
+    /// Some statements, of which a number chooses one or none: several numbers may choose the same one.
     fn choice(&mut self) {
         self.begin();
-        let count = 2 + self.dice.roll(2) as u32;
+        let ways = 2 + self.dice.roll(4) as u32;
+        let count = ways + self.dice.of(&[0, 0, 1, 4, 7]);
         let kind = self.dice.of(&[Half, Double]);
         let number = self.number(kind, 1);
-        let three = self.b.constant(3);
-        let index = self.b.compute(Op::AndU32, &[number, three]);
+        let most = self.b.constant(self.dice.of(&[3, 7, 15]));
+        let index = self.b.compute(Op::AndU32, &[number, most]);
         let first = self.statements;
-        let targets: Vec<Target> = (0..count).map(|way| Target(first + 2 * way)).collect();
-        let behind = Target(first + 2 * count);
+        let behind = Target(first + 2 * ways);
+        let of_number = |number: u32| if number < ways { number } else { self.dice.roll(u64::from(ways) + 3) as u32 };
+        let targets: Vec<u32> = (0..count).map(of_number).collect();
+        let targets: Vec<Target> = targets.into_iter().map(|way| if way < ways { Target(first + 2 * way) } else { behind }).collect();
         let table = self.b.table(&targets);
         self.b.push(Inst::JumpTable { index, first: table, count, otherwise: behind });
-        for _ in 0..count {
+        for _ in 0..ways {
             self.statement();
             self.begin();
             self.b.push(Inst::Jump { to: behind });

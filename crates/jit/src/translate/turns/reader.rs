@@ -22,6 +22,7 @@ use super::ways::{Way, Ways};
 
 mod called;
 mod calls;
+mod cases;
 mod places;
 
 pub(super) use calls::{Called, Instances};
@@ -97,6 +98,7 @@ fn read_as(translator: &mut Translator<'_>, it: &Loop, Reading { inside, one_way
         reader.translator.current[Register::Ar2 as usize] = Some(Val::Const(FIRST_BYTE));
     }
     let outer = reader.turn((it.first, it.last));
+
     reader.leave_frames(0);
     reader.translator.current[Register::Ar2 as usize] = pointer;
     reader.kernel.outer = outer?;
@@ -211,6 +213,8 @@ pub(super) struct Reader<'t, 'a> {
     /// Whether choices by numbers are worth it: not in turns that do little else, where a jump is as fast as four choices.
     reads_tables: bool,
     only_side_by_side: bool,
+    /// Conditions of which one holds at most: those of the ways behind a choice by a number.
+    exclusive: Vec<Vec<Node>>,
     /// Which way jumps go that have not been reached yet, if one way alone is read.
     one_way: Option<u32>,
     /// Whether copies are done as a whole.
@@ -249,6 +253,7 @@ impl<'t, 'a> Reader<'t, 'a> {
             blocks_most: 0,
             reads_tables: true,
             only_side_by_side: false,
+            exclusive: Vec::new(),
             one_way: None,
             whole_copies: false,
         }
@@ -336,12 +341,8 @@ impl Reader<'_, '_> {
                         }
                         self.only_side_by_side = true;
                         let index = self.get(index).filter(|&index| self.kernel.is_32_bits(index))?;
-                        for (number, &Target(to)) in (0..).zip(targets) {
-                            let number = self.constant(number);
-                            let condition = self.compute(Op::Equal, [index, number, index, index]);
-                            let (taken, other) = self.ways_behind(condition);
+                        for (to, taken) in self.ways_of_table(index, targets, otherwise) {
                             arriving.entry(to).or_default().join(taken)?;
-                            self.ways = other;
                         }
                         let ways = std::mem::take(&mut self.ways);
                         arriving.entry(otherwise).or_default().join(ways)?;
@@ -734,7 +735,9 @@ impl Reader<'_, '_> {
     fn known(&self, mut node: Node, way: &Way) -> Node {
         let holds = |condition: Node| {
             let (condition, positive) = self.positive(condition);
-            way.iter().find(|&&(known, _)| known == condition).map(|&(_, holds)| holds == positive)
+            let known = way.iter().find(|&&(known, _)| known == condition).map(|&(_, holds)| holds == positive);
+            let is_excluded = || way.iter().any(|&(known, holds)| holds && self.excludes(known, condition));
+            known.or_else(|| is_excluded().then_some(!positive))
         };
         while let What::Compute(op, [a, b, c, _]) = self.kernel.what(node) {
             node = match (op, self.kernel.what(b)) {

@@ -250,6 +250,7 @@ impl Translator<'_> {
                 };
                 both.map(one).collect()
             }
+            Op::Low16 if let Lanes::Halves(halves) = &args[0] => halves.clone(),
             Op::Low16 => {
                 let words = self.words(&args[0], lanes);
                 self.low_halves(words)

@@ -3,9 +3,9 @@
 use super::kernel::Node;
 
 /// Ways to a statement that differ in more than one condition; more are not followed.
-const TERMS_MAX: usize = 8;
+const TERMS_MAX: usize = 12;
 /// Conditions of one way.
-const CONDITIONS_MAX: usize = 8;
+const CONDITIONS_MAX: usize = 12;
 
 /// Conditions that all hold or do not, in order.
 pub(super) type Way = Vec<(Node, bool)>;
