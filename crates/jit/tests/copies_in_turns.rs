@@ -14,6 +14,8 @@ mod dice;
 mod noting;
 
 const PROGRAMS: u64 = 900;
+/// Those of which the machine code is looked at.
+const LISTED: u64 = 200;
 const QUESTIONS_MAX: usize = 30;
 const LOCAL_BYTES: u32 = 64;
 /// Records in an array, where they begin in bit memory, and bytes of one.
@@ -305,9 +307,11 @@ fn records_are_exchanged_as_the_interpreter_does() {
         let block = BlockId::ob(1);
         let program = program(&[(block, LOCAL_BYTES, &|b| built(b, seed))]);
         let layout = noting::layout(&program);
-        let listing = Jit::listing(&program, &layout).expect("machine code");
-        // The turns that nobody looks at, and the loop as it stands.
-        whole += usize::from(listing.matches("= load.i8x16").count() >= 2);
+        if seed < LISTED {
+            let listing = Jit::listing(&program, &layout).expect("machine code");
+            // The turns that nobody looks at, and the loop as it stands.
+            whole += usize::from(listing.matches("= load.i8x16").count() >= 2);
+        }
         for round in 0..2 {
             let prepare = |machine: &mut Machine| {
                 let mut dice = Dice(seed + 1_000_000 + round);
@@ -321,5 +325,5 @@ fn records_are_exchanged_as_the_interpreter_does() {
             finished += usize::from(expected.exit == Exit::Finished);
         }
     }
-    assert!(asked > 300 && finished > 1_200 && whole > 300, "{asked} questions, {finished} runs to the end, {whole} loops with copies");
+    assert!(asked > 300 && finished > 1_200 && whole > 60, "{asked} questions, {finished} runs to the end, {whole} loops with copies");
 }

@@ -16,7 +16,9 @@ mod dice;
 mod noting;
 
 /// Programs that are compared.
-const PROGRAMS: u64 = 2_000;
+const PROGRAMS: u64 = 1_600;
+/// Those of which the machine code is looked at.
+const LISTED: u64 = 300;
 /// Bytes of the data block, and of each of the arrays in it.
 const DATA_BYTES: usize = 4_000;
 const ARRAY_BYTES: u64 = 900;
@@ -378,8 +380,10 @@ fn inner_turns_side_by_side_do_what_the_interpreter_does() {
         let block = BlockId::ob(1);
         let program = program(&[(block, 16, &|b| loops(b, seed))]);
         let layout = layout_with(&program, DATA_BYTES);
-        let listing = Jit::listing(&program, &layout).expect("machine code");
-        in_order += usize::from(listing.matches(" extractlane ").count() >= 32);
+        if seed < LISTED {
+            let listing = Jit::listing(&program, &layout).expect("machine code");
+            in_order += usize::from(listing.matches(" extractlane ").count() >= 32);
+        }
         let entry = Entry { block, start_information: [7; 20], registers: None };
         let prepare = |machine: &mut Machine| {
             let mut dice = Dice(seed + 1_000_000);
@@ -407,5 +411,5 @@ fn inner_turns_side_by_side_do_what_the_interpreter_does() {
         asked += expected.asked.len();
         finished += usize::from(expected.exit == Exit::Finished);
     }
-    assert!(asked > 800 && finished > 1_700 && in_order > 100, "{asked} questions, {finished} runs to the end, {in_order} loops in order");
+    assert!(asked > 800 && finished > 1_400 && in_order > 10, "{asked} questions, {finished} runs to the end, {in_order} loops in order");
 }
