@@ -22,6 +22,13 @@ pub(super) struct Around {
     pub(super) bits: u32,
 }
 
+impl Around {
+    /// The place of all bytes with these bits.
+    pub(super) fn whole_bytes(self) -> Self {
+        Self { offset: self.offset & !7, bits: (self.offset % 8 + self.bits).next_multiple_of(8), ..self }
+    }
+}
+
 /// Bytes among which a turn touches memory.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Within {

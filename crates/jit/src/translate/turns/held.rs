@@ -171,7 +171,8 @@ impl Reader<'_, '_> {
         if bits.len() < 2 || bits[0] != at {
             return false;
         }
-        let whole = Access { offset: first.offset & !7, width: Width::Byte, part: Some(Part { bit: 0, ..part }), ..first };
+        let around = first.around.iter().map(|around| around.whole_bytes()).collect();
+        let whole = Access { offset: first.offset & !7, width: Width::Byte, part: Some(Part { bit: 0, ..part }), around, ..first };
         let mut value = self.access(whole.clone(), None, steps);
         let mut others = 0xFF;
         let mut new = Vec::new();

@@ -360,31 +360,6 @@ impl Reader<'_, '_> {
         Some(again)
     }
 
-    /// The ways behind a branch on which its condition holds, and on which it does not.
-    fn ways_behind(&mut self, condition: Node) -> (Ways, Ways) {
-        let known = self.kernel.constant(condition).map(|value| value & 1 != 0);
-        let chosen = self.one_way.filter(|_| known.is_none()).map(|ways| ways & 1 == 0);
-        if let (Some(holds), Some(ways)) = (chosen, &mut self.one_way) {
-            *ways >>= 1;
-            self.kernel.ways.push((condition, holds));
-        }
-        if let Some(holds) = known.or(chosen) {
-            let both = (self.ways.clone(), Ways::default());
-            return if holds { both } else { (both.1, both.0) };
-        }
-        let (condition, holds) = self.positive(condition);
-        (self.ways.and(condition, holds), self.ways.and(condition, !holds))
-    }
-
-    /// A condition without a negation, and whether it has to hold.
-    pub(super) fn positive(&self, mut condition: Node) -> (Node, bool) {
-        let mut holds = true;
-        while let What::Compute(Op::Not, [of, ..]) = self.kernel.what(condition) {
-            (condition, holds) = (of, !holds);
-        }
-        (condition, holds)
-    }
-
     /// Reads the inner loop: once to see what it writes, and once more with what else is known. Where its turns write variables at addresses
     /// that are the same in all of them, it is read again with these as cells.
     fn inner(&mut self, inside: &Loop, steps: &mut Vec<Step>) -> Option<()> {
@@ -1013,9 +988,9 @@ impl Reader<'_, '_> {
             }
             // What lies beside it, behind the same pointer, was taken to be apart from it.
             let is_beside = |(other, beside): (usize, &Access)| {
-                (before[other], beside.area) == (before[number], access.area)
-                    && (beside.offset, beside.width) != (access.offset, access.width)
-                    && (beside.value.is_some() || access.value.is_some())
+                let same = before[other] == before[number] && (beside.offset, beside.width) != (access.offset, access.width);
+                let is_seen = same || beside.around.iter().any(|around| around.pointer == before[number]);
+                is_seen && beside.area == access.area && (beside.value.is_some() || access.value.is_some())
             };
             if self.kernel.accesses.iter().enumerate().any(is_beside) {
                 return None;

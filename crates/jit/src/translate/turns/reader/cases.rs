@@ -1,4 +1,5 @@
-//! Choices by a number, as CASE makes them: each way has a condition of its own, and where one of them holds no other one does.
+//! The ways behind branches, and those behind choices by a number as CASE makes them: each of these has a condition of its own, and where
+//! one of them holds no other one does.
 
 use sieben_engine::ir::{Op, Target};
 
@@ -32,6 +33,31 @@ impl Reader<'_, '_> {
         }
         self.exclusive.push(cases.into_iter().map(|(_, condition)| condition).collect());
         ways
+    }
+
+    /// The ways behind a branch on which its condition holds, and on which it does not.
+    pub(super) fn ways_behind(&mut self, condition: Node) -> (Ways, Ways) {
+        let known = self.kernel.constant(condition).map(|value| value & 1 != 0);
+        let chosen = self.one_way.filter(|_| known.is_none()).map(|ways| ways & 1 == 0);
+        if let (Some(holds), Some(ways)) = (chosen, &mut self.one_way) {
+            *ways >>= 1;
+            self.kernel.ways.push((condition, holds));
+        }
+        if let Some(holds) = known.or(chosen) {
+            let both = (self.ways.clone(), Ways::default());
+            return if holds { both } else { (both.1, both.0) };
+        }
+        let (condition, holds) = self.positive(condition);
+        (self.ways.and(condition, holds), self.ways.and(condition, !holds))
+    }
+
+    /// A condition without a negation, and whether it has to hold.
+    pub(in crate::translate::turns) fn positive(&self, mut condition: Node) -> (Node, bool) {
+        let mut holds = true;
+        while let What::Compute(Op::Not, [of, ..]) = self.kernel.what(condition) {
+            (condition, holds) = (of, !holds);
+        }
+        (condition, holds)
     }
 
     /// Whether a condition does not hold where another one does.
