@@ -5,7 +5,9 @@ use std::ops::Range;
 
 use cranelift_codegen::ir::types::{I16, I32};
 use cranelift_codegen::ir::{InstructionData, Opcode, Value};
+use sieben_engine::ir::{Callee, Inst};
 use sieben_model::address::Width;
+use sieben_model::block::BlockKind;
 
 use super::Translator;
 use super::inside::Sum;
@@ -22,6 +24,14 @@ struct Made {
     start: i32,
     constant: u32,
     terms: Vec<(Value, bool, u32)>,
+}
+
+impl Made {
+    /// How many bytes it lies behind another one, if that is a constant. Both are inside their area, which is shorter than what positions count.
+    fn behind(&self, other: &Self) -> Option<i32> {
+        let distance = (self.constant.wrapping_sub(other.constant) << 8) as i32 >> 8;
+        (self.start == other.start && self.terms == other.terms).then_some(distance / 8)
+    }
 }
 
 /// Elements whose address the running code has computed.
@@ -46,8 +56,9 @@ impl Translator<'_> {
         &mut self,
         area: (Value, i32, u64),
         (pointer, offset): (Val, u32),
-        width: Width,
+        (width, count): (Width, u32),
         (touched, bytes): &(Base, Range<i64>),
+        write: bool,
     ) -> Option<Address> {
         let is_part = offset < 1 << 19 && (width == Width::Bit || offset % 8 == 0);
         if !self.options.optimize || self.cold.is_some() || *touched != Base::Arena || area.0 != self.arena || !is_part {
@@ -55,16 +66,25 @@ impl Translator<'_> {
         }
         let pointer = self.int(pointer);
         let byte = i64::from(offset / 8);
-        // A number alone has nothing to be put together with, and one more address would keep a register.
-        if width != Width::Bit && self.known_element(area.1, pointer).is_none() {
+        // A number alone has nothing to be put together with, and one more address would keep a register. What is written in front of a call
+        // is mostly for the called block.
+        if width != Width::Bit && !(write && self.calls_with_instance()) && self.known_element(area.1, pointer).is_none() {
             return None;
         }
-        let computed = self.element(area, pointer, bytes.start - byte..bytes.end - i64::from(width.bytes()) - byte)?;
-        Some(Address { base: computed.address, offset: byte as i32, bit: Bit::Number((offset % 8) as u8) })
+        let there = bytes.start - byte..bytes.end - i64::from(count) - byte;
+        let (computed, first) = self.element(area, pointer, there)?;
+        let offset_of_byte = first.checked_add(byte as i32)?;
+        Some(Address { base: computed.address, offset: offset_of_byte, bit: Bit::Number((offset % 8) as u8) })
     }
 
-    /// The first byte of an element to which a pointer goes that is known to lie there.
-    pub(super) fn element(&mut self, area: (Value, i32, u64), pointer: Value, there: Range<i64>) -> Option<Computed> {
+    /// Whether the running statement calls a block with an instance.
+    fn calls_with_instance(&self) -> bool {
+        let calls = |inst: &Inst| matches!(inst, Inst::Call { callee: Callee::Block(id), .. } if id.kind == BlockKind::FunctionBlock);
+        self.native().code.statement(self.statement as usize).iter().any(calls)
+    }
+
+    /// The first byte of an element to which a pointer goes that is known to lie there: an address, and how many bytes behind that.
+    pub(super) fn element(&mut self, area: (Value, i32, u64), pointer: Value, there: Range<i64>) -> Option<(Computed, i32)> {
         if let Some(known) = self.known_element(area.1, pointer) {
             return Some(known);
         }
@@ -76,12 +96,13 @@ impl Translator<'_> {
             self.elements.0.remove(0);
         }
         self.elements.0.push((made, computed));
-        Some(computed)
+        Some((computed, 0))
     }
 
-    fn known_element(&self, start: i32, pointer: Value) -> Option<Computed> {
+    /// An element that is known, or a place a constant behind or in front of it: other fields, elements of other arrays with the same index.
+    fn known_element(&self, start: i32, pointer: Value) -> Option<(Computed, i32)> {
         let made = self.made_of(start, pointer)?;
-        self.elements.0.iter().find(|(known, _)| *known == made).map(|&(_, computed)| computed)
+        self.elements.0.iter().rev().find_map(|&(ref known, computed)| Some((computed, made.behind(known)?)))
     }
 
     /// What the address of a byte is made of, if it is not the same in each turn of a loop.

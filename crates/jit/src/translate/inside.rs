@@ -186,8 +186,8 @@ impl Translator<'_> {
             return None;
         }
         let own = self.instance_pointer()?;
-        let (base, bytes) = self.instance_area()?;
-        let area = (self.address_of_base(base), 0, bytes);
+        let (base, first, bytes) = self.instance_area()?;
+        let area = (self.address_of_base(base), first, bytes);
         let mut sum = Sum { constant: offset, of_instance: Some(own), ..Sum::default() };
         if !self.decompose(pointer, 1, &mut sum, 0) {
             return None;
@@ -195,6 +195,19 @@ impl Translator<'_> {
         let at = sum.terms.iter().position(|&term| term == (own, 1))?;
         sum.terms.remove(at);
         self.address_of_sum(area, &mut sum, access)
+    }
+
+    /// What a pointer is more than AR2, as the present block began with it whose instance is in range.
+    pub(super) fn behind_instance(&self, pointer: Value) -> Option<Sum> {
+        let own = self.instance_pointer()?;
+        let mut sum = Sum { of_instance: Some(own), ..Sum::default() };
+        if !self.decompose(pointer, 1, &mut sum, 0) {
+            return None;
+        }
+        let at = sum.terms.iter().position(|&term| term == (own, 1))?;
+        sum.terms.remove(at);
+        sum.terms.retain(|&(_, times)| times != 0);
+        Some(sum)
     }
 
     /// Takes a value apart; whether the sum is short enough.
@@ -327,9 +340,13 @@ impl Translator<'_> {
         if bytes > MOVED_BYTES_MAX {
             return false;
         }
-        let [from, to] = [(from, false), (to, true)].map(|(place, write)| self.moved_span(index, place, bytes, write));
+        let [from, to] = [(from, &read, false), (to, &write, true)].map(|(place, touched, write)| {
+            let element = self.moved_element(place, touched, bytes, write);
+            element.or_else(|| self.moved_span(index, place, bytes, write))
+        });
         let (Some(from), Some(to)) = (from, to) else { return false };
         let known = self.known_copy(from, bytes);
+        let [read, write] = [(read, from), (write, to)].map(|(touched, address)| self.touched_by(touched, address, bytes));
         self.store_promoted_in(&read);
         self.store_promoted_in(&write);
         self.settle_touched(&read, false);
@@ -339,6 +356,26 @@ impl Translator<'_> {
         self.take_promoted_in(&write);
         self.remember_copy(to, bytes, pieces);
         true
+    }
+
+    /// What a move touches that begins at an address: these bytes and no others if it is counted from an element.
+    fn touched_by(&self, touched: ranges::Bytes, Address { base, offset, .. }: Address, bytes: u32) -> ranges::Bytes {
+        match self.known_base(base) {
+            base @ Base::Computed(_) => (base, i64::from(offset)..i64::from(offset) + i64::from(bytes)),
+            _ => touched,
+        }
+    }
+
+    /// Where bytes begin that a move reads or writes, if they are part of an element.
+    fn moved_element(&mut self, place: Place, touched: &ranges::Bytes, bytes: u32, write: bool) -> Option<Address> {
+        let Place::Indirect { area, pointer, offset } = place else { return None };
+        let pointer = self.get(pointer);
+        let pointer = self.force(pointer);
+        if pointer.constant().is_some() || self.ranges.is_relative() {
+            return None;
+        }
+        let area = self.known_area(area, write)?;
+        self.field(area, (pointer, offset), (Width::Byte, bytes), touched, write)
     }
 
     /// Where bytes begin that a move reads or writes, and that are known to lie inside their area.

@@ -2,11 +2,13 @@
 //! instance lies inside its data block, the address is computed once for the whole call, and access to the instance is not checked.
 
 use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, InstructionData, Opcode, Value, ValueDef};
 use sieben_engine::ir::{Callee, Inst, OnFault, Place};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
+use super::inside::Sum;
 use super::memory::{Address, Bit};
 use super::promote::{Base, Computed};
 use super::ranges::{self, Interval, Relative};
@@ -21,8 +23,9 @@ const DEPTH_MAX: usize = 12;
 pub(super) struct Instance {
     /// AR2.
     pointer: Val,
-    /// The address to which it points.
+    /// The address from which it is counted, and how many bytes behind that it begins.
     address: Value,
+    first: i32,
     /// Bytes that are there, whatever AR2 holds.
     bytes: u64,
     /// The data block: number, base, length.
@@ -69,6 +72,9 @@ impl Translator<'_> {
             _ => return None,
         };
         let block = self.instance_block()?;
+        if let Some(part) = self.part_of_instance(pointer, block) {
+            return Some(part);
+        }
         let [number, base, length] = block;
         let computed = self.bounds(value, DEPTH_MAX);
         let Bounds { least, most, zeros } = at_call.map(Bounds::of).into_iter().chain(computed).min_by_key(Bounds::reach)?;
@@ -81,8 +87,8 @@ impl Translator<'_> {
         let narrow = self.int(pointer);
         let byte = |bits: u64| base as i64 + (bits as i64 & 0x00FF_FFFF) / 8;
         let area = (self.arena, i32::try_from(base).ok()?, length);
-        let address = match self.element(area, narrow, byte(least)..byte(most)) {
-            Some(computed) => computed.address,
+        let (address, first) = match self.element(area, narrow, byte(least)..byte(most)) {
+            Some((computed, first)) => (computed.address, first),
             None => {
                 let position = self.word(pointer);
                 let position = self.b.ins().band_imm_u(position, 0x00FF_FFFF);
@@ -90,10 +96,66 @@ impl Translator<'_> {
                 let start = self.b.ins().iadd_imm_u(self.arena, i64::try_from(base).ok()?);
                 let address = self.b.ins().iadd(start, position);
                 self.computed.insert(address, Computed { address, least: byte(least), most: byte(most) });
-                address
+                (address, 0)
             }
         };
-        Some(Instance { pointer, address, bytes, block, written })
+        Some(Instance { pointer, address, first, bytes, block, written })
+    }
+
+    /// The instance of the block that begins now, if it lies at a constant place in that of its caller: it is counted from where that begins,
+    /// and what is known of the one is known of the other.
+    fn part_of_instance(&mut self, pointer: Val, block: [u64; 3]) -> Option<Instance> {
+        let own = self.in_range.filter(|own| own.block == block)?;
+        let value = self.int(pointer);
+        let sum = self.behind_instance(value)?;
+        if !sum.terms.is_empty() {
+            let (element, first, bytes) = self.part_of_sum(&sum)?;
+            return Some(Instance { pointer, address: element.address, first, bytes, ..own });
+        }
+        let bits = sum.constant;
+        let bytes = own.bytes.checked_sub(u64::from(bits / 8)).filter(|&bytes| bits % 8 == 0 && bytes > 0)?;
+        let first = own.first.checked_add(i32::try_from(bits / 8).ok()?)?;
+        Some(Instance { pointer, first, bytes, ..own })
+    }
+
+    /// A part of the instance of the present block that indexes tell, whatever they are: what an address is counted from, how many bytes behind
+    /// that it begins, and the bytes that are there.
+    fn part_of_sum(&mut self, sum: &Sum) -> Option<(Computed, i32, u64)> {
+        if !self.options.optimize || self.cold.is_some() || !sum.constant.is_multiple_of(8) {
+            return None;
+        }
+        let (mut least, mut most) = (0_u64, 0_u64);
+        for &(value, times) in &sum.terms {
+            let range = self.bounds(value, DEPTH_MAX).filter(|_| times.is_multiple_of(8))?;
+            least = least.checked_add(range.least.checked_mul(times.into())?)?;
+            most = most.checked_add(range.most.checked_mul(times.into())?)?;
+        }
+        // A constant takes off what the lowest index adds.
+        let constant = i64::from((sum.constant << 8) as i32 >> 8);
+        let (Base::Computed(instance), first, bytes) = self.instance_area()? else { return None };
+        let (lowest, highest) = (least as i64 + constant, i64::try_from(most).ok()? + constant);
+        let left = bytes.checked_sub(u64::try_from(highest).ok()? / 8).filter(|&left| lowest >= 0 && left > 0)?;
+        let mut address = instance.address;
+        for &(value, times) in &sum.terms {
+            let value = self.b.ins().uextend(I64, value);
+            let part = self.b.ins().imul_imm_u(value, i64::from(times / 8));
+            address = self.b.ins().iadd(address, part);
+        }
+        let element = Computed { address, least: instance.least + (least / 8) as i64, most: instance.most + (most / 8) as i64 };
+        self.computed.insert(address, element);
+        Some((element, first.checked_add((constant / 8) as i32)?, left))
+    }
+
+    /// The address of a variable of the instance that indexes tell, if it is there whatever they are. The open data block may be accessed.
+    pub(super) fn indexed_in_instance(&mut self, area: Area, (pointer, offset): (Value, u32), width: Width) -> Option<Address> {
+        let own = self.in_range.filter(|_| area == Area::InstanceData)?;
+        if self.instance_block() != Some(own.block) || width != Width::Bit && !offset.is_multiple_of(8) {
+            return None;
+        }
+        let mut sum = self.behind_instance(pointer).filter(|sum| !sum.terms.is_empty())?;
+        sum.constant = sum.constant.wrapping_add(offset & !7);
+        let (element, offset_of_byte, _) = self.part_of_sum(&sum).filter(|&(_, _, left)| left >= u64::from(width.bytes()))?;
+        Some(Address { base: element.address, offset: offset_of_byte, bit: Bit::Number((offset % 8) as u8) })
     }
 
     /// The instance, if the block that begins now reaches it by AR2 and nothing else.
@@ -108,7 +170,7 @@ impl Translator<'_> {
             _ => false,
         };
         let pointers = ranges::pointers(&self.native().code, &is_apart)?;
-        Some(Relative { instance, bytes: it.bytes as i64, protected: !it.written, pointers })
+        Some(Relative { instance, first: i64::from(it.first), bytes: it.bytes as i64, protected: !it.written, pointers })
     }
 
     /// AR2, as a block began with it whose instance is in range.
@@ -120,15 +182,15 @@ impl Translator<'_> {
     }
 
     /// Where the instance begins, and the bytes that are there.
-    pub(super) fn instance_area(&self) -> Option<(Base, u64)> {
+    pub(super) fn instance_area(&self) -> Option<(Base, i32, u64)> {
         let instance = self.in_range?;
-        Some((Base::Computed(*self.computed.get(&instance.address)?), instance.bytes))
+        Some((Base::Computed(*self.computed.get(&instance.address)?), instance.first, instance.bytes))
     }
 
     /// Where the instance of the block that begins now lies. It is known to be there.
     pub(super) fn instance_base(&mut self) -> (Base, i32) {
-        if let Some((base, _)) = self.instance_area() {
-            return (base, 0);
+        if let Some((base, first, _)) = self.instance_area() {
+            return (base, first);
         }
         let pointer = self.register(Register::Ar2);
         if let (Some(pointer), Some([_, base, _])) = (pointer.constant(), self.instance_block())
@@ -202,7 +264,7 @@ impl Translator<'_> {
             && (instance.written || !writes)
             && byte + u64::from(bytes) <= instance.bytes;
         let computed = *self.computed.get(&instance.address)?;
-        there.then_some((Base::Computed(computed), i32::try_from(byte).ok()?))
+        there.then_some((Base::Computed(computed), instance.first.checked_add(i32::try_from(byte).ok()?)?))
     }
 
     /// The upper byte of a pointer, which names its area, if it is the same for all that the pointer may be.

@@ -323,12 +323,16 @@ impl Translator<'_> {
             return Way::Asked;
         };
         if let (Val::Const(length), Some(touched)) = (length, self.ranges.inside(index)) {
-            if let Some(address) = self.field((base, start, length), (pointer, offset), width, &touched) {
+            if let Some(address) = self.field((base, start, length), (pointer, offset), (width, width.bytes()), &touched, write) {
                 return Way::Direct(address);
             }
             return Way::Inside(self.address_inside((base, start, length), pointer, offset, (width, width.bytes())), touched);
         }
-        self.way_in(base, start, length, pointer, offset, width)
+        let bits = self.int(pointer);
+        match self.indexed_in_instance(area, (bits, offset), width) {
+            Some(address) => Way::Direct(address),
+            None => self.way_in(base, start, length, pointer, offset, width),
+        }
     }
 
     /// A pointer whose area is known only when the program runs: I, Q, M, an open data block, or the local data of the caller.

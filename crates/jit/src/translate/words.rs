@@ -242,7 +242,13 @@ impl Translator<'_> {
             Inst::Store { place: Place::Indirect { area: Area::Local, pointer, .. } | Place::Crossing { pointer, .. }, .. } => {
                 self.get(pointer).constant().is_none()
             }
-            Inst::Move { .. } => true,
+            Inst::Move { .. } => match self.ranges.moved(index) {
+                Some([_, touched]) => {
+                    self.forget_words_in(&touched);
+                    false
+                }
+                None => true,
+            },
             _ => false,
         };
         if anywhere {

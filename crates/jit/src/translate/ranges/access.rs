@@ -79,7 +79,7 @@ impl Analysis<'_> {
         let Some((base, start, length, protected)) = self.area(state, area) else { return Reach::Anything };
         let whole = Reach::Bytes(base, start..start + length);
         let (base, start, length, protected) = match (place, self.around.relative) {
-            (Place::Indirect { area: Area::InstanceData, .. }, Some(it)) => (Base::Computed(it.instance), 0, it.bytes, it.protected),
+            (Place::Indirect { area: Area::InstanceData, .. }, Some(it)) => (Base::Computed(it.instance), it.first, it.bytes, it.protected),
             _ => (base, start, length, protected),
         };
         let (least, most) = position.unsigned(24);

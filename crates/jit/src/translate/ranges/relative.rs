@@ -14,6 +14,8 @@ use crate::translate::promote::Computed;
 #[derive(Clone, Debug)]
 pub(in crate::translate) struct Relative {
     pub(in crate::translate) instance: Computed,
+    /// Where it begins behind that address, in bytes.
+    pub(in crate::translate) first: i64,
     /// Bytes that are there.
     pub(in crate::translate) bytes: i64,
     /// Whether it may not be written.

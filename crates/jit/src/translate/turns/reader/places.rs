@@ -58,8 +58,8 @@ impl Reader<'_, '_> {
         if let Place::Indirect { area: Area::InstanceData, .. } = place
             && self.translator.ranges.is_relative()
         {
-            let (instance, bytes) = self.translator.instance_area()?;
-            (base, start, length) = (instance, 0, bytes);
+            let (instance, first, bytes) = self.translator.instance_area()?;
+            (base, start, length) = (instance, first, bytes);
         }
         Some(Goes::To { area: (base, start, length), pointer, offset })
     }
