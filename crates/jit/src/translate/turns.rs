@@ -49,9 +49,11 @@ mod signs;
 mod simplest;
 mod spread;
 mod sums;
+mod swapped;
 mod vector;
 mod waits;
 mod ways;
+mod weights;
 mod whole;
 mod write;
 
@@ -88,6 +90,16 @@ struct Writes<'k> {
     nested: Option<&'k Nested>,
 }
 
+impl InnerTurns {
+    /// How many these are as far as that is known when the program is compiled.
+    fn known(self) -> i64 {
+        match self {
+            Self::Constant(turns) => turns,
+            Self::Counted(_) => 0,
+        }
+    }
+}
+
 impl Writes<'_> {
     fn lanes(lanes: u32) -> Self {
         Self { lanes, gathered: Gathered::new(), nested: None }
@@ -99,8 +111,16 @@ impl Writes<'_> {
 pub(super) struct Plan {
     kernel: Kernel,
     count: Count,
-    /// Turns of the inner loop.
-    inner_turns: i64,
+    inner: InnerTurns,
+}
+
+/// How many turns the inner loop makes in each turn of the outer one.
+#[derive(Clone, Copy)]
+enum InnerTurns {
+    /// So many; 0 if there is no such loop.
+    Constant(i64),
+    /// As many as can be counted in front of the outer loop.
+    Counted(Count),
 }
 
 impl Plan {
@@ -183,6 +203,10 @@ impl Translator<'_> {
             return None;
         }
         if plan.kernel.inner.is_some() && plan.side_by_side_or_in_order().is_none() {
+            let swapped = plan.swapped();
+            if let Some(swapped) = &swapped {
+                Writing::new(self, &plan, Writes::lanes(1)).swapped(swapped, it);
+            }
             if let Some(nested) = plan.nested() {
                 self.at_once.push((self.index, it.first, it.last));
                 Writing::write(self, &plan, it, Writes { nested: Some(&nested), ..Writes::lanes(1) });
@@ -209,7 +233,7 @@ impl Translator<'_> {
         let plan = ahead.unwrap_or(plan);
         let all_at_once = self.write_side_by_side(&plan, it);
         let unsigned = if !all_at_once { plan.kernel.without_signs() } else { None };
-        let unsigned = unsigned.map(|kernel| Plan { kernel, count: plan.count, inner_turns: plan.inner_turns });
+        let unsigned = unsigned.map(|kernel| Plan { kernel, count: plan.count, inner: plan.inner });
         let fastest = unsigned.as_ref().unwrap_or(&plan);
         if !all_at_once && let Some(gathered) = fastest.kernel.gathered() {
             Writing::write(self, fastest, it, Writes { gathered, ..Writes::lanes(1) });
@@ -254,26 +278,15 @@ impl Plan {
     /// How a loop is written, if its turns can be done at once.
     fn of(kernel: Kernel) -> Option<Self> {
         let count = count::condition(&kernel, Level::Outer)?;
-        let inner_turns = match &kernel.inner {
-            None => 0,
-            Some(_) => {
-                let count = count::condition(&kernel, Level::Inner)?;
-                let counter = kernel.constant_at_entry(count.counter)?;
-                let limit = match count.limit {
-                    Some(limit) => kernel.constant_at_entry(limit)?,
-                    None => 0,
-                };
-                count.constant(counter, limit)?
-            }
+        let inner = match &kernel.inner {
+            None => InnerTurns::Constant(0),
+            Some(_) => kernel.inner_turns()?,
         };
         // Only what is on a line can be looked at in front of the loop.
         if !kernel.required.iter().all(|&(number, _)| kernel.line(number, Level::Outer).is_some_and(|line| line.bits == 32)) {
             return None;
         }
-        if !kernel.required_inside.iter().all(|&(number, limit)| kernel.counts_below(number, limit, inner_turns)) {
-            return None;
-        }
-        let plan = Self { kernel, count, inner_turns };
+        let plan = Self { kernel, count, inner };
         plan.can_be_written().then_some(plan)
     }
 
@@ -284,7 +297,7 @@ impl Plan {
             return Some(at_once);
         }
         let kernel = self.kernel.with_order()?;
-        let in_order = Self { kernel, count: self.count, inner_turns: self.inner_turns };
+        let in_order = Self { kernel, count: self.count, inner: self.inner };
         let lanes = in_order.lanes();
         (!lanes.is_empty()).then_some(Beside { plan: Cow::Owned(in_order), lanes })
     }
@@ -395,11 +408,28 @@ impl Plan {
                 }
             };
             form && kernel.accesses[..number].iter().all(|other| kernel.are_apart(access, other))
-        }) && (!kernel.is_by_four() || kernel.few_are_one_by_one(self.inner_turns))
+        }) && (!kernel.is_by_four() || kernel.few_are_one_by_one(self.inner.known()))
     }
 }
 
 impl Kernel {
+    /// How many turns the inner loop makes, if that is the same in all turns of the outer one and all that is required of these turns holds
+    /// or can be looked at in front of the loop.
+    fn inner_turns(&self) -> Option<InnerTurns> {
+        let count = count::condition(self, Level::Inner)?;
+        let limit = count.limit.map_or(Some(0), |limit| self.constant_at_entry(limit));
+        if let (Some(counter), Some(limit)) = (self.constant_at_entry(count.counter), limit) {
+            let turns = count.constant(counter, limit)?;
+            let stays_below = self.required_inside.iter().all(|&(number, limit)| self.counts_below(number, limit, turns));
+            return stays_below.then_some(InnerTurns::Constant(turns));
+        }
+        let is_same = |node: Node| self.line(node, Level::Outer).is_some_and(|line| line.is_same());
+        let is_counted = is_same(count.counter) && count.limit.is_none_or(is_same);
+        let is_line = |number: Node| self.line(number, Level::Inner).is_some_and(|line| line.bits == 32);
+        let can_be_looked_at = self.required_inside.iter().all(|&(number, _)| is_line(number) && is_same(number));
+        (is_counted && can_be_looked_at).then_some(InnerTurns::Counted(count))
+    }
+
     /// Whether turns side by side compute with vectors of numbers of 16 bits. Whether another turn follows is not computed in them.
     fn computes_halves(&self) -> bool {
         let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();

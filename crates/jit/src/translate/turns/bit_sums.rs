@@ -105,7 +105,7 @@ impl Translator<'_> {
         let [counter, limit] =
             [Some(plan.count.counter), plan.count.limit].map(|node| node.map_or(Val::Const(0), |node| self.value_in_front(kernel, node)));
         let (all, inside) = self.turns(plan.count, counter, limit);
-        let turns = self.within_budget(all, weight);
+        let turns = self.within_budget(all, Val::Const(weight as u64));
         let mut guard = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, turns, TURNS_MIN);
         if let Some(inside) = inside {
             guard = self.b.ins().band(guard, inside);

@@ -242,7 +242,7 @@ impl Translator<'_> {
         let steps = self.b.ins().iadd_imm_s(steps, 1);
         let none = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, way, 0);
         let all = self.b.ins().select(none, one, steps);
-        let turns = self.within_budget(all, weight);
+        let turns = self.within_budget(all, Val::Const(weight as u64));
         let least = if bits.stride == Stride::One { FILLED_MIN } else { CROSSED_MIN };
         let enough = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, turns, least);
         let before = self.b.ins().iadd_imm_s(turns, -1);

@@ -11,7 +11,7 @@ use super::kernel::{Kernel, Level, Node, What};
 use super::line::Line;
 
 /// Turns of an inner loop, which all turns of the outer one make alike.
-const INNER_TURNS_MAX: i64 = 1 << 20;
+pub(super) const INNER_TURNS_MAX: i64 = 1 << 20;
 
 /// The condition under which another turn follows: a value on a line, compared.
 #[derive(Clone, Copy, Debug)]
@@ -26,16 +26,19 @@ pub(super) struct Count {
     signed: bool,
     /// Whether the limit itself is one more turn.
     inclusive: bool,
+    /// Whether nothing but the limit itself ends the loop: it has to lie where the counter goes.
+    meets: bool,
 }
 
 /// What decides about another turn of a loop, if it can be counted.
 pub(super) fn condition(kernel: &Kernel, level: Level) -> Option<Count> {
-    let What::Compute(op, [counter, limit, ..]) = kernel.what(kernel.turn(level).again) else { return None };
+    let (op, [counter, limit, ..]) = kernel.compared(level)?;
     let Line { step, bits } = kernel.line(counter, level)?;
     let (up, inclusive) = match op {
         Op::IsNonzero if bits == 16 && step == 0xFFFF => {
-            return Some(Count { counter, limit: None, step: -1, bits, signed: false, inclusive: false });
+            return Some(Count { counter, limit: None, step: -1, bits, signed: false, inclusive: false, meets: false });
         }
+        Op::Differ | Op::NeI16 | Op::NeI32 => (step >> (bits - 1) == 0, false),
         Op::LeI32 | Op::LeI16 | Op::LeU64 => (true, true),
         Op::LtI32 | Op::LtI16 | Op::Below => (true, false),
         Op::GeI32 | Op::GeI16 | Op::GeU64 => (false, true),
@@ -43,16 +46,56 @@ pub(super) fn condition(kernel: &Kernel, level: Level) -> Option<Count> {
         _ => return None,
     };
     let signed = !is_unsigned(op);
+    let meets = matches!(op, Op::Differ | Op::NeI16 | Op::NeI32);
     let fits = match op {
+        Op::Differ if bits == 16 => kernel.is_16_bits(counter) && kernel.is_16_bits(limit),
+        Op::Differ => kernel.is_32_bits(counter) && kernel.is_32_bits(limit),
         _ if !signed => kernel.is_32_bits(counter) && kernel.is_32_bits(limit),
-        Op::LeI16 | Op::LtI16 | Op::GeI16 | Op::GtI16 => bits == 16,
+        Op::LeI16 | Op::LtI16 | Op::GeI16 | Op::GtI16 | Op::NeI16 => bits == 16,
         _ => bits == 32,
     };
     if !fits || !kernel.line(limit, level)?.is_same() {
         return None;
     }
     let step = if bits == 16 { i64::from(step as u16 as i16) } else { i64::from(step as i32) };
-    (step != 0 && (step > 0) == up).then_some(Count { counter, limit: Some(limit), step, bits, signed, inclusive })
+    let steps_on = step != 0 && (step > 0) == up && (!meets || step.abs() == 1);
+    steps_on.then_some(Count { counter, limit: Some(limit), step, bits, signed, inclusive, meets })
+}
+
+impl Kernel {
+    /// The operation that decides about another turn, and what it takes. That the counter does not leave its type with the next step is no
+    /// part of it: this is looked at for all turns that are counted.
+    pub(super) fn compared(&self, level: Level) -> Option<(Op, [Node; 4])> {
+        let What::Compute(op, args) = self.what(self.turn(level).again) else { return None };
+        if op != Op::AndNot {
+            return Some((op, args));
+        }
+        let [comparison, leaves, ..] = args.map(|node| self.what(node));
+        let What::Compute(op, compared) = comparison else { return None };
+        self.leaves_its_type(level, leaves, (op, compared[0])).then_some((op, compared))
+    }
+
+    /// Whether a condition holds where the counter that is compared, as a number with or without sign, leaves its type with the step of the
+    /// turn.
+    fn leaves_its_type(&self, level: Level, leaves: What, (compares, counter): (Op, Node)) -> bool {
+        let (What::Compute(leaves, [start, step, ..]), What::Compute(counts, [own, own_step, ..])) = (leaves, self.what(counter)) else {
+            return false;
+        };
+        let (What::Start(of, cell), Some(by)) = (self.what(start), self.constant(step)) else { return false };
+        if (start, step) != (own, own_step) || of != level || self.turn(level).ends.get(&cell) != Some(&counter) {
+            return false;
+        }
+        // A step is counted as a number with sign.
+        let bits = if counts == Op::AddU16 || counts == Op::SubU16 { 16 } else { 32 };
+        let (by, least) = (by & ((1 << bits) - 1), 1 << (bits - 1));
+        match (counts, leaves, is_unsigned(compares)) {
+            (Op::AddU16, Op::AddOverflowsI16, false) | (Op::AddU32, Op::AddOverflowsI32, false) => true,
+            (Op::SubU16, Op::SubOverflowsI16, false) | (Op::SubU32, Op::SubOverflowsI32, false) => by != least,
+            (Op::AddU16, Op::AddOverflowsU16, true) | (Op::AddU32, Op::AddOverflowsU32, true) => by < least,
+            (Op::SubU16, Op::SubOverflowsU16, true) | (Op::SubU32, Op::SubOverflowsU32, true) => by < least,
+            _ => false,
+        }
+    }
 }
 
 /// Whether an operation that may decide about another turn compares numbers without sign.
@@ -95,6 +138,10 @@ impl Count {
 
     /// How many turns a loop makes whose first counter and limit are constants.
     pub(super) fn constant(self, counter: u64, limit: u64) -> Option<i64> {
+        let way = (self.limited(limit) - self.counted(counter)) * self.step;
+        if self.meets && way < 0 {
+            return None;
+        }
         let turns = self.turns(self.counted(counter), self.limited(limit));
         let last = self.counted(counter) + (turns - 1) * self.step;
         let (least, most) = self.limits();
@@ -107,15 +154,21 @@ impl Count {
 
 impl Translator<'_> {
     /// Of so many turns, which take this weight each, those for which the budget lasts.
-    pub(super) fn within_budget(&mut self, turns: Value, weight: i64) -> Value {
+    pub(super) fn within_budget(&mut self, turns: Value, weight: Val) -> Value {
         let variable = self.budget();
         let budget = self.b.use_var(variable);
         let possible = match weight {
-            1 => budget,
+            Val::Const(1) => budget,
             weight => {
                 let none = self.b.ins().iconst(I64, 0);
                 let budget = self.b.ins().smax(budget, none);
-                self.b.ins().udiv_imm_u(budget, weight)
+                match weight {
+                    Val::Const(weight) => self.b.ins().udiv_imm_u(budget, weight as i64),
+                    weight => {
+                        let weight = self.word(weight);
+                        self.b.ins().udiv(budget, weight)
+                    }
+                }
             }
         };
         self.b.ins().smin(turns, possible)
@@ -133,8 +186,8 @@ impl Translator<'_> {
             let limit = self.int(limit);
             self.b.ins().uextend(I64, limit)
         };
-        let way = if count.step > 0 { self.b.ins().isub(limit, counter) } else { self.b.ins().isub(counter, limit) };
-        let way = if count.inclusive { way } else { self.b.ins().iadd_imm_s(way, -1) };
+        let whole = if count.step > 0 { self.b.ins().isub(limit, counter) } else { self.b.ins().isub(counter, limit) };
+        let way = if count.inclusive { whole } else { self.b.ins().iadd_imm_s(whole, -1) };
         let steps = match count.step.unsigned_abs() {
             1 => way,
             step if step.is_power_of_two() => self.b.ins().ushr_imm_u(way, i64::from(step.trailing_zeros())),
@@ -153,7 +206,12 @@ impl Translator<'_> {
         let (low, high) = if count.step > 0 { (before, last) } else { (last, before) };
         let low = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, low, least);
         let high = self.b.ins().icmp_imm_s(IntCC::SignedLessThanOrEqual, high, most);
-        (turns, Some(self.b.ins().band(low, high)))
+        let inside = self.b.ins().band(low, high);
+        if !count.meets {
+            return (turns, Some(inside));
+        }
+        let ahead = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, whole, 0);
+        (turns, Some(self.b.ins().band(inside, ahead)))
     }
 
     fn counted(&mut self, count: Count, value: Val) -> Value {
@@ -193,12 +251,34 @@ mod tests {
     fn turns_are_those_that_the_condition_makes() {
         for step in [-7, -2, -1, 1, 2, 3, 8] {
             for inclusive in [false, true] {
-                let count = Count { counter: Node::numbered(0), limit: Some(Node::numbered(0)), step, bits: 32, signed: true, inclusive };
+                let count = Count {
+                    counter: Node::numbered(0),
+                    limit: Some(Node::numbered(0)),
+                    step,
+                    bits: 32,
+                    signed: true,
+                    inclusive,
+                    meets: false,
+                };
                 for counter in -20..20 {
                     for limit in -20..20 {
                         assert_eq!(count.turns(counter, limit), counted(count, counter, limit), "{count:?} {counter} {limit}");
                     }
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn a_loop_that_nothing_but_its_limit_ends_is_counted_if_the_limit_lies_ahead() {
+        for (bits, step) in [(16, -1), (16, 1), (32, -1), (32, 1)] {
+            let (inclusive, meets) = (false, true);
+            let node = Node::numbered(0);
+            let count = Count { counter: node, limit: Some(node), step, bits, signed: true, inclusive, meets };
+            for (counter, limit) in (-6..6).flat_map(|counter| (-6..6).map(move |limit| (counter, limit))) {
+                let way = (limit - counter) * step;
+                let turns = (way >= 0).then_some(way + 1);
+                assert_eq!(count.constant(counter as u64, limit as u64), turns, "{count:?} {counter} {limit}");
             }
         }
     }

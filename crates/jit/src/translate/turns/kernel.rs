@@ -282,7 +282,7 @@ impl Kernel {
         waiting.extend(conditions.into_iter().flatten());
         // What has to be below a limit is looked at though nobody needs the element.
         waiting.extend(self.required.iter().chain(&self.required_inside).chain(&self.looked_at).map(|&(number, _)| number));
-        waiting.extend(self.ways.iter().map(|&(condition, _)| condition));
+        waiting.extend(self.ways.iter().chain(&self.settled).map(|&(condition, _)| condition));
         while let Some(node) = waiting.pop() {
             if needed.insert(node) {
                 match self.what(node) {

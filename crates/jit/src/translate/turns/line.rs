@@ -132,9 +132,7 @@ impl Kernel {
             Op::Low16 | Op::Decrement16 => Some(Line::halves(a.step)),
             Op::Low32 => Some(a),
             // The counter of a loop does not leave its type while turns follow: see `count`.
-            Op::Extend16 if level == Level::Outer && self.is_counter(args[0]) => {
-                Some(Line { step: i32::from(a.step as u16 as i16) as u32, bits: 32 })
-            }
+            Op::Extend16 if self.is_counter(args[0], level) => Some(Line { step: i32::from(a.step as u16 as i16) as u32, bits: 32 }),
             _ => None,
         }
     }
@@ -143,18 +141,17 @@ impl Kernel {
     /// `count`.
     pub(super) fn start_line(&self, level: Level, cell: Cell) -> Option<Line> {
         let line = self.cell_line(level, cell)?;
-        let What::Compute(op, [counter, ..]) = self.what(self.turn(level).again) else { return Some(line) };
+        let Some((op, [counter, ..])) = self.compared(level) else { return Some(line) };
         let is_counter = level == Level::Outer && is_unsigned(op) && self.turn(level).ends.get(&cell) == Some(&counter);
         let widened = is_counter && line.bits == 16;
         Some(if widened { Line { step: i32::from(line.step as u16 as i16) as u32, bits: 32 } } else { line })
     }
 
     /// Whether a value is what the cell holds when a turn begins whose end decides, as an INT, whether another turn follows.
-    fn is_counter(&self, node: Node) -> bool {
-        let (What::Start(Level::Outer, cell), What::Compute(op, [counter, ..])) = (self.what(node), self.what(self.outer.again)) else {
-            return false;
-        };
-        matches!(op, Op::LeI16 | Op::LtI16 | Op::GeI16 | Op::GtI16) && self.outer.ends.get(&cell) == Some(&counter)
+    fn is_counter(&self, node: Node, level: Level) -> bool {
+        let (What::Start(of, cell), Some((op, [counter, ..]))) = (self.what(node), self.compared(level)) else { return false };
+        let counts = matches!(op, Op::LeI16 | Op::LtI16 | Op::GeI16 | Op::GtI16 | Op::Differ | Op::NeI16);
+        of == level && counts && self.turn(level).ends.get(&cell) == Some(&counter)
     }
 
     /// The line of a cell, if it is what the cell held before plus a constant.

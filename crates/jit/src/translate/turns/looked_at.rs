@@ -12,7 +12,7 @@ use super::around::Distance;
 use super::in_order::InOrder;
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Step, What};
 use super::write::Writing;
-use super::{Plan, Writes};
+use super::{InnerTurns, Plan, Writes};
 
 /// Turns side by side in which they are looked at.
 const TURNS: u32 = 4;
@@ -109,7 +109,7 @@ impl Writing<'_, '_, '_> {
             return guard;
         }
         let Some((kernel, cell)) = self.kernel.looks() else { unreachable!("cells have numbers of 16 bits") };
-        let plan = Plan { kernel, count: self.plan.count, inner_turns: 0 };
+        let plan = Plan { kernel, count: self.plan.count, inner: InnerTurns::Constant(0) };
         let lanes = if self.lanes == TURNS && plan.side_by_side() { TURNS } else { 1 };
         let [look, behind] = [self.t.b.create_block(), self.t.b.create_block()];
         let all_below = self.t.b.append_block_param(behind, I8);

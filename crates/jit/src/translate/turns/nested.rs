@@ -10,7 +10,7 @@ use super::kernel::{Cell, Kept, Kernel, Level, Node, Step, Turn, What};
 use super::pieces::Gathered;
 use super::vector::Lanes;
 use super::write::{Scope, Writing};
-use super::{Plan, Writes};
+use super::{InnerTurns, Plan, Writes};
 
 /// Turns side by side that are written behind one another instead of as a loop, and accesses in all of them.
 const UNROLLED_MAX: u32 = 4;
@@ -21,6 +21,8 @@ pub(super) struct Nested {
     /// The inner loop alone.
     plan: Plan,
     lanes: u32,
+    /// How many turns it has.
+    turns: i64,
     /// What its cells hold when it begins, as values of the outer loop.
     starts: Vec<(Cell, Node)>,
 }
@@ -28,16 +30,17 @@ pub(super) struct Nested {
 impl Plan {
     /// How turns of the inner loop are done side by side, if they can be: all of its accesses are known to stay inside.
     pub(super) fn nested(&self) -> Option<Nested> {
+        let InnerTurns::Constant(inner_turns) = self.inner else { return None };
         let (kernel, starts) = self.kernel.inner_alone()?;
         let count = count::condition(&kernel, Level::Outer)?;
-        let plan = Self { kernel, count, inner_turns: 0 };
+        let plan = Self { kernel, count, inner: InnerTurns::Constant(0) };
         if plan.kernel.is_by_four() {
             return None;
         }
-        let fits = |&lanes: &u32| i64::from(lanes) <= self.inner_turns;
+        let fits = |&lanes: &u32| i64::from(lanes) <= inner_turns;
         let lanes =
             plan.lanes().into_iter().flat_map(|lanes| [lanes, lanes / 2]).filter(|&lanes| lanes >= plan.least_lanes()).find(fits)?;
-        Some(Nested { plan, lanes, starts })
+        Some(Nested { plan, lanes, starts, turns: inner_turns })
     }
 }
 
@@ -123,10 +126,10 @@ impl Kernel {
 impl Writing<'_, '_, '_> {
     /// Writes all turns of the inner loop, as many as possible side by side.
     pub(super) fn inner_side_by_side(&mut self, nested: &Nested) {
-        let Nested { plan, lanes, starts } = nested;
+        let Nested { plan, lanes, turns, starts } = nested;
         let before = starts.iter().map(|&(cell, node)| (cell, self.first(node, Level::Outer))).collect();
-        let rest = self.plan.inner_turns % i64::from(*lanes);
-        let turns = self.plan.inner_turns - rest;
+        let rest = turns % i64::from(*lanes);
+        let turns = turns - rest;
         let times = u32::try_from(turns / i64::from(*lanes)).unwrap_or(u32::MAX);
         let few = times <= UNROLLED_MAX && plan.kernel.accesses.len() * times as usize <= UNROLLED_ACCESSES_MAX;
         let count = self.t.turns_constant(turns);

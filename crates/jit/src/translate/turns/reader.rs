@@ -115,7 +115,7 @@ fn read_as(translator: &mut Translator<'_>, it: &Loop, Reading { inside, one_way
     if one_way.is_none() {
         kernel.look_at_others();
     }
-    kernel.is_apart().then_some(kernel)
+    (kernel.is_apart() && kernel.settles_in_front()).then_some(kernel)
 }
 
 /// Ranges of the variables in memory when a turn begins.
@@ -326,6 +326,11 @@ impl Reader<'_, '_> {
                     }
                     Inst::Branch { condition, to: Target(to) } if is_ahead(to) => {
                         let condition = self.get(condition)?;
+                        if self.jumps_over_inner(statement, to) && self.kernel.constant(condition).is_none() {
+                            let (condition, holds) = self.positive(condition);
+                            self.kernel.settled.push((condition, !holds));
+                            continue;
+                        }
                         let (taken, other) = self.ways_behind(condition);
                         arriving.entry(to).or_default().join(taken)?;
                         self.ways = other;
@@ -517,19 +522,6 @@ impl Reader<'_, '_> {
         }
         let number = self.elements.iter().position(|element| element.is_same(access))?;
         Some(self.element(number))
-    }
-
-    /// Notes what a block takes from the budget that some turns do not enter.
-    fn take_sometimes(&mut self, weight: u32) -> Option<()> {
-        if self.level == Level::Inner {
-            return None;
-        }
-        let cell = self.cell(Kept::Budget);
-        let before = self.read_cell(cell);
-        let weight = self.constant(u64::from(weight));
-        let after = self.compute(Op::AddU32, [before, weight, before, before]);
-        self.put(cell, after);
-        Some(())
     }
 
     pub(super) fn node(&mut self, what: What) -> Node {

@@ -12,7 +12,7 @@ use super::super::{OPEN_BLOCKS, Translator, bit_of};
 use super::kernel::{Kept, Kernel, Level, What};
 use super::reader::{Called, Instances, Reader};
 use super::write::Writing;
-use super::{Plan, Writes, count};
+use super::{InnerTurns, Plan, Writes, count};
 
 /// Turns side by side.
 pub(in crate::translate) const TURNS: u32 = 4;
@@ -60,7 +60,7 @@ impl Translator<'_> {
             return None;
         }
         self.pinned.extend(&kernel.opened);
-        let plan = Plan { kernel, count, inner_turns: 0 };
+        let plan = Plan { kernel, count, inner: InnerTurns::Constant(0) };
         (plan.lanes() == [TURNS]).then_some(Calls { plan, instances, after, weight, first, reads })
     }
 

@@ -84,6 +84,11 @@ impl Kernel {
         [first, second].into_iter().find_map(|(part, holds)| self.same_condition(part, holds, depth))
     }
 
+    /// Whether all conditions that are looked at in front of the loop are the same in all turns.
+    pub(super) fn settles_in_front(&self) -> bool {
+        self.settled.iter().all(|&(condition, _)| self.line(condition, Level::Outer).is_some_and(|line| line.is_same()))
+    }
+
     /// Whether a condition can be looked at in front of the loop for all turns.
     fn is_settled_in_front(&self, node: Node) -> bool {
         let is_same = self.line(node, Level::Outer).is_some_and(|line| line.is_same());

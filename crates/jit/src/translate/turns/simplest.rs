@@ -223,7 +223,8 @@ impl Reader<'_, '_> {
                 What::Compute(Op::Not, [of, ..]) if self.kernel.is_bit(of) => Some(of),
                 _ => None,
             },
-            Op::And if constant(1) == Some(1) && self.kernel.is_bit(args[0]) => Some(args[0]),
+            Op::And if self.is_true(args[1]) && self.kernel.is_bit(args[0]) => Some(args[0]),
+            Op::And if self.is_true(args[0]) && self.kernel.is_bit(args[1]) => Some(args[1]),
             Op::AndNot if constant(1).is_some_and(|other| other & 1 == 0) && self.kernel.is_bit(args[0]) => Some(args[0]),
             _ => None,
         }

@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{F32, F64, I16, I32, I64};
-use cranelift_codegen::ir::{BlockArg, InstBuilder, MemFlagsData, Type, Value};
+use cranelift_codegen::ir::{Block, BlockArg, InstBuilder, MemFlagsData, Type, Value};
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
 
@@ -107,9 +107,11 @@ pub(super) struct Writing<'t, 'a, 'k> {
     /// Choices that lead to addresses of the next turn.
     chased: BTreeSet<Node>,
     /// What blocks have taken from the budget that not all turns enter.
-    taken: Option<Val>,
+    pub(super) taken: Option<Val>,
     /// Values that wait on the stack for what the last turn that wrote them leaves.
     waiting: Vec<Waiting>,
+    /// How many turns the inner loop makes in each turn of the outer one.
+    pub(super) inner_turns: Option<Value>,
     /// How many turns of the outer loop are made, and where it is.
     progress: Option<(Value, Progress)>,
 }
@@ -147,16 +149,14 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             chased: if lanes == 1 { kernel.chased() } else { BTreeSet::new() },
             taken: None,
             waiting: Vec::new(),
+            inner_turns: None,
             progress: None,
         }
     }
 
     fn version(&mut self, it: &Loop) {
         self.t.settle_bytes();
-        for cell in self.kernel.cells_at_start() {
-            let value = self.t.cell_before(self.kernel, cell);
-            self.before.insert(cell, value);
-        }
+        self.take_before();
         let (turns, guard, all) = self.how_many();
         let [enter, go_on] = [self.t.b.create_block(), self.t.b.create_block()];
         self.t.b.ins().brif(guard, enter, &[], go_on, &[]);
@@ -166,6 +166,19 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         let done = self.turns(Level::Outer, turns);
         debug_assert!(done.is_empty() || self.lanes > 1);
         self.finish(turns);
+        self.leave_whole(it, (turns, all), go_on);
+    }
+
+    /// Takes what cells hold in front of the loop.
+    pub(super) fn take_before(&mut self) {
+        for cell in self.kernel.cells_at_start() {
+            let value = self.t.cell_before(self.kernel, cell);
+            self.before.insert(cell, value);
+        }
+    }
+
+    /// Takes turns from the budget and goes where more turns may follow, or behind the loop if these were all.
+    pub(super) fn leave_whole(&mut self, it: &Loop, (turns, all): (Value, Value), go_on: Block) {
         let weight = i64::from(self.kernel.outer.weight);
         let left = self.take_budget(turns);
         let budget = self.t.budget();
@@ -179,31 +192,13 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         self.t.forget_memory();
     }
 
-    /// What each turn takes from the budget, with the way back behind it, and what one takes at most.
-    fn weights(&self) -> [i64; 2] {
-        let turns = self.plan.inner_turns;
-        let inner = self.kernel.inner.as_ref().map_or(0, |inner| i64::from(inner.weight) * (turns - 1) + i64::from(inner.blocks) * turns);
-        let outer = &self.kernel.outer;
-        [outer.blocks, outer.blocks_most].map(|blocks| i64::from(outer.weight) + inner + i64::from(blocks))
-    }
-
-    fn take_budget(&mut self, turns: Value) -> Value {
-        let [weight, _] = self.weights();
-        let budget = self.t.budget();
-        let budget = self.t.b.use_var(budget);
-        let taken = if weight == 1 { turns } else { self.t.b.ins().imul_imm_s(turns, weight) };
-        let left = self.t.b.ins().isub(budget, taken);
-        let Some(also) = self.taken else { return left };
-        let also = self.t.word(also);
-        self.t.b.ins().isub(left, also)
-    }
-
     /// How many turns are made here, whether any are, and how many the loop has.
-    fn how_many(&mut self) -> (Value, Value, Value) {
+    pub(super) fn how_many(&mut self) -> (Value, Value, Value) {
         let count = self.plan.count;
         let counter = self.value_before(count.counter);
         let limit = count.limit.map_or(Val::Const(0), |limit| self.value_before(limit));
         let (all, inside) = self.t.turns(count, counter, limit);
+        let inner_inside = self.count_inner_turns();
         let [_, most] = self.weights();
         let turns = self.t.within_budget(all, most);
         let turns = match self.lanes * self.behind_one_another() {
@@ -212,7 +207,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         };
         let mut guard = self.t.b.ins().icmp_imm_s(IntCC::SignedGreaterThan, turns, 0);
         let mut also = |this: &mut Self, condition: Value| guard = this.t.b.ins().band(guard, condition);
-        if let Some(inside) = inside {
+        for inside in [inside, inner_inside].into_iter().flatten() {
             also(self, inside);
         }
         for &cell in self.before.clone().keys() {
@@ -232,7 +227,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             also(self, begins);
         }
         for &(number, limit) in &self.kernel.required {
-            let stays_below = self.stays_below(number, limit, turns);
+            let stays_below = self.stays_below((number, Level::Outer), limit, turns);
             also(self, stays_below);
         }
         for &(condition, holds) in &self.kernel.settled {
@@ -250,9 +245,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         if self.gathered.is_empty() { 1 } else { pieces::TURNS }
     }
 
-    /// Whether a number on a line stays below a limit for so many turns.
-    fn stays_below(&mut self, number: Node, limit: u32, turns: Value) -> Value {
-        let line = self.kernel.line(number, Level::Outer).unwrap_or(Line::SAME);
+    /// Whether a number on a line of a loop stays below a limit for so many turns of it.
+    pub(super) fn stays_below(&mut self, (number, level): (Node, Level), limit: u32, turns: Value) -> Value {
+        let line = self.kernel.line(number, level).unwrap_or(Line::SAME);
         let first = self.value_before(number);
         let first = self.t.int(first);
         let first = self.t.b.ins().uextend(I64, first);
@@ -430,7 +425,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                         match self.nested {
                             Some(nested) => self.inner_side_by_side(nested),
                             None => {
-                                let turns = self.t.turns_constant(self.plan.inner_turns);
+                                let turns = self.all_inner_turns();
                                 self.inner = Scope::default();
                                 self.turns(Level::Inner, turns);
                             }

@@ -7,6 +7,7 @@ use sieben_model::address::Width;
 
 use super::super::super::analysis::open_blocks;
 use super::super::super::inlining::RESTORED;
+use super::super::super::loops::Loop;
 use super::super::super::promote::Base;
 use super::super::super::ranges::{self, Fact};
 use super::super::super::value::Val;
@@ -18,6 +19,26 @@ use super::{DEPTH_MAX, Frame, Piece, Reader, facts};
 const FACTS_MAX: usize = 64;
 
 impl Reader<'_, '_> {
+    /// Whether a jump from a statement that each turn reaches leads over the inner loop: as one in front of `FOR k := 1 TO n` does if that
+    /// has no turns. It is taken to be the same in all turns of the outer loop.
+    pub(super) fn jumps_over_inner(&self, statement: u32, to: u32) -> bool {
+        let leads_over = |inside: &Loop| statement < inside.first && inside.last < to;
+        self.level == Level::Outer && self.ways.is_always() && self.inside.as_ref().is_some_and(leads_over)
+    }
+
+    /// Notes what a block takes from the budget that some turns do not enter.
+    pub(super) fn take_sometimes(&mut self, weight: u32) -> Option<()> {
+        if self.level == Level::Inner {
+            return None;
+        }
+        let cell = self.cell(Kept::Budget);
+        let before = self.read_cell(cell);
+        let weight = self.constant(u64::from(weight));
+        let after = self.compute(Op::AddU32, [before, weight, before, before]);
+        self.put(cell, after);
+        Some(())
+    }
+
     /// Reads a block that becomes part of the loop.
     pub(super) fn call(&mut self, code: usize, parameters: usize, steps: &mut Vec<Step>) -> Option<()> {
         let t = &mut *self.translator;
