@@ -96,6 +96,7 @@ const ROWS: &[Row] = &[
     ("iec codesys scl tia", "x : REAL;", "FOR x := 1.0 TO 5.0 DO ; END_FOR;", "error P6210"),
     ("iec codesys scl tia", "x : INT; r : INT;", "FOR x := 1 TO 5 BY 0 DO r := r + 1; END_FOR;", "error P6211"),
     ("iec codesys scl tia", "x : INT; r : INT;", "FOR x := 5 TO 1 DO r := r + 1; END_FOR;", "warning P6212"),
+    ("iec codesys scl tia", "x : INT; a : ARRAY[2..11] OF INT;", "FOR x := 3 TO 2 DO a[x - 1] := 1; END_FOR;", "warning P6212"),
     ("iec scl", "x : INT;", "FOR x := 1 TO 5 DO x := x + 1; END_FOR;", "warning P6051"),
     ("codesys tia", "x : INT;", "FOR x := 1 TO 5 DO x := x + 1; END_FOR;", "ok"),
     ("iec tia", "x : INT; r : INT;", "CASE x OF 1..5: r := 1; 3: r := 2; END_CASE;", "error P6207"),

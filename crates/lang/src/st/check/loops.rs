@@ -83,6 +83,8 @@ impl Checker<'_> {
             (Some(((_, most), (least, _))), Some(false)) => Some((least, most)),
             _ => None,
         };
+        // The body of a loop that is never entered is not looked at for where it would lead.
+        let known = known.filter(|(least, most)| least <= most);
         // What the body itself, or a block that it calls, may write is not known.
         let kept = target.place.indexes.is_empty() && !self.may_write(body, &target.name);
         let depth = self.known.len();
