@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, layout, program, run};
+use noting::{all_engines_agree, begin_with_instance, layout, program, run};
 use sieben_engine::fault::NOTED;
 use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, TextAction, TextRoom, Var};
@@ -233,13 +233,7 @@ fn element(b: &mut Builder, dice: &mut Dice, index: (Place, Width), step: u64) -
 
 /// The organization block.
 fn begin(b: &mut Builder) {
-    b.begin_statement();
-    for register in [DataRegister::Instance, DataRegister::Shared] {
-        let number = b.constant(1);
-        b.push(Inst::Open { register, number });
-    }
-    b.set(Register::Ar2, 0x8400_0000);
-    b.push(Inst::Call { callee: Callee::Block(BlockId::fb(LOOPS)), parameters: 0 });
+    begin_with_instance(b, LOOPS);
 }
 
 /// Writes a pointer to an instance, with the number of its data block: to a place that is known, or to an element.

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, layout_with, program, run};
+use noting::{all_engines_agree, begin_with_instance, layout_with, program, run};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
@@ -289,13 +289,7 @@ fn block(b: &mut Builder, dice: &mut Dice, number: u16) {
 }
 
 fn begin(b: &mut Builder) {
-    b.begin_statement();
-    for register in [DataRegister::Instance, DataRegister::Shared] {
-        let number = b.constant(1);
-        b.push(Inst::Open { register, number });
-    }
-    b.set(Register::Ar2, 0x8400_0000);
-    b.push(Inst::Call { callee: Callee::Block(BlockId::fb(CALLER)), parameters: 0 });
+    begin_with_instance(b, CALLER);
 }
 
 /// Changes a few bytes and the budget, sometimes, and goes on.

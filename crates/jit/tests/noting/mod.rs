@@ -4,8 +4,8 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use sieben_engine::ir::Builder;
-use sieben_engine::machine::Registers;
+use sieben_engine::ir::{Builder, Callee, DataRegister, Inst};
+use sieben_engine::machine::{Register, Registers};
 use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Interpreter, Layout, Machine, Program, Reaction};
 use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::Width;
@@ -95,6 +95,18 @@ pub(crate) fn layout_with(program: &Program, bytes: usize) -> Layout {
     layout.size += bytes;
     layout.data_blocks.insert(1, layout.size - bytes..layout.size);
     layout
+}
+
+/// Opens data block 1 twice and calls a function block whose instance begins there.
+#[allow(dead_code)] // Not every test that shares this file has an instance.
+pub(crate) fn begin_with_instance(b: &mut Builder, function_block: u16) {
+    b.begin_statement();
+    for register in [DataRegister::Instance, DataRegister::Shared] {
+        let number = b.constant(1);
+        b.push(Inst::Open { register, number });
+    }
+    b.set(Register::Ar2, 0x8400_0000);
+    b.push(Inst::Call { callee: Callee::Block(BlockId::fb(function_block)), parameters: 0 });
 }
 
 pub(crate) fn run(engine: &dyn Engine, layout: &Layout, entry: &Entry, prepare: &dyn Fn(&mut Machine), answer: Answer<'_>) -> Outcome {
