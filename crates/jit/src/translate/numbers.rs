@@ -20,7 +20,7 @@ const KNOWN_MAX: usize = 24;
 const LENGTHS_MAX: usize = 6;
 /// The same of copies, and how many bytes each has at most: a longer one and what is copied in between would not stay in registers.
 const COPIES_MAX: usize = 2;
-const COPIED_BYTES_MAX: u32 = 96;
+pub(super) const COPIED_BYTES_MAX: u32 = 96;
 
 /// What is known of numbers at computed addresses: base, offset, width, and the value as a load would have it. No two may share bytes
 /// unless both were read.

@@ -168,12 +168,18 @@ impl Translator<'_> {
         if kernel.only_side_by_side || kernel.repeats_itself() || kernel.waits_for_choices() {
             return None;
         }
-        let ends = kernel.copies.iter().flat_map(|copied| [&copied.from, &copied.to]);
-        if kernel.accesses.iter().chain(ends).any(|access| self.keeps_some_of(access.bytes())) {
+        if self.keeps_some_of_kernel(&kernel) {
             return None;
         }
         self.pinned.extend(&kernel.opened);
         Plan::of(kernel.with_ahead())
+    }
+
+    /// Whether turns may reach what is kept in a register: a loop around a block that became part of it does not know where the block reaches
+    /// by its pointers.
+    fn keeps_some_of_kernel(&self, kernel: &Kernel) -> bool {
+        let ends = kernel.copies.iter().flat_map(|copied| [&copied.from, &copied.to]);
+        kernel.accesses.iter().chain(ends).any(|access| self.keeps_some_of(access.bytes()))
     }
 
     fn write_at_once(&mut self, it: &Loop) -> Option<Idle> {
@@ -181,8 +187,7 @@ impl Translator<'_> {
             return None;
         }
         let kernel = reader::read(self, it).filter(|kernel| !kernel.repeats_itself() && !kernel.waits_for_choices())?;
-        // A loop around a block that became part of it does not know where the block reaches by its pointers.
-        if kernel.accesses.iter().any(|access| self.keeps_some_of(access.bytes())) {
+        if self.keeps_some_of_kernel(&kernel) {
             return None;
         }
         self.pinned.extend(&kernel.opened);
@@ -283,7 +288,7 @@ impl Plan {
             Some(_) => kernel.inner_turns()?,
         };
         // Only what is on a line can be looked at in front of the loop.
-        if !kernel.required.iter().all(|&(number, _)| kernel.line(number, Level::Outer).is_some_and(|line| line.bits == 32)) {
+        if !kernel.required.iter().all(|&(number, _)| kernel.is_on_line(number, Level::Outer)) {
             return None;
         }
         let plan = Self { kernel, count, inner };
@@ -396,14 +401,14 @@ impl Plan {
                     let follows = matches!(kernel.shape(access.pointer), Some(Shape::Line(line)) if line.bits == 32
                         && line.step == access.width.bytes() * 8);
                     let (is_apart, is_row) = (kernel.apart(access).is_some(), kernel.is_row_of_bits(access));
+                    let is_scattered = kernel.is_scattered(access);
                     let form = match access.width {
                         Width::Word => fits(value, Shape::Halves),
                         Width::DoubleWord => fits(value, Shape::Words) || fits(value, Shape::Reals),
                         Width::QuadWord => fits(value, Shape::Quads),
-                        Width::Byte => (is_apart || kernel.is_scattered(access)) && fits(value, Shape::Words),
+                        Width::Byte => (is_apart || is_scattered) && fits(value, Shape::Words),
                         Width::Bit => (is_apart || is_row) && fits(value, Shape::Mask),
                     };
-                    let is_scattered = kernel.is_scattered(access);
                     (follows || is_apart || is_row || is_scattered) && form && self.turns_write_apart(access)
                 }
             };
@@ -423,10 +428,9 @@ impl Kernel {
             let stays_below = self.required_inside.iter().all(|&(number, limit)| self.counts_below(number, limit, turns));
             return stays_below.then_some(InnerTurns::Constant(turns));
         }
-        let is_same = |node: Node| self.line(node, Level::Outer).is_some_and(|line| line.is_same());
+        let is_same = |node: Node| self.is_same_in_all_turns(node);
         let is_counted = is_same(count.counter) && count.limit.is_none_or(is_same);
-        let is_line = |number: Node| self.line(number, Level::Inner).is_some_and(|line| line.bits == 32);
-        let can_be_looked_at = self.required_inside.iter().all(|&(number, _)| is_line(number) && is_same(number));
+        let can_be_looked_at = self.required_inside.iter().all(|&(number, _)| self.is_on_line(number, Level::Inner) && is_same(number));
         (is_counted && can_be_looked_at).then_some(InnerTurns::Counted(count))
     }
 

@@ -63,19 +63,23 @@ impl Held {
         }
     }
 
-    /// The sum of two numbers, or of a pointer and a number.
-    fn add(self, other: Self) -> Self {
-        let sum = |least: u32, most: u32, added: (u32, u32)| Some((least.checked_add(added.0)?, most.checked_add(added.1)?));
-        let found = match (self, other) {
-            (Self::DoubleWord(pointer), more) | (more, Self::DoubleWord(pointer)) => {
-                more.range().map(|(least, most)| Self::Moved(pointer, least, most))
-            }
-            (Self::Moved(pointer, least, most), more) | (more, Self::Moved(pointer, least, most)) => {
-                more.range().and_then(|more| sum(least, most, more)).map(|(least, most)| Self::Moved(pointer, least, most))
-            }
-            (a, b) => (|| sum(0, a.range()?.1, (0, b.range()?.1)))().map(|(_, most)| Self::AtMost(most.into())),
-        };
-        found.unwrap_or(Self::Other)
+    /// A pointer, and at least and at most how many bits more.
+    fn pointer(self) -> Option<(Source, u32, u32)> {
+        match self {
+            Self::DoubleWord(pointer) => Some((pointer, 0, 0)),
+            Self::Moved(pointer, least, most) => Some((pointer, least, most)),
+            _ => None,
+        }
+    }
+
+    /// The sum of two numbers, or of a pointer and a number; `None` = nothing is known of it.
+    fn add(self, other: Self) -> Option<Self> {
+        let (number, pointer) = if self.pointer().is_some() { (other, self) } else { (self, other) };
+        let (least, most) = number.range()?;
+        match pointer.pointer() {
+            Some((pointer, first, last)) => Some(Self::Moved(pointer, first.checked_add(least)?, last.checked_add(most)?)),
+            None => Some(Self::AtMost(pointer.range()?.1.checked_add(most)?.into())),
+        }
     }
 }
 
@@ -112,11 +116,9 @@ pub(super) fn written(
                     }
                 }
                 Inst::Compute { op: Op::OrU64, args, .. } => {
-                    result = match (of(args[0]), of(args[1])) {
-                        (Held::Shifted(number), Held::DoubleWord(pointer)) => Held::Text(number, pointer, 0, 0),
-                        (Held::Shifted(number), Held::Moved(pointer, least, most)) => Held::Text(number, pointer, least, most),
-                        _ => Held::Other,
-                    };
+                    if let (Held::Shifted(number), Some((pointer, least, most))) = (of(args[0]), of(args[1]).pointer()) {
+                        result = Held::Text(number, pointer, least, most);
+                    }
                 }
                 Inst::Compute { op: Op::Below, args, .. } => {
                     if let Held::Constant(limit @ 1..) = of(args[1]) {
@@ -135,7 +137,7 @@ pub(super) fn written(
                         result = a.checked_mul(b).map_or(Held::Other, |most| Held::AtMost(most.into()));
                     }
                 }
-                Inst::Compute { op: Op::AddU32, args, .. } => result = of(args[0]).add(of(args[1])),
+                Inst::Compute { op: Op::AddU32, args, .. } => result = of(args[0]).add(of(args[1])).unwrap_or(Held::Other),
                 Inst::Load { place: Place::Crossing { pointer, offset }, width, .. } => {
                     if let Held::Parameter(parameter) = of(pointer) {
                         result = read(Source::Given(parameter, offset), width);

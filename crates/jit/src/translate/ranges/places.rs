@@ -108,12 +108,10 @@ fn computed_from(code: &Code) -> FxHashSet<Place> {
 
 /// Where a statement finds the AR2 that was kept over a call.
 fn restored_pointer(insts: &[Inst]) -> Option<Place> {
-    let to_ar2 = |inst: &Inst| match *inst {
-        Inst::Compute { op: Op::Copy, dst, args } if dst == Register::Ar2.into() => Some(args[0]),
+    let (at, from) = insts.iter().enumerate().rev().find_map(|(at, inst)| match *inst {
+        Inst::Compute { op: Op::Copy, dst, args } if dst == Register::Ar2.into() => Some((at, args[0])),
         _ => None,
-    };
-    let at = insts.iter().rposition(|inst| to_ar2(inst).is_some())?;
-    let from = to_ar2(&insts[at])?;
+    })?;
     insts[..at].iter().rev().find_map(|inst| match *inst {
         Inst::Load { dst, place, .. } if dst == from => Some(place),
         _ => None,

@@ -184,13 +184,11 @@ impl Writing<'_, '_, '_> {
     pub(super) fn forget_bytes(&mut self, number: usize, Address { base, offset, .. }: Address, level: Level) {
         let accesses = &self.kernel.accesses;
         let written = offset..offset + accesses[number].width.bytes() as i32;
-        let (area, touched) = accesses[number].bytes();
         self.scope(level).bytes.retain(|&(other, at, access, _)| {
             if other == base {
                 return !written.contains(&at);
             }
-            let (other_area, others) = accesses[access].bytes();
-            !area.may_share(&touched, other_area, &others)
+            !accesses[number].may_share(&accesses[access])
         });
     }
 }

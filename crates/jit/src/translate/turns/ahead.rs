@@ -105,8 +105,8 @@ impl Kernel {
                 (only, None) => Known { at, value: one.value, only },
                 (Some((condition, holds)), Some(before)) => {
                     let (a, b) = if holds { (one.value, before.value) } else { (before.value, one.value) };
-                    self.nodes.push(What::Compute(Op::Select, [condition, a, b, condition]));
-                    Known { at, value: Node::numbered(self.nodes.len() as u32 - 1), only: None }
+                    let value = self.add(What::Compute(Op::Select, [condition, a, b, condition]));
+                    Known { at, value, only: None }
                 }
             });
         }

@@ -154,11 +154,7 @@ impl Kernel {
     fn conjunction(&mut self, op: Op, a: Node, b: Node) -> Node {
         let what = What::Compute(op, [a, b, a, a]);
         let known = self.nodes.iter().position(|&other| other == what);
-        let number = known.unwrap_or_else(|| {
-            self.nodes.push(what);
-            self.nodes.len() - 1
-        });
-        Node::numbered(number as u32)
+        known.map_or_else(|| self.add(what), |number| Node::numbered(number as u32))
     }
 }
 

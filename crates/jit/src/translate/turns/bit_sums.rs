@@ -71,10 +71,8 @@ fn bits_are_apart(kernel: &Kernel) -> bool {
     let accesses: Vec<&Access> = kernel.accesses_in_order().into_iter().map(|(_, access)| access).collect();
     let written = accesses.iter().enumerate().filter(|(_, access)| access.value.is_some());
     written.into_iter().all(|(at, write)| {
-        let (base, bytes) = write.bytes();
         accesses.iter().enumerate().all(|(other_at, other)| {
-            let (other_base, others) = other.bytes();
-            if at == other_at || !base.may_share(&bytes, other_base, &others) {
+            if at == other_at || !write.may_share(other) {
                 return true;
             }
             // A bit that lies further ahead is read before a later turn writes it.

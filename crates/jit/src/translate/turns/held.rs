@@ -59,8 +59,7 @@ impl Access {
             let behind = self.offset.wrapping_sub(other.offset) & 0x00FF_FFFF;
             return ahead < own || behind < bits;
         }
-        let ((base, bytes), (other_base, others)) = (self.bytes(), other.bytes());
-        base.may_share(&bytes, other_base, &others) && !self.is_beside(other)
+        self.may_share(other) && !self.is_beside(other)
     }
 }
 

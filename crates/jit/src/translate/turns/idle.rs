@@ -226,7 +226,7 @@ impl Translator<'_> {
         // Most conditions jump over something.
         let idle = (0..1 << JUMPS_MAX).find_map(|ways: u32| {
             let kernel = reader::read_way(self, it, ways).filter(|kernel| !kernel.repeats_itself())?;
-            if kernel.accesses.iter().any(|access| self.keeps_some_of(access.bytes())) {
+            if self.keeps_some_of_kernel(&kernel) {
                 return None;
             }
             // Of less jumps than there are bits it is read but once.

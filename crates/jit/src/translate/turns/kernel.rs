@@ -131,6 +131,12 @@ impl Access {
         let (base, start, length) = self.area;
         (base, self.inside.clone().unwrap_or(i64::from(start)..i64::from(start) + length as i64))
     }
+
+    /// Whether it may go to some of the bytes to which another one may go.
+    pub(super) fn may_share(&self, other: &Self) -> bool {
+        let ((base, bytes), (other_base, others)) = (self.bytes(), other.bytes());
+        base.may_share(&bytes, other_base, &others)
+    }
 }
 
 /// A copy of bytes as a whole, in turns that are done one after the other.
@@ -479,6 +485,12 @@ impl Kernel {
 }
 
 impl Kernel {
+    /// Adds a value.
+    pub(super) fn add(&mut self, what: What) -> Node {
+        self.nodes.push(what);
+        Node::numbered(self.nodes.len() as u32 - 1)
+    }
+
     /// Whether access by computed addresses and cells, and cells among each other, share no bytes that one of them writes.
     pub(super) fn is_apart(&self) -> bool {
         let written = |cell: usize| {
@@ -496,17 +508,13 @@ impl Kernel {
                     return false;
                 }
             }
-            for access in &self.accesses {
+            let meets = |access: &Access| {
                 let (other_base, other) = access.bytes();
-                let meet = base.may_share(bytes, other_base, &other);
-                if meet && (access.value.is_some() || written(index)) {
-                    return false;
-                }
-            }
-            let meets = |end: &Access| {
-                let (other_base, other) = end.bytes();
                 base.may_share(bytes, other_base, &other)
             };
+            if self.accesses.iter().any(|access| (access.value.is_some() || written(index)) && meets(access)) {
+                return false;
+            }
             if self.copies.iter().any(|copied| meets(&copied.to) || written(index) && meets(&copied.from)) {
                 return false;
             }

@@ -154,6 +154,16 @@ impl Kernel {
         of == level && counts && self.turn(level).ends.get(&cell) == Some(&counter)
     }
 
+    /// Whether a value is the same in all turns of the outer loop.
+    pub(super) fn is_same_in_all_turns(&self, node: Node) -> bool {
+        self.line(node, Level::Outer).is_some_and(|line| line.is_same())
+    }
+
+    /// Whether a value is on a line as a number of 32 bits.
+    pub(super) fn is_on_line(&self, node: Node, level: Level) -> bool {
+        self.line(node, level).is_some_and(|line| line.bits == 32)
+    }
+
     /// The line of a cell, if it is what the cell held before plus a constant.
     pub(super) fn cell_line(&self, level: Level, cell: Cell) -> Option<Line> {
         let Some(&end) = self.turn(level).ends.get(&cell) else { return Some(Line::SAME) };

@@ -23,10 +23,7 @@ impl Kernel {
         if self.inner.is_some() || !self.copies.is_empty() {
             return;
         }
-        let is_other = |&(number, _): &(Node, u32)| {
-            let is_on_line = self.line(number, Level::Outer).is_some_and(|line| line.bits == 32);
-            !is_on_line && self.is_known_in_front(number)
-        };
+        let is_other = |&(number, _): &(Node, u32)| !self.is_on_line(number, Level::Outer) && self.is_known_in_front(number);
         let (others, required) = self.required.iter().partition(|required| is_other(required));
         (self.looked_at, self.required) = (others, required);
     }
@@ -60,12 +57,11 @@ impl Kernel {
 
     /// Whether what an access touches is nothing that another one has touched in a turn before.
     fn is_apart_in_later_turns(&self, later: &Access, earlier: &Access) -> bool {
-        let ((base, bytes), (other_base, others)) = (later.bytes(), earlier.bytes());
         // One step leads beyond it, and those behind it further.
         let steps_lead_beyond = |Distance { step, ahead, later, earlier }: Distance| {
             step > 0 && step + ahead >= earlier || step < 0 && step + ahead + later <= 0
         };
-        !base.may_share(&bytes, other_base, &others) || self.distances(later, earlier).into_iter().any(steps_lead_beyond)
+        !later.may_share(earlier) || self.distances(later, earlier).into_iter().any(steps_lead_beyond)
     }
 
     /// A loop that looks at these numbers, and the cell in which it counts those that are not below their limits.
@@ -73,20 +69,16 @@ impl Kernel {
         let mut looks = self.clone();
         let cell = Cell::numbered(u16::try_from(looks.cells.len()).ok()?);
         looks.cells.push(Kept::Beyond);
-        let mut node = |what: What| {
-            looks.nodes.push(what);
-            Node::numbered(looks.nodes.len() as u32 - 1)
-        };
-        let start = node(What::Start(Level::Outer, cell));
-        let [none, one] = [0, 1].map(|number| node(What::Constant(number)));
+        let start = looks.add(What::Start(Level::Outer, cell));
+        let [none, one] = [0, 1].map(|number| looks.add(What::Constant(number)));
         let mut beyond = none;
         for &(number, limit) in &self.looked_at {
-            let limit = node(What::Constant(limit.into()));
-            let is_below = node(What::Compute(Op::Below, [number, limit, number, number]));
-            let more = node(What::Compute(Op::Select, [is_below, none, one, is_below]));
-            beyond = if beyond == none { more } else { node(What::Compute(Op::AddU32, [beyond, more, beyond, beyond])) };
+            let limit = looks.add(What::Constant(limit.into()));
+            let is_below = looks.add(What::Compute(Op::Below, [number, limit, number, number]));
+            let more = looks.add(What::Compute(Op::Select, [is_below, none, one, is_below]));
+            beyond = if beyond == none { more } else { looks.add(What::Compute(Op::AddU32, [beyond, more, beyond, beyond])) };
         }
-        let count = node(What::Compute(Op::AddU32, [start, beyond, start, start]));
+        let count = looks.add(What::Compute(Op::AddU32, [start, beyond, start, start]));
         looks.outer.ends.retain(|&cell, _| self.cell_line(Level::Outer, cell).is_some());
         looks.outer.ends.insert(cell, count);
         (looks.looked_at, looks.required, looks.ways) = (Vec::new(), Vec::new(), Vec::new());

@@ -68,9 +68,8 @@ impl Kernel {
                 if access.value.is_none() && before.value.is_none() || ![number, other].iter().any(|number| gathered.contains_key(number)) {
                     continue;
                 }
-                let ((base, bytes), (other_base, others)) = (access.bytes(), before.bytes());
                 let reads_what_is_written_then = before.value.is_none() && access.goes_where(before);
-                if base.may_share(&bytes, other_base, &others) && !reads_what_is_written_then {
+                if access.may_share(before) && !reads_what_is_written_then {
                     return None;
                 }
             }

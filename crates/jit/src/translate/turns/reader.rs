@@ -98,7 +98,6 @@ fn read_as(translator: &mut Translator<'_>, it: &Loop, Reading { inside, one_way
         reader.translator.current[Register::Ar2 as usize] = Some(Val::Const(FIRST_BYTE));
     }
     let outer = reader.turn((it.first, it.last));
-
     reader.leave_frames(0);
     reader.translator.current[Register::Ar2 as usize] = pointer;
     reader.kernel.outer = outer?;
@@ -525,12 +524,7 @@ impl Reader<'_, '_> {
     }
 
     pub(super) fn node(&mut self, what: What) -> Node {
-        let next = Node::numbered(self.kernel.nodes.len() as u32);
-        let node = *self.numbers.entry(what).or_insert(next);
-        if node == next {
-            self.kernel.nodes.push(what);
-        }
-        node
+        *self.numbers.entry(what).or_insert_with(|| self.kernel.add(what))
     }
 
     pub(super) fn constant(&mut self, value: u64) -> Node {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use sieben_engine::ir::Op;
 
-use super::kernel::{Access, Kernel, Level, Node, Step, What};
+use super::kernel::{Access, Kernel, Node, Step, What};
 
 /// Larger loops are not written once more.
 const NODES_MAX: usize = 600;
@@ -86,13 +86,12 @@ impl Kernel {
 
     /// Whether all conditions that are looked at in front of the loop are the same in all turns.
     pub(super) fn settles_in_front(&self) -> bool {
-        self.settled.iter().all(|&(condition, _)| self.line(condition, Level::Outer).is_some_and(|line| line.is_same()))
+        self.settled.iter().all(|&(condition, _)| self.is_same_in_all_turns(condition))
     }
 
     /// Whether a condition can be looked at in front of the loop for all turns.
     fn is_settled_in_front(&self, node: Node) -> bool {
-        let is_same = self.line(node, Level::Outer).is_some_and(|line| line.is_same());
-        is_same && self.is_bit(node) && self.constant(node).is_none()
+        self.is_same_in_all_turns(node) && self.is_bit(node) && self.constant(node).is_none()
     }
 
     /// Makes a condition a constant, which is looked at in front of the loop.
@@ -100,8 +99,8 @@ impl Kernel {
         let what = self.what(condition);
         let place = condition.number() as usize;
         self.nodes[place] = What::Constant(u64::from(holds));
-        self.settled.push((Node::numbered(self.nodes.len() as u32), holds));
-        self.nodes.push(what);
+        let moved = self.add(what);
+        self.settled.push((moved, holds));
         // Conditions that were made of two stand behind all others.
         for _ in 0..2 {
             self.fold_constants();
@@ -199,8 +198,7 @@ mod tests {
         }
 
         fn node(&mut self, what: What) -> Node {
-            self.kernel.nodes.push(what);
-            Node::numbered(self.kernel.nodes.len() as u32 - 1)
+            self.kernel.add(what)
         }
 
         fn compute(&mut self, op: Op, [a, b, c]: [Node; 3]) -> Node {

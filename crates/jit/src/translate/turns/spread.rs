@@ -111,8 +111,7 @@ impl Kernel {
             }
             false => own,
         };
-        let ((base, bytes), (other_base, others)) = (own.bytes(), other.bytes());
-        base.may_share(&bytes, other_base, &others) && !self.stay_apart(own, other, -TURNS_MAX..=TURNS_MAX)
+        own.may_share(other) && !self.stay_apart(own, other, -TURNS_MAX..=TURNS_MAX)
     }
 
     /// Whether no turn writes what turns read with an access, and nobody needs it behind them: others may have written it then.

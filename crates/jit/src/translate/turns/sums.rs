@@ -44,18 +44,13 @@ impl Kernel {
             let before = self.nodes.len();
             match self.added(end, cell, narrow, STEPS_MAX) {
                 Some(Added::This(added)) if !self.rests_on(added, Level::Outer, cell) => {
-                    let start = self.made(What::Start(Level::Outer, cell));
-                    let sum = self.made(What::Compute(op, [start, added, start, start]));
+                    let start = self.add(What::Start(Level::Outer, cell));
+                    let sum = self.add(What::Compute(op, [start, added, start, start]));
                     self.outer.ends.insert(cell, sum);
                 }
                 _ => self.nodes.truncate(before),
             }
         }
-    }
-
-    fn made(&mut self, what: What) -> Node {
-        self.nodes.push(what);
-        Node::numbered(self.nodes.len() as u32 - 1)
     }
 
     /// What was added to what a cell held when the turn began, if a value is such a sum.
@@ -73,15 +68,15 @@ impl Kernel {
             };
             return Some(Added::This(match before {
                 Added::Nothing => more,
-                Added::This(before) => self.made(What::Compute(add, [before, more, before, before])),
+                Added::This(before) => self.add(What::Compute(add, [before, more, before, before])),
             }));
         }
         if op == subtract {
             let before = match self.added(a, cell, narrow, steps)? {
-                Added::Nothing => self.made(What::Constant(0)),
+                Added::Nothing => self.add(What::Constant(0)),
                 Added::This(before) => before,
             };
-            return Some(Added::This(self.made(What::Compute(subtract, [before, b, before, before]))));
+            return Some(Added::This(self.add(What::Compute(subtract, [before, b, before, before]))));
         }
         if op != Op::Select {
             return None;
@@ -89,13 +84,13 @@ impl Kernel {
         let [yes, no] = [self.added(b, cell, narrow, steps)?, self.added(c, cell, narrow, steps)?];
         Some(Added::This(match (yes, no) {
             (Added::Nothing, Added::Nothing) => return Some(Added::Nothing),
-            (Added::This(yes), Added::Nothing) => self.made(What::Compute(Op::Gate, [yes, a, yes, yes])),
+            (Added::This(yes), Added::Nothing) => self.add(What::Compute(Op::Gate, [yes, a, yes, yes])),
             (yes, no) => {
                 let [yes, no] = [yes, no].map(|added| match added {
-                    Added::Nothing => self.made(What::Constant(0)),
+                    Added::Nothing => self.add(What::Constant(0)),
                     Added::This(added) => added,
                 });
-                self.made(What::Compute(Op::Select, [a, yes, no, a]))
+                self.add(What::Compute(Op::Select, [a, yes, no, a]))
             }
         }))
     }

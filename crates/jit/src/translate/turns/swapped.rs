@@ -11,7 +11,7 @@ use sieben_model::address::Width;
 
 use super::super::loops::Loop;
 use super::super::value::Val;
-use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Step, Turn, What};
+use super::kernel::{Cell, Kept, Kernel, Level, Node, Step, Turn, What};
 use super::line::Carried;
 use super::write::Writing;
 use super::{InnerTurns, Plan, Writes, count};
@@ -72,7 +72,6 @@ impl Kernel {
     /// The same turns in another order: all of the outer loop for one turn of the inner one, then those for the next.
     fn swapped(&self) -> Option<(Self, Of<Node>, Of<End>)> {
         let inner = self.inner.as_ref()?;
-        let is_same = |node: Node| self.line(node, Level::Outer).is_some_and(|line| line.is_same());
         let copies = self.outer.steps.iter().chain(&inner.steps).any(|step| matches!(step, Step::Copy(_)));
         let elements = self.elements_of_all_turns(inner).filter(|_| !copies)?;
         let mut kernel = Self { lines: RefCell::default(), shapes: RefCell::default(), ..self.clone() };
@@ -86,7 +85,7 @@ impl Kernel {
             match carried {
                 Carried::Line(_) => {
                     let entry = *inner.entry.get(&cell)?;
-                    if !is_same(entry) {
+                    if !self.is_same_in_all_turns(entry) {
                         return None;
                     }
                     starts.push((cell, entry));
@@ -164,30 +163,20 @@ impl Kernel {
         kernel.needs_no_order(self, &counters).then_some((kernel, starts, ends))
     }
 
-    fn add(&mut self, what: What) -> Node {
-        self.nodes.push(what);
-        Node::numbered(self.nodes.len() as u32 - 1)
-    }
-
     /// The elements that each turn of the outer loop reads and writes again, by their two accesses; `None` if anything else is written, or
     /// somebody else may read them.
     fn elements_of_all_turns(&self, inner: &Turn) -> Option<Vec<(usize, usize)>> {
-        let is_same = |node: Node| self.line(node, Level::Outer).is_some_and(|line| line.is_same());
         let mut elements = Vec::new();
         for (write, access) in self.accesses.iter().enumerate().filter(|(_, access)| access.value.is_some()) {
-            if access.level == Level::Outer || access.width == Width::Bit || !is_same(access.pointer) {
+            if access.level == Level::Outer || access.width == Width::Bit || !self.is_same_in_all_turns(access.pointer) {
                 return None;
             }
             let others = (0..self.accesses.len()).filter(|&other| other != write);
             let (same, others): (Vec<usize>, Vec<usize>) = others.partition(|&other| access.is_same(&self.accesses[other]));
-            let meets = |other: &Access| {
-                let ((base, bytes), (other_base, others)) = (access.bytes(), other.bytes());
-                base.may_share(&bytes, other_base, &others)
-            };
             let &[read] = same.as_slice() else { return None };
             let is_first = |number: &usize| inner.steps.iter().position(|step| *step == Step::Access(*number));
             let follows = is_first(&read).is_some_and(|read| is_first(&write).is_some_and(|write| read < write));
-            if !follows || self.accesses[read].value.is_some() || others.iter().any(|&other| meets(&self.accesses[other])) {
+            if !follows || self.accesses[read].value.is_some() || others.iter().any(|&other| access.may_share(&self.accesses[other])) {
                 return None;
             }
             elements.push((read, write));

@@ -7,13 +7,11 @@ use sieben_model::address::Width;
 
 use super::super::memory::{Address, Bit, moved};
 use super::super::moves::MOVED_BYTES_MAX;
+use super::super::numbers::COPIED_BYTES_MAX;
 use super::super::ranges::Bytes;
 use super::kernel::{Access, Copied, Kernel, Level, Node, Part, Step};
 use super::reader::{Goes, Reader};
 use super::write::Writing;
-
-/// Bytes of a copy that stays in registers until it is copied again.
-const KEPT_BYTES_MAX: u32 = 96;
 
 impl Reader<'_, '_> {
     /// Reads a copy of bytes that is made as a whole.
@@ -125,12 +123,8 @@ impl Writing<'_, '_, '_> {
             let pieces = known.iter().find(is_it).map(|(_, pieces)| pieces.clone());
             let pieces = pieces.unwrap_or_else(|| self.t.pieces(from, copied.bytes));
             self.t.write_pieces(to, &pieces);
-            let (base, bytes) = copied.to.bytes();
-            known.retain(|(earlier, _)| {
-                let (other, others) = earlier.to.bytes();
-                !base.may_share(&bytes, other, &others)
-            });
-            if copied.bytes <= KEPT_BYTES_MAX {
+            known.retain(|(earlier, _)| !copied.to.may_share(&earlier.to));
+            if copied.bytes <= COPIED_BYTES_MAX {
                 known.push((copied, pieces));
             }
         }
