@@ -230,10 +230,18 @@ impl Translator<'_> {
         let divisor = self.b.ins().select(up, step, one);
         let way = self.b.ins().isub(limit, first);
         let way = if bits.inclusive { way } else { self.b.ins().iadd_imm_s(way, -1) };
+        let [enter, go_on, leave] = [self.b.create_block(), self.b.create_block(), self.b.create_block()];
         let steps = match bits.stride {
             Stride::One => way,
-            // Where there is a way, both are above 0 and fit into 32 bits, in which a division takes half the time.
+            // Where there is a way, both are above 0 and fit into 32 bits, in which a division takes half the time. It is left out where few
+            // turns are left, as behind most of the primes of a sieve.
             Stride::Computed(_) => {
+                let least = self.b.ins().imul_imm_s(step, CROSSED_MIN - 1);
+                let pays = self.b.ins().icmp(IntCC::SignedGreaterThanOrEqual, way, least);
+                let divide = self.b.create_block();
+                self.b.ins().brif(pays, divide, &[], go_on, &[]);
+                self.b.switch_to_block(divide);
+                self.b.seal_block(divide);
                 let [way, divisor] = [way, divisor].map(|number| self.b.ins().ireduce(I32, number));
                 let steps = self.b.ins().udiv(way, divisor);
                 self.b.ins().uextend(I64, steps)
@@ -267,7 +275,6 @@ impl Translator<'_> {
             let below = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, last, i64::from(limit));
             guard = self.b.ins().band(guard, below);
         }
-        let [enter, go_on, leave] = [self.b.create_block(), self.b.create_block(), self.b.create_block()];
         self.b.ins().brif(guard, enter, &[], go_on, &[]);
         self.b.switch_to_block(enter);
         self.b.seal_block(enter);

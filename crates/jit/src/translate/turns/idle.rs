@@ -7,11 +7,11 @@ use std::collections::HashMap;
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I8, I8X16, I32, I64};
 use cranelift_codegen::ir::{self as clif, BlockArg, Endianness, InstBuilder, MemFlagsData, Value};
-use sieben_engine::ir::Op;
+use sieben_engine::ir::{Inst, Op, Target};
 use sieben_model::address::Width;
 
 use super::super::Translator;
-use super::super::loops::Loop;
+use super::super::loops::{Loop, written};
 use super::super::promote::Base;
 use super::super::value::Val;
 use super::bits::{self, Condition, Type};
@@ -85,6 +85,8 @@ pub(in super::super) struct Idle {
     lines: Vec<(Cell, Line)>,
     /// Those that hold the same behind each of them.
     same: Vec<(Cell, u64)>,
+    /// Where other turns go on, if their first statement does nothing but look.
+    others: Option<u32>,
 }
 
 /// Where the first turn looks: the address, and the number of the bit in the byte that lies there.
@@ -125,7 +127,7 @@ impl Idle {
         if !fits || kernel.cells.iter().any(|kept| !matches!(kept, Kept::Register(_) | Kept::Memory { .. })) {
             return None;
         }
-        Some(Self { looks, first, counter, again, lines, same, kernel })
+        Some(Self { looks, first, counter, again, lines, same, others: None, kernel })
     }
 }
 
@@ -231,10 +233,26 @@ impl Translator<'_> {
             }
             // Of less jumps than there are bits it is read but once.
             let is_new = ways == 0 || ways.ilog2() < kernel.ways.len() as u32;
-            is_new.then(|| Idle::of(kernel, it.first)).flatten()
+            let idle = if is_new { Idle::of(kernel, it.first) } else { None }?;
+            let others = if ways == 0 { self.others_go_on(&idle, it) } else { None };
+            Some(Idle { others, ..idle })
         })?;
         self.pinned.extend(&idle.kernel.opened);
         Some(idle)
+    }
+
+    /// The second statement, if the first one only looks, and jumps over what turns do that do something.
+    fn others_go_on(&self, idle: &Idle, it: &Loop) -> Option<u32> {
+        let code = &self.native().code;
+        let [looks @ .., Inst::Branch { to: Target(behind), .. }] = code.statement(it.first as usize) else { return None };
+        let only_looks = looks.iter().all(|inst| matches!(inst, Inst::Constant { .. } | Inst::Compute { .. } | Inst::Load { .. }));
+        let next = it.first + 1;
+        let is_needed = looks.iter().any(|inst| written(inst) & !self.dead_at(next) != 0);
+        let is_ahead = (next..=it.last).contains(behind);
+        // Else the jump may be that of another statement.
+        let has_others = || (*behind..it.last).any(|at| code.statement(at as usize).iter().any(|inst| matches!(inst, Inst::Branch { .. })));
+        let is_sure = idle.kernel.required.is_empty() && idle.kernel.accesses.iter().all(|access| access.inside.is_some() && access.sure);
+        (only_looks && !is_needed && is_ahead && is_sure && idle.kernel.ways.len() == 1 && !has_others()).then_some(next)
     }
 
     /// Looks at some turns all over a loop that can be done at once: where few of them do something, the way goes on in the block that is
@@ -306,13 +324,14 @@ impl Translator<'_> {
         // A jump costs nothing where most turns do something, and the next one need not wait for what was seen.
         let pass = self.b.create_block();
         let does = self.b.ins().band_imm_u(seen, (1 << looks.bits()) - 1);
-        self.b.ins().brif(does, go_on, &[], pass, &[]);
+        let others = idle.others.map_or(go_on, |others| self.edge(others));
+        self.b.ins().brif(does, others, &[], pass, &[]);
         self.b.switch_to_block(pass);
         self.b.seal_block(pass);
         let most = self.most_idle_turns(idle, &positions);
         let bits = self.b.ins().ctz(seen);
-        let turns = self.b.ins().ushr_imm_u(bits, i64::from(looks.bits().trailing_zeros()));
-        let turns = self.b.ins().smin(turns, most);
+        let turns_to_next = self.b.ins().ushr_imm_u(bits, i64::from(looks.bits().trailing_zeros()));
+        let turns = self.b.ins().smin(turns_to_next, most);
         let cells: Vec<(Cell, Val)> = idle.lines.iter().map(|&(cell, _)| (cell, self.cell_before(kernel, cell))).collect();
         for (&(_, line), (cell, before)) in idle.lines.iter().zip(cells) {
             let value = self.behind(before, line, turns);
@@ -332,7 +351,16 @@ impl Translator<'_> {
         let taken = self.b.ins().imul_imm_s(turns, weight);
         let left = self.b.ins().isub(budget, taken);
         self.b.def_var(variable, left);
-        self.b.ins().jump(go_on, &[]);
+        match idle.others {
+            Some(others) => {
+                let is_found = self.b.ins().icmp(IntCC::SignedLessThan, turns_to_next, most);
+                let others = self.edge(others);
+                self.b.ins().brif(is_found, others, &[], go_on, &[]);
+            }
+            None => {
+                self.b.ins().jump(go_on, &[]);
+            }
+        }
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
         self.know_memory(known);
