@@ -245,7 +245,9 @@ impl Translator<'_> {
     fn others_go_on(&self, idle: &Idle, it: &Loop) -> Option<u32> {
         let code = &self.native().code;
         let [looks @ .., Inst::Branch { to: Target(behind), .. }] = code.statement(it.first as usize) else { return None };
-        let only_looks = looks.iter().all(|inst| matches!(inst, Inst::Constant { .. } | Inst::Compute { .. } | Inst::Load { .. }));
+        // What is required is met by a turn that is seen.
+        let only_looks = |inst: &Inst| matches!(inst, Inst::Constant { .. } | Inst::Compute { .. } | Inst::Load { .. } | Inst::Require { .. });
+        let only_looks = looks.iter().all(only_looks);
         let next = it.first + 1;
         let is_needed = looks.iter().any(|inst| written(inst) & !self.dead_at(next) != 0);
         let is_ahead = (next..=it.last).contains(behind);
