@@ -8,6 +8,7 @@ use dice::Dice;
 use noting::{all_engines_agree, layout_with, program, run};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::machine::Register;
 use sieben_engine::{Engine, Entry, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
@@ -499,7 +500,18 @@ fn loops_that_seldom_do_something_do_the_same_on_all_engines() {
 }
 
 /// A loop over bits from a number on, with statements that a turn makes whose bit is set and others that each turn makes.
-fn over_bits(b: &mut Builder, (first, below): (u64, u64), some: &[&dyn Fn(&mut Builder)], all: &[&dyn Fn(&mut Builder)]) {
+fn over_bits(b: &mut Builder, from: (u64, u64), some: &[&dyn Fn(&mut Builder)], all: &[&dyn Fn(&mut Builder)]) {
+    over_bits_and_note(b, from, &|_| (), some, all);
+}
+
+/// The same, and something else is done where each bit is looked at.
+fn over_bits_and_note(
+    b: &mut Builder,
+    (first, below): (u64, u64),
+    note: &dyn Fn(&mut Builder),
+    some: &[&dyn Fn(&mut Builder)],
+    all: &[&dyn Fn(&mut Builder)],
+) {
     let at = |byte: u32| Place::Fixed { area: Area::BitMemory, position: 8 * byte };
     b.begin_statement();
     let number = b.constant(1);
@@ -511,6 +523,7 @@ fn over_bits(b: &mut Builder, (first, below): (u64, u64), some: &[&dyn Fn(&mut B
     let (index, limit) = (load(b, at(COUNTER), Width::DoubleWord), b.constant(below));
     let inside = b.compute(Op::Below, &[index, limit]);
     b.push(Inst::Require { condition: inside, code: NOTED | 0x22, register: index });
+    note(b);
     let index = b.compute(Op::Gate, &[index, inside]);
     let bit = load(b, Place::Indirect { area: Area::SharedData, pointer: index, offset: 0 }, Width::Bit);
     let condition = b.compute(Op::Not, &[bit]);
@@ -592,6 +605,31 @@ fn what_each_turn_writes_is_not_written_where_none_was_passed() {
     // Beyond its limit an index counts as 0, which is the only one whose bit is set.
     compare(&|b| over_bits(b, (25, 20), &[&adds], &[&writes]), 100_000, 1000);
     compare(&|b| over_bits(b, (0, 20), &[&adds], &[&writes]), 100_000, 1000);
+}
+
+#[test]
+fn what_is_noted_where_a_turn_looks_is_there_where_it_does_something() {
+    let at = |byte: u32| Place::Fixed { area: Area::BitMemory, position: 8 * byte };
+    let notes = |b: &mut Builder| b.set(Register::Accu1, 5);
+    // Such turns are not done at once.
+    let lists = |b: &mut Builder| {
+        let (found, more) = (load(b, at(FOUND), Width::DoubleWord), b.constant(1));
+        let next = b.compute(Op::AddU32, &[found, more]);
+        let limit = b.constant(u64::from(LIST_BYTES) / 4);
+        let inside = b.compute(Op::Below, &[next, limit]);
+        b.push(Inst::Require { condition: inside, code: NOTED | 0x23, register: next });
+        let (index, five) = (b.compute(Op::Gate, &[next, inside]), b.constant(5));
+        let pointer = b.compute(Op::Shl32, &[index, five]);
+        let list = Place::Indirect { area: Area::SharedData, pointer, offset: 8 * BITS_BYTES };
+        let before = load(b, list, Width::DoubleWord);
+        let sum = b.compute(Op::AddU32, &[before, Register::Accu1.into()]);
+        b.store(list, Width::DoubleWord, sum);
+        b.store(at(FOUND), Width::DoubleWord, index);
+        b.set(Register::Accu1, 9);
+    };
+    for every in [1, 2, 19, 58, 390] {
+        compare(&|b| over_bits_and_note(b, (1, 400), &notes, &[&lists], &[]), 100_000, every);
+    }
 }
 
 #[test]
