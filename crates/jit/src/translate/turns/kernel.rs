@@ -200,7 +200,7 @@ pub(super) struct Kernel {
     pub(super) required_inside: Vec<(Node, u32)>,
     /// Conditions that are the same in all turns, and whether they have to hold.
     pub(super) settled: Vec<(Node, bool)>,
-    /// Least and greatest value of numbers that are divided by constants and never negative.
+    /// Least and greatest value of numbers that are divided by constants and never negative, and of those that are looked at.
     pub(super) bounds: BTreeMap<Node, (u32, u32)>,
     /// Bytes of the arena.
     pub(super) size: usize,

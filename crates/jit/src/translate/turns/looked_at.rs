@@ -26,6 +26,9 @@ impl Kernel {
         let is_other = |&(number, _): &(Node, u32)| !self.is_on_line(number, Level::Outer) && self.is_known_in_front(number);
         let (others, required) = self.required.iter().partition(|required| is_other(required));
         (self.looked_at, self.required) = (others, required);
+        for &(number, limit) in &self.looked_at {
+            self.bounds.entry(number).or_insert((0, limit - 1));
+        }
     }
 
     /// Whether a number of each turn can be made in front of the loop.
@@ -73,6 +76,7 @@ impl Kernel {
         let [none, one] = [0, 1].map(|number| looks.add(What::Constant(number)));
         let mut beyond = none;
         for &(number, limit) in &self.looked_at {
+            looks.bounds.remove(&number);
             let limit = looks.add(What::Constant(limit.into()));
             let is_below = looks.add(What::Compute(Op::Below, [number, limit, number, number]));
             let more = looks.add(What::Compute(Op::Select, [is_below, none, one, is_below]));
