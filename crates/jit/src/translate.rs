@@ -239,6 +239,8 @@ struct Translator<'a> {
     divided: FxHashSet<Value>,
     /// Values in the running statement that the smallest loop around it does not change.
     fixed: FxHashSet<Value>,
+    /// Whether turns of a loop are being written that are done at once, one after the other.
+    in_turns: bool,
     /// What loops write, by their block and first statement.
     writes: FxHashMap<(usize, u32), BTreeSet<(Base, i32)>>,
     /// Blocks in which memory is compared with what the code relies on, by the block in front of which they stand.
@@ -368,6 +370,7 @@ impl<'a> Translator<'a> {
             rests: FxHashMap::default(),
             divided: FxHashSet::default(),
             fixed: FxHashSet::default(),
+            in_turns: false,
             writes: FxHashMap::default(),
             verifying: FxHashMap::default(),
             verify_later: Vec::new(),

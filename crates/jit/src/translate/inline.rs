@@ -475,6 +475,10 @@ impl Translator<'_> {
             },
             _ => None,
         };
+        if self.is_product(value) {
+            let turned = self.b.ins().rotl_imm(value, 16);
+            return self.b.ins().sshr_imm_u(turned, 16);
+        }
         let low = read.unwrap_or_else(|| self.b.ins().ireduce(I16, value));
         self.b.ins().sextend(I32, low)
     }

@@ -489,6 +489,12 @@ impl Translator<'_> {
                     Val::Const(value) => self.b.ins().iconst(I16, i64::from((value as u16).swap_bytes())),
                     value => {
                         let value = self.int(value);
+                        if self.is_product(value) {
+                            let turned = self.b.ins().bswap(value);
+                            let word = self.b.ins().ushr_imm_u(turned, 16);
+                            self.b.ins().istore16(data(), word, base, offset);
+                            return;
+                        }
                         self.as_read(value, I16).unwrap_or_else(|| {
                             let word = self.b.ins().ireduce(I16, value);
                             self.b.ins().bswap(word)

@@ -10,6 +10,9 @@ use super::inline::count;
 use super::quotients::factor_f64;
 use super::{Translator, value::Val};
 
+/// How many operations behind a product are followed.
+const PRODUCT_DEPTH_MAX: u32 = 6;
+
 /// What is computed with two numbers of one size.
 #[derive(Clone, Copy)]
 enum Two {
@@ -260,12 +263,48 @@ impl Translator<'_> {
         }
     }
 
+    /// The low 16 bits of a number.
+    pub(super) fn low_word(&mut self, value: Value) -> Value {
+        if self.is_product(value) {
+            let turned = self.b.ins().rotl_imm(value, 16);
+            let low = self.b.ins().ushr_imm_u(turned, 16);
+            return self.b.ins().ireduce(I16, low);
+        }
+        self.b.ins().ireduce(I16, value)
+    }
+
+    /// Whether a number of 32 bits is made of a product with a constant, in a loop whose turns are written one after the other. Cut to 16
+    /// bits it would be multiplied in a register whose upper half has to be known: that of another variable, which the turn before has to
+    /// end with.
+    pub(super) fn is_product(&self, value: Value) -> bool {
+        self.in_turns && self.has_product(value, PRODUCT_DEPTH_MAX)
+    }
+
+    fn has_product(&self, value: Value, depth: u32) -> bool {
+        let dfg = &self.b.func.dfg;
+        let ValueDef::Result(inst, 0) = dfg.value_def(dfg.resolve_aliases(value)) else { return false };
+        let has = |value: Value| depth > 0 && self.has_product(value, depth - 1);
+        match dfg.insts[inst] {
+            InstructionData::Binary { opcode: Opcode::Imul, args: [a, b] } => {
+                let factor = self.iconst(b).or_else(|| self.iconst(a));
+                factor.is_some_and(|factor| !factor.is_power_of_two()) || has(a) || has(b)
+            }
+            InstructionData::Binary { opcode: Opcode::Iadd | Opcode::Isub | Opcode::Band | Opcode::Bor | Opcode::Bxor, args: [a, b] } => {
+                has(a) || has(b)
+            }
+            InstructionData::Unary { opcode: Opcode::Ineg | Opcode::Bnot | Opcode::Uextend | Opcode::Sextend | Opcode::Ireduce, arg } => {
+                has(arg)
+            }
+            _ => false,
+        }
+    }
+
     fn wrapped(&mut self, two: Two, bits: u32, a: Val, b: Val) -> Val {
         if bits == 16 {
             // In 16 bits a chain of operations cuts nothing off in between.
             let [a, b] = [a, b].map(|value| {
                 let value = self.int(value);
-                self.b.ins().ireduce(I16, value)
+                self.low_word(value)
             });
             let result = self.two(two, a, b);
             let result = self.b.ins().uextend(I32, result);

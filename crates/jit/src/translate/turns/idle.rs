@@ -246,7 +246,8 @@ impl Translator<'_> {
         let code = &self.native().code;
         let [looks @ .., Inst::Branch { to: Target(behind), .. }] = code.statement(it.first as usize) else { return None };
         // What is required is met by a turn that is seen.
-        let only_looks = |inst: &Inst| matches!(inst, Inst::Constant { .. } | Inst::Compute { .. } | Inst::Load { .. } | Inst::Require { .. });
+        let only_looks =
+            |inst: &Inst| matches!(inst, Inst::Constant { .. } | Inst::Compute { .. } | Inst::Load { .. } | Inst::Require { .. });
         let only_looks = looks.iter().all(only_looks);
         let next = it.first + 1;
         let is_needed = looks.iter().any(|inst| written(inst) & !self.dead_at(next) != 0);

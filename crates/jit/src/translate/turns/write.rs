@@ -398,6 +398,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             };
             if level == Level::Outer {
                 self.progress = Some((turns, progress));
+                self.t.in_turns = self.lanes == 1;
             }
             self.begin(level, &handed, &now[others..]);
             // What is written to one structure is written at the end of a turn.
@@ -437,6 +438,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             }
             self.write_records();
             self.leave(level, progress, true);
+            if level == Level::Outer {
+                self.t.in_turns = false;
+            }
             let mut next = match counting {
                 Some(_) => Vec::new(),
                 None => vec![self.t.b.ins().iadd_imm_s(now[0], -i64::from(step))],
