@@ -142,6 +142,8 @@ fn statements(b: &mut Builder, dice: &mut Dice) {
         };
         let (mut to, mut to_room) = text(b, dice);
         let (mut from, mut from_room) = match last {
+            // Some say themselves how much room they have.
+            Some((place, _)) if dice.roll(8) == 0 => (place, TextRoom::narrow(0)),
             Some(last) if dice.roll(2) == 0 => last,
             _ if dice.roll(3) == 0 => literal(b, dice),
             _ => text(b, dice),
@@ -150,13 +152,32 @@ fn statements(b: &mut Builder, dice: &mut Dice) {
             // Characters of a text in a literal.
             ((to, to_room), (from, from_room)) = ((from, from_room), (to, to_room));
         }
+        if dice.roll(10) == 0 {
+            // A text that becomes a piece of itself, or grows by one.
+            (to, to_room) = (from, from_room);
+        }
         if action == TextAction::Number {
             to_room = TextRoom::NUMBER;
         }
         let mut piece = number(b, dice, action);
         if action == TextAction::Piece && dice.roll(3) == 0 {
-            let one = b.constant(dice.of(&[1, 1, 1, 0xFFFF]));
-            piece[1] = b.compute(dice.of(&[Op::Copy, Op::Extend16]), &[one]);
+            let some = b.constant(dice.of(&[1, 1, 1, 0xFFFF, 2, 3, 7, 8]));
+            piece[1] = b.compute(dice.of(&[Op::Copy, Op::Extend16]), &[some]);
+            if dice.roll(3) == 0 {
+                let condition = match dice.roll(3) {
+                    0 => b.constant(dice.roll(2)),
+                    _ => b.load(at(Area::BitMemory, NUMBERS + 3), Width::Bit, OnFault::SkipStatement),
+                };
+                piece[1] = b.compute(Op::Gate, &[piece[1], condition]);
+            }
+            if dice.roll(3) == 0 {
+                // A number that is known not to be negative.
+                let few = b.constant(15);
+                piece[0] = b.compute(Op::AndU32, &[piece[0], few]);
+            }
+        }
+        if action == TextAction::Append && (to, to_room) == (from, from_room) && dice.roll(2) == 0 {
+            piece[0] = b.constant(0);
         }
         last = matches!((action, to), (TextAction::Assign | TextAction::Piece | TextAction::Append, Place::Fixed { .. }))
             .then_some((to, to_room));
@@ -165,8 +186,15 @@ fn statements(b: &mut Builder, dice: &mut Dice) {
         let result = at(Area::BitMemory, RESULTS + 4 * statement as u32);
         if action == TextAction::Compare && dice.roll(2) == 0 {
             let zero = b.constant(0);
-            let same = b.compute(dice.of(&[Op::Equal, Op::Differ]), &[dst, zero]);
-            b.store(result, Width::Bit, same);
+            let compared = if dice.roll(3) == 0 { [zero, dst] } else { [dst, zero] };
+            let op = dice.of(&[Op::Equal, Op::Differ, Op::LtI32, Op::LeI32, Op::GtI32, Op::GeI32]);
+            let holds = b.compute(op, &compared);
+            b.store(result, Width::Bit, holds);
+            if dice.roll(6) == 0 {
+                // Not only its sign counts.
+                let more = b.compute(Op::AddU32, &[dst, zero]);
+                b.store(at(Area::BitMemory, RESULTS + 4 * statement as u32), Width::DoubleWord, more);
+            }
         } else {
             b.store(result, Width::DoubleWord, dst);
         }

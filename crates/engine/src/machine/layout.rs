@@ -13,6 +13,9 @@ use crate::program::Program;
 /// Bytes for data blocks created at run time.
 pub const RESERVE: usize = 64 * 1024;
 
+/// Bytes behind the data blocks: as many as a STRING may have, so that one may be read as a whole wherever it begins, and a word behind it.
+const BEHIND: usize = 2 + u8::MAX as usize + 8;
+
 /// Numbers of the system functions that create data blocks: CREAT_DB and CREA_DB.
 pub const CREATE_DATA_BLOCKS: [u16; 2] = [22, 85];
 
@@ -85,6 +88,7 @@ impl Layout {
         place(0, at_data);
         let mut take = |bytes: usize| place(bytes, None);
         let data_blocks = program.data.iter().filter(|(_, db)| !db.unlinked).map(|(&number, db)| (number, take(db.image.len()))).collect();
+        take(BEHIND);
         let reserve = take(if creates_data_blocks(program) { RESERVE } else { 0 }).start;
         let read_only = program.data.values().filter(|db| db.read_only).map(|db| db.number).collect();
         Self {

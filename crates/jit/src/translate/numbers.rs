@@ -11,6 +11,7 @@ use sieben_model::address::Width;
 use super::Translator;
 use super::memory::Address;
 use super::promote::Base;
+use super::text_order::WORD;
 use super::texts::Whole;
 use super::value::Val;
 
@@ -46,6 +47,21 @@ pub(super) struct Characters {
     pub(super) length: Value,
     /// The only one, in 32 bits, if there is never more than one; anything if there is none.
     pub(super) only: Option<Value>,
+    /// All of them, the first one in the lowest byte, with 0 behind, if there are never more than eight.
+    pub(super) word: Option<Value>,
+}
+
+impl Characters {
+    /// How many characters, if not more.
+    pub(super) fn some(length: Value) -> Self {
+        Self { length, only: None, word: None }
+    }
+
+    /// The bytes of a text that say so.
+    fn bytes(&self, room: TextRoom) -> u32 {
+        let characters = if self.word.is_some() { WORD } else { u32::from(self.only.is_some()) };
+        room.head() + characters.min(room.characters_max.into())
+    }
 }
 
 impl Numbers {
@@ -65,8 +81,7 @@ impl Numbers {
         });
         self.1.retain(|&(own, at, room, characters)| {
             let at = i64::from(at);
-            let known = room.head() + characters.only.map_or(0, |_| 1);
-            !own.may_share(&(at..at + i64::from(known)), base, &bytes)
+            !own.may_share(&(at..at + i64::from(characters.bytes(room))), base, &bytes)
         });
         self.2.retain(|copied| {
             let at = i64::from(copied.offset);

@@ -13,12 +13,12 @@ use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
 use cranelift_frontend::Variable;
 use sieben_engine::access::data_registers;
 use sieben_engine::intrinsics::Intrinsic;
-use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, TextRoom, Var};
+use sieben_engine::ir::{Callee, Code, DataRegister, Inst, Op, Place, TextRoom, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-use super::loops::Loop;
+use super::loops::{Loop, targets};
 use super::memory::{Address, Bit, moved};
 use super::ranges;
 use super::value::Val;
@@ -153,6 +153,12 @@ fn computes_reals(op: Op) -> bool {
     reals || doubles || matches!(op, Op::MinF32 | Op::MaxF32 | Op::MinF64 | Op::MaxF64)
 }
 
+/// Whether a block jumps back.
+fn has_loop(code: &Code) -> bool {
+    (0..code.statement_count())
+        .any(|statement| code.statement(statement).iter().flat_map(|inst| targets(code, inst)).any(|to| to as usize <= statement))
+}
+
 impl Translator<'_> {
     /// What is kept in registers at the running statement.
     fn kept(&self) -> Vec<Promoted> {
@@ -244,7 +250,12 @@ impl Translator<'_> {
                     let statements = || (0..block.statement_count()).map(|statement| block.statement(statement));
                     let by_pointers = ranges::pointers(block, &|_| false).is_some();
                     let written = if by_pointers { Written::BlockByPointers } else { Written::Block };
-                    depth > 0 && self.inlines(called as usize) && statements().all(|insts| self.keeps_over(insts, written, depth - 1))
+                    // What texts may reach is stored for each of them: that is not worth while in an inner loop.
+                    let repeats_texts = block.insts.iter().any(|inst| matches!(inst, Inst::Text { .. })) && has_loop(block);
+                    depth > 0
+                        && !repeats_texts
+                        && self.inlines(called as usize)
+                        && statements().all(|insts| self.keeps_over(insts, written, depth - 1))
                 }),
                 Inst::Call { .. } => false,
                 Inst::Parameter { dst, .. } => {
@@ -258,7 +269,7 @@ impl Translator<'_> {
                 Inst::PassParameter { src } => constants.contains(&src.0),
                 Inst::Load { place, .. } | Inst::Store { place, .. } if inlined => is_said(place),
                 Inst::Intrinsic { intrinsic: Intrinsic::Clock, .. } => true,
-                Inst::Move { .. } | Inst::Text { .. } | Inst::Intrinsic { .. } | Inst::Open { .. } => !inlined,
+                Inst::Move { .. } | Inst::Intrinsic { .. } | Inst::Open { .. } => !inlined,
                 _ => true,
             }
         })
@@ -302,8 +313,8 @@ impl Translator<'_> {
                     Inst::Load { place, width, .. } => (place, width, false),
                     Inst::Store { place, width, .. } => (place, width, true),
                     Inst::Text { action, to, to_room, from, from_room, .. } => {
-                        let written = action.writes().then(|| self.touched_text(index, (to, true), to_room).unwrap_or(Touched::Anything));
-                        others.extend(written);
+                        let target = self.touched_text(index, (to, true), to_room);
+                        others.extend(if action.writes() { Some(target.unwrap_or(Touched::Anything)) } else { target });
                         others.extend(self.touched_text(index, (from, false), from_room));
                         continue;
                     }

@@ -13,16 +13,24 @@ use super::Translator;
 use super::memory::{Address, Bit, data};
 use super::numbers::Characters;
 use super::outside::Outside;
+use super::promote::Base;
+use super::text_order::WORD;
 use super::texts::Whole;
 use super::value::Val;
 use crate::ask::Question;
 
 /// Characters that are worked on without a call.
 pub(super) const CHARACTERS_MAX: u32 = 32;
+/// The same where they are only copied.
+const COPIED_MAX: u32 = 64;
 /// Characters that one store writes.
 const BLOCK: u32 = 16;
 /// Values that two overlapping loads cover: twice as many bytes at most. The largest first.
 pub(super) const PAIRS: [Type; 4] = [I8X16, I64, I32, I16];
+
+/// Operations that ask whether a number is 0, and those that ask for its sign.
+const EQUALITY: &[Op] = &[Op::Equal, Op::Differ];
+const SIGN: &[Op] = &[Op::Equal, Op::Differ, Op::LtI32, Op::LeI32, Op::GtI32, Op::GeI32];
 
 /// What an instruction that is written out leaves.
 pub(super) struct Written {
@@ -58,7 +66,7 @@ impl Translator<'_> {
         };
         let most = self.room(text);
         let length = self.fewer(length, most);
-        self.remember_characters(text, Characters { length, only: None });
+        self.remember_characters(text, Characters::some(length));
         length
     }
 
@@ -104,12 +112,13 @@ impl Translator<'_> {
         self.b.ins().select(more, b, a)
     }
 
-    /// A number that counts as 0 if it is negative, and at most so many.
-    fn within(&mut self, value: Value, most: Value) -> Value {
+    /// A number that counts as 0 if it is negative.
+    fn not_negative(&mut self, value: Value) -> Value {
+        if self.bounds.get(&value).is_some_and(|&(_, most)| most <= i32::MAX as u32) {
+            return value;
+        }
         let zero = self.constant(0);
-        let some = self.b.ins().icmp(IntCC::SignedGreaterThan, value, zero);
-        let value = self.b.ins().select(some, value, zero);
-        self.fewer(value, most)
+        self.b.ins().smax(value, zero)
     }
 
     /// The result of an instruction on STRINGs, if it is one that is written out here.
@@ -127,18 +136,21 @@ impl Translator<'_> {
             TextAction::Assign if from.empty => {
                 let (room, none) = (self.room(to), self.constant(0));
                 self.store_lengths(to, room, none);
-                Some(Written { result: none, characters: Some(Characters { length: none, only: Some(none) }) })
+                Some(Written { result: none, characters: Some(Characters { only: Some(none), ..Characters::some(none) }) })
             }
             TextAction::Assign | TextAction::Piece | TextAction::Append => Some(self.put((index, action), to, from, piece)),
             TextAction::Unsigned | TextAction::Signed | TextAction::SignedAlways => {
                 let result = self.put_digits(action, to, word)?;
                 let room = self.room(to);
                 let length = self.fewer(result, room);
-                Some(Written { result, characters: Some(Characters { length, only: None }) })
+                Some(Written { result, characters: Some(Characters::some(length)) })
             }
             TextAction::Find => self.find_characters(to, from).map(Written::nothing),
-            TextAction::Compare if self.only_equality_counts(index, dst) => Some(Written::nothing(self.differ(to, from))),
-            TextAction::Compare => Some(Written::nothing(self.order(to, from))),
+            TextAction::Compare if self.is_compared(index, dst, EQUALITY) => Some(Written::nothing(self.differ(to, from))),
+            TextAction::Compare => {
+                let by_sign = self.is_compared(index, dst, SIGN);
+                Some(Written::nothing(self.order((to, from), by_sign)))
+            }
             TextAction::Number => {
                 let form = self.get(piece[0]);
                 let form = self.force(form).constant()?;
@@ -166,22 +178,7 @@ impl Translator<'_> {
                 let number = |value: Val| value.constant().map(|number| usize::try_from(number as u32 as i32).unwrap_or(0));
                 known = number(first).zip(number(count));
                 count_most = self.most_of(index, piece[1]);
-                let (first, left) = match first {
-                    Val::Const(first) if first as u32 as i32 <= 0 => (None, length),
-                    first => {
-                        let first = self.int(first);
-                        let first = self.within(first, length);
-                        (Some(first), self.b.ins().isub(length, first))
-                    }
-                };
-                let count = match count {
-                    Val::Const(count) if count as u32 as i32 >= most_read as i32 => left,
-                    count => {
-                        let count = self.int(count);
-                        self.within(count, left)
-                    }
-                };
-                (first, count)
+                self.piece_within((first, count), (length, most_read), count_most)
             }
         };
         let room = self.room(to);
@@ -191,7 +188,7 @@ impl Translator<'_> {
                 let room = self.b.ins().isub(room, behind);
                 self.fewer(count, room)
             }
-            None if fits => count,
+            None if fits || count_most <= most && to.most.is_none() => count,
             None => self.fewer(count, room),
         };
         let [source, target] = [(from, first), (to, behind)].map(|(text, skipped)| {
@@ -214,7 +211,11 @@ impl Translator<'_> {
         let most_put = if only.is_some() { 1 } else { most.min(most_read).min(count_most) };
         let copied = (put, most_put);
         let mut written = None;
+        let mut word = None;
+        let [a, b] = [from, to].map(|text| (text.address.base, text.address.offset, text.room.characters_max));
         match characters {
+            // The first piece of a text that becomes the text.
+            _ if a == b && first.is_none() && behind.is_none() => {}
             // Nothing is cut where the room is known.
             Some(characters) if behind.is_none() && to.most.is_none() && characters.len() as u32 <= most => {
                 if let [] | [_] = characters[..] {
@@ -236,6 +237,9 @@ impl Translator<'_> {
                 self.b.ins().jump(done, &[]);
                 self.go_on_in(done);
             }
+            None if behind.is_none() && to.most.is_none() && most_put <= WORD && most >= WORD && self.reads_behind(from) => {
+                word = Some(self.put_eight((from, first, source), target, put));
+            }
             None if behind.is_none() && first.is_none() && to.most.is_none() && most >= BLOCK && from.characters_there() >= BLOCK => {
                 self.copy_block(source, target, copied);
             }
@@ -252,7 +256,46 @@ impl Translator<'_> {
             _ => count,
         };
         let only = written.filter(|_| behind.is_none());
-        Written { result, characters: Some(Characters { length: end, only }) }
+        Written { result, characters: Some(Characters { length: end, only, word }) }
+    }
+
+    /// Where a piece begins that two numbers name, `None` = with the text, and how many characters it has of a text with so many; no piece
+    /// has more characters than the last number.
+    fn piece_within(&mut self, (first, count): (Val, Val), (length, most_read): (Value, u32), count_most: u32) -> (Option<Value>, Value) {
+        let first = match first {
+            Val::Const(first) if first as u32 as i32 <= 0 => None,
+            first => Some(self.int(first)),
+        };
+        if count_most == 1 {
+            // It is there if the text reaches so far.
+            let first = first.map(|first| self.not_negative(first));
+            let there = match first {
+                Some(first) => self.b.ins().icmp(IntCC::UnsignedLessThan, first, length),
+                None => self.b.ins().icmp_imm_u(IntCC::NotEqual, length, 0),
+            };
+            let there = self.b.ins().uextend(I32, there);
+            return match count {
+                Val::Const(count) if count as u32 as i32 > 0 => (first, there),
+                // It is 1, or 0 where a gate lets nothing through.
+                count => {
+                    let count = self.int(count);
+                    (first, self.b.ins().band(count, there))
+                }
+            };
+        }
+        let first = first.map(|first| {
+            let first = self.not_negative(first);
+            self.fewer(first, length)
+        });
+        let left = first.map_or(length, |first| self.b.ins().isub(length, first));
+        match count {
+            Val::Const(count) if count as u32 as i32 >= most_read as i32 => (first, left),
+            count => {
+                let count = self.int(count);
+                let count = self.not_negative(count);
+                (first, self.fewer(count, left))
+            }
+        }
     }
 
     /// Writes one character or none; the one.
@@ -267,6 +310,42 @@ impl Translator<'_> {
         self.b.ins().jump(done, &[BlockArg::Value(byte)]);
         self.go_on_in(done);
         only.unwrap_or(result)
+    }
+
+    /// Whether there is a word behind a text that may be read: the areas of the program are not the last bytes of memory.
+    fn reads_behind(&self, text: &Whole) -> bool {
+        let end = match &text.touched {
+            _ if text.found.is_some() => return true,
+            Some((Base::Arena, bytes)) => bytes.end,
+            Some((Base::Local, _)) => self.layout.local.end as i64,
+            _ => return false,
+        };
+        end + i64::from(WORD) <= self.layout.size as i64
+    }
+
+    /// Writes up to eight characters with one store, with what stands behind them; all of them in one word.
+    fn put_eight(&mut self, (text, first, from): (&Whole, Option<Value>, Address), to: Address, count: Value) -> Value {
+        let word = match (self.known_characters(text).and_then(|known| known.word), first) {
+            (Some(word), None) => word,
+            (Some(word), Some(first)) => {
+                // What is behind the last one is not counted.
+                let skipped = self.b.ins().ishl_imm_u(first, 3);
+                self.b.ins().ushr(word, skipped)
+            }
+            // Behind a text there are more bytes.
+            (None, _) => self.b.ins().load(I64, data(), from.base, from.offset),
+        };
+        // Eight times as many bits, half of them at once: no number of bits is too large for a shift.
+        let bits = self.b.ins().ishl_imm_u(count, 2);
+        let all = self.b.ins().iconst(I64, -1);
+        let behind = self.b.ins().ishl(all, bits);
+        let behind = self.b.ins().ishl(behind, bits);
+        let characters = self.b.ins().band_not(word, behind);
+        let there = self.b.ins().load(I64, data(), to.base, to.offset);
+        let there = self.b.ins().band(there, behind);
+        let both = self.b.ins().bor(characters, there);
+        self.b.ins().store(data(), both, to.base, to.offset);
+        characters
     }
 
     /// How large a number of characters can be, as far as the statement of an instruction tells.
@@ -346,10 +425,9 @@ impl Translator<'_> {
     fn copy_characters(&mut self, from: Address, to: Address, (count, most): (Value, u32)) {
         let done = self.b.create_block();
         let bytes = self.b.ins().uextend(I64, count);
-        let long = CHARACTERS_MAX;
-        if most > long {
+        if most > COPIED_MAX {
             let [copied, short] = [self.b.create_block(), self.b.create_block()];
-            let is_long = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThan, count, i64::from(long));
+            let is_long = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThan, count, i64::from(COPIED_MAX));
             self.b.ins().brif(is_long, copied, &[], short, &[]);
             self.go_on_in(copied);
             let [first, second] = [from, to].map(|address| self.arena_byte(address));
@@ -358,20 +436,26 @@ impl Translator<'_> {
             self.b.ins().jump(done, &[]);
             self.go_on_in(short);
         }
-        for ty in PAIRS {
-            if most < ty.bytes() {
+        let sizes = [(I8X16, 2)].into_iter().chain(PAIRS.map(|ty| (ty, 1)));
+        for (ty, pairs) in sizes {
+            let (size, least) = (ty.bytes() as i32, ty.bytes() * pairs);
+            if most < least {
                 continue;
             }
             let [copied, shorter] = [self.b.create_block(), self.b.create_block()];
-            let is_it = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThanOrEqual, count, i64::from(ty.bytes()));
+            let is_it = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThanOrEqual, count, i64::from(least));
             self.b.ins().brif(is_it, copied, &[], shorter, &[]);
             self.go_on_in(copied);
             let [from_end, to_end] = [from, to].map(|address| self.b.ins().iadd(address.base, bytes));
-            let size = ty.bytes() as i32;
-            let first = self.b.ins().load(ty, data(), from.base, from.offset);
-            let last = self.b.ins().load(ty, data(), from_end, from.offset - size);
-            self.b.ins().store(data(), first, to.base, to.offset);
-            self.b.ins().store(data(), last, to_end, to.offset - size);
+            let skipped = (0..pairs as i32).flat_map(|pair| [(false, pair * size), (true, -(pair + 1) * size)]);
+            let skipped: Vec<(bool, i32)> = skipped.collect();
+            let read = |at_end: bool| if at_end { from_end } else { from.base };
+            let values: Vec<Value> =
+                skipped.iter().map(|&(at_end, at)| self.b.ins().load(ty, data(), read(at_end), from.offset + at)).collect();
+            for (&(at_end, at), value) in skipped.iter().zip(values) {
+                let base = if at_end { to_end } else { to.base };
+                self.b.ins().store(data(), value, base, to.offset + at);
+            }
             self.b.ins().jump(done, &[]);
             self.go_on_in(shorter);
         }
@@ -390,8 +474,8 @@ impl Translator<'_> {
         self.b.seal_block(block);
     }
 
-    /// Whether the order that an instruction finds is only asked whether it is 0.
-    fn only_equality_counts(&self, index: u32, dst: Var) -> bool {
+    /// Whether the order that an instruction finds is only compared with 0, by some of these operations.
+    fn is_compared(&self, index: u32, dst: Var, by: &[Op]) -> bool {
         if dst.register().is_some() {
             return false;
         }
@@ -401,9 +485,9 @@ impl Translator<'_> {
         let mut zeros: Vec<Var> = Vec::new();
         for (at, inst) in (first..).zip(code.statement(statement)) {
             if at > index && reads(inst).any(|var| var == dst) {
-                let Inst::Compute { op: Op::Equal | Op::Differ, args: [a, b, ..], .. } = *inst else { return false };
+                let Inst::Compute { op, args: [a, b, ..], .. } = *inst else { return false };
                 let other = if a == dst { b } else { a };
-                if other == dst || !zeros.contains(&other) {
+                if !by.contains(&op) || other == dst || !zeros.contains(&other) {
                     return false;
                 }
             }

@@ -15,7 +15,7 @@ use super::texts::Whole;
 use crate::ask::Question;
 
 /// Characters in one word.
-const WORD: u32 = 8;
+pub(super) const WORD: u32 = 8;
 /// Characters of a literal in which one is looked for in registers.
 const ALPHABET_MAX: u32 = 64;
 
@@ -31,6 +31,9 @@ impl Translator<'_> {
         let Address { base, offset, .. } = text.address;
         let offset = offset + (text.room.head() + which.start) as i32;
         let room = which.end.saturating_sub(which.start);
+        if let Some(word) = self.known_characters(text).and_then(|known| known.word).filter(|_| which.start == 0) {
+            return if room < WORD { self.b.ins().band_imm_u(word, (1 << (8 * room)) - 1) } else { word };
+        }
         // Two loads that overlap reach no further than the text.
         let half = match room {
             0 => return self.b.ins().iconst(I64, 0),
@@ -172,10 +175,11 @@ impl Translator<'_> {
         result
     }
 
-    /// −1, 0 or 1: the first word in which two texts differ as far as both go, the first character highest, or their lengths.
-    pub(super) fn order(&mut self, a: &Whole, b: &Whole) -> Value {
-        if let Some(numbers) = self.as_numbers(a, b) {
-            return self.order_of(numbers);
+    /// −1, 0 or 1, or another number with that sign if only the sign counts: the first word in which two texts differ as far as both go, the
+    /// first character highest, or their lengths.
+    pub(super) fn order(&mut self, (a, b): (&Whole, &Whole), by_sign: bool) -> Value {
+        if let Some([a, b]) = self.as_numbers(a, b) {
+            return if by_sign { self.b.ins().isub(a, b) } else { self.order_of([a, b]) };
         }
         let lengths = [a, b].map(|text| self.text_length(text));
         let known = [a, b].map(|text| self.constant_characters(text));
@@ -221,7 +225,7 @@ impl Translator<'_> {
         let order = self.order_of(words);
         self.b.ins().jump(done, &[BlockArg::Value(order)]);
         self.go_on_in(by_length);
-        let order = self.order_of(lengths);
+        let order = if by_sign { self.b.ins().isub(lengths[0], lengths[1]) } else { self.order_of(lengths) };
         self.b.ins().jump(done, &[BlockArg::Value(order)]);
         self.go_on_in(done);
         result
@@ -306,33 +310,38 @@ impl Translator<'_> {
         if room < I8X16.bytes() || known.as_ref().is_some_and(|known| known.len() > WORD as usize) {
             return None;
         }
+        let only = if known.is_none() { self.only_character(from) } else { None };
         let [length, count] = [to, from].map(|text| self.text_length(text));
         let [few, look, found, next, done] = [(); 5].map(|()| self.b.create_block());
         let at = self.b.append_block_param(look, I32);
         let candidates = self.b.append_block_param(found, I32);
         let result = self.b.append_block_param(done, I32);
         let zero = self.constant(0);
-        match &known {
-            Some(_) => self.b.ins().brif(count, few, &[], done, &[BlockArg::Value(zero)]),
-            None => {
-                let many = self.b.create_block();
-                let above = self.b.ins().iadd_imm_s(count, -1);
-                let is_few = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, above, i64::from(WORD));
-                self.b.ins().brif(is_few, few, &[], many, &[]);
-                self.go_on_in(many);
-                let nothing = self.b.ins().iconst(I64, 0);
-                let place = self.call_for_texts(TextAction::Find, to, from, nothing);
-                self.b.ins().jump(done, &[BlockArg::Value(place)])
-            }
-        };
+        if known.is_some() || only.is_some() {
+            self.b.ins().brif(count, few, &[], done, &[BlockArg::Value(zero)]);
+        } else {
+            let many = self.b.create_block();
+            let above = self.b.ins().iadd_imm_s(count, -1);
+            let is_few = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, above, i64::from(WORD));
+            self.b.ins().brif(is_few, few, &[], many, &[]);
+            self.go_on_in(many);
+            let nothing = self.b.ins().iconst(I64, 0);
+            let place = self.call_for_texts(TextAction::Find, to, from, nothing);
+            self.b.ins().jump(done, &[BlockArg::Value(place)]);
+        }
         self.go_on_in(few);
-        let is_one = known.as_ref().is_some_and(|known| known.len() == 1);
-        let wanted = self.known_or_at((from, known.as_deref()), 0);
+        let is_one = only.is_some() || known.as_ref().is_some_and(|known| known.len() == 1);
         let mask = self.b.ins().iconst(I64, -1);
         let bits = self.b.ins().ishl_imm_u(count, 3);
         let bits = self.b.ins().ineg(bits);
         let mask = self.b.ins().ushr(mask, bits);
-        let wanted = self.b.ins().band(wanted, mask);
+        let wanted = match only {
+            Some(only) => only,
+            None => {
+                let wanted = self.known_or_at((from, known.as_deref()), 0);
+                self.b.ins().band(wanted, mask)
+            }
+        };
         let first = self.b.ins().ireduce(I8, wanted);
         let first = self.b.ins().splat(I8X16, first);
         let offset = to.address.offset + to.room.head() as i32;

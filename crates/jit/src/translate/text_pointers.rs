@@ -11,12 +11,17 @@ use sieben_engine::ir::{Place, TextRoom};
 use sieben_model::address::Area;
 
 use super::memory::{Address, Bit, data};
+use super::promote::Base;
+use super::text_order::WORD;
 use super::texts::{NUMBER_SHIFT, Whole};
+use super::value::Val;
 use super::{TRUSTED, Translator};
 use crate::run::Run;
 
 /// Bytes that a STRING may have: they are there to be read, also where its area ends before.
 const MOST_BYTES: u32 = TextRoom::narrow(u8::MAX).bytes();
+/// The same with those that are read behind its last character.
+const READ_BYTES: u32 = MOST_BYTES + WORD;
 
 /// Where a text was found.
 #[derive(Clone, Copy)]
@@ -30,34 +35,50 @@ pub(super) struct Found {
 impl Translator<'_> {
     /// A text that may lie anywhere, with what tells whether it is there.
     pub(super) fn text_anywhere(&mut self, place: Place, room: TextRoom, write: bool) -> Option<Whole> {
-        let Place::Crossing { pointer, offset: 0 } = place else { return None };
         let quick = !self.options.optimize && !self.options.exact;
         let asks = write && self.options.asks_before_writing;
         let size = i64::try_from(self.layout.size).ok()?;
-        if quick || asks || room.wide || self.cold.is_some() || size < i64::from(MOST_BYTES) {
+        if quick || asks || room.wide || self.cold.is_some() || size < i64::from(READ_BYTES) {
             return None;
         }
-        let pointer = self.get(pointer);
-        let pointer = self.force(pointer);
-        if pointer.constant().is_some() {
-            return None;
-        }
-        let pointer = self.word(pointer);
-        let bits = self.b.ins().ireduce(I32, pointer);
-        let (start, length) = self.area_of_pointer(pointer, bits);
+        let (start, length, bits, touched) = match place {
+            Place::Crossing { pointer, offset: 0 } => {
+                let pointer = self.get(pointer);
+                let pointer = self.force(pointer);
+                if pointer.constant().is_some() {
+                    return None;
+                }
+                let pointer = self.word(pointer);
+                let bits = self.b.ins().ireduce(I32, pointer);
+                let (start, length) = self.area_of_pointer(pointer, bits);
+                (start, length, bits, None)
+            }
+            Place::Indirect { area: area @ (Area::SharedData | Area::InstanceData), pointer, offset } => {
+                let (base, length) = self.open_block(area, write)?;
+                let touched = match (base, length) {
+                    (Val::Const(base), Val::Const(length)) => Some((Base::Arena, base as i64..(base + length) as i64)),
+                    _ => None,
+                };
+                let [base, length] = [base, length].map(|value| self.word(value));
+                let pointer = self.get(pointer);
+                let bits = self.int(pointer);
+                (base, length, self.b.ins().iadd_imm_u(bits, i64::from(offset)), touched)
+            }
+            _ => return None,
+        };
         let position = self.b.ins().band_imm_u(bits, 0x00FF_FFFF);
         // A pointer that is not to the beginning of a byte becomes a large number here.
         let byte = self.b.ins().rotr_imm_u(position, 3);
         let byte = self.b.ins().uextend(I64, byte);
         let left = self.b.ins().isub(length, byte);
         let first = self.b.ins().iadd(start, byte);
-        let in_arena = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, first, size - i64::from(MOST_BYTES));
+        let in_arena = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, first, size - i64::from(READ_BYTES));
         let zero = self.b.ins().iconst(I64, 0);
         let first = self.b.ins().select(in_arena, first, zero);
         let base = self.b.ins().iadd(self.arena, first);
         let address = Address { base, offset: 0, bit: Bit::Number(0) };
         let there = if room.is_unknown() { MOST_BYTES } else { room.bytes() };
-        Some(Whole { address, touched: None, there, room, most: None, empty: false, found: Some(Found { in_arena, left }) })
+        Some(Whole { address, touched, there, room, most: None, empty: false, found: Some(Found { in_arena, left }) })
     }
 
     /// A text that may lie anywhere, with what it says that there is room for, and whether all of that is there. Nothing waits any more.

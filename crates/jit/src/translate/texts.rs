@@ -117,15 +117,15 @@ impl Translator<'_> {
             None => result,
         };
         if let Some(target) = target.filter(|_| action.writes()) {
-            let Address { base, offset, .. } = target.address;
+            let Address { base, .. } = target.address;
             let is_text = action != TextAction::Number && !target.room.wide && target.most.is_none();
-            let says = base == self.local && is_text && self.constant_bytes(offset, 1).is_some();
+            let says = base == self.local && is_text;
             self.forget_text(&target);
             if let Some(characters) = characters.filter(|_| is_known) {
                 self.remember_characters(&target, characters);
             }
             if says {
-                // It says so again.
+                // It says so now.
                 self.remember_word(target.address, Width::Byte, Val::Const(target.room.characters_max.into()));
             }
         }

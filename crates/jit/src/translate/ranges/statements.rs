@@ -11,6 +11,7 @@ use sieben_model::address::Width;
 use super::interval::{self, Interval, Number, comparison};
 use super::{Analysis, Known, Origin, Reach, Same, Span, State, TextPlace};
 use crate::jit::end;
+use crate::translate::promote::Base;
 
 /// How many origins of a value are looked at when something is found out about it.
 const ORIGINS_MAX: usize = 6;
@@ -82,22 +83,23 @@ impl Analysis<'_> {
                     let read = if is_read { bytes(from, from_room, false) } else { None };
                     let other = if action == TextAction::Length { None } else { bytes(to, to_room, action.writes()) };
                     let inside = (read.is_some() || !is_read) && (other.is_some() || action == TextAction::Length);
+                    fails |= !inside;
                     match &other {
-                        Some(TextPlace { bytes, there, room, .. }) if inside && action.writes() => {
-                            let says = self.said_room(&state, bytes, *there).is_some() && !room.wide && action != TextAction::Number;
+                        // Wherever the text is that is read: reading it changes nothing.
+                        Some(TextPlace { bytes, there, room, .. }) if action.writes() => {
                             let (base, range) = bytes;
+                            let begins = *base == Base::Local && range.end - range.start == i64::from(room.bytes());
+                            let says =
+                                (begins || self.said_room(&state, bytes, *there).is_some()) && !room.wide && action != TextAction::Number;
                             state.forget(*base, range);
                             if says && !room.is_unknown() {
-                                // It says so again.
+                                // It says so now.
                                 let most = self.value(Interval::constant(room.characters_max.into()));
                                 state.cells.insert((*base, range.start as i32, Width::Byte), most);
                             }
                         }
-                        _ if inside => {}
-                        _ => {
-                            fails = true;
-                            state.forget_memory();
-                        }
+                        _ if action.writes() => state.forget_memory(),
+                        _ => {}
                     }
                     if notes {
                         self.found.texts.insert(index, [read, other]);

@@ -359,7 +359,8 @@ impl Lowering<'_> {
                 let there = self.compute_from(Op::LeI32, &[position, length]);
                 let good = self.compute_from(Op::And, &[some, inside]);
                 let good = self.compute_from(Op::And, &[good, there]);
-                let count = self.compute_from(Op::Gate, &[wanted, good]);
+                // A piece that begins behind the text, or has no characters, is empty of itself.
+                let count = self.compute_from(Op::Gate, &[wanted, inside]);
                 (vec![Part { text: 0, first, count }], Some(good))
             }
             TextAction::Concat => ((0..texts.len()).map(whole).collect(), reports.then_some(one)),
