@@ -86,6 +86,7 @@ impl Lowering<'_> {
         }
         let target = target.filter(|_| begins.is_some());
         let grows = begins == Some(Begins::ItsFirstText);
+        let stays = begins == Some(Begins::ItsHead);
         let numbers: Vec<Var> = numbers
             .iter()
             .map(|number| {
@@ -106,6 +107,16 @@ impl Lowering<'_> {
             }
         }
         let mut lengths = Vec::with_capacity(parts.len());
+        let mut parts = parts;
+        let tail = parts.pop_if(|_| stays).map(|Part { text, first, count }| {
+            // What goes on behind the piece that stays is kept first: it may be written over.
+            let (place, max) = &texts[text];
+            let room = function.result_room();
+            let kept = self.hidden_bytes(room.bytes());
+            let length = self.text_instruction(Action::Piece, (&kept, room), (place, *max), Some([first, count]));
+            self.release(length);
+            (kept, room)
+        });
         for (index, Part { text, first, count }) in parts.into_iter().enumerate() {
             let (place, max) = &texts[text];
             let action = match index {
@@ -115,6 +126,10 @@ impl Lowering<'_> {
             };
             let piece = action.takes_piece().then_some([first, count]);
             lengths.push(self.text_instruction(action, (&to, room), (place, *max), piece));
+        }
+        if let Some((kept, kept_room)) = tail {
+            let [zero, all] = [0, ALL].map(|number| self.constant(number));
+            lengths.push(self.text_instruction(Action::Append, (&to, room), (&kept, kept_room), Some([zero, all])));
         }
         let whole = match &joined {
             _ if good.is_none() => None,
@@ -458,6 +473,8 @@ enum Begins {
     Empty,
     /// The target is the first text, and the others are put behind it.
     ItsFirstText,
+    /// The target is the first text, of which the first piece stays and the last one is kept aside while the others are put behind it.
+    ItsHead,
 }
 
 /// Texts that are joined, and how.
@@ -503,6 +520,10 @@ fn begins_in(function: TextFunction, (target, room): (&Place, TextRoom), texts: 
             && place.offset == target.offset
     };
     let apart = |text: &Ready| apart(text) || room.is_unknown() && is_own(text);
+    if matches!(function.action, TextAction::Delete | TextAction::Insert | TextAction::Replace) {
+        let [first, others @ ..] = texts else { return None };
+        return (is_it(first) && others.iter().all(apart)).then_some(Begins::ItsHead);
+    }
     let [first, second, rest @ ..] = texts else { return None };
     // One text is read before it is put behind the other one, whatever they share.
     let grows = function.action == TextAction::Concat
