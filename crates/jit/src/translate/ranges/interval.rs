@@ -41,8 +41,13 @@ impl Interval {
 
     /// Whether nothing is known but the number of bits.
     pub(super) fn is_any(&self) -> bool {
+        self.is_everywhere() && self.zeros == 0
+    }
+
+    /// Whether its numbers are as many as there are values of so many bits, wherever they begin.
+    fn is_everywhere(&self) -> bool {
         let any = Self::any(self.bits);
-        self.least <= any.least && self.most >= any.most && self.zeros == 0
+        i128::from(self.most) - i128::from(self.least) >= i128::from(any.most) - i128::from(any.least)
     }
 
     /// The one value, if there is one.
@@ -119,9 +124,7 @@ impl Interval {
             return false;
         }
         let (least, most) = self.modulo(other.bits);
-        let any = Self::any(other.bits);
-        let everywhere = other.least <= any.least && other.most >= any.most;
-        self.zeros >= other.zeros && (everywhere || least >= i128::from(other.least) && most <= i128::from(other.most))
+        self.zeros >= other.zeros && (other.is_everywhere() || least >= i128::from(other.least) && most <= i128::from(other.most))
     }
 
     /// The same value, where it is known to lie in a range as a number with or without sign.
@@ -583,6 +586,22 @@ mod tests {
                 assert!(allows(&limited, values[0]), "{} {values:X?}: {a:X?} {b:X?} -> {limited:X?}", op.name());
                 let limited = b.limited(number, relation.mirrored().limits(number.of(&a)));
                 assert!(allows(&limited, values[1]), "{} {values:X?}: {a:X?} {b:X?} -> {limited:X?}", op.name());
+            }
+        }
+    }
+
+    #[test]
+    fn ranges_of_all_values_are_the_same_wherever_they_begin() {
+        let mut dice = Dice(17);
+        for bits in [8, 16, 32] {
+            let size = 1_i64 << bits;
+            for _ in 0..2_000 {
+                let (least, lacks) = ((dice.roll() % 400) as i64 - 200, (dice.roll() % 3) as i64);
+                let range = Interval { least, most: least + size - 1 - lacks, zeros: 0, bits };
+                // What it lacks lies just below where it begins.
+                let is_all = (least - 4..least + 4).all(|value| allows(&range, (value & (size - 1)) as u64));
+                assert_eq!(is_all, lacks == 0);
+                assert_eq!((range.is_any(), Interval::any(bits).is_within(&range)), (is_all, is_all), "{range:X?}");
             }
         }
     }
