@@ -455,6 +455,7 @@ impl<'a> Translator<'a> {
             self.bounds.clear();
             self.fixed.clear();
             self.passed.clear();
+            self.forget_what_was_handed();
             self.look_at_budget();
             self.look_at_statements();
             self.begin_series();

@@ -25,8 +25,10 @@ use super::value::Val;
 use super::{TRUSTED, Translator};
 use crate::run::Run;
 
-/// Variables that are kept at the same time; more would be kept on the stack, which is memory too.
+/// Variables that are kept at the same time and that a loop uses; more would be kept on the stack, which is memory too.
 const PROMOTED_MAX: usize = 8;
+/// Variables that are kept at the same time, with those that only the loops around use: cold code stores each of them.
+const PROMOTED_IN_ALL_MAX: usize = 14;
 /// How much more an access counts for each loop around it, and for how many loops.
 const WEIGHT_OF_A_LOOP: u64 = 8;
 const WEIGHED_LOOPS_MAX: usize = 4;
@@ -91,6 +93,8 @@ pub(super) struct Promoted {
     real: Option<Variable>,
     /// Whether the loop writes them.
     written: bool,
+    /// In how many blocks around it the block lies whose statements hand them on, if nobody needs them between these.
+    handed: Option<usize>,
     /// First and last statement of the loop.
     first: u32,
     last: u32,
@@ -139,6 +143,8 @@ struct Candidate {
     width: Width,
     in_data_block: bool,
     written: bool,
+    /// Whether nobody needs them between statements.
+    handed: bool,
     weight: u64,
     /// Whether the loop computes with it as a REAL or LREAL.
     real: bool,
@@ -176,14 +182,18 @@ impl Translator<'_> {
         if !it.asks_for_texts || !self.keeps_over_calls(it) {
             return;
         }
-        let mut candidates: Vec<_> = self.candidates(it).into_iter().collect();
-        candidates.sort_by_key(|(place, candidate)| (std::cmp::Reverse((candidate.written, candidate.weight)), *place));
+        let (candidates, mut used) = self.candidates(it);
+        let mut candidates: Vec<_> = candidates.into_iter().collect();
+        let order = |candidate: &Candidate| (candidate.handed, std::cmp::Reverse((candidate.written, candidate.weight)));
+        candidates.sort_by_key(|(place, candidate)| (order(candidate), *place));
         for ((base, offset), candidate) in candidates {
-            // The budget is kept beside them.
-            if self.kept().len() > PROMOTED_MAX {
+            if self.kept().len() > PROMOTED_IN_ALL_MAX {
                 break;
             }
-            self.keep(base, offset, &candidate, it);
+            if candidate.handed || used < PROMOTED_MAX {
+                self.keep(base, offset, &candidate, it);
+                used += usize::from(!candidate.handed);
+            }
         }
     }
 
@@ -199,6 +209,7 @@ impl Translator<'_> {
             variable,
             real: None,
             written: true,
+            handed: None,
             first: 0,
             last: u32::MAX,
         };
@@ -282,7 +293,7 @@ impl Translator<'_> {
     }
 
     fn keep(&mut self, base: Base, offset: i32, candidate: &Candidate, it: &Loop) {
-        let &Candidate { width, in_data_block, written, real, .. } = candidate;
+        let &Candidate { width, in_data_block, written, real, handed, .. } = candidate;
         // A block that becomes part of the loop may write what the loop itself only reads.
         let written = written || !it.calls_nothing;
         let real = match width {
@@ -291,13 +302,33 @@ impl Translator<'_> {
             _ => None,
         };
         let variable = self.b.declare_var(if width == Width::QuadWord { I64 } else { I32 });
-        let promoted = Promoted { base, offset, width, in_data_block, variable, real, written, first: it.first, last: it.last };
-        self.take(promoted);
+        let handed = handed.then_some(self.outer.len());
+        let promoted = Promoted { base, offset, width, in_data_block, variable, real, written, handed, first: it.first, last: it.last };
+        match handed {
+            Some(_) => self.begin_anew(promoted),
+            None => self.take(promoted),
+        }
         self.promoted.push(promoted);
     }
 
-    /// Bytes that all accesses of a loop that touch them name in the same way.
-    fn candidates(&mut self, it: &Loop) -> BTreeMap<(Base, i32), Candidate> {
+    /// Forgets what the statement in front handed on, so that it takes no registers any more.
+    pub(super) fn forget_what_was_handed(&mut self) {
+        let depth = self.outer.len();
+        self.kept().into_iter().filter(|it| it.handed == Some(depth)).for_each(|it| self.begin_anew(it));
+    }
+
+    /// Lets a register stand for bytes of which nobody needs what they are.
+    fn begin_anew(&mut self, promoted: Promoted) {
+        let none = self.b.ins().iconst(if promoted.width == Width::QuadWord { I64 } else { I32 }, 0);
+        self.b.def_var(promoted.variable, none);
+        if let Some(variable) = promoted.real {
+            let real = if promoted.width == Width::QuadWord { self.b.ins().f64const(0.0) } else { self.b.ins().f32const(0.0) };
+            self.b.def_var(variable, real);
+        }
+    }
+
+    /// Bytes that all accesses of a loop that touch them name in the same way; and how many variables it uses that are kept already.
+    fn candidates(&mut self, it: &Loop) -> (BTreeMap<(Base, i32), Candidate>, usize) {
         let code = &self.native().code;
         let mut candidates: BTreeMap<(Base, i32), Candidate> = BTreeMap::new();
         let mut others = Vec::new();
@@ -348,7 +379,14 @@ impl Translator<'_> {
                 };
                 let width = if width == Width::Bit { Width::Byte } else { width };
                 let in_data_block = self.in_data_block(place);
-                let known = candidates.entry((base, offset)).or_insert(Candidate { width, in_data_block, written, weight: 0, real: false });
+                let known = candidates.entry((base, offset)).or_insert(Candidate {
+                    width,
+                    in_data_block,
+                    written,
+                    handed: false,
+                    weight: 0,
+                    real: false,
+                });
                 known.written |= written;
                 known.weight += weight;
                 match *inst {
@@ -378,6 +416,16 @@ impl Translator<'_> {
         let writes = candidates.iter().filter(|(_, candidate)| candidate.written).map(|(&place, _)| place).collect();
         self.writes.insert((self.index, it.first), writes);
         let kept = self.kept();
+        let drops_handed = self.options.forgets_locals && !self.options.exact;
+        let (block, first) = (&self.blocks[self.index], self.local_offset);
+        for (&(base, offset), it) in &mut candidates {
+            it.handed = drops_handed && base == Base::Local && block.is_handed(offset - first, it.width.bytes());
+        }
+        let is_used = |kept: &&Promoted| {
+            let is_touched = |&(base, start, length): &(Base, i64, i64)| kept.overlaps(&Touched::Bytes(base, start..start + length));
+            kept.base != Base::Run && (!it.calls_nothing || spans.iter().any(is_touched))
+        };
+        let used = kept.iter().filter(is_used).count();
         candidates.retain(|&(base, offset), it| {
             let range = i64::from(offset)..i64::from(offset) + i64::from(it.width.bytes());
             let own = Promoted {
@@ -388,13 +436,14 @@ impl Translator<'_> {
                 variable: Variable::from_u32(0),
                 real: None,
                 written: false,
+                handed: None,
                 first: 0,
                 last: 0,
             };
             !others.iter().any(|touched| own.overlaps(touched))
                 && !kept.iter().any(|kept| kept.overlaps(&Touched::Bytes(base, range.clone())))
         });
-        candidates
+        (candidates, used)
     }
 
     /// What a text instruction may touch, if that is known in front of the loop.
@@ -653,9 +702,9 @@ impl Translator<'_> {
         self.promoted.iter().any(|it| it.is_in(self.statement) && !it.is_in(to))
     }
 
-    /// Stores what is kept here and not at the statement that follows.
+    /// Stores what is kept here and not at the statement that follows, but for what only this one hands on.
     pub(super) fn leave_loops(&mut self, to: u32) {
-        self.kept().into_iter().filter(|it| !it.is_in(to)).for_each(|it| self.give_back(it));
+        self.kept().into_iter().filter(|it| !it.is_in(to) && it.handed.is_none()).for_each(|it| self.give_back(it));
     }
 
     /// The budget.
