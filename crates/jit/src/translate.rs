@@ -881,7 +881,11 @@ impl<'a> Translator<'a> {
                 if self.chooses(index, condition, to.0) {
                     return;
                 }
-                let (condition, negated) = self.condition(condition);
+                let (mut condition, mut negated) = self.condition(condition);
+                if to.0 <= self.statement && !negated {
+                    // The way on which a loop ends is the one that jumps.
+                    (condition, negated) = (self.opposite(condition), true);
+                }
                 let block = self.way_to(to);
                 let go_on = self.b.create_block();
                 let (then, otherwise) = if negated { (go_on, block) } else { (block, go_on) };

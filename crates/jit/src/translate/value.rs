@@ -1,5 +1,6 @@
 //! Values of variables, in the form that costs least.
 
+use cranelift_codegen::ir::condcodes::{CondCode, IntCC};
 use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{self as clif, InstBuilder, InstructionData, Opcode, Value};
 use sieben_engine::ir::Op;
@@ -227,6 +228,16 @@ impl Translator<'_> {
         match value {
             Val::At { value, at } => (self.b.ins().band_imm_u(value, 1 << at), negated),
             value => (self.flag(value), negated),
+        }
+    }
+
+    /// What is not 0 where a condition is, and is 0 where it is not.
+    pub(super) fn opposite(&mut self, condition: Value) -> Value {
+        match self.definition(condition) {
+            Some((_, InstructionData::Unary { opcode: Opcode::Uextend, arg })) => self.opposite(arg),
+            Some((_, InstructionData::IntCompare { args: [a, b], cond, .. })) => self.b.ins().icmp(cond.complement(), a, b),
+            Some((_, InstructionData::FloatCompare { args: [a, b], cond, .. })) => self.b.ins().fcmp(cond.complement(), a, b),
+            _ => self.b.ins().icmp_imm_u(IntCC::Equal, condition, 0),
         }
     }
 
