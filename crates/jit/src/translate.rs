@@ -17,7 +17,7 @@ use sieben_engine::Layout;
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Inst, Op, Place, Target, Var};
 use sieben_engine::machine::{Register, Registers};
-use sieben_model::address::Area;
+use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockKind;
 
 use crate::ask::{GO_ON, LEAVE, Question};
@@ -207,6 +207,8 @@ struct Translator<'a> {
     /// What is known of memory in the running piece of code.
     bytes: Bytes,
     words: Words,
+    /// Variables that hold numbers of local data where ways meet: offset and width.
+    met: FxHashMap<(i32, Width), Variable>,
     /// Timers that are up to date in the running piece of code.
     fresh_timers: Vec<u64>,
     /// Counts of counters that are known in the running piece of code.
@@ -353,6 +355,7 @@ impl<'a> Translator<'a> {
             temporaries: Vec::new(),
             bytes: Bytes::default(),
             words: Words::default(),
+            met: FxHashMap::default(),
             fresh_timers: Vec::new(),
             counts: Vec::new(),
             items: [None; 2],

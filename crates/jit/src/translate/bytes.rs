@@ -9,6 +9,7 @@ use std::ops::Range;
 
 use cranelift_codegen::ir::types::I32;
 use cranelift_codegen::ir::{Endianness, InstBuilder, MemFlagsData, Value};
+use cranelift_frontend::Variable;
 use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::ir::Inst;
 use sieben_model::address::Width;
@@ -34,8 +35,11 @@ const LONG: i32 = 4;
 pub(super) struct Bytes {
     waiting: Vec<Waiting>,
     pub(super) words: WaitingWords,
-    /// Values of pieces in memory, the oldest first. Bits that wait for their store are old here.
-    known: Vec<(Piece, Value)>,
+    /// Values of pieces in memory, the oldest first; `None` = what a variable holds where ways meet. Bits that wait for their store are
+    /// old here.
+    known: Vec<(Piece, Option<Value>)>,
+    /// Those variables.
+    met: FxHashMap<Piece, Variable>,
     /// Numbers at computed addresses.
     pub(super) numbers: Numbers,
     /// Bytes that code looks at bit by bit, and those that it looks at otherwise.
@@ -55,7 +59,7 @@ impl Bytes {
 }
 
 /// Bytes that are read and written together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Piece {
     base: Base,
     start: i32,
@@ -101,7 +105,7 @@ struct Newest {
 /// What is known of memory where code meets.
 #[derive(Debug, Default)]
 pub(super) struct KnownMemory {
-    bits: Vec<(Piece, Value)>,
+    bits: Vec<(Piece, Option<Value>)>,
     numbers: Numbers,
     words: Words,
     elements: Elements,
@@ -117,6 +121,24 @@ impl KnownMemory {
         self.bits.retain(|known| other.bits.contains(known));
         self.numbers.keep_common(&other.numbers);
         self.words.keep_common(&other.words);
+        self.keep_others(other);
+    }
+
+    /// The same where both ways meet: variables hold what is not the same on both.
+    pub(super) fn meet(&mut self, other: &Self) {
+        self.bits.retain_mut(|(piece, bits)| {
+            let other = other.bits.iter().find(|(own, _)| own == piece);
+            other.is_some_and(|&(_, other)| {
+                *bits = bits.filter(|&bits| Some(bits) == other);
+                true
+            })
+        });
+        self.numbers.keep_common(&other.numbers);
+        self.words.meet(&other.words);
+        self.keep_others(other);
+    }
+
+    fn keep_others(&mut self, other: &Self) {
         self.elements.keep_common(&other.elements);
         self.timers.retain(|timer| other.timers.contains(timer));
         self.counts.retain(|count| other.counts.contains(count));
@@ -143,7 +165,7 @@ impl Translator<'_> {
         }
         let Address { base, offset, bit } = address;
         let (Width::Bit, Bit::Number(number)) = (width, bit) else {
-            if let Some(value) = self.known_word(address, width).or_else(|| self.known_number(address, width)) {
+            if let Some(value) = self.word_at(address, width).or_else(|| self.known_number(address, width)) {
                 return value;
             }
             self.store_waiting_in(base, offset, width);
@@ -314,8 +336,14 @@ impl Translator<'_> {
 
     /// A piece as it is in memory, in 32 bits.
     fn bits_at(&mut self, piece: Piece) -> Value {
-        if let Some(&(_, bits)) = self.bytes.known.iter().find(|(known, _)| *known == piece) {
-            return bits;
+        match self.bytes.known.iter().find(|(known, _)| *known == piece) {
+            Some(&(_, Some(bits))) => return bits,
+            Some((_, None)) => {
+                let bits = self.b.use_var(self.bytes.met[&piece]);
+                self.remember(piece, bits);
+                return bits;
+            }
+            None => {}
         }
         let base = self.address_of_base(piece.base);
         let bits = match piece.bytes {
@@ -331,7 +359,17 @@ impl Translator<'_> {
         if self.bytes.known.len() >= KNOWN_MAX {
             self.bytes.known.remove(0);
         }
-        self.bytes.known.push((piece, bits));
+        self.bytes.known.push((piece, Some(bits)));
+    }
+
+    /// Lets variables hold pieces that are known, in front of a place where ways meet.
+    pub(super) fn hold_bits(&mut self) {
+        let Bytes { known, met, .. } = &mut self.bytes;
+        for &(piece, bits) in known.iter() {
+            let Some(bits) = bits else { continue };
+            let variable = *met.entry(piece).or_insert_with(|| self.b.declare_var(I32));
+            self.b.def_var(variable, bits);
+        }
     }
 
     fn store_bits(&mut self, waiting: Waiting) {

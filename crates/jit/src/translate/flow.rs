@@ -235,9 +235,12 @@ impl Translator<'_> {
         }
         self.meet_budget(statement);
         let (memory, look) = (self.known_memory(), self.look);
+        if self.cold.is_none() {
+            self.hold_what_is_known();
+        }
         let arrival = self.arrival(statement);
         match &mut arrival.memory {
-            Some(common) => common.keep_common(&memory),
+            Some(common) => common.meet(&memory),
             None => arrival.memory = Some(memory),
         }
         arrival.look = Some(arrival.look.map_or(look, |other| look.filter(|_| other == look)));

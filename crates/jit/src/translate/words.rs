@@ -6,6 +6,8 @@
 
 use std::ops::Range;
 
+use cranelift_codegen::ir::InstBuilder;
+use cranelift_codegen::ir::types::I32;
 use sieben_engine::ir::{Callee, Inst, Place};
 use sieben_model::address::{Area, Width};
 
@@ -23,8 +25,9 @@ const WAITING_MAX: usize = 16;
 /// What is known of numbers in local data.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Words {
-    /// Offset behind the local data of the function's outermost block, width, and the value as a load would have it. No two overlap.
-    known: Vec<(i32, Width, Val)>,
+    /// Offset behind the local data of the function's outermost block, width, and the value as a load would have it; `None` = what a
+    /// variable holds where ways meet. No two overlap.
+    known: Vec<(i32, Width, Option<Val>)>,
 }
 
 /// Numbers that wait for their store, the oldest first: base, offset, width and value. No two overlap, nor does one overlap a bit that waits.
@@ -34,13 +37,24 @@ pub(super) struct WaitingWords(Vec<(Base, i32, Width, Val)>);
 impl Words {
     /// What is known to be a constant.
     pub(super) fn constants(&self) -> Vec<(i32, Width, u64)> {
-        let constants = self.known.iter().filter_map(|&(offset, width, value)| Some((offset, width, value.constant()?)));
+        let constants = self.known.iter().filter_map(|&(offset, width, value)| Some((offset, width, value?.constant()?)));
         constants.filter(|&(_, width, _)| width != Width::QuadWord).collect()
     }
 
     /// Keeps what others know, too.
     pub(super) fn keep_common(&mut self, other: &Self) {
         self.known.retain(|known| other.known.contains(known));
+    }
+
+    /// Keeps what is known on another way, too, where both meet: a variable holds what is not the same.
+    pub(super) fn meet(&mut self, other: &Self) {
+        self.known.retain_mut(|(offset, width, value)| {
+            let other = other.known.iter().find(|(at, wide, _)| (at, wide) == (&*offset, &*width));
+            other.is_some_and(|&(.., other)| {
+                *value = value.filter(|&value| Some(value) == other);
+                value.is_some() || *width != Width::QuadWord
+            })
+        });
     }
 
     /// Forgets everything: anything may have been written.
@@ -52,8 +66,36 @@ impl Words {
 impl Translator<'_> {
     /// The number at an address, if it is known.
     pub(super) fn known_word(&self, address: Address, width: Width) -> Option<Val> {
-        let is_it = |&&(offset, other, _): &&(i32, Width, Val)| (offset, other) == (address.offset, width);
-        self.words.known.iter().find(is_it).filter(|_| address.base == self.local).map(|&(.., value)| value)
+        let is_it = |&&(offset, other, _): &&(i32, Width, Option<Val>)| (offset, other) == (address.offset, width);
+        self.words.known.iter().find(is_it).filter(|_| address.base == self.local).and_then(|&(.., value)| value)
+    }
+
+    /// The number at an address, if it is known or a variable holds it.
+    pub(super) fn word_at(&mut self, address: Address, width: Width) -> Option<Val> {
+        let known = self.words.known.iter().position(|&(offset, other, _)| (offset, other) == (address.offset, width));
+        let at = known.filter(|_| address.base == self.local)?;
+        if self.words.known[at].2.is_none() {
+            let &variable = self.met.get(&(address.offset, width))?;
+            let value = self.b.use_var(variable);
+            self.narrow.insert(value, width.bytes() * 8);
+            self.words.known[at].2 = Some(Val::Int(value));
+        }
+        self.words.known[at].2
+    }
+
+    /// Lets variables hold what is known of local data, and of bits, in front of a place where ways meet.
+    pub(super) fn hold_what_is_known(&mut self) {
+        for (offset, width, value) in self.words.known.clone() {
+            let Some(value) = value.filter(|_| width != Width::QuadWord) else { continue };
+            let value = match value {
+                Val::Const(value) => self.b.ins().iconst(I32, i64::from(value as u32)),
+                value => self.int(value),
+            };
+            let b = &mut self.b;
+            let variable = *self.met.entry((offset, width)).or_insert_with(|| b.declare_var(I32));
+            b.def_var(variable, value);
+        }
+        self.hold_bits();
     }
 
     /// The constant at an offset behind the local data of the function's outermost block, if one is known to be there.
@@ -66,10 +108,10 @@ impl Translator<'_> {
     pub(super) fn constant_bytes(&self, offset: i32, count: u32) -> Option<Vec<u8>> {
         (offset..offset + count as i32)
             .map(|at| {
-                let holds = |&&(first, width, _): &&(i32, Width, Val)| (first..first + width.bytes() as i32).contains(&at);
+                let holds = |&&(first, width, _): &&(i32, Width, Option<Val>)| (first..first + width.bytes() as i32).contains(&at);
                 let &(first, width, value) = self.words.known.iter().find(holds)?;
                 let behind = first + width.bytes() as i32 - 1 - at;
-                Some((value.constant()? >> (8 * behind)) as u8)
+                Some((value?.constant()? >> (8 * behind)) as u8)
             })
             .collect()
     }
@@ -77,7 +119,7 @@ impl Translator<'_> {
     /// What is still known where a loop begins: constants that none of its turns writes.
     pub(super) fn words_in_loop(&self, it: &Loop, mut words: Words) -> Words {
         let end = self.local_behind() as i32;
-        words.known.retain(|&(at, width, value)| value.constant().is_some() && at + width.bytes() as i32 <= end);
+        words.known.retain(|&(at, width, value)| value.is_some_and(|value| value.constant().is_some()) && at + width.bytes() as i32 <= end);
         let code = &self.native().code;
         for inst in (it.first..=it.last).flat_map(|statement| code.statement(statement as usize)) {
             match *inst {
@@ -128,7 +170,7 @@ impl Translator<'_> {
         if self.words.known.len() == KNOWN_MAX {
             self.words.known.remove(0);
         }
-        self.words.known.push((address.offset, width, value));
+        self.words.known.push((address.offset, width, Some(value)));
     }
 
     /// Writes a number to an address that is known to be there. In local data it waits for its store, and so does what is written more than
