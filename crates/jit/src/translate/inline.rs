@@ -466,6 +466,9 @@ impl Translator<'_> {
             return self.b.ins().iconst(I32, i64::from(value as i16 as i32 as u32));
         }
         let value = self.int(value);
+        if self.range_of(Val::Int(value)).is_some_and(|(_, most)| most <= 0x7FFF) {
+            return value;
+        }
         let dfg = &self.b.func.dfg;
         let read = match dfg.value_def(dfg.resolve_aliases(value)) {
             ValueDef::Result(inst, 0) => match dfg.insts[inst] {

@@ -137,6 +137,16 @@ impl Translator<'_> {
         }
     }
 
+    /// The least and the greatest number without sign that a value may be in the running statement, if its 32 bits are known to be less
+    /// than all.
+    pub(super) fn range_of(&self, value: Val) -> Option<(u32, u32)> {
+        match value {
+            Val::Const(value) => u32::try_from(value).ok().map(|value| (value, value)),
+            Val::Int(value) => self.bounds.get(&value).or_else(|| self.bounds_of_results.get(&value)).copied(),
+            _ => None,
+        }
+    }
+
     /// The address of an access that is known to stay inside its area, which begins at a byte behind a base and has so many.
     pub(super) fn address_inside(
         &mut self,
@@ -223,6 +233,12 @@ impl Translator<'_> {
         {
             return self.term(value, times, sum);
         }
+        if self.bounds.contains_key(&value)
+            && let InstructionData::Binary { opcode: Opcode::Iadd | Opcode::Isub | Opcode::Imul, args } = dfg.insts[inst]
+            && args.iter().any(|&arg| self.is_unknown(arg))
+        {
+            return self.term(value, times, sum);
+        }
         match dfg.insts[inst] {
             InstructionData::Unary { opcode: Opcode::Ireduce, arg } if sum.of_instance == Some(dfg.resolve_aliases(arg)) => {
                 self.term(dfg.resolve_aliases(arg), times, sum)
@@ -247,6 +263,13 @@ impl Translator<'_> {
             }
             _ => self.term(value, times, sum),
         }
+    }
+
+    /// Whether nothing is known of the range of a value, nor of what it is made of.
+    fn is_unknown(&self, value: Value) -> bool {
+        let made = [Opcode::Iadd, Opcode::Isub, Opcode::Ishl, Opcode::Imul, Opcode::Iconst];
+        let is_made = self.definition(value).is_some_and(|(_, data)| made.contains(&data.opcode()));
+        self.range_of(Val::Int(self.b.func.dfg.resolve_aliases(value))).is_none() && !is_made
     }
 
     fn term(&self, value: Value, times: u32, sum: &mut Sum) -> bool {

@@ -300,6 +300,9 @@ impl Translator<'_> {
     }
 
     fn wrapped(&mut self, two: Two, bits: u32, a: Val, b: Val) -> Val {
+        if let (16, Some(result)) = (bits, self.within_16_bits(two, a, b)) {
+            return result;
+        }
         if bits == 16 {
             // In 16 bits a chain of operations cuts nothing off in between.
             let [a, b] = [a, b].map(|value| {
@@ -314,6 +317,30 @@ impl Translator<'_> {
         let (a, b) = if bits == 64 { (self.word(a), self.word(b)) } else { (self.int(a), self.int(b)) };
         let result = self.two(two, a, b);
         self.cut(bits, result)
+    }
+
+    /// The same of numbers of 16 bits whose ranges say that nothing is cut off: nothing need be put together behind it.
+    fn within_16_bits(&mut self, two: Two, a: Val, b: Val) -> Option<Val> {
+        let ((a_least, a_most), (b_least, b_most)) = (self.range_of(a)?, self.range_of(b)?);
+        if !self.options.optimize || a_most.max(b_most) > 0xFFFF {
+            return None;
+        }
+        let (two, b, least, most) = match two {
+            Two::Add if a_most + b_most <= 0xFFFF => (two, b, a_least + b_least, a_most + b_most),
+            // A constant below 0.
+            Two::Add if b_least == b_most && a_least + b_least > 0xFFFF => {
+                let less = 0x1_0000 - b_least;
+                (Two::Subtract, Val::Const(u64::from(less)), a_least - less, a_most - less)
+            }
+            Two::Subtract if a_least >= b_most => (two, b, a_least - b_most, a_most - b_least),
+            Two::Multiply if a_most.checked_mul(b_most)? <= 0xFFFF => (two, b, a_least * b_least, a_most * b_most),
+            Two::Add | Two::Subtract | Two::Multiply => return None,
+        };
+        let (a, b) = (self.int(a), self.int(b));
+        let result = self.two(two, a, b);
+        self.narrow.insert(result, 16);
+        self.bounds.insert(result, (least, most));
+        Some(Val::Int(result))
     }
 
     /// Whether a result with at most 32 bits, computed exactly in 64, is not the one that is kept.
