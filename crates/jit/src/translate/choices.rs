@@ -57,6 +57,27 @@ pub(super) fn is_cheap(op: Op) -> bool {
     logic || numbers || reals
 }
 
+/// Whether a variable that instructions read leads to an address from which they read, too: in a loop that chooses the variable by what
+/// it read, each turn would wait for the choice of the one before, two reads and a comparison. A jump that is foreseen waits for nothing.
+fn leads_to_address(insts: &[Inst], variable: Place) -> bool {
+    let mut led: Vec<Var> = Vec::new();
+    insts.iter().any(|inst| {
+        let leads = match *inst {
+            Inst::Load { place, .. } if place == variable => true,
+            Inst::Load { place: Place::Indirect { pointer, .. } | Place::Crossing { pointer, .. }, .. } if led.contains(&pointer) => {
+                return true;
+            }
+            Inst::Compute { op, args, .. } => args[..op.arity()].iter().any(|arg| led.contains(arg)),
+            _ => false,
+        };
+        if let Some(dst) = sieben_engine::ir::verify::writes(inst) {
+            led.retain(|&var| var != dst);
+            led.extend(leads.then_some(dst));
+        }
+        false
+    })
+}
+
 impl Translator<'_> {
     /// Whether the statement over which the running one jumps, if a condition holds, is written out as a choice; it is, from now on.
     pub(super) fn chooses(&mut self, index: u32, condition: Val, to: u32) -> bool {
@@ -64,6 +85,11 @@ impl Translator<'_> {
         let code = &self.native().code;
         let is_last = code.statements.get(next as usize) == Some(&(index + 1));
         if !self.options.optimize || to != next + 1 || !is_last || self.arrivals.contains_key(&next) || !self.is_plain(next) {
+            return false;
+        }
+        if let Some(&Inst::Store { place, .. }) = code.statement(next as usize).last()
+            && leads_to_address(code.statement(self.statement as usize), place)
+        {
             return false;
         }
         let (value, negated) = self.condition(condition);

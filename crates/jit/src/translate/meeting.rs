@@ -18,7 +18,7 @@ use crate::ask::Question;
 
 /// Instructions behind a look at an index that are written twice at most: each look of a long statement would write all that follows
 /// again. Among so many is looked for somebody who needs what a load reads.
-const REST_MAX: usize = 64;
+const REST_MAX: usize = 96;
 
 /// Where the ways of a statement meet.
 pub(super) struct Meeting {
