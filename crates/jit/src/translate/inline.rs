@@ -479,7 +479,7 @@ impl Translator<'_> {
             _ => None,
         };
         if self.is_product(value) {
-            let turned = self.b.ins().rotl_imm(value, 16);
+            let turned = self.b.ins().rotl_imm_u(value, 16);
             return self.b.ins().sshr_imm_u(turned, 16);
         }
         let low = read.unwrap_or_else(|| self.b.ins().ireduce(I16, value));
