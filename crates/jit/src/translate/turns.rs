@@ -38,6 +38,7 @@ mod left_beside;
 mod line;
 mod looked_at;
 mod masks;
+mod near_bits;
 mod nested;
 mod pieces;
 mod quads;

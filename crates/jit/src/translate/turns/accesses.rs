@@ -16,7 +16,7 @@ use super::write::Writing;
 
 impl Writing<'_, '_, '_> {
     pub(super) fn access(&mut self, number: usize, level: Level) {
-        if self.access_piece(number) {
+        if self.access_piece(number) || self.read_near_bit(number, level) {
             return;
         }
         let access = &self.kernel.accesses[number];
@@ -76,7 +76,8 @@ impl Writing<'_, '_, '_> {
                 self.scope(level).values.insert(node, value);
             }
             Some(value) => {
-                let value = self.value(value, level);
+                let together = if self.lanes == 1 && access.width == Width::Byte { self.byte_of_bits(value, level) } else { None };
+                let value = together.map_or_else(|| self.value(value, level), Lanes::One);
                 if self.lanes > 1 {
                     self.t.write_lanes(address.base, address.offset, &value, access.width.bytes() as u8, self.lanes);
                 } else if let Lanes::One(value) = value {
@@ -95,6 +96,38 @@ impl Writing<'_, '_, '_> {
                 }
             }
         }
+    }
+
+    /// A byte that is another value with some of its bits set anew, in a turn by itself: from the highest bit on, each step moves those before
+    /// and adds the next one, which is a single instruction.
+    fn byte_of_bits(&mut self, node: Node, level: Level) -> Option<Val> {
+        let (rest, bits) = self.kernel.bits_set_in(node)?;
+        let (known, computed): (Vec<_>, Vec<_>) = bits.into_iter().partition(|&(_, set)| self.kernel.constant(set).is_some());
+        let rest = self.first(rest, level);
+        let mut byte = self.t.int(rest);
+        let ones = known.iter().filter(|&&(_, set)| self.kernel.constant(set).is_some_and(|set| set & 1 != 0));
+        let ones = ones.fold(0, |ones, &(bit, _)| ones | 1 << bit);
+        if ones != 0 {
+            byte = self.t.b.ins().bor_imm_u(byte, ones);
+        }
+        let mut made: Option<(Value, u32)> = None;
+        for (bit, set) in computed.into_iter().rev() {
+            let set = self.first(set, level);
+            let flag = self.t.int(set);
+            let value = match made {
+                Some((higher, above)) => {
+                    let moved = self.t.b.ins().ishl_imm_u(higher, i64::from(above - bit));
+                    self.t.b.ins().iadd(moved, flag)
+                }
+                None => flag,
+            };
+            made = Some((value, bit));
+        }
+        if let Some((bits, lowest)) = made {
+            let moved = self.t.b.ins().ishl_imm_u(bits, i64::from(lowest));
+            byte = self.t.b.ins().bor(byte, moved);
+        }
+        Some(Val::Int(byte))
     }
 
     /// Where an access goes with a pointer.

@@ -4,7 +4,7 @@
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
 
-use super::kernel::{Access, Copied, Node, Part, Step};
+use super::kernel::{Access, Copied, Kernel, Node, Part, Step, What};
 use super::reader::Reader;
 use super::ways::Ways;
 
@@ -191,5 +191,28 @@ impl Reader<'_, '_> {
         }
         self.access(Access { value: Some(value), ..whole }, None, steps);
         true
+    }
+}
+
+impl Kernel {
+    /// What a byte was before bits of it were set together, these bits cleared, and the bits from the lowest one on with what they are.
+    pub(super) fn bits_set_in(&self, node: Node) -> Option<(Node, Vec<(u32, Node)>)> {
+        let mut bits = Vec::new();
+        // A byte is cut out of a number where a program makes it.
+        let mut rest = match self.what(node) {
+            What::Compute(Op::Low8, [of, ..]) => of,
+            _ => node,
+        };
+        while let What::Compute(Op::OrU32, [others, moved, ..]) = self.what(rest)
+            && let What::Compute(Op::Shl32, [set, bit, ..]) = self.what(moved)
+        {
+            let bit = self.constant(bit).filter(|&bit| bit < 8)?;
+            bits.push((bit as u32, set));
+            rest = others;
+        }
+        bits.sort();
+        let are_bits = bits.iter().all(|&(_, set)| self.constant(set).is_some_and(|set| set <= 1) || self.is_bit(set));
+        let once = bits.windows(2).all(|pair| pair[0].0 != pair[1].0);
+        (bits.len() > 1 && once && are_bits).then_some((rest, bits))
     }
 }

@@ -18,6 +18,7 @@ use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Step, What};
 use super::left::{Progress, Waiting};
 use super::left_beside::LeftBeside;
 use super::line::{Carried, Line, Shape, Sum};
+use super::near_bits::NearBits;
 use super::nested::Nested;
 use super::pieces::{self, Gathered, Piece};
 use super::records::Records;
@@ -37,6 +38,8 @@ pub(super) struct Scope {
     pub(super) addresses: HashMap<(Base, Node, u32), Value>,
     /// Bytes of which one bit was read or written, by their addresses and accesses to them: one of each turn, or vectors of them.
     pub(super) bytes: Vec<(Value, i32, usize, Vec<Value>)>,
+    /// Pieces with bits that are read together, by the accesses to the first ones.
+    pub(super) near_bits: HashMap<usize, Value>,
 }
 
 /// What a loop hands from turn to turn, and how.
@@ -79,6 +82,8 @@ pub(super) struct Writing<'t, 'a, 'k> {
     pub(super) lanes: u32,
     /// Accesses whose bits make whole bytes, if eight turns are written behind one another.
     pub(super) gathered: Gathered,
+    /// Bits that single turns read together.
+    pub(super) near_bits: NearBits,
     /// How the turns of the inner loop are done, if they are done side by side.
     nested: Option<&'k Nested>,
     /// Turns that are written behind one another instead of as a loop.
@@ -131,6 +136,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             kernel,
             lanes,
             gathered,
+            near_bits: if lanes == 1 { kernel.near_bits() } else { NearBits::new() },
             nested,
             unrolled: 1,
             turn: 0,
