@@ -53,6 +53,7 @@ mod numbers;
 mod open;
 mod outside;
 mod own_block;
+mod own_words;
 mod program;
 mod promote;
 mod quotients;

@@ -220,6 +220,7 @@ impl Translator<'_> {
 
     /// Makes the variables current and returns where the statement begins; the caller jumps there.
     pub(super) fn edge(&mut self, statement: u32) -> clif::Block {
+        self.drop_what_was_taken();
         self.store_waiting();
         let dead = self.dead_at(statement);
         self.define_variables(!dead);

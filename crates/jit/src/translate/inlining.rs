@@ -202,6 +202,11 @@ impl Outer {
         self.ranges.facts_at_call(self.inst).iter().chain(&self.elements)
     }
 
+    /// The block, the statement that calls, the call, and where its local data begin.
+    pub(super) fn call(&self) -> (usize, u32, u32, i32) {
+        (self.index, self.statement, self.inst, self.local_offset)
+    }
+
     /// The block, and the statement that calls.
     pub(super) fn place(&self) -> (usize, u32) {
         (self.index, self.statement)
@@ -322,6 +327,7 @@ impl Translator<'_> {
         self.rely_on_block();
         self.enter_block();
         self.take_arena();
+        self.keep_own_words();
         self.statements();
         self.leave_interpreted();
         let Some(outer) = self.outer.pop() else { unreachable!("it was pushed above") };

@@ -95,6 +95,8 @@ pub(super) struct Promoted {
     written: bool,
     /// In how many blocks around it the block lies whose statements hand them on, if nobody needs them between these.
     handed: Option<usize>,
+    /// Whether they are a number in the local data of the running block that nobody else sees.
+    own: bool,
     /// First and last statement of the loop.
     first: u32,
     last: u32,
@@ -210,6 +212,7 @@ impl Translator<'_> {
             real: None,
             written: true,
             handed: None,
+            own: false,
             first: 0,
             last: u32::MAX,
         };
@@ -303,7 +306,8 @@ impl Translator<'_> {
         };
         let variable = self.b.declare_var(if width == Width::QuadWord { I64 } else { I32 });
         let handed = handed.then_some(self.outer.len());
-        let promoted = Promoted { base, offset, width, in_data_block, variable, real, written, handed, first: it.first, last: it.last };
+        let promoted =
+            Promoted { base, offset, width, in_data_block, variable, real, written, handed, own: false, first: it.first, last: it.last };
         match handed {
             Some(_) => self.begin_anew(promoted),
             None => self.take(promoted),
@@ -325,6 +329,25 @@ impl Translator<'_> {
             let real = if promoted.width == Width::QuadWord { self.b.ins().f64const(0.0) } else { self.b.ins().f32const(0.0) };
             self.b.def_var(variable, real);
         }
+    }
+
+    /// Keeps a number of the block that begins now, which writes it before it reads it.
+    pub(super) fn keep_own(&mut self, base: Base, offset: i32, width: Width) {
+        let variable = self.b.declare_var(if width == Width::QuadWord { I64 } else { I32 });
+        let (first, last) = (0, u32::MAX);
+        self.promoted.push(Promoted {
+            base,
+            offset,
+            width,
+            in_data_block: false,
+            variable,
+            real: None,
+            written: true,
+            handed: None,
+            own: true,
+            first,
+            last,
+        });
     }
 
     /// Bytes that all accesses of a loop that touch them name in the same way; and how many variables it uses that are kept already.
@@ -437,6 +460,7 @@ impl Translator<'_> {
                 real: None,
                 written: false,
                 handed: None,
+                own: false,
                 first: 0,
                 last: 0,
             };
@@ -549,6 +573,11 @@ impl Translator<'_> {
     /// The value of an address that a register stands for.
     pub(super) fn read_promoted(&mut self, address: Address, width: Width) -> Option<Val> {
         let promoted = self.promoted_at(address, width)?;
+        if promoted.own
+            && let Some(known) = self.known_word(address, width)
+        {
+            return Some(known);
+        }
         let value = self.b.use_var(promoted.variable);
         if !self.changes_in_innermost_loop(&promoted) {
             self.fixed.insert(value);
@@ -582,6 +611,9 @@ impl Translator<'_> {
     /// Writes to an address that a register stands for; whether one does.
     pub(super) fn write_promoted(&mut self, address: Address, width: Width, value: Val) -> bool {
         let Some(promoted) = self.promoted_at(address, width) else { return false };
+        if promoted.own {
+            self.remember_word(address, width, value);
+        }
         if let Some(variable) = promoted.real {
             let real = if width == Width::QuadWord { self.f64(value) } else { self.f32(value) };
             self.b.def_var(variable, real);
