@@ -2,10 +2,9 @@
 //! keeps what it knows of memory that they do not reach, and nothing else.
 
 use dice::Dice;
-use noting::{layout, program, run};
+use noting::{all_engines_agree_from, layout, program};
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, TextAction, TextRoom, Var};
-use sieben_engine::{Engine, Entry, Interpreter, Layout, Machine, Program, Reaction};
-use sieben_jit::{Jit, StatusBits};
+use sieben_engine::{Layout, Machine, Program};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
@@ -130,40 +129,21 @@ fn caller(b: &mut Builder, dice: &mut Dice) {
 
 #[test]
 fn what_a_function_writes_into_a_structure_is_the_same_on_all_engines() {
-    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
     let mut silent = 0;
     for seed in 0..PROGRAMS {
         let (outer, inner) = (|b: &mut Builder| caller(b, &mut Dice(2 * seed)), |b: &mut Builder| writes(b, &mut Dice(2 * seed + 1)));
         let program = program(&[(BlockId::ob(1), 100, &outer), (BlockId::fc(1), 16, &inner)]);
         let layout = data(&program);
-        let engines = [StatusBits::All, StatusBits::Needed].map(|status| Jit::compiled(&program, &layout, status).expect("machine code"));
-        let reference = Interpreter::load(&program, &layout);
-        for run_of in 0..MEMORIES {
-            let outcome = |engine: &dyn Engine| {
-                let prepare = |machine: &mut Machine| {
-                    let mut dice = Dice(seed * MEMORIES + run_of);
-                    machine.budget = 100;
-                    let memory = machine.memory.area_mut(Area::BitMemory);
-                    memory.iter_mut().take(200).for_each(|byte| *byte = dice.roll(12) as u8);
-                    memory[INDEX as usize + 4..][..4].copy_from_slice(&0x8400_0050_u32.to_be_bytes());
-                    let start = machine.memory.layout.data_blocks[&NUMBER].start;
-                    machine.memory.arena[start..][..BYTES as usize].iter_mut().for_each(|byte| *byte = dice.roll(20) as u8);
-                };
-                run(engine, &layout, &entry, &prepare, &|_, _, _| Reaction::Continue)
-            };
-            let expected = outcome(reference.as_ref());
-            silent += u32::from(expected.asked.is_empty());
-            for engine in &engines {
-                let what = || {
-                    format!(
-                        "program {seed}, memory {run_of}\n{}\n{}",
-                        program.code[&BlockId::ob(1)].code,
-                        program.code[&BlockId::fc(1)].code
-                    )
-                };
-                outcome(engine.as_ref()).assert_ends_as(&expected, &what);
-            }
-        }
+        let prepare = |machine: &mut Machine, run_of: u64| {
+            let mut dice = Dice(seed * MEMORIES + run_of);
+            machine.budget = 100;
+            let memory = machine.memory.area_mut(Area::BitMemory);
+            memory.iter_mut().take(200).for_each(|byte| *byte = dice.roll(12) as u8);
+            memory[INDEX as usize + 4..][..4].copy_from_slice(&0x8400_0050_u32.to_be_bytes());
+            let start = machine.memory.layout.data_blocks[&NUMBER].start;
+            machine.memory.arena[start..][..BYTES as usize].iter_mut().for_each(|byte| *byte = dice.roll(20) as u8);
+        };
+        silent += all_engines_agree_from((&program, &layout), MEMORIES, &prepare, &format!("program {seed}"));
     }
     assert!(silent > 900, "{silent} runs without a question");
 }

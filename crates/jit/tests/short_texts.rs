@@ -2,7 +2,7 @@
 //! and leaves the same bytes, behind the texts too, as the interpreter.
 
 use dice::Dice;
-use noting::{layout, program, run};
+use noting::{all_engines_agree_from, layout, program, run};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, TextAction, TextRoom, Var};
 use sieben_engine::numbers_in_texts::{NumberForm, NumberKind, Spelling};
 use sieben_engine::{Engine, Entry, Interpreter, Machine, Reaction};
@@ -268,27 +268,15 @@ fn fill(machine: &mut Machine, dice: &mut Dice) {
 
 #[test]
 fn short_texts_are_the_same_on_all_engines() {
-    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
     for seed in 0..PROGRAMS {
         let body = |b: &mut Builder| statements(b, &mut Dice(seed));
         let program = program(&[(BlockId::ob(1), LOCAL, &body)]);
         let layout = layout(&program);
-        let engines = [StatusBits::All, StatusBits::Needed].map(|status| Jit::compiled(&program, &layout, status).expect("machine code"));
-        let reference = Interpreter::load(&program, &layout);
-        for memory in 0..MEMORIES {
-            let outcome = |engine: &dyn Engine| {
-                let prepare = |machine: &mut Machine| {
-                    machine.budget = 100;
-                    fill(machine, &mut Dice(seed * MEMORIES + memory));
-                };
-                run(engine, &layout, &entry, &prepare, &|_, _, _| Reaction::Continue)
-            };
-            let expected = outcome(reference.as_ref());
-            for engine in &engines {
-                let what = || format!("program {seed}, memory {memory}\n{}", program.code[&BlockId::ob(1)].code);
-                outcome(engine.as_ref()).assert_ends_as(&expected, &what);
-            }
-        }
+        let prepare = |machine: &mut Machine, memory: u64| {
+            machine.budget = 100;
+            fill(machine, &mut Dice(seed * MEMORIES + memory));
+        };
+        all_engines_agree_from((&program, &layout), MEMORIES, &prepare, &format!("program {seed}"));
     }
 }
 

@@ -2,10 +2,9 @@
 //! variables of the loop stay in registers, and every engine leaves the same memory.
 
 use dice::Dice;
-use noting::{layout, program, run};
+use noting::{all_engines_agree_from, layout, program};
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, TextAction, TextRoom, Var};
-use sieben_engine::{Engine, Entry, Interpreter, Layout, Machine, Program, Reaction};
-use sieben_jit::{Jit, StatusBits};
+use sieben_engine::{Layout, Machine, Program};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
@@ -217,39 +216,26 @@ fn data(program: &Program, read_only: bool) -> Layout {
 
 #[test]
 fn loops_that_call_functions_of_texts_are_the_same_on_all_engines() {
-    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
     let mut silent = 0;
     for seed in 0..PROGRAMS {
         let (outer, inner) = (|b: &mut Builder| caller(b, &mut Dice(2 * seed)), |b: &mut Builder| function(b, &mut Dice(2 * seed + 1)));
         let program = program(&[(BlockId::ob(1), 120, &outer), (BlockId::fc(1), 60, &inner)]);
         let layout = data(&program, seed % 16 == 0);
-        let engines = [StatusBits::All, StatusBits::Needed].map(|status| Jit::compiled(&program, &layout, status).expect("machine code"));
-        let reference = Interpreter::load(&program, &layout);
-        for run_of in 0..MEMORIES {
-            let outcome = |engine: &dyn Engine| {
-                let prepare = |machine: &mut Machine| {
-                    let mut dice = Dice(seed * MEMORIES + run_of);
-                    machine.budget = 200;
-                    let most = dice.of(&[3, 9, 20]);
-                    let byte = |dice: &mut Dice| if dice.roll(3) == 0 { b'0' + dice.roll(3) as u8 } else { dice.roll(most) as u8 };
-                    let memory = machine.memory.area_mut(Area::BitMemory);
-                    memory[..4].fill_with(|| dice.roll(4) as u8);
-                    memory[4..8].fill_with(|| dice.roll(100) as u8);
-                    memory[12..16].copy_from_slice(&(0x8400_0000 + 8 * dice.roll(100) as u32).to_be_bytes());
-                    memory[TEXTS as usize..][..2 * BYTES as usize].fill_with(|| byte(&mut dice));
-                    memory[TABLE as usize..][..16].iter_mut().zip(100..).for_each(|(at, number)| *at = number);
-                    let start = machine.memory.layout.data_blocks[&NUMBER].start;
-                    machine.memory.arena[start..][..BLOCK].fill_with(|| byte(&mut dice));
-                };
-                run(engine, &layout, &entry, &prepare, &|_, _, _| Reaction::Continue)
-            };
-            let expected = outcome(reference.as_ref());
-            silent += u32::from(expected.asked.is_empty());
-            for engine in &engines {
-                let codes = [BlockId::ob(1), BlockId::fc(1)].map(|block| program.code[&block].code.to_string());
-                outcome(engine.as_ref()).assert_ends_as(&expected, &|| format!("program {seed}, memory {run_of}\n{}", codes.join("\n")));
-            }
-        }
+        let prepare = |machine: &mut Machine, run_of: u64| {
+            let mut dice = Dice(seed * MEMORIES + run_of);
+            machine.budget = 200;
+            let most = dice.of(&[3, 9, 20]);
+            let byte = |dice: &mut Dice| if dice.roll(3) == 0 { b'0' + dice.roll(3) as u8 } else { dice.roll(most) as u8 };
+            let memory = machine.memory.area_mut(Area::BitMemory);
+            memory[..4].fill_with(|| dice.roll(4) as u8);
+            memory[4..8].fill_with(|| dice.roll(100) as u8);
+            memory[12..16].copy_from_slice(&(0x8400_0000 + 8 * dice.roll(100) as u32).to_be_bytes());
+            memory[TEXTS as usize..][..2 * BYTES as usize].fill_with(|| byte(&mut dice));
+            memory[TABLE as usize..][..16].iter_mut().zip(100..).for_each(|(at, number)| *at = number);
+            let start = machine.memory.layout.data_blocks[&NUMBER].start;
+            machine.memory.arena[start..][..BLOCK].fill_with(|| byte(&mut dice));
+        };
+        silent += all_engines_agree_from((&program, &layout), MEMORIES, &prepare, &format!("program {seed}"));
     }
     assert!(silent > 500, "{silent} runs without a question");
 }

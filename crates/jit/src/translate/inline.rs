@@ -469,6 +469,10 @@ impl Translator<'_> {
         if self.range_of(Val::Int(value)).is_some_and(|(_, most)| most <= 0x7FFF) {
             return value;
         }
+        if self.is_product(value) {
+            let turned = self.b.ins().rotl_imm_u(value, 16);
+            return self.b.ins().sshr_imm_u(turned, 16);
+        }
         let dfg = &self.b.func.dfg;
         let read = match dfg.value_def(dfg.resolve_aliases(value)) {
             ValueDef::Result(inst, 0) => match dfg.insts[inst] {
@@ -478,10 +482,6 @@ impl Translator<'_> {
             },
             _ => None,
         };
-        if self.is_product(value) {
-            let turned = self.b.ins().rotl_imm_u(value, 16);
-            return self.b.ins().sshr_imm_u(turned, 16);
-        }
         let low = read.unwrap_or_else(|| self.b.ins().ireduce(I16, value));
         self.b.ins().sextend(I32, low)
     }

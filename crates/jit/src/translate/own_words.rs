@@ -9,13 +9,11 @@ use sieben_model::block::BlockKind;
 
 use super::Translator;
 use super::inlining::Outer;
-use super::promote::Base;
+use super::promote::{Base, CALLS_MAX};
 use crate::jit::loop_heads;
 
 /// Numbers of one block; more would be kept on the stack, which is memory too.
 const WORDS_MAX: usize = 12;
-/// How deep calls are followed.
-const CALLS_MAX: u32 = 3;
 
 impl Translator<'_> {
     /// Keeps the numbers in the local data of the block that begins now, if no other block sees them.

@@ -9,20 +9,21 @@ use std::mem::offset_of;
 use std::ops::Range;
 
 use cranelift_codegen::ir::types::{F32, F64, I32, I64};
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value};
 use cranelift_frontend::Variable;
 use sieben_engine::access::data_registers;
 use sieben_engine::intrinsics::Intrinsic;
-use sieben_engine::ir::{Callee, Code, DataRegister, Inst, Op, Place, TextRoom, Var};
+use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, TextRoom, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-use super::loops::{Loop, targets};
+use super::loops::Loop;
 use super::memory::{Address, Bit, moved};
 use super::ranges;
 use super::value::Val;
 use super::{TRUSTED, Translator};
+use crate::jit::loop_heads;
 use crate::run::Run;
 
 /// Variables that are kept at the same time and that a loop uses; more would be kept on the stack, which is memory too.
@@ -34,7 +35,7 @@ const WEIGHT_OF_A_LOOP: u64 = 8;
 const WEIGHED_LOOPS_MAX: usize = 4;
 
 /// How deep calls are followed.
-const CALLS_MAX: u32 = 3;
+pub(super) const CALLS_MAX: u32 = 3;
 
 /// What an address is counted from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -103,6 +104,12 @@ pub(super) struct Promoted {
 }
 
 impl Promoted {
+    /// What the register stands for as long as the block runs.
+    fn in_block(base: Base, offset: i32, width: Width, variable: Variable) -> Self {
+        let (first, last) = (0, u32::MAX);
+        Self { base, offset, width, in_data_block: false, variable, real: None, written: true, handed: None, own: false, first, last }
+    }
+
     fn is_in(&self, statement: u32) -> bool {
         (self.first..=self.last).contains(&statement)
     }
@@ -161,10 +168,9 @@ fn computes_reals(op: Op) -> bool {
     reals || doubles || matches!(op, Op::MinF32 | Op::MaxF32 | Op::MinF64 | Op::MaxF64)
 }
 
-/// Whether a block jumps back.
-fn has_loop(code: &Code) -> bool {
-    (0..code.statement_count())
-        .any(|statement| code.statement(statement).iter().flat_map(|inst| targets(code, inst)).any(|to| to as usize <= statement))
+/// What a register holds that stands for a whole number.
+fn type_of(width: Width) -> Type {
+    if width == Width::QuadWord { I64 } else { I32 }
 }
 
 impl Translator<'_> {
@@ -202,20 +208,7 @@ impl Translator<'_> {
     /// Keeps the budget in a register as long as the function runs.
     pub(super) fn keep_budget(&mut self) {
         let offset = offset_of!(Run<'_, '_>, budget) as i32;
-        let (width, variable) = (Width::QuadWord, self.b.declare_var(I64));
-        let budget = Promoted {
-            base: Base::Run,
-            offset,
-            width,
-            in_data_block: false,
-            variable,
-            real: None,
-            written: true,
-            handed: None,
-            own: false,
-            first: 0,
-            last: u32::MAX,
-        };
+        let budget = Promoted::in_block(Base::Run, offset, Width::QuadWord, self.b.declare_var(I64));
         self.take(budget);
         self.promoted.push(budget);
     }
@@ -265,7 +258,7 @@ impl Translator<'_> {
                     let by_pointers = ranges::pointers(block, &|_| false).is_some();
                     let written = if by_pointers { Written::BlockByPointers } else { Written::Block };
                     // What texts may reach is stored for each of them: that is not worth while in an inner loop.
-                    let repeats_texts = block.insts.iter().any(|inst| matches!(inst, Inst::Text { .. })) && has_loop(block);
+                    let repeats_texts = block.insts.iter().any(|inst| matches!(inst, Inst::Text { .. })) && !loop_heads(block).is_empty();
                     depth > 0
                         && !repeats_texts
                         && self.inlines(called as usize)
@@ -304,7 +297,7 @@ impl Translator<'_> {
             Width::QuadWord if real => Some(self.b.declare_var(F64)),
             _ => None,
         };
-        let variable = self.b.declare_var(if width == Width::QuadWord { I64 } else { I32 });
+        let variable = self.b.declare_var(type_of(width));
         let handed = handed.then_some(self.outer.len());
         let promoted =
             Promoted { base, offset, width, in_data_block, variable, real, written, handed, own: false, first: it.first, last: it.last };
@@ -323,7 +316,7 @@ impl Translator<'_> {
 
     /// Lets a register stand for bytes of which nobody needs what they are.
     fn begin_anew(&mut self, promoted: Promoted) {
-        let none = self.b.ins().iconst(if promoted.width == Width::QuadWord { I64 } else { I32 }, 0);
+        let none = self.b.ins().iconst(type_of(promoted.width), 0);
         self.b.def_var(promoted.variable, none);
         if let Some(variable) = promoted.real {
             let real = if promoted.width == Width::QuadWord { self.b.ins().f64const(0.0) } else { self.b.ins().f32const(0.0) };
@@ -333,21 +326,8 @@ impl Translator<'_> {
 
     /// Keeps a number of the block that begins now, which writes it before it reads it.
     pub(super) fn keep_own(&mut self, base: Base, offset: i32, width: Width) {
-        let variable = self.b.declare_var(if width == Width::QuadWord { I64 } else { I32 });
-        let (first, last) = (0, u32::MAX);
-        self.promoted.push(Promoted {
-            base,
-            offset,
-            width,
-            in_data_block: false,
-            variable,
-            real: None,
-            written: true,
-            handed: None,
-            own: true,
-            first,
-            last,
-        });
+        let variable = self.b.declare_var(type_of(width));
+        self.promoted.push(Promoted { own: true, ..Promoted::in_block(base, offset, width, variable) });
     }
 
     /// Bytes that all accesses of a loop that touch them name in the same way; and how many variables it uses that are kept already.
@@ -451,19 +431,8 @@ impl Translator<'_> {
         let used = kept.iter().filter(is_used).count();
         candidates.retain(|&(base, offset), it| {
             let range = i64::from(offset)..i64::from(offset) + i64::from(it.width.bytes());
-            let own = Promoted {
-                base,
-                offset,
-                width: it.width,
-                in_data_block: it.in_data_block,
-                variable: Variable::from_u32(0),
-                real: None,
-                written: false,
-                handed: None,
-                own: false,
-                first: 0,
-                last: 0,
-            };
+            let in_block = Promoted::in_block(base, offset, it.width, Variable::from_u32(0));
+            let own = Promoted { in_data_block: it.in_data_block, ..in_block };
             !others.iter().any(|touched| own.overlaps(touched))
                 && !kept.iter().any(|kept| kept.overlaps(&Touched::Bytes(base, range.clone())))
         });

@@ -264,7 +264,7 @@ impl Translator<'_> {
     }
 
     /// The low 16 bits of a number.
-    pub(super) fn low_word(&mut self, value: Value) -> Value {
+    fn low_word(&mut self, value: Value) -> Value {
         if self.is_product(value) {
             let turned = self.b.ins().rotl_imm_u(value, 16);
             let low = self.b.ins().ushr_imm_u(turned, 16);

@@ -66,14 +66,18 @@ impl Words {
 impl Translator<'_> {
     /// The number at an address, if it is known.
     pub(super) fn known_word(&self, address: Address, width: Width) -> Option<Val> {
-        let is_it = |&&(offset, other, _): &&(i32, Width, Option<Val>)| (offset, other) == (address.offset, width);
-        self.words.known.iter().find(is_it).filter(|_| address.base == self.local).and_then(|&(.., value)| value)
+        self.words.known[self.place_of_word(address, width)?].2
+    }
+
+    /// Where the number at an address is noted.
+    fn place_of_word(&self, address: Address, width: Width) -> Option<usize> {
+        let is_it = |&(offset, other, _): &(i32, Width, Option<Val>)| (offset, other) == (address.offset, width);
+        self.words.known.iter().position(is_it).filter(|_| address.base == self.local)
     }
 
     /// The number at an address, if it is known or a variable holds it.
     pub(super) fn word_at(&mut self, address: Address, width: Width) -> Option<Val> {
-        let known = self.words.known.iter().position(|&(offset, other, _)| (offset, other) == (address.offset, width));
-        let at = known.filter(|_| address.base == self.local)?;
+        let at = self.place_of_word(address, width)?;
         if self.words.known[at].2.is_none() {
             let &variable = self.met.get(&(address.offset, width))?;
             let value = self.b.use_var(variable);

@@ -138,7 +138,33 @@ pub(crate) fn all_engines_agree(
     expected
 }
 
-/// The same for a random run of OB 1: beside each engine somebody meddles with the machine whenever it asks, as dice that begin anew tell.
+/// Compiles a program once and runs it from so many memories, in the interpreter and as machine code, with answers that change nothing: all
+/// have to end alike. In how many of these runs nobody was asked.
+#[allow(dead_code)] // Not every test that shares this file runs a program more than once.
+pub(crate) fn all_engines_agree_from(
+    (program, layout): (&Program, &Layout),
+    memories: u64,
+    prepare: &dyn Fn(&mut Machine, u64),
+    what: &str,
+) -> u64 {
+    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+    let engines = [StatusBits::All, StatusBits::Needed].map(|status| Jit::compiled(program, layout, status).expect("machine code"));
+    let reference = Interpreter::load(program, layout);
+    let code = || program.code.iter().map(|(id, block)| format!("\n{id}\n{}", block.code)).collect::<String>();
+    let mut silent = 0;
+    for memory in 0..memories {
+        let prepare = |machine: &mut Machine| prepare(machine, memory);
+        let outcome = |engine: &dyn Engine| run(engine, layout, &entry, &prepare, &|_, _, _| Reaction::Continue);
+        let expected = outcome(reference.as_ref());
+        silent += u64::from(expected.asked.is_empty());
+        for engine in &engines {
+            outcome(engine.as_ref()).assert_ends_as(&expected, &|| format!("{what}, memory {memory}{}", code()));
+        }
+    }
+    silent
+}
+
+/// The same as [`all_engines_agree`] for a random run of OB 1: beside each engine somebody meddles with the machine whenever it asks, as dice that begin anew tell.
 #[allow(dead_code)] // Not every test that shares this file meddles.
 pub(crate) fn all_engines_agree_beside<D>(
     (program, layout): (&Program, &Layout),

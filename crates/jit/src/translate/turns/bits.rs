@@ -240,8 +240,7 @@ impl Translator<'_> {
                 let pays = self.b.ins().icmp(IntCC::SignedGreaterThanOrEqual, way, least);
                 let divide = self.b.create_block();
                 self.b.ins().brif(pays, divide, &[], go_on, &[]);
-                self.b.switch_to_block(divide);
-                self.b.seal_block(divide);
+                self.go_on_in(divide);
                 let [way, divisor] = [way, divisor].map(|number| self.b.ins().ireduce(I32, number));
                 let steps = self.b.ins().udiv(way, divisor);
                 self.b.ins().uextend(I64, steps)
