@@ -47,6 +47,7 @@ mod loops;
 mod meeting;
 mod memory;
 mod moves;
+mod near_reads;
 mod nesting;
 mod next_value;
 mod numbers;

@@ -16,7 +16,7 @@ use sieben_model::block::BlockId;
 
 use super::outside::{self, Functions};
 use super::versions::Versions;
-use super::{Program, Translator, analysis, effects, gates, inlining, instance_pointer};
+use super::{Program, Translator, analysis, effects, gates, inlining, instance_pointer, near_reads};
 use crate::entry::Generation;
 use crate::jit::Native;
 use crate::run::{LINKS, Room};
@@ -227,8 +227,13 @@ fn define(module: &mut JITModule, id: FuncId, context: &mut Context, sets: Sets<
         Err(error) => Err(Box::new(ModuleError::from(error))),
     };
     let mut isa = sets.other.map_or(module.isa(), |isa| &**isa);
-    // Optimizations move calculations, and nothing moves them back.
+    // Optimizations move calculations and reads, and nothing moves them back.
     let as_written = sets.other.map(|_| context.func.clone());
+    if sets.other.is_some() {
+        context.optimize(isa, &mut ControlPlane::default()).map_err(ModuleError::from)?;
+        near_reads::bring_nearer(&mut context.func);
+        isa = &**sets.for_room;
+    }
     let frame = compile(context, isa)?;
     if frame > sets.frame_limit {
         isa = &**sets.for_room;
