@@ -62,6 +62,7 @@ mod ranges;
 mod series;
 mod shifts;
 mod sized;
+mod tested_bits;
 mod text_bytes;
 mod text_numbers;
 mod text_order;

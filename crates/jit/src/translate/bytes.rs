@@ -8,7 +8,7 @@
 use std::ops::Range;
 
 use cranelift_codegen::ir::types::I32;
-use cranelift_codegen::ir::{Endianness, InstBuilder, MemFlagsData, Value};
+use cranelift_codegen::ir::{Endianness, InstBuilder, InstructionData, MemFlagsData, Opcode, Value};
 use cranelift_frontend::Variable;
 use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::ir::Inst;
@@ -238,8 +238,8 @@ impl Translator<'_> {
             Val::Const(0) => {}
             Val::Const(_) => waiting.ones |= bit,
             value => {
-                let new = self.bit_at(value, at);
-                waiting.bits = Some(match waiting.bits {
+                let (new, others) = self.bits_of_one_number(value, at, waiting.bits);
+                waiting.bits = Some(match others {
                     Some(bits) => self.b.ins().bor(bits, new),
                     None => new,
                 });
@@ -250,6 +250,35 @@ impl Translator<'_> {
             let oldest = self.bytes.waiting.remove(0);
             self.store_bits(oldest);
         }
+    }
+
+    /// A bit at its position, and the others of its piece: those that lie beside it in the number from which they were taken last are taken
+    /// from there together with it.
+    fn bits_of_one_number(&mut self, value: Val, at: u8, others: Option<Value>) -> (Value, Option<Value>) {
+        let new = self.bit_at(value, at);
+        let taken = |this: &Self, bits: Value| {
+            let (_, InstructionData::Binary { opcode: Opcode::Band, args: [moved, mask] }) = this.definition(bits)? else { return None };
+            let (upright, inverted) = match this.definition(moved) {
+                Some((_, InstructionData::Unary { opcode: Opcode::Bnot, arg })) => (arg, true),
+                _ => (moved, false),
+            };
+            let (number, by) = match this.definition(upright) {
+                Some((_, InstructionData::Binary { opcode: Opcode::Rotr, args: [number, by] })) => (number, this.iconst(by)?),
+                _ => (upright, 0),
+            };
+            Some(((number, by, inverted), moved, this.iconst(mask)?))
+        };
+        let Some(last) = others else { return (new, None) };
+        let (before, last) = match self.definition(last) {
+            Some((_, InstructionData::Binary { opcode: Opcode::Bor, args: [before, last] })) => (Some(before), last),
+            _ => (None, last),
+        };
+        if let (Some((source, moved, mask)), Some((other, _, own))) = (taken(self, last), taken(self, new))
+            && source == other
+        {
+            return (self.masked(moved, mask | own), before);
+        }
+        (new, others)
     }
 
     /// Notes which bytes the present block looks at bit by bit, and which otherwise.

@@ -74,6 +74,7 @@ impl Translator<'_> {
             Op::MaxU64 => self.extreme(Unsigned(64), IntCC::UnsignedGreaterThan, a, b),
 
             // Comparison.
+            Op::Differ if let Some(bit) = self.tested_bit(true, a, b) => bit,
             Op::Differ => self.compare(IntCC::NotEqual, a, b),
             Op::LeU64 => self.compare(IntCC::UnsignedLessThanOrEqual, a, b),
             Op::GtU64 => self.compare(IntCC::UnsignedGreaterThan, a, b),

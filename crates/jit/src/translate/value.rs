@@ -246,7 +246,7 @@ impl Translator<'_> {
         let value = self.force(value);
         let (Val::Bit { value: bits, .. } | Val::At { value: bits, .. }) = value else { return (value, false) };
         let Some((_, data)) = self.definition(bits) else { return (value, false) };
-        let is_one = |this: &Self, value: Value| matches!(this.definition(value), Some((_, InstructionData::UnaryImm { opcode: Opcode::Iconst, imm })) if imm.bits() == 1);
+        let is_one = |this: &Self, value: Value| this.iconst(value) == Some(1);
         match (value, data) {
             (Val::Bit { clean: false, .. }, InstructionData::Unary { opcode: Opcode::Bnot, arg }) => {
                 (Val::Bit { value: arg, clean: false }, true)
