@@ -59,6 +59,7 @@ mod program;
 mod promote;
 mod quotients;
 mod ranges;
+mod reals_as_read;
 mod series;
 mod shifts;
 mod sized;

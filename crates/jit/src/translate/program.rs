@@ -16,7 +16,7 @@ use sieben_model::block::BlockId;
 
 use super::outside::{self, Functions};
 use super::versions::Versions;
-use super::{Program, Translator, analysis, effects, gates, inlining, instance_pointer, near_reads};
+use super::{Program, Translator, analysis, effects, gates, inlining, instance_pointer, near_reads, reals_as_read};
 use crate::entry::Generation;
 use crate::jit::Native;
 use crate::run::{LINKS, Room};
@@ -231,6 +231,7 @@ fn define(module: &mut JITModule, id: FuncId, context: &mut Context, sets: Sets<
     let as_written = sets.other.map(|_| context.func.clone());
     if sets.other.is_some() {
         context.optimize(isa, &mut ControlPlane::default()).map_err(ModuleError::from)?;
+        reals_as_read::turn_as_reals(&mut context.func);
         near_reads::bring_nearer(&mut context.func);
         isa = &**sets.for_room;
     }
