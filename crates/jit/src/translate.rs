@@ -648,7 +648,12 @@ impl<'a> Translator<'a> {
 
     /// AR2 at a statement where ways meet, if it is there what it was at the beginning of the block.
     fn know_instance_again(&mut self) {
-        let Some(added) = self.pointers[self.index].at(self.statement) else { return };
+        let Some(added) = self.pointers[self.index].at(self.statement) else {
+            if let Some(pointer) = self.ranges.instance_at(self.statement) {
+                self.current[Register::Ar2 as usize] = Some(Val::Const(pointer));
+            }
+            return;
+        };
         if added == 0 || self.instance.constant().is_some() {
             self.current[Register::Ar2 as usize] = Some(self.instance_and(added));
         }

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use sieben_engine::Layout;
 use sieben_engine::ir::{Callee, Code, Inst, Op, Place, Var, verify};
-use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
+use sieben_engine::machine::{CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 
 use super::effects::{Effects, Source, own_local};
@@ -16,6 +16,7 @@ use super::inside::FIRST_BYTE;
 use super::instance_pointer::InstancePointer;
 use super::promote::Base;
 use super::ranges::{self, Fact, Interval, Ranges, Surroundings};
+use super::texts::NUMBER_SHIFT;
 use super::{Find, Translator, loops};
 use crate::jit::Native;
 
@@ -26,6 +27,8 @@ const BLOCK_BYTES: usize = 1 << 16;
 /// Where the local data of callers are taken to be, and bytes that each parameter has there.
 const CALLERS: i32 = -0x100_0000;
 const PARAMETER_BYTES: i32 = 1 << 11;
+/// Bytes of local data that a pointer can count.
+const CALLER_BYTES: usize = (1 << CALLS_SHIFT) / 8;
 /// A pointer to the local data of the caller.
 const TO_CALLER: u64 = 0x8700_0000;
 
@@ -142,14 +145,11 @@ impl<'a> Look<'a> {
             _ => None,
         });
         let parameters = parameters.max().unwrap_or(0);
-        if parameters * PARAMETER_BYTES as u64 > (1 << CALLS_SHIFT) / 8 {
+        if parameters * PARAMETER_BYTES as u64 > CALLER_BYTES as u64 {
             return None;
         }
         let given = |parameter: u64| Some(TO_CALLER | (parameter * 8 * PARAMETER_BYTES as u64));
-        let caller = |position: u32, width: Width| {
-            let fits = position >> CALLS_SHIFT == 0 && (width == Width::Bit || position.is_multiple_of(8));
-            fits.then_some((CALLERS + ((position & CALLS_MASK) / 8) as i32, (position % 8) as u8))
-        };
+        let callers = |calls: usize| (calls == 0).then_some((CALLERS, CALLER_BYTES));
         let mut facts = Vec::new();
         for (at, &(number, pointer)) in pairs.iter().enumerate() {
             let known = [(number, Width::Word, u64::from(world.blocks[1 + at])), (pointer, Width::DoubleWord, FIRST_BYTE)];
@@ -169,7 +169,7 @@ impl<'a> Look<'a> {
             local: (0, block.local_size),
             words: Vec::new(),
             facts,
-            caller: &caller,
+            callers: &callers,
             asks_before_writing: false,
             written: &loops::written,
             instance: [&|statement| added(pointers.at(statement)), &|inst| added(pointers.after(inst))],
@@ -322,6 +322,10 @@ enum Held {
     Parameter(u16),
     Number(Source),
     Pointer(Source),
+    /// A number where a pointer of 64 bits has it.
+    Shifted(Source),
+    /// A number above a pointer.
+    Far(Pair),
 }
 
 /// Where a block writes what it hands on: behind AR2, or in its local data.
@@ -363,14 +367,22 @@ impl Follower<'_> {
                     reads_as_such.push(args[0]);
                 }
                 Inst::Compute { op: Op::AddU32, args: [a, b, ..], .. } => {
-                    let of_pointer = |var: Var| of(var).filter(|held| matches!(held, Held::Pointer(_)));
+                    // The number above a pointer is no part of the sum.
+                    let of_pointer = |var: Var| match of(var)? {
+                        Held::Pointer(pointer) | Held::Far((_, pointer)) => Some(pointer),
+                        _ => None,
+                    };
                     match (of_pointer(a), of_pointer(b)) {
-                        (Some(held), None) | (None, Some(held)) => {
-                            result = Some(held);
-                            reads_as_such.extend([a, b].into_iter().filter(|&var| of(var) == Some(held)));
+                        (Some(pointer), None) | (None, Some(pointer)) => {
+                            result = Some(Held::Pointer(pointer));
+                            reads_as_such.extend([a, b].into_iter().filter(|&var| of_pointer(var).is_some()));
                         }
                         _ => {}
                     }
+                }
+                Inst::Compute { op: op @ (Op::Shl64 | Op::Shr64 | Op::OrU64), args: [a, b, ..], .. } => {
+                    result = joined(op, of(a), of(b));
+                    reads_as_such.extend([a, b].into_iter().filter(|_| result.is_some()));
                 }
                 Inst::Load { place, width, .. } => {
                     let source = match place {
@@ -413,7 +425,13 @@ impl Follower<'_> {
                 }
                 Inst::Move { from, to, .. } => {
                     for place in [from, to] {
-                        self.follow(place, &of, opened, pairs_if(pairs, !looks), &mut reads_as_such);
+                        match place {
+                            Place::Crossing { pointer, .. } if let Some(Held::Far(pair)) = of(pointer) => {
+                                reads_as_such.push(pointer);
+                                add(pairs_if(pairs, !looks), pair);
+                            }
+                            _ => self.follow(place, &of, opened, pairs_if(pairs, !looks), &mut reads_as_such),
+                        }
                     }
                 }
                 Inst::Call { callee: Callee::Block(id), parameters } => {
@@ -495,12 +513,23 @@ impl Follower<'_> {
     }
 }
 
+/// A number and a pointer in 64 bits, or one of them taken from there.
+fn joined(op: Op, a: Option<Held>, b: Option<Held>) -> Option<Held> {
+    match (op, a?, b?) {
+        (Op::Shl64, Held::Number(number), Held::Constant(by)) if by == u64::from(NUMBER_SHIFT) => Some(Held::Shifted(number)),
+        (Op::Shr64, Held::Far((number, _)), Held::Constant(by)) if by == u64::from(NUMBER_SHIFT) => Some(Held::Number(number)),
+        (Op::OrU64, Held::Shifted(number), Held::Pointer(pointer)) => Some(Held::Far((number, pointer))),
+        _ => None,
+    }
+}
+
 /// Whether a value is a pointer that is followed, or the number that belongs to one.
 fn is_in(pairs: &[Pair], held: Held) -> bool {
     match held {
         Held::Constant(_) | Held::Parameter(_) => false,
-        Held::Number(source) => pairs.iter().any(|pair| pair.0 == source),
+        Held::Number(source) | Held::Shifted(source) => pairs.iter().any(|pair| pair.0 == source),
         Held::Pointer(source) => pairs.iter().any(|pair| pair.1 == source),
+        Held::Far((number, pointer)) => pairs.iter().any(|pair| pair.0 == number || pair.1 == pointer),
     }
 }
 

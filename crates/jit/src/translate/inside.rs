@@ -7,12 +7,12 @@ use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{self as clif, InstBuilder, InstructionData, Opcode, Value, ValueDef};
 use sieben_engine::access;
 use sieben_engine::ir::{Callee, Inst, Place};
-use sieben_engine::machine::{CALLS_SHIFT, Register};
+use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
 use super::alone::Reliance;
 use super::analysis::{open_blocks, set_by_calls};
-use super::inlining::{self, Outer};
+use super::inlining::Outer;
 use super::memory::{Address, Bit};
 use super::moves::MOVED_BYTES_MAX;
 use super::promote::Base;
@@ -41,10 +41,10 @@ pub(super) struct Sum {
 impl Translator<'_> {
     /// Looks at the ranges of the values of the present block, whose known registers and parameters are current.
     pub(super) fn find_ranges(&mut self) -> Ranges {
-        let caller = |position: u32, width: Width| self.way_to_caller(position, width);
+        let callers = |calls: usize| self.caller_local(calls);
         let facts = self.outer.last().map_or(Vec::new(), |outer| outer.facts_at_call().copied().collect());
         let relative = self.relative_instance();
-        let ranges = self.ranges_of(self.words.constants(), facts, &caller, relative.as_ref());
+        let ranges = self.ranges_of(self.words.constants(), facts, &callers, relative.as_ref());
         self.pinned.extend(ranges.opened());
         ranges
     }
@@ -52,11 +52,7 @@ impl Translator<'_> {
     /// The same for a block whose callers are not those of the running code: what is known where it is called, and where the local data of
     /// its callers lie, the nearest first.
     pub(super) fn find_ranges_of_called(&mut self, facts: Vec<Fact>, callers: &[(i32, usize)]) -> Ranges {
-        let caller = |position: u32, width: Width| {
-            let &local = callers.get((position >> CALLS_SHIFT) as usize)?;
-            inlining::way_into(position, width, local)
-        };
-        let ranges = self.ranges_of(Vec::new(), facts, &caller, None);
+        let ranges = self.ranges_of(Vec::new(), facts, &|calls| callers.get(calls).copied(), None);
         self.pinned.extend(ranges.opened());
         ranges
     }
@@ -65,7 +61,7 @@ impl Translator<'_> {
         &self,
         words: Vec<(i32, Width, u64)>,
         facts: Vec<Fact>,
-        caller: &dyn Fn(u32, Width) -> Option<(i32, u8)>,
+        callers: &dyn Fn(usize) -> Option<(i32, usize)>,
         relative: Option<&Relative>,
     ) -> Ranges {
         // Code that has to be there at once is for the time until better code is there.
@@ -96,7 +92,7 @@ impl Translator<'_> {
             local: (self.local_offset, self.native().local_size),
             words,
             facts,
-            caller,
+            callers,
             asks_before_writing: self.options.asks_before_writing,
             written: &written,
             instance: [&|statement| added(pointers.at(statement)), &|inst| added(pointers.after(inst))],
@@ -427,7 +423,14 @@ impl Translator<'_> {
                 }
                 area => area,
             },
-            None => self.ranges.pointed_area(index, write)?,
+            None => match self.ranges.pointed_area(index, write)? {
+                Area::CallerLocal => {
+                    let touched = self.ranges.moved(index)?[usize::from(write)].clone();
+                    let pointer = self.without_number(value);
+                    return self.address_in_caller(&touched, (pointer, offset), (Width::Byte, bytes));
+                }
+                area => area,
+            },
         };
         self.span(Place::Indirect { area, pointer, offset }, bytes, write)
     }

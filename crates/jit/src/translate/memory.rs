@@ -220,11 +220,26 @@ impl Translator<'_> {
 
     /// A computed position in the local data of the caller, if that is in this function and the access is known to stay there.
     fn way_inside_caller(&mut self, index: u32, (pointer, offset): (Val, u32), width: Width) -> Option<Way> {
-        let (first, bytes) = self.caller_local(0)?;
-        let (base, touched) = self.ranges.inside(index)?;
-        let is_there = base == Base::Local && touched.start >= i64::from(first) && touched.end <= i64::from(first) + bytes as i64;
-        let area = (self.local, first, bytes as u64);
-        is_there.then(|| Way::Inside(self.address_inside(area, pointer, offset, (width, width.bytes())), (base, touched)))
+        let touched = self.ranges.inside(index)?;
+        let address = self.address_in_caller(&touched, (pointer, offset), (width, width.bytes()))?;
+        Some(Way::Inside(address, touched))
+    }
+
+    /// The address of bytes in the local data of a caller that is in this function, if they are known to lie there.
+    pub(super) fn address_in_caller(
+        &mut self,
+        (base, touched): &(Base, Range<i64>),
+        (pointer, offset): (Val, u32),
+        access: (Width, u32),
+    ) -> Option<Address> {
+        let is_there = |&(_, (first, bytes)): &(u32, (i32, usize))| {
+            touched.start >= i64::from(first) && touched.end <= i64::from(first) + bytes as i64
+        };
+        let callers = (0..).map_while(|calls: u32| Some((calls, self.caller_local(calls as usize)?)));
+        let (calls, (first, bytes)) = { callers }.find(is_there).filter(|_| *base == Base::Local)?;
+        // The pointer counts the calls, too.
+        let offset = offset.wrapping_sub(calls << CALLS_SHIFT);
+        Some(self.address_inside((self.local, first, bytes as u64), pointer, offset, access))
     }
 
     fn is_store(&self, index: u32) -> bool {

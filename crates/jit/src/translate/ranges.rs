@@ -108,6 +108,8 @@ pub(super) struct Ranges {
     elements: FxHashMap<u32, Vec<(u32, Width, Interval)>>,
     /// Ranges of AR2 at calls.
     instances: FxHashMap<u32, Interval>,
+    /// AR2 at statements that begin with one that is known.
+    instances_at: FxHashMap<u32, u64>,
     /// Calls behind which something is known.
     kept: FxHashSet<u32>,
     /// What blocks that are called may write by pointers that they read, by the call.
@@ -219,6 +221,11 @@ impl Ranges {
     pub(super) fn instance(&self, inst: u32) -> Option<Interval> {
         self.instances.get(&inst).copied()
     }
+
+    /// AR2 at the beginning of a statement.
+    pub(super) fn instance_at(&self, statement: u32) -> Option<u64> {
+        self.instances_at.get(&statement).copied()
+    }
 }
 
 /// What a block is known to begin with, and where its data lie.
@@ -235,8 +242,9 @@ pub(super) struct Surroundings<'a> {
     pub(super) words: Vec<(i32, Width, u64)>,
     /// What is known in front of it.
     pub(super) facts: Vec<Fact>,
-    /// Where a pointer to the local data of a caller goes, if that caller is in the same function and the access does not fail.
-    pub(super) caller: &'a dyn Fn(u32, Width) -> Option<(i32, u8)>,
+    /// The local data of a caller that is in the same function, so many calls further out than the nearest one: where they begin, and
+    /// how many bytes they are.
+    pub(super) callers: &'a dyn Fn(usize) -> Option<(i32, usize)>,
     /// Whether a data block that is not known beforehand may be protected.
     pub(super) asks_before_writing: bool,
     /// Registers that an instruction may change, over calls.
@@ -446,6 +454,7 @@ pub(super) fn find(block: &Native, around: &Surroundings<'_>) -> Ranges {
         // What AR2 is said to hold is no number that anybody calculates with.
         found.results.retain(|index, _| !relative.pointers.contains(index));
         found.instances.clear();
+        found.instances_at.clear();
     }
     found
 }
@@ -661,6 +670,8 @@ impl<'a> Analysis<'a> {
             if let Some(state) = state
                 && statement < self.code.statement_count()
             {
+                let ar2 = state.registers.get(&(Register::Ar2 as u8)).and_then(|known| known.range.exact());
+                self.found.instances_at.extend(ar2.map(|pointer| (statement as u32, pointer)));
                 self.statement(statement as u32, state.clone(), true);
             }
         }

@@ -5,10 +5,12 @@ use std::ops::Range;
 
 use sieben_engine::access::{data_registers, pointed_area};
 use sieben_engine::ir::{DataRegister, OnFault, Op, Place, TextRoom, Var};
+use sieben_engine::machine::CALLS_SHIFT;
 use sieben_model::address::{Area, Width};
 
 use super::interval::{self, Interval};
 use super::{Analysis, Bytes, Element, Known, Origin, Reach, Same, Span, State, TextPlace};
+use crate::translate::inlining::way_into;
 use crate::translate::memory::moved;
 use crate::translate::promote::Base;
 use crate::translate::texts::NUMBER_SHIFT;
@@ -101,16 +103,20 @@ impl Analysis<'_> {
 
     /// Where a pointer to the local data of a caller goes, if that caller is in the same function and all bytes are there.
     fn in_caller(&self, position: u32, span: Span) -> Option<i32> {
-        let caller = self.around.caller;
         match span {
-            Span::Width(width) => caller(position, width).map(|(byte, _)| byte),
+            Span::Width(width) => self.byte_in_caller(position, width),
             Span::Bytes(bytes) => {
                 let distance = bytes.checked_sub(1)?;
-                let (first, _) = caller(position, Width::Byte)?;
-                let (last, _) = caller(position.checked_add(8 * distance)?, Width::Byte)?;
+                let first = self.byte_in_caller(position, Width::Byte)?;
+                let last = self.byte_in_caller(position.checked_add(8 * distance)?, Width::Byte)?;
                 (i64::from(last) - i64::from(first) == i64::from(distance)).then_some(first)
             }
         }
+    }
+
+    fn byte_in_caller(&self, position: u32, width: Width) -> Option<i32> {
+        let caller = (self.around.callers)((position >> CALLS_SHIFT) as usize)?;
+        way_into(position, width, caller).map(|(byte, _)| byte)
     }
 
     /// The bytes to which pointers to the local data of a caller go, if that caller is in the same function and all of them are there.
@@ -121,7 +127,7 @@ impl Analysis<'_> {
         }
         let (least, most) = (u32::try_from(least).ok()? & !7, u32::try_from(most).ok()? & !7);
         let last = most.checked_add(8 * span.bytes().checked_sub(1)?)?;
-        let [first, end] = [least, last].map(|position| (self.around.caller)(position, Width::Byte).map(|(byte, _)| i64::from(byte)));
+        let [first, end] = [least, last].map(|position| self.byte_in_caller(position, Width::Byte).map(i64::from));
         let (first, end) = (first?, end? + 1);
         (end - first == i64::from((last - least) / 8) + 1).then_some(first..end)
     }

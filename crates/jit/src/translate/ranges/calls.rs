@@ -17,12 +17,25 @@ fn bytes_before(bit: i64) -> i64 {
     bit.div_euclid(8) + i64::from(bit % 8 != 0)
 }
 
-/// The bytes of an area of so many, to which pointers from one to another lead, with some bits behind them.
-fn reached((least, most): (i128, i128), bits: &Range<i64>, length: i64) -> Range<i64> {
-    let position = |pointer: i128| (pointer & 0x00FF_FFFF) as i64;
-    let end = position(most) + bits.end;
-    // A position may turn over.
-    if end > POSITIONS { 0..length } else { (position(least) + bits.start) / 8..bytes_before(end) }
+/// Memory to which a pointer leads.
+#[derive(Clone, Copy)]
+struct Pointee {
+    base: Base,
+    /// Its first byte, and how many it has.
+    start: i64,
+    length: i64,
+    /// Bits that a pointer counts there.
+    positions: i64,
+}
+
+impl Pointee {
+    /// The bytes to which pointers from one to another lead, with some bits behind them. `None` = a position may turn over, and what is
+    /// carried may lead to another area or to another caller.
+    fn reached(&self, (least, most): (i128, i128), bits: &Range<i64>) -> Option<Range<i64>> {
+        let position = |pointer: i128| pointer as i64 & (self.positions - 1);
+        let end = position(most) + bits.end;
+        (end <= self.positions).then(|| self.start + (position(least) + bits.start) / 8..self.start + bytes_before(end))
+    }
 }
 
 impl Analysis<'_> {
@@ -203,54 +216,55 @@ impl Analysis<'_> {
 
     /// Forgets what a called block may write by a pointer that it reads; the bytes that it may reach.
     fn forget_pointed(&mut self, access: &Pointed, state: &mut State, number: Option<u64>, pointer: Interval) -> Option<Bytes> {
-        let (base, start, length) = self.pointed_bytes(number, pointer, access.writes)?;
-        let bytes = reached(pointer.unsigned(64), &access.bits, length);
-        let bytes = start + bytes.start..start + bytes.end;
+        let pointee = self.pointee(number, pointer, access.writes)?;
+        let bytes = pointee.reached(pointer.unsigned(64), &access.bits)?;
         if access.writes {
-            state.forget(base, &bytes);
+            state.forget(pointee.base, &bytes);
         }
-        Some((base, bytes))
+        Some((pointee.base, bytes))
     }
 
     /// Forgets a text that a called block may write by a pointer that it reads.
     fn forget_text(&mut self, text: &WrittenText, state: &mut State, number: u64, pointer: Interval) -> Option<()> {
-        let (base, start, length) = self.pointed_bytes(Some(number), pointer, true)?;
+        let pointee = self.pointee(Some(number), pointer, true)?;
         let bits = i64::from(text.offset)..i64::from(text.offset) + 8 * i64::from(text.bytes);
-        if (pointer.unsigned(64).1 & (POSITIONS - 1) as i128) as i64 + bits.end > POSITIONS {
-            // What is added to the pointer may lead to another area.
-            return None;
-        }
-        let bytes = reached(pointer.unsigned(64), &bits, length);
-        let bytes = bytes.start..bytes.end.min(length);
+        let bytes = pointee.reached(pointer.unsigned(64), &bits)?;
+        let bytes = bytes.start..bytes.end.min(pointee.start + pointee.length);
         if bytes.start < bytes.end {
-            state.forget(base, &(start + bytes.start..start + bytes.end));
+            state.forget(pointee.base, &bytes);
         }
         Some(())
     }
 
-    /// The bytes of the area to which a pointer leads that a called block reads: first and number.
-    fn pointed_bytes(&mut self, number: Option<u64>, pointer: Interval, writes: bool) -> Option<(Base, i64, i64)> {
+    /// Where a pointer leads that a called block reads.
+    fn pointee(&mut self, number: Option<u64>, pointer: Interval, writes: bool) -> Option<Pointee> {
         let (least, most) = pointer.unsigned(64);
         if least >> 24 != most >> 24 || least >> 32 != 0 {
             return None;
         }
-        Some(match pointed_area(least as u64, writes).ok()? {
+        let range = match pointed_area(least as u64, writes).ok()? {
             Area::SharedData => {
                 let number = u16::try_from(number?).ok().filter(|&number| number != 0)?;
-                let range = self.around.layout.data_blocks.get(&number)?;
+                let range = self.around.layout.data_blocks.get(&number)?.clone();
                 self.found.opened.insert(number);
-                (Base::Arena, range.start as i64, range.len() as i64)
+                range
             }
-            Area::CallerLocal if (most & 0x00FF_FFFF) >> CALLS_SHIFT == 0 => {
-                let (start, length) = self.around.local;
-                (Base::Local, i64::from(start), i64::from(length))
-            }
-            area @ (Area::Input | Area::Output | Area::BitMemory) => {
-                let range = self.around.layout.area(area)?;
-                (Base::Arena, range.start as i64, range.len() as i64)
-            }
+            Area::CallerLocal => return self.local_behind(least, most),
+            area @ (Area::Input | Area::Output | Area::BitMemory) => self.around.layout.area(area)?,
             _ => return None,
-        })
+        };
+        Some(Pointee { base: Base::Arena, start: range.start as i64, length: range.len() as i64, positions: POSITIONS })
+    }
+
+    /// The local data of this block, or of a caller that is in the same function, to which pointers of a called block lead.
+    fn local_behind(&self, least: i128, most: i128) -> Option<Pointee> {
+        let calls = |pointer: i128| (pointer & (POSITIONS - 1) as i128) >> CALLS_SHIFT;
+        let (start, length) = match calls(least) {
+            further if further != calls(most) => return None,
+            0 => (self.around.local.0, self.around.local.1 as usize),
+            further => (self.around.callers)(further as usize - 1)?,
+        };
+        Some(Pointee { base: Base::Local, start: i64::from(start), length: length as i64, positions: 1 << CALLS_SHIFT })
     }
 
     /// Forgets what a called block may write by a pointer that it was given; the bytes.
@@ -264,17 +278,19 @@ impl Analysis<'_> {
             Area::PeripheralInput | Area::PeripheralOutput => return None,
             // Counted from the data block that is open then.
             Area::SharedData if opens => return None,
-            // The local data of this block; what lies further out may be anywhere.
-            Area::CallerLocal if (most & 0x00FF_FFFF) >> CALLS_SHIFT != 0 => return None,
             _ if !access.writes => return Some(None),
             _ => {}
         }
-        let area = if area == Area::CallerLocal { Area::Local } else { area };
-        let (base, start, length, _) = self.area(state, area)?;
+        let pointee = match area {
+            Area::CallerLocal => self.local_behind(least, most)?,
+            _ => {
+                let (base, start, length, _) = self.area(state, area)?;
+                Pointee { base, start, length, positions: POSITIONS }
+            }
+        };
         let first = i64::from(access.offset);
-        let bytes = reached((least, most), &(first..first + i64::from(access.width.bits())), length);
-        let bytes = start + bytes.start..start + bytes.end;
-        state.forget(base, &bytes);
-        Some(Some((base, bytes)))
+        let bytes = pointee.reached((least, most), &(first..first + i64::from(access.width.bits())))?;
+        state.forget(pointee.base, &bytes);
+        Some(Some((pointee.base, bytes)))
     }
 }
