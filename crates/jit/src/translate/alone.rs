@@ -22,8 +22,8 @@ use crate::jit::Native;
 
 /// Pointers of a block that are followed.
 const POINTERS_MAX: usize = 12;
-/// Bytes of each data block: all that a pointer can count.
-const BLOCK_BYTES: usize = 1 << 16;
+/// Bytes of each data block: as many as a pointer can count, and an index of an open array more.
+const BLOCK_BYTES: usize = 1 << 18;
 /// Where the local data of callers are taken to be, and bytes that each parameter has there.
 const CALLERS: i32 = -0x100_0000;
 const PARAMETER_BYTES: i32 = 1 << 11;

@@ -543,13 +543,23 @@ impl Translator<'_> {
         // Other ways come here, too.
         let base = if base == Base::Arena { self.first_arena } else { self.address_of_base(base) };
         let value = self.read(Address { base, offset, bit: Bit::Number(0) }, width);
-        let value = self.int(value);
         let Interval { least, most, zeros, bits } = range;
-        let distance = self.b.ins().iadd_imm_s(value, i64::from((least as i32).wrapping_neg()));
-        let distance = if bits < 32 { self.b.ins().band_imm_u(distance, (1 << bits) - 1) } else { distance };
-        let mut holds = match u32::try_from(most.saturating_sub(least)) {
-            Ok(reach) => self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, distance, i64::from(reach)),
-            Err(_) => self.b.ins().icmp(IntCC::Equal, distance, distance),
+        let (value, less) = match width {
+            Width::QuadWord => (self.word(value), least.wrapping_neg()),
+            _ => (self.int(value), i64::from((least as i32).wrapping_neg())),
+        };
+        let own = self.b.func.dfg.value_type(value).bits();
+        let distance = self.b.ins().iadd_imm_s(value, less);
+        let distance = if bits < own { self.b.ins().band_imm_u(distance, (1 << bits) - 1) } else { distance };
+        // What reaches over all numbers of so many bits says nothing.
+        let reach = most.wrapping_sub(least) as u64;
+        let mut holds = match Some(reach).filter(|&reach| own == 64 || reach <= u64::from(u32::MAX)) {
+            Some(reach) if own == 64 => {
+                let reach = self.b.ins().iconst(I64, reach as i64);
+                self.b.ins().icmp(IntCC::UnsignedLessThanOrEqual, distance, reach)
+            }
+            Some(reach) => self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, distance, reach as i64),
+            None => self.b.ins().icmp(IntCC::Equal, distance, distance),
         };
         if bits < width.bits() {
             let small = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, value, 1 << bits);

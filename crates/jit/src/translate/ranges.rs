@@ -10,6 +10,7 @@ use std::ops::Range;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::Layout;
+use sieben_engine::access::pointed_area;
 use sieben_engine::ir::{Code, Inst, Op, Place, TextRoom};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
@@ -50,6 +51,9 @@ const NARROWING_PASSES: usize = 3;
 const STOPS: [i64; 9] = [-0x8000_0000, -0x8000, -1, 0, 46_340, 0x7FFF, 0xFFFF, 0x7FFF_FFFF, 0xFFFF_FFFF];
 /// Constants that count for that.
 const CONSTANTS_MAX: usize = 24;
+
+/// Numbers that a block was handed and that count for that, too.
+const HANDED_MAX: usize = 4;
 
 /// A variable in memory: where it begins and its width.
 pub(super) type Cell = (Base, i32, Width);
@@ -426,7 +430,7 @@ pub(super) fn find(block: &Native, around: &Surroundings<'_>) -> Ranges {
     }
     let (relevant, given) = places::relevant(code);
     let count = code.statement_count() + 1;
-    let analysis = Analysis {
+    let mut analysis = Analysis {
         block,
         code,
         around,
@@ -448,6 +452,7 @@ pub(super) fn find(block: &Native, around: &Surroundings<'_>) -> Ranges {
         passes_elements: false,
         found: Ranges::default(),
     };
+    analysis.stops.extend(analysis.handed_numbers());
     let mut found = analysis.run().unwrap_or_default();
     if let Some(relative) = around.relative {
         found.relative = true;
@@ -514,6 +519,21 @@ impl<'a> Analysis<'a> {
             (self.origins, self.taken_as_unchanged) = counted;
         }
         self.check(&best).then_some(self.found)
+    }
+
+    /// Numbers to which parameters lead, and those beside them: a loop may end there.
+    fn handed_numbers(&self) -> BTreeSet<i64> {
+        let number = |pointer: Option<u64>| {
+            let pointer = pointer.filter(|&pointer| pointed_area(pointer, false) == Ok(Area::CallerLocal))?;
+            [Width::DoubleWord, Width::Word].into_iter().find_map(|width| {
+                let byte = self.byte_in_caller(pointer as u32 & 0x00FF_FFFF, width)?;
+                let fact = self.around.facts.iter().find(|fact| fact.cell == (Base::Local, byte, width))?;
+                let (least, most) = fact.range.signed(width.bits());
+                (least == most).then_some(least as i64)
+            })
+        };
+        let numbers: BTreeSet<i64> = self.around.parameters.iter().filter_map(|&pointer| number(pointer)).collect();
+        numbers.into_iter().take(HANDED_MAX).flat_map(|number| [number - 1, number, number + 1]).collect()
     }
 
     /// The ways back: to which statement, and from which one.

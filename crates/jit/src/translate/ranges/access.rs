@@ -114,7 +114,7 @@ impl Analysis<'_> {
         }
     }
 
-    fn byte_in_caller(&self, position: u32, width: Width) -> Option<i32> {
+    pub(super) fn byte_in_caller(&self, position: u32, width: Width) -> Option<i32> {
         let caller = (self.around.callers)((position >> CALLS_SHIFT) as usize)?;
         way_into(position, width, caller).map(|(byte, _)| byte)
     }
@@ -255,7 +255,7 @@ impl Analysis<'_> {
                 }
                 let known = self.value(any);
                 // The same variable again is the same value.
-                if !matches!(width, Width::Bit | Width::QuadWord) && self.relevant.contains(&place) {
+                if width != Width::Bit && self.relevant.contains(&place) {
                     state.cells.insert(cell, known);
                 }
                 return known;
@@ -338,7 +338,7 @@ impl Analysis<'_> {
             Reach::Cell(base, offset) => {
                 let start = i64::from(offset);
                 state.forget(base, &(start..start + i64::from(width.bytes())));
-                if !matches!(width, Width::Bit | Width::QuadWord) && self.relevant.contains(&place) {
+                if width != Width::Bit && self.relevant.contains(&place) {
                     let bits = width.bits();
                     let range = if value.range.bits <= bits {
                         // Memory has no form of its own: what is read again has all bits of the variable.

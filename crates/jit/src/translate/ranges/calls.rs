@@ -36,6 +36,11 @@ impl Pointee {
         let end = position(most) + bits.end;
         (end <= self.positions).then(|| self.start + (position(least) + bits.start) / 8..self.start + bytes_before(end))
     }
+
+    /// Those of some bytes that are there: what lies behind them cannot be written.
+    fn there(&self, bytes: &Range<i64>) -> Range<i64> {
+        bytes.start..bytes.end.min(self.start + self.length)
+    }
 }
 
 impl Analysis<'_> {
@@ -134,11 +139,7 @@ impl Analysis<'_> {
         let of = |source: Source| before.iter().find(|(other, ..)| *other == source).map(|&(.., known)| known.range);
         for access in &effects.pointed {
             let number = access.number.map(|number| of(number)?.exact());
-            let (base, bytes) = self.forget_pointed(access, state, number.flatten(), of(access.pointer)?)?;
-            // Where it writes there has to be nothing that its addresses depend on.
-            if access.writes && own.iter().any(|other| base.may_share(&bytes, Base::Arena, other)) {
-                return None;
-            }
+            let (base, bytes) = self.forget_pointed(access, state, (number.flatten(), of(access.pointer)?), &own)?;
             if let Some(index) = notes {
                 self.found.by_pointers.entry(index).or_default().push(((base, bytes), access.writes));
             }
@@ -214,12 +215,23 @@ impl Analysis<'_> {
         Some(all)
     }
 
-    /// Forgets what a called block may write by a pointer that it reads; the bytes that it may reach.
-    fn forget_pointed(&mut self, access: &Pointed, state: &mut State, number: Option<u64>, pointer: Interval) -> Option<Bytes> {
+    /// Forgets what a called block may write by a pointer that it reads; the bytes that it may reach. `None` = it may write what its own
+    /// addresses depend on, or anything.
+    fn forget_pointed(
+        &mut self,
+        access: &Pointed,
+        state: &mut State,
+        (number, pointer): (Option<u64>, Interval),
+        own: &[Range<i64>],
+    ) -> Option<Bytes> {
         let pointee = self.pointee(number, pointer, access.writes)?;
         let bytes = pointee.reached(pointer.unsigned(64), &access.bits)?;
+        let there = pointee.there(&bytes);
+        if access.writes && own.iter().any(|other| pointee.base.may_share(&there, Base::Arena, other)) {
+            return None;
+        }
         if access.writes {
-            state.forget(pointee.base, &bytes);
+            state.forget(pointee.base, &there);
         }
         Some((pointee.base, bytes))
     }
@@ -229,10 +241,7 @@ impl Analysis<'_> {
         let pointee = self.pointee(Some(number), pointer, true)?;
         let bits = i64::from(text.offset)..i64::from(text.offset) + 8 * i64::from(text.bytes);
         let bytes = pointee.reached(pointer.unsigned(64), &bits)?;
-        let bytes = bytes.start..bytes.end.min(pointee.start + pointee.length);
-        if bytes.start < bytes.end {
-            state.forget(pointee.base, &bytes);
-        }
+        state.forget(pointee.base, &pointee.there(&bytes));
         Some(())
     }
 

@@ -65,10 +65,13 @@ impl Interval {
 
     /// The same constant; one a little below 0 as such, since a counter that begins there goes on above 0.
     pub(super) fn near_zero(self) -> Self {
-        let size = 1_i64 << self.bits.min(32);
+        if !matches!(self.bits, 16 | 32) {
+            return self;
+        }
+        let size = 1_i64 << self.bits;
         let is_negative =
             self.least == self.most && self.least < size && size - self.least <= size >> 2 && size - self.least <= NEGATIVE_MAX;
-        if matches!(self.bits, 16 | 32) && is_negative { Self { least: self.least - size, most: self.most - size, ..self } } else { self }
+        if is_negative { Self { least: self.least - size, most: self.most - size, ..self } } else { self }
     }
 
     fn of((least, most): (i128, i128), zeros: u32, bits: u32) -> Self {

@@ -8,7 +8,7 @@ use sieben_engine::ir::{Inst, Op, Place, Target, TextAction, TextRoom, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::Width;
 
-use super::interval::{self, Interval, Number, comparison};
+use super::interval::{self, Interval, Number, Relation, comparison};
 use super::{Analysis, Known, Origin, Reach, Same, Span, State, TextPlace};
 use crate::jit::end;
 use crate::translate::promote::Base;
@@ -253,8 +253,7 @@ impl Analysis<'_> {
         }
         let mut range = interval::result(op, [a.range, b.range, c.range]);
         if op == Op::Gate
-            && let Origin::Comparison(number, relation, left, right) = self.origins[b.number as usize]
-            && left.number == a.number
+            && let Some((number, relation, right)) = self.compared_where(b.number, a)
         {
             // What passes the gate has passed the comparison.
             let passed = a.range.limited(number, relation.limits(number.of(&right.range)));
@@ -288,6 +287,16 @@ impl Analysis<'_> {
             *same = Same::of(arg);
         }
         Known { range, number: *self.computed.entry((op, same)).or_insert(known.number) }
+    }
+
+    /// A comparison of a value that is true where a condition holds: how it is compared, and with what.
+    fn compared_where(&self, condition: u32, value: Known) -> Option<(Number, Relation, Known)> {
+        match self.origins[condition as usize] {
+            Origin::Comparison(number, relation, left, right) if left.number == value.number => Some((number, relation, right)),
+            Origin::And(a, b) => self.compared_where(a, value).or_else(|| self.compared_where(b, value)),
+            Origin::AndNot(a, _) => self.compared_where(a, value),
+            _ => None,
+        }
     }
 
     /// What a branch that was taken, or not, tells about the values that were compared.
