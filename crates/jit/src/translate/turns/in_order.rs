@@ -8,7 +8,7 @@ use cranelift_codegen::ir::types::F32X4;
 use sieben_model::address::Width;
 
 use super::super::value::Val;
-use super::kernel::{Cell, Kept, Kernel, Level, Node, What};
+use super::kernel::{Cell, Kept, Kernel, Level, Node, Step, What};
 use super::line::{Carried, Shape};
 use super::vector::{Lanes, little};
 use super::write::{Form, Writing};
@@ -46,7 +46,36 @@ impl Kernel {
         let mut kernel = self.clone();
         kernel.in_order = InOrder { cells, nodes };
         kernel.shapes.borrow_mut().clear();
-        kernel.has_all_for_order().then_some(kernel)
+        (kernel.has_all_for_order() && kernel.reads_in_time()).then_some(kernel)
+    }
+
+    /// Whether what is written in order rests on nothing that is read later in a turn: the turn before has not read it yet then.
+    fn reads_in_time(&self) -> bool {
+        let mut open: BTreeSet<Node> = BTreeSet::new();
+        let accesses = self.outer.steps.iter().filter_map(|step| if let Step::Access(number) = *step { Some(number) } else { None });
+        open.extend(accesses.clone().filter(|&number| self.accesses[number].value.is_none()).map(|number| self.read_of(number)));
+        for number in accesses {
+            let is_early = |value: Node| self.rests_in_order(value).iter().any(|node| open.contains(node));
+            match self.accesses[number].value {
+                None => _ = open.remove(&self.read_of(number)),
+                Some(value) if is_early(value) => return false,
+                Some(_) => {}
+            }
+        }
+        true
+    }
+
+    /// All values on which one rests in its turn and, where it is made in order, in those before.
+    fn rests_in_order(&self, node: Node) -> BTreeSet<Node> {
+        let (mut all, mut cells) = (BTreeSet::new(), self.in_order.cells.clone());
+        self.rests(node, &mut all);
+        while let Some(&cell) = cells.iter().find(|&&cell| all.iter().any(|&node| self.is_start(node, Level::Outer, cell))) {
+            cells.remove(&cell);
+            if let Some(&end) = self.outer.ends.get(&cell) {
+                self.rests(end, &mut all);
+            }
+        }
+        all
     }
 
     /// What the turns of the inner loop begin with, compute, and leave behind: they are done side by side as a whole.
