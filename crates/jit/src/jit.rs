@@ -107,7 +107,8 @@ impl Source {
         };
         let blocks: Arc<[Native]> = program.code.iter().map(native).collect();
         let asks_before_writing = !layout.read_only.is_empty() || makes_protected_blocks(&blocks);
-        let forgets_locals = program.code.values().all(|block| block.reads_own_locals || !reads_locals(&block.code));
+        let entered = entered(program);
+        let forgets_locals = entered.iter().all(|block| block.reads_own_locals || !reads_locals(&block.code));
         Ok(Self { interpreter, blocks, layout: layout.clone(), parameters_max, asks_before_writing, forgets_locals })
     }
 
@@ -490,6 +491,30 @@ fn nested_loops(code: &Code) -> usize {
         most = most.max(running.len());
     }
     most
+}
+
+/// The blocks that a run may enter: organization blocks, and what they call.
+fn entered(program: &Program) -> Vec<&CodeBlock> {
+    let is_begun = |id: &&BlockId| id.kind == BlockKind::OrganizationBlock;
+    let mut waiting: Vec<BlockId> = program.code.keys().filter(is_begun).copied().collect();
+    let mut entered = BTreeMap::new();
+    while let Some(id) = waiting.pop() {
+        let Some(block) = program.code.get(&id) else { continue };
+        if entered.insert(id, block).is_some() {
+            continue;
+        }
+        for inst in &block.code.insts {
+            match *inst {
+                Inst::Call { callee: Callee::Block(id), .. } => waiting.push(id),
+                // It may be any of its kind.
+                Inst::Call { callee: Callee::Number(kind, _), .. } => {
+                    waiting.extend(program.code.keys().filter(|id| id.kind == kind && !entered.contains_key(id)));
+                }
+                _ => {}
+            }
+        }
+    }
+    entered.into_values().collect()
 }
 
 /// Whether a block may read local data: its own, or those of a caller through a pointer.

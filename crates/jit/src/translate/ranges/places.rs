@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use sieben_engine::ir::{Code, Inst, Op, Place, Var};
+use sieben_engine::ir::{Code, Inst, Op, Place, TextAction, Var};
 use sieben_engine::machine::Register;
 
 use sieben_model::address::{Area, Width};
@@ -63,6 +63,8 @@ fn computed_from(code: &Code) -> FxHashSet<Place> {
                 Inst::Store { place, .. } if is_plain(place) => stores.push(place),
                 Inst::Load { .. } | Inst::Store { .. } | Inst::Move { .. } | Inst::Require { .. } => begins = true,
                 Inst::Text { to, from, .. } if !(is_plain(to) && is_plain(from)) => begins = true,
+                // Where the piece begins is looked at, and how long it is.
+                Inst::Text { action: TextAction::Piece | TextAction::Append, .. } => begins = true,
                 Inst::Branch { .. } => branches = true,
                 _ => {}
             }

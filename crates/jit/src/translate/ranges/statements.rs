@@ -101,10 +101,21 @@ impl Analysis<'_> {
                         _ if action.writes() => state.forget_memory(),
                         _ => {}
                     }
+                    let counted = match action {
+                        TextAction::Length | TextAction::Piece | TextAction::Append => Some((&read, from_room)),
+                        TextAction::Find => Some((&other, to_room)),
+                        _ => None,
+                    };
+                    let any = Interval::any(32);
+                    let range = counted.map_or(any, |(text, room)| {
+                        let room = text.as_ref().map_or(room, |text| text.room);
+                        let most = if room.wide { i32::MAX as u32 } else { room.bytes() - room.head() };
+                        any.limited(Number::Unsigned(32), (0, most.into()))
+                    });
                     if notes {
                         self.found.texts.insert(index, [read, other]);
                     }
-                    let known = self.value(Interval::any(32));
+                    let known = self.value(range);
                     put(&mut state, &mut temporaries, dst, known);
                 }
                 Inst::Parameter { dst, index } => {
