@@ -90,8 +90,17 @@ fn some_statements(b: &mut Builder, seed: u64) {
                 let chosen = b.compute(Op::Select, &[value, new, old]);
                 b.store(dice.of(&[sum, number]), Width::DoubleWord, chosen);
             }
+            3 | 4 => {
+                let sum = at(dice.of(SUMS));
+                let old = b.load(sum, Width::DoubleWord, OnFault::SkipStatement);
+                let weight = b.constant(dice.of(&[1, 2, 16, 0x8000, 0x1_0000, 0x8000_0000, 0, 3]));
+                let operands = if dice.roll(2) == 0 { [value, weight] } else { [weight, value] };
+                let weighted = b.compute(dice.of(&[Op::MulU32, Op::MulU32, Op::MulU16, Op::MulU64]), &operands);
+                let new = b.compute(Op::AddU32, &[old, weighted]);
+                b.store(sum, Width::DoubleWord, new);
+            }
             // Past the bit.
-            3 => b.push(Inst::Branch { condition: value, to: Target(statement + 1) }),
+            5 => b.push(Inst::Branch { condition: value, to: Target(statement + 1) }),
             _ => {}
         }
         b.store(bit_at(to), Width::Bit, value);

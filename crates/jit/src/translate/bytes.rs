@@ -27,6 +27,10 @@ use super::words::{WaitingWords, Words};
 const WAITING_MAX: usize = 4;
 /// Pieces whose value is remembered; a value that nobody reads again costs nothing.
 const KNOWN_MAX: usize = 12;
+/// Bits of a piece whose values are remembered by themselves. More would keep registers that the logic needs.
+const RECENT: usize = 8;
+/// Instructions of a block up to which they are: code that is longer waits for itself to be read, not for its results.
+const INSTRUCTIONS_MAX: usize = 16_000;
 /// Bytes of a long piece.
 const LONG: i32 = 4;
 
@@ -90,6 +94,8 @@ struct Waiting {
     bits: Option<Value>,
     /// The bit that was written last.
     newest: Option<Newest>,
+    /// Bits that were written lately, the last one first: who reads one of them need not wait for those behind it.
+    recent: [Option<(u8, Val)>; RECENT],
 }
 
 /// A bit that was written last to its piece: if it is read or written again before another one, what put it among the others is not needed.
@@ -184,6 +190,7 @@ impl Translator<'_> {
                 // The only bit that was written.
                 Some(value) if waiting.mask == 1 => Val::Bit { value, clean: true },
                 _ if let Some(newest) = waiting.newest.filter(|newest| newest.at == at) => newest.value,
+                _ if let Some((_, value)) = waiting.recent.into_iter().flatten().find(|&(own, _)| own == at) => value,
                 _ if waiting.ones & 1 << at != 0 => Val::Const(1),
                 Some(bits) => Self::bit_value(bits, at, false),
                 None => Val::Const(0),
@@ -223,7 +230,7 @@ impl Translator<'_> {
         self.settle_shared(piece, true);
         let mut waiting = match self.bytes.waiting.iter().position(|waiting| waiting.piece == piece) {
             Some(index) => self.bytes.waiting.remove(index),
-            None => Waiting { piece, mask: 0, ones: 0, bits: None, newest: None },
+            None => Waiting { piece, mask: 0, ones: 0, bits: None, newest: None, recent: [None; RECENT] },
         };
         let bit = 1u32 << at;
         if let Some(newest) = waiting.newest.filter(|newest| newest.at == at) {
@@ -234,6 +241,11 @@ impl Translator<'_> {
         }
         waiting.mask |= bit;
         waiting.newest = Some(Newest { at, value, ones: waiting.ones, bits: waiting.bits });
+        if self.native().code.insts.len() <= INSTRUCTIONS_MAX {
+            let same = waiting.recent.iter().position(|recent| recent.is_none_or(|(own, _)| own == at)).unwrap_or(RECENT - 1);
+            waiting.recent[..=same].rotate_right(1);
+            waiting.recent[0] = Some((at, value));
+        }
         match value {
             Val::Const(0) => {}
             Val::Const(_) => waiting.ones |= bit,

@@ -301,6 +301,9 @@ impl Translator<'_> {
     }
 
     fn wrapped(&mut self, two: Two, bits: u32, a: Val, b: Val) -> Val {
+        if let (Two::Multiply, Some(result)) = (two, self.weighted_bit(bits, a, b)) {
+            return result;
+        }
         if let (16, Some(result)) = (bits, self.within_16_bits(two, a, b)) {
             return result;
         }

@@ -1,4 +1,5 @@
-//! Comparisons that tell one bit of a number, as `(word AND 16#0010) <> 0` does: the bit stays where it is until somebody needs it elsewhere.
+//! Bits that are taken out of numbers, as by `(word AND 16#0010) <> 0`, and put into them, as by `BOOL_TO_DINT(x) * 16`: they stay where
+//! they are until somebody needs them elsewhere, and go there at once.
 
 use cranelift_codegen::ir::{InstructionData, Opcode};
 
@@ -17,5 +18,22 @@ impl Translator<'_> {
         }
         let bit = Self::bit_value(number, mask.trailing_zeros() as u8, false);
         Some(if differ == (other == 0) { bit } else { self.not(bit) })
+    }
+
+    /// A bit times a power of two: the bit at its place in a number of so many bits, the others 0.
+    pub(super) fn weighted_bit(&mut self, bits: u32, a: Val, b: Val) -> Option<Val> {
+        let (bit, weight) = match (self.force(a), self.force(b)) {
+            (bit @ (Val::Bit { .. } | Val::At { .. }), Val::Const(weight))
+            | (Val::Const(weight), bit @ (Val::Bit { .. } | Val::At { .. })) => (bit, weight),
+            _ => return None,
+        };
+        if !weight.is_power_of_two() || weight >> bits.min(32) != 0 {
+            return None;
+        }
+        let number = self.bit_at(bit, weight.trailing_zeros() as u8);
+        if bits == 16 {
+            self.narrow.insert(number, 16);
+        }
+        Some(Val::Int(number))
     }
 }
