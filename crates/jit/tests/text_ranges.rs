@@ -4,7 +4,7 @@
 use dice::Dice;
 use noting::{all_engines_agree_from, layout_with, program};
 use sieben_engine::Machine;
-use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, TextAction, TextRoom};
+use sieben_engine::ir::{Builder, DataRegister, Inst, Op, Place, TextAction, TextRoom};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
