@@ -29,7 +29,7 @@ const WAITING_MAX: usize = 4;
 const KNOWN_MAX: usize = 12;
 /// Bits of a piece whose values are remembered by themselves. More would keep registers that the logic needs.
 const RECENT: usize = 8;
-/// Instructions of a block up to which they are: code that is longer waits for itself to be read, not for its results.
+/// Instructions of a block up to which more than one is: code that is longer waits for itself to be read, not for its results.
 const INSTRUCTIONS_MAX: usize = 16_000;
 /// Bytes of a long piece.
 const LONG: i32 = 4;
@@ -92,20 +92,11 @@ struct Waiting {
     ones: u32,
     /// Of them the others, in 32 bits; bits that were not written are 0. `None` = all 0.
     bits: Option<Value>,
-    /// The bit that was written last.
-    newest: Option<Newest>,
     /// Bits that were written lately, the last one first: who reads one of them need not wait for those behind it.
     recent: [Option<(u8, Val)>; RECENT],
-}
-
-/// A bit that was written last to its piece: if it is read or written again before another one, what put it among the others is not needed.
-#[derive(Clone, Copy, Debug)]
-struct Newest {
-    at: u8,
-    value: Val,
-    /// The other bits of the piece.
-    ones: u32,
-    bits: Option<Value>,
+    /// The ones and the bits without the one that was written last: if it is written again before another one, what put it among the others is
+    /// not needed.
+    others: (u32, Option<Value>),
 }
 
 /// What is known of memory where code meets.
@@ -189,7 +180,6 @@ impl Translator<'_> {
             return match waiting.bits {
                 // The only bit that was written.
                 Some(value) if waiting.mask == 1 => Val::Bit { value, clean: true },
-                _ if let Some(newest) = waiting.newest.filter(|newest| newest.at == at) => newest.value,
                 _ if let Some((_, value)) = waiting.recent.into_iter().flatten().find(|&(own, _)| own == at) => value,
                 _ if waiting.ones & 1 << at != 0 => Val::Const(1),
                 Some(bits) => Self::bit_value(bits, at, false),
@@ -230,22 +220,21 @@ impl Translator<'_> {
         self.settle_shared(piece, true);
         let mut waiting = match self.bytes.waiting.iter().position(|waiting| waiting.piece == piece) {
             Some(index) => self.bytes.waiting.remove(index),
-            None => Waiting { piece, mask: 0, ones: 0, bits: None, newest: None, recent: [None; RECENT] },
+            None => Waiting { piece, mask: 0, ones: 0, bits: None, recent: [None; RECENT], others: (0, None) },
         };
         let bit = 1u32 << at;
-        if let Some(newest) = waiting.newest.filter(|newest| newest.at == at) {
-            (waiting.ones, waiting.bits) = (newest.ones, newest.bits);
+        if waiting.recent[0].is_some_and(|(last, _)| last == at) {
+            (waiting.ones, waiting.bits) = waiting.others;
         } else if waiting.mask & bit != 0 {
             waiting.ones &= !bit;
             waiting.bits = waiting.bits.map(|bits| self.masked(bits, !bit & piece.mask()));
         }
         waiting.mask |= bit;
-        waiting.newest = Some(Newest { at, value, ones: waiting.ones, bits: waiting.bits });
-        if self.native().code.insts.len() <= INSTRUCTIONS_MAX {
-            let same = waiting.recent.iter().position(|recent| recent.is_none_or(|(own, _)| own == at)).unwrap_or(RECENT - 1);
-            waiting.recent[..=same].rotate_right(1);
-            waiting.recent[0] = Some((at, value));
-        }
+        waiting.others = (waiting.ones, waiting.bits);
+        let kept = if self.native().code.insts.len() <= INSTRUCTIONS_MAX { RECENT } else { 1 };
+        let same = waiting.recent[..kept].iter().position(|recent| recent.is_none_or(|(own, _)| own == at)).unwrap_or(kept - 1);
+        waiting.recent[..=same].rotate_right(1);
+        waiting.recent[0] = Some((at, value));
         match value {
             Val::Const(0) => {}
             Val::Const(_) => waiting.ones |= bit,

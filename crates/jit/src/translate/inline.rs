@@ -212,8 +212,7 @@ impl Translator<'_> {
             Op::Ror32 if let Some(n) = count(b, 255) => { let a = self.int(a); Val::Int(self.b.ins().rotr_imm_u(a, n % 32)) }
             Op::LowestBit => { let value = self.int(a); Val::Bit { value, clean: false } }
             Op::HighestBit => { let a = self.int(a); Val::Bit { value: self.b.ins().ushr_imm_u(a, 31), clean: true } }
-            Op::BitOf if let Some(bit) = b.constant().map(|bit| bit & 63).filter(|&bit| bit < 32) => Self::bit_value(self.int(a), bit as u8, false),
-            Op::BitOf if let Some(bit) = b.constant() => { let bit = bit & 63; let a = self.word(a); let moved = self.b.ins().ushr_imm_u(a, bit as i64); Val::Bit { value: self.b.ins().ireduce(I32, moved), clean: false } }
+            Op::BitOf if let Some(bit) = b.constant() => self.named_bit(a, (bit & 63) as u8),
 
             // Pointers and status.
             Op::PassOnPointer => {

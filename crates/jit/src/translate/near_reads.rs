@@ -60,8 +60,8 @@ fn bring_nearer_in(func: &mut Function, block: Block) {
         if let Some(bytes) = Bytes::of_read(func, inst) {
             let first = needed.get(&func.dfg.first_result(inst)).copied().unwrap_or(at);
             let meets = |change: &Option<Bytes>| change.as_ref().is_none_or(|change| !change.are_apart(&bytes));
-            let between = changes.iter().rev().take_while(|(change, _)| *change < first);
-            place = between.filter(|(_, change)| meets(change)).map(|&(change, _)| change).next().unwrap_or(first);
+            let mut between = changes.iter().rev().take_while(|(change, _)| *change < first);
+            place = between.find(|(_, change)| meets(change)).map_or(first, |&(change, _)| change);
             if place > at {
                 func.layout.remove_inst(inst);
                 func.layout.insert_inst(inst, in_front.get(&place).copied().unwrap_or(insts[place]));

@@ -213,9 +213,9 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
 
 /// The instruction sets that a function may be compiled for beside that of the module.
 struct Sets<'a> {
-    /// What it is compiled for instead.
+    /// What it is optimized for, if it is.
     other: Option<&'a OwnedTargetIsa>,
-    /// What it is compiled for if its frame has more bytes than this.
+    /// What it is compiled for if it is optimized, or if its frame has more bytes than this.
     for_room: &'a OwnedTargetIsa,
     frame_limit: usize,
 }
@@ -226,15 +226,18 @@ fn define(module: &mut JITModule, id: FuncId, context: &mut Context, sets: Sets<
         Ok(code) => Ok(frame_bytes(code.code_buffer())),
         Err(error) => Err(Box::new(ModuleError::from(error))),
     };
-    let mut isa = sets.other.map_or(module.isa(), |isa| &**isa);
     // Optimizations move calculations and reads, and nothing moves them back.
     let as_written = sets.other.map(|_| context.func.clone());
-    if sets.other.is_some() {
-        context.optimize(isa, &mut ControlPlane::default()).map_err(ModuleError::from)?;
-        reals_as_read::turn_as_reals(&mut context.func);
-        near_reads::bring_nearer(&mut context.func);
-        isa = &**sets.for_room;
-    }
+    let mut isa = match sets.other {
+        None => module.isa(),
+        Some(other) => {
+            context.optimize(&**other, &mut ControlPlane::default()).map_err(ModuleError::from)?;
+            reals_as_read::turn_as_reals(&mut context.func);
+            near_reads::bring_nearer(&mut context.func);
+            // It is optimized.
+            &**sets.for_room
+        }
+    };
     let frame = compile(context, isa)?;
     if frame > sets.frame_limit {
         isa = &**sets.for_room;

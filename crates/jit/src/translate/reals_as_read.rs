@@ -3,17 +3,19 @@
 
 use cranelift_codegen::cursor::{Cursor, FuncCursor};
 use cranelift_codegen::ir::types::{F32, F32X4, F64, F64X2, I8X16};
-use cranelift_codegen::ir::{
-    Block, ConstantData, Endianness, Function, Inst, InstBuilder, InstructionData, MemFlagsData, Opcode, Type, Value,
-};
+use cranelift_codegen::ir::{Block, ConstantData, Function, Inst, InstBuilder, InstructionData, Opcode, Type, Value};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// A number that was read, had its bytes turned around, and became a real: what did so, and the real.
+use super::turns::vector::{little, turned_order};
+
+/// A number that was read, had its bytes turned around, and became a real: what did so, and the real with the vector of which it is the
+/// first lane.
 struct Read {
     load: Inst,
     swap: Inst,
     cast: Inst,
     real: Value,
+    vector: Type,
 }
 
 /// Reads all numbers as reals that are nothing else and do not become a lane of a vector, which turns all its lanes at once.
@@ -33,17 +35,8 @@ pub(super) fn turn_as_reals(func: &mut Function) {
             && [read.load, read.swap].iter().all(|&inst| uses[&func.dfg.first_result(inst)] == 1)
             && !lanes.contains(&read.real)
         {
-            read_as_real(func, &read);
+            read_as_real(func, read);
         }
-    }
-}
-
-/// The vector of which a real is the first lane.
-fn vector(real: Type) -> Option<Type> {
-    match real {
-        F32 => Some(F32X4),
-        F64 => Some(F64X2),
-        _ => None,
     }
 }
 
@@ -53,31 +46,33 @@ fn read_by(func: &Function, cast: Inst) -> Option<Read> {
     let swap = func.dfg.value_def(number).inst()?;
     let InstructionData::Unary { opcode: Opcode::Bswap, arg: bytes } = func.dfg.insts[swap] else { return None };
     let load = func.dfg.value_def(bytes).inst()?;
-    let InstructionData::Load { opcode: Opcode::Load, .. } = func.dfg.insts[load] else { return None };
+    if func.dfg.insts[load].opcode() != Opcode::Load {
+        return None;
+    }
     let real = func.dfg.first_result(cast);
-    vector(func.dfg.value_type(real)).map(|_| Read { load, swap, cast, real })
+    let vector = match func.dfg.value_type(real) {
+        F32 => F32X4,
+        F64 => F64X2,
+        _ => return None,
+    };
+    Some(Read { load, swap, cast, real, vector })
 }
 
-fn read_as_real(func: &mut Function, read: &Read) -> Option<()> {
-    let ty = func.dfg.value_type(read.real);
-    let vector = vector(ty)?;
-    let InstructionData::Load { arg: base, flags, offset, .. } = func.dfg.insts[read.load] else { return None };
-    let flags = func.dfg.mem_flags[flags];
-    let bytes = ty.bytes() as u8;
-    let order: Vec<u8> = (0..16).map(|at| at / bytes * bytes + (bytes - 1 - at % bytes)).collect();
-    let order = func.dfg.immediates.push(ConstantData::from(order));
-    let little = MemFlagsData::new().with_endianness(Endianness::Little);
-    let real = FuncCursor::new(func).at_inst(read.load).ins().load(ty, flags, base, offset);
-    let mut cursor = FuncCursor::new(func).at_inst(read.cast);
-    let lanes = cursor.ins().scalar_to_vector(vector, real);
-    let lanes = cursor.ins().bitcast(I8X16, little, lanes);
+/// Reads a number as the real that it becomes.
+fn read_as_real(func: &mut Function, Read { load, swap, cast, real, vector }: Read) {
+    let InstructionData::Load { arg: base, flags, offset, .. } = func.dfg.insts[load] else { unreachable!("it is a load") };
+    let (ty, flags) = (func.dfg.value_type(real), func.dfg.mem_flags[flags]);
+    let order = func.dfg.immediates.push(ConstantData::from(turned_order(ty.bytes() as u8)));
+    let bytes = FuncCursor::new(func).at_inst(load).ins().load(ty, flags, base, offset);
+    let mut cursor = FuncCursor::new(func).at_inst(cast);
+    let lanes = cursor.ins().scalar_to_vector(vector, bytes);
+    let lanes = cursor.ins().bitcast(I8X16, little(), lanes);
     let lanes = cursor.ins().shuffle(lanes, lanes, order);
-    let lanes = cursor.ins().bitcast(vector, little, lanes);
+    let lanes = cursor.ins().bitcast(vector, little(), lanes);
     let turned = cursor.ins().extractlane(lanes, 0);
-    func.dfg.clear_results(read.cast);
-    func.dfg.change_to_alias(read.real, turned);
-    [read.cast, read.swap, read.load].into_iter().for_each(|inst| func.layout.remove_inst(inst));
-    Some(())
+    func.dfg.clear_results(cast);
+    func.dfg.change_to_alias(real, turned);
+    [cast, swap, load].into_iter().for_each(|inst| func.layout.remove_inst(inst));
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! Bits that are taken out of numbers, as by `(word AND 16#0010) <> 0`, and put into them, as by `BOOL_TO_DINT(x) * 16`: they stay where
 //! they are until somebody needs them elsewhere, and go there at once.
 
-use cranelift_codegen::ir::{InstructionData, Opcode};
+use cranelift_codegen::ir::types::I32;
+use cranelift_codegen::ir::{InstBuilder, InstructionData, Opcode};
 
 use super::Translator;
 use super::value::Val;
@@ -18,6 +19,16 @@ impl Translator<'_> {
         }
         let bit = Self::bit_value(number, mask.trailing_zeros() as u8, false);
         Some(if differ == (other == 0) { bit } else { self.not(bit) })
+    }
+
+    /// A bit of a number, by its own number below 64.
+    pub(super) fn named_bit(&mut self, number: Val, bit: u8) -> Val {
+        if bit < 32 {
+            return Self::bit_value(self.int(number), bit, false);
+        }
+        let number = self.word(number);
+        let moved = self.b.ins().ushr_imm_u(number, i64::from(bit));
+        Val::Bit { value: self.b.ins().ireduce(I32, moved), clean: false }
     }
 
     /// A bit times a power of two: the bit at its place in a number of so many bits, the others 0.

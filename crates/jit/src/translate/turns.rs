@@ -51,7 +51,7 @@ mod simplest;
 mod spread;
 mod sums;
 mod swapped;
-mod vector;
+pub(super) mod vector;
 mod waits;
 mod ways;
 mod weights;

@@ -64,8 +64,14 @@ impl Shape {
     }
 }
 
-pub(super) fn little() -> MemFlagsData {
+/// The lanes of a vector that is seen as one of others are in the order of the processor.
+pub(in super::super) fn little() -> MemFlagsData {
     MemFlagsData::new().with_endianness(Endianness::Little)
+}
+
+/// The bytes of a vector with those of each number of so many bytes turned around.
+pub(in super::super) fn turned_order(bytes: u8) -> Vec<u8> {
+    (0..VECTOR_BYTES as u8).map(|at| at / bytes * bytes + (bytes - 1 - at % bytes)).collect()
 }
 
 impl Translator<'_> {
@@ -446,7 +452,7 @@ impl Translator<'_> {
 
     /// Turns the bytes of each number of a vector around.
     pub(super) fn turned(&mut self, vector: Value, bytes: u8) -> Value {
-        let mask: Vec<u8> = (0..VECTOR_BYTES as u8).map(|at| at / bytes * bytes + (bytes - 1 - at % bytes)).collect();
+        let mask = turned_order(bytes);
         if let Some((of, known)) = self.shuffled_of(vector)
             && known == mask
         {
