@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use dice::Dice;
-use noting::{all_engines_agree_beside, layout_with, program};
+use noting::{all_engines_agree_beside, all_engines_ask_once, count_on, layout_with, program};
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{FaultPlace, Machine, Reaction, StopReason};
 use sieben_jit::Jit;
@@ -184,14 +184,8 @@ fn calls_in_a_loop(b: &mut Builder, dice: &mut Dice, at: u64, moves: bool) {
     let pointer = b.compute(Op::AddU32, &[first, bits]);
     b.store(Place::Indirect { area: Area::SharedData, pointer, offset: 8 * 90 }, Width::Word, number);
     b.begin_statement();
-    let (number, one) = (load(b, memory(COUNTER), Width::Word), b.constant(1));
-    let next = b.compute(Op::AddU16, &[number, one]);
-    b.store(memory(COUNTER), Width::Word, next);
-    let limit = b.constant(dice.of(&[3, 7, 9]));
-    let again = b.compute(dice.of(&[Op::LtI16, Op::Below]), &[next, limit]);
-    b.push(Inst::Branch { condition: again, to: Target(1) });
-    b.begin_statement();
-    b.push(Inst::Return);
+    let limit = dice.of(&[3, 7, 9]);
+    count_on(b, memory(COUNTER), (dice.of(&[Op::LtI16, Op::Below]), limit), Target(1));
 }
 
 fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
@@ -271,13 +265,7 @@ fn agree_where_a_pointer_is_a_number(is_handed_on: bool) {
     let program =
         program(&[(BlockId::ob(1), LOCAL_BYTES, &outer), (BlockId::fc(1), LOCAL_BYTES, &first), (BlockId::fc(2), LOCAL_BYTES, &second)]);
     let layout = layout_with(&program, DATA_BYTES);
-    let prepare = |machine: &mut Machine| machine.budget = 1000;
-    let answer = |machine: &mut Machine, (): &mut (), _: usize| {
-        machine.budget = 1000;
-        Reaction::Continue
-    };
-    let ended = all_engines_agree_beside((&program, &layout), &prepare, &|| (), &answer, "a pointer is a number");
-    assert_eq!(ended.asked.len(), 1, "{:?}", ended.asked);
+    all_engines_ask_once(&program, &layout, "a pointer is a number");
 }
 
 #[test]

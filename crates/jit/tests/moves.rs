@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, layout_with, program, run};
+use noting::{all_engines_agree, count_on, layout_with, program, run};
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
 use sieben_engine::{Engine, Entry, FaultPlace, Machine, Reaction, StopReason};
@@ -98,14 +98,7 @@ fn block(b: &mut Builder, mut dice: Dice, calls: Option<u16>) {
         b.push(Inst::Call { callee: Callee::Block(BlockId::fc(number)), parameters: 0 });
     }
     b.begin_statement();
-    let (value, one) = (b.load(COUNTER, Width::Word, OnFault::SkipStatement), b.constant(1));
-    let next = b.compute(Op::AddU16, &[value, one]);
-    b.store(COUNTER, Width::Word, next);
-    let limit = b.constant(3);
-    let again = b.compute(Op::LtI16, &[next, limit]);
-    b.push(Inst::Branch { condition: again, to: Target(1) });
-    b.begin_statement();
-    b.push(Inst::Return);
+    count_on(b, COUNTER, (Op::LtI16, 3), Target(1));
 }
 
 /// Changes a pointer and the budget, and goes on.

@@ -3,7 +3,7 @@
 //! does.
 
 use dice::Dice;
-use noting::{all_engines_agree_beside, layout_with, program};
+use noting::{all_engines_agree_beside, count_on, layout_with, program};
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{FaultPlace, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
@@ -197,14 +197,8 @@ fn caller(b: &mut Builder, dice: &mut Dice, bits: u64) {
     let bits = b.compute(Op::Shl32, &[number, shift]);
     b.store(Place::Indirect { area: Area::InstanceData, pointer: bits, offset: 8 * 140 }, Width::Word, number);
     b.begin_statement();
-    let (number, one) = (load(b, counter, Width::Word), b.constant(1));
-    let next = b.compute(Op::AddU16, &[number, one]);
-    b.store(counter, Width::Word, next);
-    let limit = b.constant(dice.of(&[3, 7, 9]));
-    let again = b.compute(dice.of(&[Op::LtI16, Op::Below]), &[next, limit]);
-    b.push(Inst::Branch { condition: again, to: Target(1) });
-    b.begin_statement();
-    b.push(Inst::Return);
+    let limit = dice.of(&[3, 7, 9]);
+    count_on(b, counter, (dice.of(&[Op::LtI16, Op::Below]), limit), Target(1));
 }
 
 fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {

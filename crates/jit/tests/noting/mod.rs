@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use sieben_engine::ir::{Builder, Callee, DataRegister, Inst};
+use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target};
 use sieben_engine::machine::{Register, Registers};
 use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Interpreter, Layout, Machine, Program, Reaction};
 use sieben_jit::{Jit, StatusBits};
@@ -109,6 +109,19 @@ pub(crate) fn begin_with_instance(b: &mut Builder, function_block: u16) {
     b.push(Inst::Call { callee: Callee::Block(BlockId::fb(function_block)), parameters: 0 });
 }
 
+/// Ends a block that counts turns: the next number, and the first statement of a turn again if that holds, compared with a limit.
+#[allow(dead_code)] // Not every test that shares this file counts turns.
+pub(crate) fn count_on(b: &mut Builder, counter: Place, (op, limit): (Op, u64), first: Target) {
+    let (number, one) = (b.load(counter, Width::Word, OnFault::SkipStatement), b.constant(1));
+    let next = b.compute(Op::AddU16, &[number, one]);
+    b.store(counter, Width::Word, next);
+    let limit = b.constant(limit);
+    let again = b.compute(op, &[next, limit]);
+    b.push(Inst::Branch { condition: again, to: first });
+    b.begin_statement();
+    b.push(Inst::Return);
+}
+
 pub(crate) fn run(engine: &dyn Engine, layout: &Layout, entry: &Entry, prepare: &dyn Fn(&mut Machine), answer: Answer<'_>) -> Outcome {
     let mut machine = Machine::new(Arc::new(layout.clone()));
     machine.budget = 1;
@@ -182,4 +195,16 @@ pub(crate) fn all_engines_agree_beside<D>(
     };
     let what = || format!("{what}\n{}", program.code[&block].code);
     all_engines_agree((program, layout), true, &outcome, &what)
+}
+
+/// The same for a program that asks one question, behind which it may go on for long.
+#[allow(dead_code)] // Not every test that shares this file asks once.
+pub(crate) fn all_engines_ask_once(program: &Program, layout: &Layout, what: &str) {
+    let prepare = |machine: &mut Machine| machine.budget = 1000;
+    let answer = |machine: &mut Machine, (): &mut (), _: usize| {
+        machine.budget = 1000;
+        Reaction::Continue
+    };
+    let ended = all_engines_agree_beside((program, layout), &prepare, &|| (), &answer, what);
+    assert_eq!(ended.asked.len(), 1, "{:?}", ended.asked);
 }
