@@ -59,8 +59,15 @@ fn compared(b: &mut Builder) -> Var {
     b.compute(Op::LtI32, &[number, five])
 }
 
-/// `FOR i := first TO last DO`, with the limit in memory if the loop says so.
-fn counted(b: &mut Builder, (first, last): (u64, Option<u64>), turn: &dyn Fn(&mut Builder)) {
+/// Whether a loop counts up or down.
+#[derive(Clone, Copy)]
+enum Counts {
+    Up,
+    Down,
+}
+
+/// `FOR i := first TO last DO`, or with `BY -1`, with the limit in memory if the loop says so.
+fn counted(b: &mut Builder, counts: Counts, (first, last): (u64, Option<u64>), turn: &dyn Fn(&mut Builder)) {
     b.begin_statement();
     let number = b.constant(1);
     b.push(Inst::Open { register: DataRegister::Shared, number });
@@ -71,32 +78,48 @@ fn counted(b: &mut Builder, (first, last): (u64, Option<u64>), turn: &dyn Fn(&mu
     turn(b);
     b.begin_statement();
     let counter = get(b, COUNTER);
-    let one = b.constant(1);
-    let next = b.compute(Op::AddU32, &[counter, one]);
+    let (step, goes_on) = match counts {
+        Counts::Up => (1, Op::LeI32),
+        Counts::Down => (0xFFFF_FFFF, Op::GeI32),
+    };
+    let step = b.constant(step);
+    let next = b.compute(Op::AddU32, &[counter, step]);
     b.store(fixed(COUNTER), Width::DoubleWord, next);
     let last = match last {
         Some(last) => b.constant(last),
         None => get(b, LAST),
     };
-    let again = b.compute(Op::LeI32, &[next, last]);
+    let again = b.compute(goes_on, &[next, last]);
     b.push(Inst::Branch { condition: again, to: Target(2) });
     b.begin_statement();
     b.push(Inst::Return);
 }
 
-fn listing(turn: &dyn Fn(&mut Builder)) -> String {
-    let program = program(&[(BlockId::ob(1), 16, &|b| counted(b, (0, Some(199)), turn))]);
+fn listing(counts: Counts, turn: &dyn Fn(&mut Builder)) -> String {
+    let range = match counts {
+        Counts::Up => (0, Some(199)),
+        Counts::Down => (199, Some(0)),
+    };
+    let program = program(&[(BlockId::ob(1), 16, &|b| counted(b, counts, range, turn))]);
     Jit::listing(&program, &layout_with(&program, DATA_BYTES)).expect("machine code")
 }
 
 /// Whether eight turns are written behind one another: each has the XOR of `compared`.
 fn makes_bytes(turn: &dyn Fn(&mut Builder)) -> bool {
-    listing(turn).matches("= bxor").count() >= 8
+    makes_bytes_counting(Counts::Up, turn)
+}
+
+fn makes_bytes_counting(counts: Counts, turn: &dyn Fn(&mut Builder)) -> bool {
+    listing(counts, turn).matches("= bxor").count() >= 8
 }
 
 /// Whether 56 turns are made at a time: nothing else stores 64 bits of memory in the order of the processor.
 fn makes_words(turn: &dyn Fn(&mut Builder)) -> bool {
-    listing(turn).lines().any(|line| line.trim_start().starts_with("store notrap little"))
+    makes_words_counting(Counts::Up, turn)
+}
+
+fn makes_words_counting(counts: Counts, turn: &dyn Fn(&mut Builder)) -> bool {
+    listing(counts, turn).lines().any(|line| line.trim_start().starts_with("store notrap little"))
 }
 
 fn write_compared(b: &mut Builder) {
@@ -122,15 +145,59 @@ fn bits_that_turns_compute_are_written_as_bytes() {
 }
 
 #[test]
-fn bits_that_turns_read_from_one_another_are_written_one_by_one() {
-    // A bit that the turn before has written, and one that the next turn writes.
-    for other in [8, 16] {
-        assert!(!makes_bytes(&|b| {
-            let (value, before) = (compared(b), read(b, other));
-            let value = b.compute(Op::Or, &[value, before]);
-            write(b, if other == 8 { 9 } else { 8 }, value);
-        }));
+fn bits_of_neighbours_are_handed_on() {
+    // A bit that the turn before has written, and one that another turn will write.
+    for (counts, before, ahead) in [(Counts::Up, 7, [9, 16]), (Counts::Down, 9, [7, 0])] {
+        for other in [before, ahead[0], ahead[1]] {
+            assert!(makes_bytes_counting(counts, &|b| {
+                let (value, before) = (compared(b), read(b, other));
+                let value = b.compute(Op::Or, &[value, before]);
+                write(b, 8, value);
+            }));
+        }
     }
+    // Bits of two arrays, each of which needs both neighbours of the other one.
+    assert!(makes_bytes(&|b| {
+        for (target, other) in [(264, 8), (8, 264)] {
+            let (left, right, old, value) = (read(b, other - 1), read(b, other + 1), read(b, target), compared(b));
+            let both = b.compute(Op::And, &[left, right]);
+            let either = b.compute(Op::Or, &[both, old]);
+            let value = b.compute(Op::AndNot, &[either, value]);
+            write(b, target, value);
+            b.begin_statement();
+        }
+    }));
+}
+
+#[test]
+fn bits_that_are_only_read_are_read_in_bytes() {
+    assert!(makes_bytes(&|b| {
+        let (bit, next) = (read(b, 259), read(b, 512));
+        let sum = get(b, SUM);
+        let value = compared(b);
+        let value = b.compute(Op::And, &[value, bit]);
+        let value = b.compute(Op::Xor, &[value, next]);
+        let sum = b.compute(Op::MulU32, &[sum, sum]);
+        let sum = b.compute(Op::AddU32, &[sum, value]);
+        b.store(fixed(SUM), Width::DoubleWord, sum);
+    }));
+}
+
+#[test]
+fn bits_that_turns_read_from_one_another_are_written_one_by_one() {
+    // A bit that the turn before the last one has written.
+    assert!(!makes_bytes(&|b| {
+        let (value, before) = (compared(b), read(b, 8));
+        let value = b.compute(Op::Or, &[value, before]);
+        write(b, 10, value);
+    }));
+    // Two bits of the same array.
+    assert!(!makes_bytes(&|b| {
+        write_compared(b);
+        b.begin_statement();
+        let value = compared(b);
+        write(b, 1, value);
+    }));
     // Another access to the same bytes.
     assert!(!makes_bytes(&|b| {
         write_compared(b);
@@ -169,11 +236,15 @@ fn logic_of_bits_is_done_56_turns_at_a_time() {
     // Bits that begin elsewhere in their bytes, and those of the same array that no turn has written yet.
     assert!(makes_words(&|b| logic(b, [259, 517, 6])));
     assert!(makes_words(&|b| logic(b, [6, 7, 6])));
+    // The same downwards.
+    assert!(makes_words_counting(Counts::Down, &|b| logic(b, [259, 517, 6])));
+    assert!(makes_words_counting(Counts::Down, &|b| logic(b, [8, 7, 8])));
 }
 
 #[test]
 fn logic_of_bits_that_turns_have_written_is_done_one_by_one() {
     assert!(!makes_words(&|b| logic(b, [256, 7, 8])));
+    assert!(!makes_words_counting(Counts::Down, &|b| logic(b, [256, 8, 7])));
     assert!(!makes_words(&|b| {
         logic(b, [256, 512, 0]);
         b.begin_statement();
@@ -254,15 +325,59 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
     Reaction::Continue
 }
 
+/// Statements of a turn each of which writes an array of its own, mostly, from bits of all of them, and near them.
+fn neighbours(b: &mut Builder, seed: u64) {
+    let mut dice = Dice(seed);
+    let begins = dice.of(&[16, 16, 17, 23]);
+    let arrays: Vec<u32> = [0, 256, 512, 768].map(|array| array + begins).to_vec();
+    let first = dice.roll(4);
+    for statement in 0..=dice.roll(4) {
+        if statement > 0 {
+            b.begin_statement();
+        }
+        let mut value = if dice.roll(2) == 0 { compared(b) } else { read(b, dice.of(&arrays)) };
+        for _ in 0..=dice.roll(3) {
+            let near = dice.of(&[0, 0, 0, 1, 1, 15, 15, 14, 2, 9, 24, 7]);
+            // So many positions further on, or, from 10 on, 16 in front of that.
+            let other = dice.of(&arrays) + near - if near >= 10 { 16 } else { 0 };
+            let other = read(b, other);
+            value = b.compute(dice.of(&[Op::And, Op::Or, Op::Xor, Op::AndNot]), &[value, other]);
+        }
+        match dice.roll(16) {
+            0 | 1 => {
+                let sum = get(b, SUM);
+                let sum = b.compute(Op::AddU32, &[sum, value]);
+                b.store(fixed(SUM), Width::DoubleWord, sum);
+            }
+            2 => write(b, dice.of(&arrays) + dice.of(&[0, 1, 8]), value),
+            _ => write(b, arrays[(first + statement) as usize % arrays.len()], value),
+        }
+    }
+}
+
 #[test]
 fn bits_that_loops_compute_are_those_of_the_interpreter() {
+    compare_loops(PROGRAMS, 0, &some_turn);
+}
+
+#[test]
+fn bits_of_neighbours_are_those_of_the_interpreter() {
+    compare_loops(2 * PROGRAMS, 10_000, &neighbours);
+}
+
+/// Compares loops over turns that seeds tell, counted up and down.
+fn compare_loops(programs: u64, from: u64, turn: &dyn Fn(&mut Builder, u64)) {
     let (mut asked, mut finished) = (0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in from..from + programs {
         let block = BlockId::ob(1);
         let mut dice = Dice(seed + 3_000_000);
         let first = dice.of(&[0, 0, 0, 1, 3, 8, 13]);
         let last = dice.of(&[Some(5), Some(63), Some(71), Some(127), Some(180), Some(199), None]);
-        let program = program(&[(block, 16, &|b| counted(b, (first, last), &|b| some_turn(b, seed)))]);
+        let (counts, range) = match (dice.roll(3), last) {
+            (0, Some(last)) => (Counts::Down, (last, if first == 0 { None } else { Some(first) })),
+            _ => (Counts::Up, (first, last)),
+        };
+        let program = program(&[(block, 16, &|b| counted(b, counts, range, &|b| turn(b, seed)))]);
         let layout = layout_with(&program, DATA_BYTES);
         let prepare = |machine: &mut Machine| {
             let mut dice = Dice(seed + 1_000_000);

@@ -28,6 +28,7 @@ mod copies;
 mod count;
 mod divide;
 mod extremes;
+mod handed;
 mod held;
 mod idle;
 mod in_order;
@@ -86,7 +87,9 @@ struct Writes<'k> {
     /// Turns side by side.
     lanes: u32,
     /// Accesses whose bits make whole bytes, if eight turns are written behind one another.
-    gathered: Gathered,
+    gathered: Option<Gathered>,
+    /// Those that make whole bytes in turns behind these ones: single turns are made up to the first bit of a byte.
+    up_to: Option<Gathered>,
     /// How the turns of the inner loop are done, if they are done side by side.
     nested: Option<&'k Nested>,
 }
@@ -103,7 +106,7 @@ impl InnerTurns {
 
 impl Writes<'_> {
     fn lanes(lanes: u32) -> Self {
-        Self { lanes, gathered: Gathered::new(), nested: None }
+        Self { lanes, gathered: None, up_to: None, nested: None }
     }
 }
 
@@ -241,8 +244,12 @@ impl Translator<'_> {
         let unsigned = if !all_at_once { plan.kernel.without_signs() } else { None };
         let unsigned = unsigned.map(|kernel| Plan { kernel, count: plan.count, inner: plan.inner });
         let fastest = unsigned.as_ref().unwrap_or(&plan);
-        if !all_at_once && let Some(gathered) = fastest.kernel.gathered() {
-            Writing::write(self, fastest, it, Writes { gathered, ..Writes::lanes(1) });
+        if !all_at_once {
+            let in_pieces = Plan { kernel: fastest.kernel.clone().with_bits_ahead(), count: fastest.count, inner: fastest.inner };
+            if let Some(gathered) = in_pieces.kernel.gathered() {
+                Writing::write(self, &in_pieces, it, Writes { up_to: Some(gathered.clone()), ..Writes::lanes(1) });
+                Writing::write(self, &in_pieces, it, Writes { gathered: Some(gathered), ..Writes::lanes(1) });
+            }
         }
         if let Some(unsigned) = &unsigned {
             Writing::write(self, unsigned, it, Writes::lanes(1));

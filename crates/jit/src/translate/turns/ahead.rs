@@ -9,6 +9,8 @@ use super::write::Writing;
 
 /// Variables that are handed on so: more would not stay in registers.
 const AHEAD_MAX: usize = 4;
+/// Bits that are handed on so, where eight turns are written behind one another: within these they are nothing but values.
+const BITS_AHEAD_MAX: usize = 12;
 /// Variables of a turn that are looked at.
 const KNOWN_MAX: usize = 64;
 
@@ -22,13 +24,23 @@ struct Known {
 }
 
 impl Kernel {
-    /// The same loop with as much handed on to the next turn as that would read.
-    pub(super) fn with_ahead(mut self) -> Self {
+    /// The same loop with as much handed on to the next turn as that would read, apart from bits.
+    pub(super) fn with_ahead(self) -> Self {
+        self.with_more_ahead(|width| width != Width::Bit, AHEAD_MAX)
+    }
+
+    /// The same loop with the bits handed on to the next turn that it would read.
+    pub(super) fn with_bits_ahead(self) -> Self {
+        self.with_more_ahead(|width| width == Width::Bit, BITS_AHEAD_MAX)
+    }
+
+    fn with_more_ahead(mut self, is_one: impl Fn(Width) -> bool, most: usize) -> Self {
         // What is looked at in front of the loop is read there as each turn would read it.
         if !self.looked_at.is_empty() {
             return self;
         }
-        let (known, read_first) = self.known_at_end();
+        let most = self.ahead.len() + most;
+        let (known, read_first) = self.known_at_end(is_one);
         for number in read_first {
             let access = self.accesses[number].clone();
             let Some(step) = self.line(access.pointer, Level::Outer).filter(|line| line.bits == 32 && !line.is_same()) else { continue };
@@ -41,7 +53,7 @@ impl Kernel {
             self.outer.ends.insert(cell, known.value);
             self.outer.steps.retain(|&step| step != Step::Access(number));
             self.ahead.push(access);
-            if self.ahead.len() == AHEAD_MAX {
+            if self.ahead.len() == most {
                 break;
             }
         }
@@ -51,7 +63,7 @@ impl Kernel {
     }
 
     /// What is known of variables at the end of a turn, and the reads in front of which nothing may have written what they read.
-    fn known_at_end(&mut self) -> (Vec<Known>, Vec<usize>) {
+    fn known_at_end(&mut self, is_one: impl Fn(Width) -> bool) -> (Vec<Known>, Vec<usize>) {
         let mut known: Vec<Known> = Vec::new();
         let mut read_first = Vec::new();
         for at in 0..self.outer.steps.len() {
@@ -64,13 +76,13 @@ impl Kernel {
                             value
                         }
                         None => {
-                            if access.width != Width::Bit && self.is_untouched(&access, &self.outer.steps[..at]) {
+                            if is_one(access.width) && self.is_untouched(&access, &self.outer.steps[..at]) {
                                 read_first.push(number);
                             }
                             self.reads[number]
                         }
                     };
-                    if access.width != Width::Bit && !known.iter().any(|known| known.at.is_same(&access)) && known.len() < KNOWN_MAX {
+                    if is_one(access.width) && !known.iter().any(|known| known.at.is_same(&access)) && known.len() < KNOWN_MAX {
                         known.push(Known { at: access, value, only: None });
                     }
                 }

@@ -14,6 +14,7 @@ use super::super::value::Val;
 use super::Plan;
 use super::kernel::{Access, Cell, Kernel, Level, Node, What};
 use super::line::{Carried, Line};
+use super::pieces::Way;
 
 /// Turns at a time: what eight bytes hold at least, wherever in the first one the first bit is.
 const BITS: i64 = 56;
@@ -34,17 +35,19 @@ struct Sum {
 pub(super) struct BitSums {
     sums: Vec<Sum>,
     lines: Vec<(Cell, Line)>,
+    way: Way,
 }
 
 /// What a loop does, if it only counts bits of arrays and writes others that are logic of them.
 pub(super) fn read(plan: &Plan) -> Option<BitSums> {
     let kernel = &plan.kernel;
+    let way = kernel.bits_follow(kernel.accesses.first()?)?;
     let follows = |access: &Access| {
         let is_logic = access.value.is_none_or(|value| is_bits(kernel, value));
-        is_logic && access.inside.is_some() && access.sure && kernel.bits_follow(access)
+        is_logic && access.inside.is_some() && access.sure && kernel.bits_follow(access) == Some(way)
     };
     let is_more = kernel.inner.is_some() || kernel.outer.blocks_most != 0 || !(kernel.required.is_empty() && kernel.looked_at.is_empty());
-    if is_more || kernel.accesses.is_empty() || !kernel.accesses.iter().all(follows) || !bits_are_apart(kernel) {
+    if is_more || !kernel.accesses.iter().all(follows) || !bits_are_apart(kernel, way) {
         return None;
     }
     let (mut sums, mut lines) = (Vec::new(), Vec::new());
@@ -63,11 +66,11 @@ pub(super) fn read(plan: &Plan) -> Option<BitSums> {
         }
     }
     let writes = kernel.accesses.iter().any(|access| access.value.is_some());
-    (writes || !sums.is_empty()).then_some(BitSums { sums, lines })
+    (writes || !sums.is_empty()).then_some(BitSums { sums, lines, way })
 }
 
 /// Whether no turn reads a bit that this one or one before it has written, nor writes one that another access writes.
-fn bits_are_apart(kernel: &Kernel) -> bool {
+fn bits_are_apart(kernel: &Kernel, way: Way) -> bool {
     let accesses: Vec<&Access> = kernel.accesses_in_order().into_iter().map(|(_, access)| access).collect();
     let written = accesses.iter().enumerate().filter(|(_, access)| access.value.is_some());
     written.into_iter().all(|(at, write)| {
@@ -76,7 +79,7 @@ fn bits_are_apart(kernel: &Kernel) -> bool {
                 return true;
             }
             // A bit that lies further ahead is read before a later turn writes it.
-            let ahead = other.offset.wrapping_sub(write.offset) & 0x00FF_FFFF;
+            let ahead = way.ahead(other, write);
             let is_ahead = ahead == 0 && other_at < at || (1..1 << 23).contains(&ahead);
             other.value.is_none() && (other.area, other.pointer) == (write.area, write.pointer) && is_ahead
         })
@@ -161,7 +164,8 @@ impl Translator<'_> {
 
     /// Writes the bits of the turns of so many pieces; in how many of them each of the conditions holds.
     fn pieces_of_bits(&mut self, kernel: &Kernel, sums: &BitSums, pieces: Value) -> Vec<Value> {
-        // The address of the first byte, and the number of the first bit in it, which stays the same from piece to piece.
+        // The address of eight bytes, the first one or the last one of which has the bit of the first turn, and the number of the first bit of
+        // the piece in them, which stays the same from piece to piece.
         let places: Vec<(Value, Value, i32)> = kernel
             .accesses
             .iter()
@@ -174,7 +178,11 @@ impl Translator<'_> {
                 let byte = self.b.ins().ushr_imm_u(position, 3);
                 let (base, start, _) = access.area;
                 let base = self.address_of_base(base);
-                (self.b.ins().iadd(base, byte), self.b.ins().band_imm_u(position, 7), start)
+                let (address, bit) = (self.b.ins().iadd(base, byte), self.b.ins().band_imm_u(position, 7));
+                match sums.way {
+                    Way::Up => (address, bit, start),
+                    Way::Down => (address, self.b.ins().iadd_imm_s(bit, 64 - BITS - 7), start - BITS as i32 / 8),
+                }
             })
             .collect();
         let [head, behind] = [self.b.create_block(), self.b.create_block()];
@@ -192,7 +200,8 @@ impl Translator<'_> {
         let reads: Vec<Value> = places.iter().zip(&words).map(|(&(_, bit, _), &word)| self.b.ins().ushr(word, bit)).collect();
         let mut known = HashMap::new();
         let mut next = vec![self.b.ins().iadd_imm_s(parameters[0], -1)];
-        next.extend(addresses.iter().map(|&address| self.b.ins().iadd_imm_s(address, BITS / 8)));
+        let step = if sums.way == Way::Up { BITS / 8 } else { -BITS / 8 };
+        next.extend(addresses.iter().map(|&address| self.b.ins().iadd_imm_s(address, step)));
         let counts: Vec<Value> = sums
             .sums
             .iter()

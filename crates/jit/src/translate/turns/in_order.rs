@@ -8,10 +8,11 @@ use cranelift_codegen::ir::types::F32X4;
 use sieben_model::address::Width;
 
 use super::super::value::Val;
+use super::handed::Form;
 use super::kernel::{Cell, Kept, Kernel, Level, Node, Step, What};
 use super::line::{Carried, Shape};
 use super::vector::{Lanes, little};
-use super::write::{Form, Writing};
+use super::write::Writing;
 
 /// Operations of a turn that are done in order.
 const OPERATIONS_MAX: usize = 16;

@@ -7,7 +7,6 @@ use sieben_model::address::Width;
 
 use super::count;
 use super::kernel::{Cell, Kept, Kernel, Level, Node, Step, Turn, What};
-use super::pieces::Gathered;
 use super::vector::Lanes;
 use super::write::{Scope, Writing};
 use super::{InnerTurns, Plan, Writes};
@@ -133,7 +132,7 @@ impl Writing<'_, '_, '_> {
         let times = u32::try_from(turns / i64::from(*lanes)).unwrap_or(u32::MAX);
         let few = times <= UNROLLED_MAX && plan.kernel.accesses.len() * times as usize <= UNROLLED_ACCESSES_MAX;
         let count = self.t.turns_constant(turns);
-        let writes = Writes { lanes: *lanes, gathered: Gathered::new(), nested: None };
+        let writes = Writes::lanes(*lanes);
         let mut inner = Writing::new(self.t, plan, writes);
         inner.before = before;
         inner.unrolled = if few { times } else { 1 };

@@ -1,18 +1,18 @@
 //! Turns that write bits which follow one another in memory: eight of them are written behind one another, and their bits are one byte,
 //! which is written once. Turns one by one wait for the byte that the one before has written.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::I32;
+use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{InstBuilder, Value};
 use sieben_model::address::Width;
 
 use super::super::Translator;
 use super::super::memory::data;
+use super::super::promote::Base;
 use super::super::value::Val;
-use super::kernel::{Access, Kernel, Level};
-use super::line::Line;
+use super::kernel::{Access, Kernel, Level, Node};
 use super::vector::Lanes;
 use super::write::Writing;
 
@@ -21,24 +21,75 @@ pub(super) const TURNS: u32 = 8;
 /// Values of a turn that is written so often.
 const VALUES_MAX: usize = 100;
 
-/// Accesses that go to bits of the same byte in eight turns, the first of them to bit 0: each with the first one that goes to these bits.
-pub(super) type Gathered = BTreeMap<usize, usize>;
+/// Positions of a turn's bits that may lie between the first bit it writes and one it reads further on.
+const AHEAD_MAX: u32 = 1 << 15;
+/// The bytes of an area in which two positions so far apart, as numbers of 24 bits, are so, too.
+const AREA_MAX: u64 = ((1 << 24) - AHEAD_MAX as u64) / 8;
 
-/// A byte with bits of the turns behind one another.
+/// Accesses that go to bits of the same bytes in eight turns.
+#[derive(Clone, Debug)]
+pub(super) struct Gathered {
+    pieces: BTreeMap<usize, InPiece>,
+    way: Way,
+}
+
+/// Whether the bit of the next turn is the next one or the one before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Way {
+    Up,
+    Down,
+}
+
+impl Way {
+    /// How far in front of one access another one goes, modulo 24 bits.
+    pub(super) fn ahead(self, first: &Access, then: &Access) -> u32 {
+        let ahead = match self {
+            Self::Up => first.offset.wrapping_sub(then.offset),
+            Self::Down => then.offset.wrapping_sub(first.offset),
+        };
+        ahead & 0x00FF_FFFF
+    }
+
+    /// The bit of a byte to which the first of eight turns goes.
+    fn first_bit(self) -> u32 {
+        self.bit_of(0)
+    }
+
+    /// That to which one of them goes.
+    fn bit_of(self, turn: u32) -> u32 {
+        match self {
+            Self::Up => turn,
+            Self::Down => TURNS - 1 - turn,
+        }
+    }
+}
+
+/// Where an access goes in the first of eight turns.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct InPiece {
+    /// The byte.
+    at: Place,
+    /// Its bit.
+    bit: u8,
+}
+
+/// Where a byte lies: its area, and a pointer with an offset.
+pub(super) type Place = ((Base, i32, u64), Node, u32);
+
+/// Two bytes with bits of the turns behind one another, the second one with those of accesses that begin behind the first bit.
 #[derive(Clone, Copy)]
 pub(super) struct Piece {
     address: Value,
-    start: i32,
-    /// As it was in front of them, if that is read.
-    old: Option<Value>,
-    /// What they have written, if they write.
+    /// As they were in front of the turns, if that is read.
+    old: [Option<Value>; 2],
+    /// What the turns have written to the first, if they write.
     new: Option<Value>,
 }
 
 impl Kernel {
     /// The accesses of a loop whose bits make whole bytes, if it writes such bits.
     pub(super) fn gathered(&self) -> Option<Gathered> {
-        if self.inner.is_some() || !self.left().is_empty() {
+        if self.inner.is_some() || !self.copies.is_empty() || !self.left().is_empty() {
             return None;
         }
         let mut values = BTreeSet::new();
@@ -48,38 +99,50 @@ impl Kernel {
             return None;
         }
         let all = self.accesses_in_order();
-        let follows = |access: &Access| access.part.is_none() && self.bits_follow(access);
-        let written: Vec<&Access> =
-            all.iter().map(|&(_, access)| access).filter(|access| access.value.is_some() && follows(access)).collect();
-        if written.is_empty() {
-            return None;
-        }
-        // Nobody looks at the first bit of what is only read: it has to be that of something that is written.
-        let begins_with = |access: &Access| {
-            written.iter().any(|other| other.pointer == access.pointer && (other.offset ^ access.offset).is_multiple_of(8))
-        };
-        let mut gathered = Gathered::new();
-        for &(number, access) in all.iter().filter(|(_, access)| follows(access) && begins_with(access)) {
-            let first = gathered.keys().copied().find(|&other| access.goes_where(&self.accesses[other]));
-            gathered.insert(number, first.unwrap_or(number));
+        let follows = |access: &Access| if access.part.is_none() { self.bits_follow(access) } else { None };
+        let follow: Vec<(usize, &Access, Way)> =
+            all.iter().filter_map(|&(number, access)| Some((number, access, follows(access)?))).collect();
+        // Nobody looks at the first bit of what is read with another pointer. What is written has to begin with the first bits of bytes; if
+        // nothing is, what is read begins so as far as that can be.
+        let written = follow.iter().filter(|(_, access, _)| access.value.is_some());
+        let leading: BTreeSet<(Node, u32)> = written.map(|(_, access, _)| (access.pointer, access.offset % 8)).collect();
+        let &(_, first, way) = follow.first()?;
+        let leading = if leading.is_empty() { BTreeSet::from([(first.pointer, first.offset % 8)]) } else { leading };
+        let mut pieces = BTreeMap::new();
+        for &(number, access, own) in &follow {
+            let mut begins = leading.iter().filter(|&&(pointer, _)| pointer == access.pointer).map(|&(_, begins)| begins);
+            let Some(first) = begins.next() else { continue };
+            if begins.next().is_some() || own != way {
+                return None;
+            }
+            let bit = access.offset.wrapping_sub(first) % 8;
+            let offset = access.offset.wrapping_sub(bit + way.first_bit());
+            let at = (access.area, access.pointer, offset & 0x00FF_FFFF);
+            pieces.insert(number, InPiece { at, bit: bit as u8 });
         }
         for (at, &(number, access)) in all.iter().enumerate() {
             for &(other, before) in &all[..at] {
-                if access.value.is_none() && before.value.is_none() || ![number, other].iter().any(|number| gathered.contains_key(number)) {
+                if access.value.is_none() && before.value.is_none() || ![number, other].iter().any(|number| pieces.contains_key(number)) {
                     continue;
                 }
                 let reads_what_is_written_then = before.value.is_none() && access.goes_where(before);
-                if access.may_share(before) && !reads_what_is_written_then {
+                let reads_ahead = access.is_bit_ahead_of(before, way) || before.is_bit_ahead_of(access, way);
+                if access.may_share(before) && !reads_what_is_written_then && !reads_ahead {
                     return None;
                 }
             }
         }
-        Some(gathered)
+        (!pieces.is_empty()).then_some(Gathered { pieces, way })
     }
 
-    /// Whether an access goes one bit further in each turn.
-    pub(super) fn bits_follow(&self, access: &Access) -> bool {
-        access.width == Width::Bit && self.line(access.pointer, Level::Outer) == Some(Line { step: 1, bits: 32 })
+    /// Whether an access goes one bit further in each turn, and where to.
+    pub(super) fn bits_follow(&self, access: &Access) -> Option<Way> {
+        let line = self.line(access.pointer, Level::Outer).filter(|line| access.width == Width::Bit && line.bits == 32)?;
+        match line.step as i32 {
+            1 => Some(Way::Up),
+            -1 => Some(Way::Down),
+            _ => None,
+        }
     }
 }
 
@@ -88,67 +151,92 @@ impl Access {
     pub(super) fn goes_where(&self, other: &Self) -> bool {
         (self.area, self.pointer, self.offset, self.width) == (other.area, other.pointer, other.offset, other.width)
     }
+
+    /// Whether a bit is read that lies ahead of the one that another access writes, whose turns go there one after the other.
+    fn is_bit_ahead_of(&self, other: &Self, way: Way) -> bool {
+        let is_read = self.value.is_none() && other.value.is_some();
+        let are_seen_from_one_place =
+            (self.area, self.pointer, self.width) == (other.area, other.pointer, Width::Bit) && other.width == Width::Bit;
+        let ahead = way.ahead(self, other);
+        let (.., bytes) = self.area;
+        is_read && are_seen_from_one_place && (1..=AHEAD_MAX).contains(&ahead) && bytes <= AREA_MAX
+    }
+}
+
+impl Gathered {
+    /// Pointers and offsets that lead to first bits of bytes.
+    fn bytes(&self) -> BTreeSet<(Node, u32)> {
+        self.pieces.values().map(|&InPiece { at: (_, pointer, offset), .. }| (pointer, offset % 8)).collect()
+    }
 }
 
 impl Writing<'_, '_, '_> {
     /// Whether the first bits of all pieces are the first ones of their bytes.
     pub(super) fn pieces_begin_bytes(&mut self) -> Vec<Value> {
-        let first: BTreeSet<usize> = self.gathered.values().copied().collect();
-        let mut known = BTreeSet::new();
-        let mut conditions = Vec::new();
-        for access in first.into_iter().map(|number| &self.kernel.accesses[number]) {
-            if known.insert((access.pointer, access.offset % 8)) {
-                let position = self.position_before(access.pointer, access.offset);
-                let bit = self.t.b.ins().band_imm_u(position, 7);
-                conditions.push(self.t.b.ins().icmp_imm_u(IntCC::Equal, bit, 0));
-            }
-        }
-        conditions
+        let begins = self.gathered.as_ref().map(Gathered::bytes).unwrap_or_default();
+        let is_first = |(pointer, offset): (Node, u32)| {
+            let position = self.position_before(pointer, offset);
+            let bit = self.t.b.ins().band_imm_u(position, 7);
+            self.t.b.ins().icmp_imm_u(IntCC::Equal, bit, 0)
+        };
+        begins.into_iter().map(is_first).collect()
+    }
+
+    /// As many of some turns as there are in front of the one that begins a byte.
+    pub(super) fn turns_up_to_byte(&mut self, pieces: &Gathered, turns: Value) -> Value {
+        let Some((pointer, offset)) = pieces.bytes().pop_first() else { return turns };
+        let position = self.position_before(pointer, offset);
+        let left = match pieces.way {
+            Way::Up => self.t.b.ins().ineg(position),
+            Way::Down => position,
+        };
+        let left = self.t.b.ins().band_imm_u(left, 7);
+        let left = self.t.b.ins().uextend(I64, left);
+        self.t.b.ins().umin(left, turns)
     }
 
     /// Reads or writes a bit of a piece, if an access does; whether it does.
     pub(super) fn access_piece(&mut self, number: usize) -> bool {
-        let Some(&first) = self.gathered.get(&number) else { return false };
+        let Some(Gathered { pieces, way }) = &self.gathered else { return false };
+        let Some(&InPiece { at: (area, pointer, offset), bit }) = pieces.get(&number) else { return false };
+        let behind = way.bit_of(self.turn) as u8 + bit;
         let access = &self.kernel.accesses[number];
-        let piece = match self.pieces.get(&first) {
+        let start = area.1;
+        let mut piece = match self.pieces.get(&(area, pointer, offset)) {
             Some(&piece) => piece,
             None => {
                 debug_assert_eq!(self.turn, 0);
-                let pointer = self.first(access.pointer, Level::Outer);
-                let address = self.address(access.area.0, pointer, access.offset);
-                Piece { address, start: access.area.1, old: None, new: None }
+                let first = self.first(pointer, Level::Outer);
+                let address = self.address(area.0, first, offset);
+                Piece { address, old: [None; 2], new: None }
             }
         };
-        let turn = self.turn as u8;
-        let piece = match access.value {
+        match access.value {
             None => {
-                let old = piece.old.unwrap_or_else(|| self.t.b.ins().uload8(I32, data(), piece.address, piece.start));
+                let byte = usize::from(behind / 8);
+                let old = piece.old[byte].unwrap_or_else(|| self.t.b.ins().uload8(I32, data(), piece.address, start + byte as i32));
+                piece.old[byte] = Some(old);
                 let node = self.kernel.read_of(number);
-                self.set_value(node, Lanes::One(Translator::bit_value(old, turn, false)));
-                Piece { old: Some(old), ..piece }
+                self.set_value(node, Lanes::One(Translator::bit_value(old, behind % 8, false)));
             }
             Some(value) => {
                 let value = self.first(value, Level::Outer);
                 let bit = match value {
-                    Val::Const(value) => self.t.constant((value as u32 & 1) << turn),
-                    value => self.t.bit_at(value, turn),
+                    Val::Const(value) => self.t.constant((value as u32 & 1) << behind),
+                    value => self.t.bit_at(value, behind),
                 };
-                let new = piece.new.map_or(bit, |bits| self.t.b.ins().bor(bits, bit));
-                Piece { new: Some(new), ..piece }
+                piece.new = Some(piece.new.map_or(bit, |bits| self.t.b.ins().bor(bits, bit)));
             }
-        };
-        self.pieces.insert(first, piece);
+        }
+        self.pieces.insert((area, pointer, offset), piece);
         true
     }
 
     /// Writes the bytes of all turns behind one another.
     pub(super) fn store_pieces(&mut self) {
-        let pieces: HashMap<usize, Piece> = std::mem::take(&mut self.pieces);
-        let mut pieces: Vec<(usize, Piece)> = pieces.into_iter().collect();
-        pieces.sort_by_key(|&(first, _)| first);
-        for (_, piece) in pieces {
-            if let Some(new) = piece.new {
-                self.t.b.ins().istore8(data(), new, piece.address, piece.start);
+        for (((_, start, _), ..), Piece { address, new, .. }) in std::mem::take(&mut self.pieces) {
+            if let Some(new) = new {
+                self.t.b.ins().istore8(data(), new, address, start);
             }
         }
     }
