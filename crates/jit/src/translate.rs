@@ -263,6 +263,8 @@ struct Translator<'a> {
     in_words: FxHashMap<Value, Vec<Value>>,
     /// Values whose bits above so many are 0.
     narrow: FxHashMap<Value, u32>,
+    /// Numbers of 32 bits all of which are 0 but one, perhaps, and which that is.
+    alone: FxHashMap<Value, u8>,
     /// All registers that the block may change.
     written: u32,
     /// What AR2 held when the present block was entered.
@@ -386,6 +388,7 @@ impl<'a> Translator<'a> {
             opposites: FxHashMap::default(),
             in_words: FxHashMap::default(),
             narrow: FxHashMap::default(),
+            alone: FxHashMap::default(),
             written: 0,
             instance: Val::Const(0),
             in_range: None,

@@ -240,6 +240,9 @@ impl Translator<'_> {
             Val::Const(_) => waiting.ones |= bit,
             value => {
                 let (new, others) = self.bits_of_one_number(value, at, waiting.bits);
+                if self.is_alone(new, at) && matches!(value, Val::At { .. } | Val::Bit { clean: false, .. }) {
+                    waiting.recent[0] = Some((at, Self::bit_value(new, at, false)));
+                }
                 waiting.bits = Some(match others {
                     Some(bits) => self.b.ins().bor(bits, new),
                     None => new,

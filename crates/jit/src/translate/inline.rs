@@ -276,7 +276,9 @@ impl Translator<'_> {
             (a, b) => {
                 let clean = self.is_clean(a) || self.is_clean(b);
                 let (a, b, at) = self.aligned(a, b);
+                let alone = self.is_alone(a, at) || self.is_alone(b, at);
                 let value = self.b.ins().band(a, b);
+                self.note_alone(value, at, alone);
                 Self::bit_value(value, at, clean)
             }
         }
@@ -302,7 +304,9 @@ impl Translator<'_> {
             (a, b) => {
                 let clean = self.is_clean(a);
                 let (a, b, at) = self.aligned(a, b);
+                let alone = self.is_alone(a, at);
                 let value = self.b.ins().band_not(a, b);
+                self.note_alone(value, at, alone);
                 Self::bit_value(value, at, clean)
             }
         }
@@ -320,7 +324,9 @@ impl Translator<'_> {
             (a, b) => {
                 let clean = self.is_clean(a) && self.is_clean(b);
                 let (a, b, at) = self.aligned(a, b);
+                let alone = self.is_alone(a, at) && self.is_alone(b, at);
                 let value = self.b.ins().bor(a, b);
+                self.note_alone(value, at, alone);
                 Self::bit_value(value, at, clean)
             }
         }
@@ -338,7 +344,9 @@ impl Translator<'_> {
             (a, b) => {
                 let clean = self.is_clean(a) && self.is_clean(b);
                 let (a, b, at) = self.aligned(a, b);
+                let alone = self.is_alone(a, at) && self.is_alone(b, at);
                 let value = self.b.ins().bxor(a, b);
+                self.note_alone(value, at, alone);
                 Self::bit_value(value, at, clean)
             }
         }

@@ -195,11 +195,10 @@ impl Translator<'_> {
             return None;
         }
         self.pinned.extend(&kernel.opened);
-        if kernel.looked_at.is_empty()
-            && let Some(bits) = bits::read(&kernel)
-        {
+        let filled = if kernel.looked_at.is_empty() { bits::read(&kernel) } else { None };
+        if let Some(bits) = &filled {
             self.at_once.push((self.index, it.first, it.last));
-            self.bits_at_once(&kernel, &bits, it);
+            self.bits_at_once(&kernel, bits, it);
         }
         let plan = Plan::of(kernel)?;
         if plan.kernel.only_side_by_side {
@@ -244,7 +243,7 @@ impl Translator<'_> {
         let unsigned = if !all_at_once { plan.kernel.without_signs() } else { None };
         let unsigned = unsigned.map(|kernel| Plan { kernel, count: plan.count, inner: plan.inner });
         let fastest = unsigned.as_ref().unwrap_or(&plan);
-        if !all_at_once {
+        if !all_at_once && filled.is_none() && idle.is_none() {
             let in_pieces = Plan { kernel: fastest.kernel.clone().with_bits_ahead(), count: fastest.count, inner: fastest.inner };
             if let Some(gathered) = in_pieces.kernel.gathered() {
                 Writing::write(self, &in_pieces, it, Writes { up_to: Some(gathered.clone()), ..Writes::lanes(1) });

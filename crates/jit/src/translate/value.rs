@@ -193,6 +193,11 @@ impl Translator<'_> {
             return value;
         }
         let by = self.constant(u32::from(from.wrapping_sub(to) % 32));
+        if self.is_alone(value, from) {
+            let moved = self.b.ins().rotr(value, by);
+            self.note_alone(moved, to, true);
+            return moved;
+        }
         if let Some((_, InstructionData::Unary { opcode: Opcode::Bnot, arg })) = self.definition(value) {
             // A NOT behind it is one with the AND that follows, in most cases.
             let value = self.b.ins().rotr(arg, by);
@@ -207,13 +212,35 @@ impl Translator<'_> {
             Val::Bit { value, clean: true } => self.moved(value, 0, to),
             Val::At { value, at } => {
                 let value = self.moved(value, at, to);
-                self.masked(value, 1 << to)
+                self.bit_alone(value, to)
             }
             value => {
                 let value = self.bit(value);
                 let value = self.moved(value, 0, to);
                 self.masked(value, 1 << to)
             }
+        }
+    }
+
+    /// The bit at a position, the others 0.
+    fn bit_alone(&mut self, value: Value, at: u8) -> Value {
+        if self.is_alone(value, at) {
+            return value;
+        }
+        let alone = self.masked(value, 1 << at);
+        self.note_alone(alone, at, true);
+        alone
+    }
+
+    /// Whether all bits of a number are 0 but one, perhaps.
+    pub(super) fn is_alone(&self, value: Value, at: u8) -> bool {
+        self.alone.get(&value) == Some(&at)
+    }
+
+    /// Notes that they are, if that is so.
+    pub(super) fn note_alone(&mut self, value: Value, at: u8, is_alone: bool) {
+        if is_alone {
+            self.alone.insert(value, at);
         }
     }
 

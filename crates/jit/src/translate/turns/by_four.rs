@@ -30,7 +30,7 @@ impl Kernel {
         is_row
             && base == Base::Arena
             && usize::try_from(bytes.end + 1).is_ok_and(|end| end <= self.size)
-            && self.accesses.iter().any(|access| access.width != Width::Bit)
+            && (self.accesses.iter().any(|access| access.width != Width::Bit) || self.accesses.iter().all(|access| access.value.is_none()))
     }
 
     /// Whether turns read something at addresses that are neither the same nor at equal distances.
