@@ -340,6 +340,8 @@ pub struct Switches {
     pub operators_as_functions: bool,
     /// The functions of WSTRINGs have names of their own: WLEN, WLEFT.
     pub wide_names: bool,
+    /// Functions of texts take lengths and positions of any integer type.
+    pub any_integer_in_texts: bool,
     /// The timers and counters of the CPU can be called as functions: `S_ODT(T_NO := T5, …)`.
     pub s5_functions: bool,
     /// A variable `AT %I*` for which there is no VAR_CONFIG is memory of its own: a tool links it to the hardware.
@@ -395,6 +397,7 @@ switches! {
     real_literal_widens:     false,           true,              false,                   false;
     operators_as_functions:  true,            true,              false,                   false;
     wide_names:              false,           true,              false,                   false;
+    any_integer_in_texts:    true,            false,             false,                   false;
     s5_functions:            false,           false,             true,                    true;
     unlinked_is_memory:      false,           true,              false,                   false;
     organization_block_inputs: false,         false,             false,                   true;

@@ -569,7 +569,7 @@ impl Checker<'_> {
             return None;
         }
         let function = callee.is_function();
-        let mut all = Arguments::new(interface);
+        let mut all = Arguments::new(interface, self.written_out(&callee, &call.callee));
         if self.names.is_of_library(callee.block()) {
             all.formals.retain(|formal| !formal.name.ends_with(OF_ANOTHER));
         }
@@ -633,10 +633,9 @@ impl Checker<'_> {
             .iter()
             .find(|variable| variable.section == Section::Return)
             .map_or(DataType::Void, |result| result.data_type.clone());
-        let Arguments { arguments, enable, before, .. } = all;
+        let Arguments { arguments, enable, before, written_out, .. } = all;
         let of_library = matches!(callee, Callee::Function(block) if self.names.is_of_library(block));
         let clears_ok = self.reads_ok && of_library;
-        let written_out = self.written_out(&callee, &call.callee);
         sound.then_some((Call { callee, arguments, enable, result, clears_ok, of_library, written_out, span }, before))
     }
 
@@ -735,6 +734,7 @@ impl Checker<'_> {
             }
             _ => {
                 let typed = self.expression_for(value, &formal.data_type);
+                let typed = if all.written_out.is_some() { self.number_in_text(formal, typed) } else { typed };
                 self.input(formal, typed, value.span, &mut all.arguments, &mut all.before)
             }
         }
@@ -1108,6 +1108,8 @@ impl Checker<'_> {
 
 /// The parameters of a call while they are collected.
 pub(super) struct Arguments<'a> {
+    /// The function of texts that is called.
+    written_out: Option<TextFunction>,
     /// The formal ones in the order of their declaration.
     formals: Vec<&'a Variable>,
     interface: &'a Interface,
@@ -1118,13 +1120,13 @@ pub(super) struct Arguments<'a> {
 }
 
 impl<'a> Arguments<'a> {
-    fn new(interface: &'a Interface) -> Self {
+    fn new(interface: &'a Interface, written_out: Option<TextFunction>) -> Self {
         let is_formal =
             |variable: &&Variable| variable.section != Section::Return && !is_bound(interface, variable) && !is_told(interface, variable);
         let mut formals: Vec<&Variable> = interface.parameters().filter(is_formal).collect();
         // The interface has its sections in order; arguments by position follow the source. Blocks without one keep their order.
         formals.sort_by_key(|variable| variable.span.start);
-        Self { formals, interface, given: Vec::new(), arguments: Vec::new(), enable: None, before: Vec::new() }
+        Self { written_out, formals, interface, given: Vec::new(), arguments: Vec::new(), enable: None, before: Vec::new() }
     }
 }
 

@@ -388,6 +388,7 @@ impl Checker<'_> {
                 return Typed::Poison;
             }
             given.push((&formal.name, argument.span));
+            let typed = if written_out.is_some() { self.number_in_text(formal, typed) } else { typed };
             if !self.input(formal, typed, place, &mut passed, &mut before) {
                 return Typed::Poison;
             }

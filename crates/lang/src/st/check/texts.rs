@@ -357,8 +357,38 @@ impl Checker<'_> {
                 let text = self.text_of(typed, span, true)?;
                 Argument::Text { parameter, text, room: TextRoom { wide: true, ..room } }
             }
-            None => Argument::Value { parameter, value: self.coerce(typed, span, &formal.data_type)? },
+            None => {
+                let typed = self.number_in_text(formal, typed);
+                Argument::Value { parameter, value: self.coerce(typed, span, &formal.data_type)? }
+            }
         })
+    }
+
+    /// A length or a position in a text as an INT, if it may be of any integer type: beyond the limits of INT there are no characters.
+    pub(super) fn number_in_text(&self, formal: &Variable, typed: Typed) -> Typed {
+        if formal.data_type != DataType::Int || !self.dialect.switches().any_integer_in_texts {
+            return typed;
+        }
+        let Typed::Scalar { value, data_type } = typed else { return typed };
+        let is_integer = Kind::of(&data_type).is_some_and(Kind::is_integer);
+        if !is_integer || matches!(data_type, DataType::Enumeration(_)) {
+            return Typed::Scalar { value, data_type };
+        }
+        let (least, most) = standard::operators::limits(value.scalar);
+        let (low, high) = standard::operators::limits(Scalar::I16);
+        if low <= least && most <= high {
+            return Typed::Scalar { value, data_type };
+        }
+        let span = value.span;
+        let (wide, ops) = match least {
+            0 => (Scalar::U64, &[(Op::MinU64, high)][..]),
+            _ => (Scalar::I64, &[(Op::MinI64, high), (Op::MaxI64, low)][..]),
+        };
+        let limited = ops.iter().fold(operators::convert(value, wide), |value, &(op, limit)| {
+            let limit = Value { kind: ValueKind::Constant(limit as u64), scalar: wide, span };
+            operators::compute(op, vec![value, limit], wide)
+        });
+        Typed::Scalar { value: operators::convert(limited, Scalar::I16), data_type: DataType::Int }
     }
 
     fn wide_result(&mut self, function: TextFunction, block: sieben_model::block::BlockId, arguments: Vec<Argument>, span: Span) -> Typed {

@@ -148,13 +148,13 @@ chapters! {
     }
     "Texts" false {
         "len" "the length" ["LEN" "WLEN"] "iec tia: LEN(IN: STRING): INT";
-        "left" "the first characters" ["LEFT" "WLEFT"] "iec scl tia: LEFT(IN: STRING; L: INT): STRING" "codesys: LEFT(STR: STRING; SIZE: INT): STRING";
-        "right" "the last characters" ["RIGHT" "WRIGHT"] "iec scl tia: RIGHT(IN: STRING; L: INT): STRING" "codesys: RIGHT(STR: STRING; SIZE: INT): STRING";
-        "mid" "characters from the middle" ["MID" "WMID"] "iec scl tia: MID(IN: STRING; L: INT; P: INT): STRING" "codesys: MID(STR: STRING; LEN: INT; POS: INT): STRING";
+        "left" "the first characters" ["LEFT" "WLEFT"] "iec: LEFT(IN: STRING; L: ANY_INT): STRING" "scl tia: LEFT(IN: STRING; L: INT): STRING" "codesys: LEFT(STR: STRING; SIZE: INT): STRING";
+        "right" "the last characters" ["RIGHT" "WRIGHT"] "iec: RIGHT(IN: STRING; L: ANY_INT): STRING" "scl tia: RIGHT(IN: STRING; L: INT): STRING" "codesys: RIGHT(STR: STRING; SIZE: INT): STRING";
+        "mid" "characters from the middle" ["MID" "WMID"] "iec: MID(IN: STRING; L: ANY_INT; P: ANY_INT): STRING" "scl tia: MID(IN: STRING; L: INT; P: INT): STRING" "codesys: MID(STR: STRING; LEN: INT; POS: INT): STRING";
         "concat" "one behind the other" ["CONCAT" "WCONCAT"] "iec tia: CONCAT(IN1: STRING; IN2: STRING; …): STRING" "scl: CONCAT(IN1: STRING; IN2: STRING): STRING" "codesys: CONCAT(STR1: STRING; STR2: STRING): STRING";
-        "insert" "a text into another" ["INSERT" "WINSERT"] "iec scl tia: INSERT(IN1: STRING; IN2: STRING; P: INT): STRING" "codesys: INSERT(STR1: STRING; STR2: STRING; POS: INT): STRING";
-        "delete" "without some characters" ["DELETE" "WDELETE"] "iec scl tia: DELETE(IN: STRING; L: INT; P: INT): STRING" "codesys: DELETE(STR: STRING; LEN: INT; POS: INT): STRING";
-        "replace" "some characters by others" ["REPLACE" "WREPLACE"] "iec scl tia: REPLACE(IN1: STRING; IN2: STRING; L: INT; P: INT): STRING" "codesys: REPLACE(STR1: STRING; STR2: STRING; L: INT; P: INT): STRING";
+        "insert" "a text into another" ["INSERT" "WINSERT"] "iec: INSERT(IN1: STRING; IN2: STRING; P: ANY_INT): STRING" "scl tia: INSERT(IN1: STRING; IN2: STRING; P: INT): STRING" "codesys: INSERT(STR1: STRING; STR2: STRING; POS: INT): STRING";
+        "delete" "without some characters" ["DELETE" "WDELETE"] "iec: DELETE(IN: STRING; L: ANY_INT; P: ANY_INT): STRING" "scl tia: DELETE(IN: STRING; L: INT; P: INT): STRING" "codesys: DELETE(STR: STRING; LEN: INT; POS: INT): STRING";
+        "replace" "some characters by others" ["REPLACE" "WREPLACE"] "iec: REPLACE(IN1: STRING; IN2: STRING; L: ANY_INT; P: ANY_INT): STRING" "scl tia: REPLACE(IN1: STRING; IN2: STRING; L: INT; P: INT): STRING" "codesys: REPLACE(STR1: STRING; STR2: STRING; L: INT; P: INT): STRING";
         "max_len" "room for characters" ["MAX_LEN" "S_MOVE"] "MAX_LEN(text): DINT" "S_MOVE(IN: STRING; OUT => STRING)";
         "strg_to_chars" "characters one by one" ["STRG_TO_CHARS" "CHARS_TO_STRG"] "Strg_TO_Chars(text; first; count; array)" "Chars_TO_Strg(array; first; count; text)";
         "strg_val" "numbers at a place of a text" ["STRG_VAL" "VAL_STRG"] "STRG_VAL(text; format; first; number)" "VAL_STRG(number; size; decimals; format; first; text)";
