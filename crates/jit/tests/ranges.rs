@@ -337,8 +337,8 @@ fn loops_whose_variables_somebody_changes_do_the_same_on_all_engines() {
     assert!(asked > 5_000 && finished > 100, "{asked} questions, {finished} runs to the end");
 }
 
-/// Loops one after another over texts of two characters, the last of which is the one with this index; each ends at a limit of its own.
-fn loops_over_texts(b: &mut Builder, loops: u32, last: u64) {
+/// Loops one after another over texts of two characters, the last of which is the one with this index; others end at the next of some limits.
+fn loops_over_texts(b: &mut Builder, loops: u32, limits: &[u64], last: u64) {
     let place = |byte: u32| Place::Fixed { area: Area::BitMemory, position: 8 * byte };
     let mut statements = 0;
     for number in 0..loops {
@@ -359,7 +359,7 @@ fn loops_over_texts(b: &mut Builder, loops: u32, last: u64) {
         let next = b.compute(Op::AddU16, &[index, one]);
         b.store(place(0), Width::Word, next);
         // The last loop goes as far as it is said.
-        let most = if number + 1 == loops { last } else { u64::from(number % 8) };
+        let most = if number + 1 == loops { last } else { limits[number as usize % limits.len()] };
         let most = b.constant(most);
         let goes_on = b.compute(Op::LeI16, &[next, most]);
         b.push(Inst::Branch { condition: goes_on, to: Target(statements + 1) });
@@ -372,13 +372,24 @@ fn loops_over_texts(b: &mut Builder, loops: u32, last: u64) {
 #[test]
 fn ranges_are_known_in_each_of_many_loops() {
     // What a question about a text looks like in a listing: it has six arguments.
-    let asks = |loops: u32, last: u64| {
-        let program = program(&[(BlockId::ob(1), 48, &|b| loops_over_texts(b, loops, last))]);
+    let asks = |size: u32, loops: u32, limits: &[u64], last: u64| {
+        let program = program(&[(BlockId::ob(1), size, &|b| loops_over_texts(b, loops, limits, last))]);
         Jit::listing(&program, &layout(&program)).expect("machine code").contains("(i64, i64, i64, i64, i64, i64) -> i64 system_v")
     };
-    let most = u64::from(bytes_of(Area::Local) - 6) / 4;
-    for loops in [1, 4, 12, 60] {
-        assert!(!asks(loops, most), "{loops} loops");
-        assert!(asks(loops, most + 1), "{loops} loops, the last one to a text that is not there");
+    let [few, many]: [Vec<u64>; 2] = [(0..8).collect(), (0..24).map(|limit| 3 * limit).collect()];
+    for (size, loops, limits) in [
+        (300, 1, &few),
+        (300, 4, &few),
+        (300, 12, &few),
+        (48, 1, &few),
+        (48, 4, &few),
+        (48, 12, &few),
+        (48, 60, &few),
+        (300, 25, &many),
+        (300, 60, &many),
+    ] {
+        let most = u64::from(size - 6) / 4;
+        assert!(!asks(size, loops, limits, most), "{loops} loops");
+        assert!(asks(size, loops, limits, most + 1), "{loops} loops, the last one to a text that is not there");
     }
 }

@@ -37,11 +37,12 @@ const INSTRUCTIONS_IN_LOOPS_MAX: usize = 6_000;
 const INSTRUCTIONS_MAX: usize = 100_000;
 /// Variables in memory whose ranges are followed in a block.
 const PLACES_MAX: usize = 48;
-/// Passes over a loop in which a range that grows stops at the next number where it may: so many, and these for each loop in it, one of
-/// which settles behind the other; but no more than that in all. In passes behind them it grows as far as its type.
+/// Passes over a loop in which a range that grows stops at the next number where it may: one for each such number, so many for what settles
+/// behind it, and these for each loop in it, one of which settles behind the other; but no more than that in all. In passes behind them it
+/// grows as far as its type.
 const STOPPING_PASSES: usize = 16;
 const STOPPING_PASSES_OF_A_LOOP: usize = 6;
-const STOPPING_PASSES_MAX: usize = 160;
+const STOPPING_PASSES_MAX: usize = 240;
 /// Passes behind those until nothing changes any more; behind them nothing is known.
 const GROWING_PASSES: usize = 8;
 /// Passes in which what grew too far comes back.
@@ -49,7 +50,7 @@ const NARROWING_PASSES: usize = 3;
 /// Where a range that grows in a loop stops, beside the constants that the block compares with: the greatest number whose square is a
 /// DINT, and the limits of the types.
 const STOPS: [i64; 9] = [-0x8000_0000, -0x8000, -1, 0, 46_340, 0x7FFF, 0xFFFF, 0x7FFF_FFFF, 0xFFFF_FFFF];
-/// Constants that count for that.
+/// Constants that count for that, those in the loop first.
 const CONSTANTS_MAX: usize = 24;
 
 /// Numbers that a block was handed and that count for that, too.
@@ -360,8 +361,9 @@ struct Analysis<'a> {
     given_cells: Vec<Cell>,
     /// Statements to which a later one jumps back.
     heads: BTreeSet<u32>,
-    /// Where ranges that grow stop.
-    stops: BTreeSet<i64>,
+    /// Constants with which the block compares, by the statements that do, and numbers that it was handed: ranges that grow stop there.
+    compared: Vec<(u32, i64)>,
+    handed_numbers: BTreeSet<i64>,
     origins: Vec<Origin>,
     /// The statements that passes go over.
     part: Range<u32>,
@@ -438,7 +440,8 @@ pub(super) fn find(block: &Native, around: &Surroundings<'_>) -> Ranges {
         given,
         given_cells: Vec::new(),
         heads: loop_heads(code),
-        stops: places::stops(code),
+        compared: places::compared(code),
+        handed_numbers: BTreeSet::new(),
         origins: Vec::new(),
         part: 0..count as u32,
         arriving: vec![None; count],
@@ -452,7 +455,7 @@ pub(super) fn find(block: &Native, around: &Surroundings<'_>) -> Ranges {
         passes_elements: false,
         found: Ranges::default(),
     };
-    analysis.stops.extend(analysis.handed_numbers());
+    analysis.handed_numbers = analysis.handed_numbers();
     let mut found = analysis.run().unwrap_or_default();
     if let Some(relative) = around.relative {
         found.relative = true;
@@ -590,7 +593,10 @@ impl<'a> Analysis<'a> {
         let heads: Vec<u32> = self.heads.range(part.clone()).copied().collect();
         let place = |head: u32| (head - part.start) as usize;
         self.part = part.clone();
-        let stopping = (STOPPING_PASSES + STOPPING_PASSES_OF_A_LOOP * (heads.len().max(1) - 1)).min(STOPPING_PASSES_MAX);
+        let mut stops = places::stops(&self.compared, &part);
+        stops.extend(&self.handed_numbers);
+        let stopping = STOPPING_PASSES + stops.len() + STOPPING_PASSES_OF_A_LOOP * (heads.len().max(1) - 1);
+        let stopping = stopping.min(STOPPING_PASSES_MAX);
         let mut before: Option<Vec<Option<State>>> = None;
         for passes in 0.. {
             self.origins.truncate(counted);
@@ -599,9 +605,7 @@ impl<'a> Analysis<'a> {
                 self.arriving[*statement as usize] = Some(state.clone());
             }
             let none = BTreeSet::new();
-            let stops = std::mem::take(&mut self.stops);
             let states = self.pass(before.as_deref().zip(Some(if passes < stopping { &stops } else { &none })), false);
-            self.stops = stops;
             let stable = before.as_ref().map_or(heads.is_empty(), |before| {
                 heads.iter().all(|&head| match (&states[place(head)], &before[place(head)]) {
                     (Some(now), Some(before)) => now.is_within(before),

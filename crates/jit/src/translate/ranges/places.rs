@@ -1,6 +1,7 @@
 //! What of a block matters for its addresses: variables that they are computed from, constants that these are compared with.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::ir::{Code, Inst, Op, Place, TextAction, Var};
@@ -133,9 +134,9 @@ fn most_loaded(statements: &[(Vec<Place>, Vec<Place>, bool)], relevant: &FxHashS
     counts.into_iter().take(PLACES_MAX / 2).map(|(place, _)| place).collect()
 }
 
-/// Where ranges that grow may stop: at the constants with which the block compares, and beside them.
-pub(super) fn stops(code: &Code) -> BTreeSet<i64> {
-    let mut compared = BTreeSet::new();
+/// Constants with which the block compares, by the statements that do.
+pub(super) fn compared(code: &Code) -> Vec<(u32, i64)> {
+    let mut compared = Vec::new();
     for statement in 0..code.statement_count() {
         let mut constants: FxHashMap<Var, u64> = FxHashMap::default();
         for inst in code.statement(statement) {
@@ -145,7 +146,8 @@ pub(super) fn stops(code: &Code) -> BTreeSet<i64> {
                     continue;
                 }
                 Inst::Compute { op, args, .. } if comparison(op).is_some() => {
-                    compared.extend(args[..op.arity()].iter().filter_map(|arg| constants.get(arg)).map(|&value| i64::from(value as i32)));
+                    let values = args[..op.arity()].iter().filter_map(|arg| constants.get(arg));
+                    compared.extend(values.map(|&value| (statement as u32, i64::from(value as i32))));
                 }
                 _ => {}
             }
@@ -154,6 +156,19 @@ pub(super) fn stops(code: &Code) -> BTreeSet<i64> {
             }
         }
     }
-    let beside = compared.into_iter().take(CONSTANTS_MAX).flat_map(|constant| [constant - 1, constant, constant + 1]);
+    compared
+}
+
+/// Where ranges that grow in a part of the block may stop: at the constants with which it compares, first of all in that part, and beside them.
+pub(super) fn stops(compared: &[(u32, i64)], part: &Range<u32>) -> BTreeSet<i64> {
+    let numbers = |there: bool| {
+        let some = compared.iter().filter(|(statement, _)| part.contains(statement) == there);
+        some.map(|&(_, constant)| constant).collect::<BTreeSet<i64>>()
+    };
+    let mut all: BTreeSet<i64> = numbers(true).into_iter().take(CONSTANTS_MAX).collect();
+    let room = CONSTANTS_MAX - all.len();
+    let others: Vec<i64> = numbers(false).difference(&all).take(room).copied().collect();
+    all.extend(others);
+    let beside = all.into_iter().flat_map(|constant| [constant - 1, constant, constant + 1]);
     beside.chain(STOPS).collect()
 }
