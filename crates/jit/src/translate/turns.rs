@@ -44,6 +44,7 @@ mod nested;
 mod pieces;
 mod quads;
 mod reader;
+mod real_sums;
 mod records;
 pub(super) mod series;
 mod settled;

@@ -200,6 +200,8 @@ pub(super) struct Kernel {
     pub(super) required_inside: Vec<(Node, u32)>,
     /// Conditions that are the same in all turns, and whether they have to hold.
     pub(super) settled: Vec<(Node, bool)>,
+    /// Cells that have to hold a REAL or LREAL that is a number when the loop begins.
+    pub(super) numbers_at_start: Vec<Cell>,
     /// Least and greatest value of numbers that are divided by constants and never negative, and of those that are looked at.
     pub(super) bounds: BTreeMap<Node, (u32, u32)>,
     /// Bytes of the arena.
@@ -245,6 +247,7 @@ impl Kernel {
             looked_at: Vec::new(),
             required_inside: Vec::new(),
             settled: Vec::new(),
+            numbers_at_start: Vec::new(),
             bounds: BTreeMap::new(),
             size: 0,
             only_side_by_side: false,

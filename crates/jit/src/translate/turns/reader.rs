@@ -107,6 +107,7 @@ fn read_as(translator: &mut Translator<'_>, it: &Loop, Reading { inside, one_way
     kernel.only_side_by_side = reader.only_side_by_side || reader.chosen > CHOSEN_ALONE_MAX || reader.read > INSTRUCTIONS_ALONE_MAX;
     kernel.shorten_choices();
     kernel.add_at_once();
+    kernel.add_reals_in_each_turn();
     kernel.forget_unread();
     kernel.live = !(translator.dead_at(it.first) & translator.dead_at(it.last + 1));
     let live_inside = statements_inside.map_or(!0, |(first, last)| !(translator.dead_at(first) & translator.dead_at(last + 1)));

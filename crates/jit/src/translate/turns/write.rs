@@ -215,6 +215,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             let is_so = self.t.b.ins().icmp_imm_u(IntCC::Equal, condition, i64::from(holds));
             also(self, is_so);
         }
+        for is_number in self.are_numbers() {
+            also(self, is_number);
+        }
         let guard = self.look_at_numbers(turns, guard);
         (turns, guard, all)
     }
