@@ -298,6 +298,26 @@ fn hands_on(b: &mut Builder, dice: &mut Dice) {
     count_on(b, (counter, Width::Word), 2, Target(1));
 }
 
+/// Copies bytes between the instance, what was handed to it, and other memory.
+fn takes_bytes(b: &mut Builder, dice: &mut Dice) {
+    let instance = |offset: u32| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset };
+    let end = |b: &mut Builder, dice: &mut Dice| match dice.roll(8) {
+        0 => Place::Fixed { area: Area::BitMemory, position: 8 * dice.roll(BYTES) as u32 },
+        1 => Place::Fixed { area: Area::Local, position: 8 * dice.roll(8) as u32 },
+        2..=4 => instance(8 * dice.of(&[0, 1, 2, 4, 6, 7, 12])),
+        _ => {
+            let number = b.load(instance(NUMBER), Width::Word, OnFault::SkipStatement);
+            let pointer = b.load(instance(POINTER), Width::DoubleWord, OnFault::SkipStatement);
+            let shift = b.constant(32);
+            let high = b.compute(Op::Shl64, &[number, shift]);
+            let pointer = b.compute(Op::OrU64, &[high, pointer]);
+            Place::Crossing { pointer, offset: 8 * dice.roll(3) as u32 }
+        }
+    };
+    let (from, to) = (end(b, dice), end(b, dice));
+    b.push(Inst::Move { from, to, bytes: dice.of(&[2, 3, 4, 6]) });
+}
+
 /// A function block that works with what it was handed.
 fn takes(b: &mut Builder, dice: &mut Dice) {
     let instance = |offset: u32| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset };
@@ -311,6 +331,10 @@ fn takes(b: &mut Builder, dice: &mut Dice) {
         }
         b.begin_statement();
         statement += 1;
+        if dice.roll(3) == 0 {
+            takes_bytes(b, dice);
+            continue;
+        }
         let width = dice.of(&[Width::Bit, Width::Byte, Width::Word, Width::DoubleWord]);
         let bit = if width == Width::Bit { dice.roll(8) as u32 } else { 0 };
         let place = |b: &mut Builder, dice: &mut Dice| match dice.roll(20) {

@@ -244,6 +244,11 @@ fn block(b: &mut Builder, dice: &mut Dice, number: u16) {
                 let pointer = b.compute(Op::AddU32, &[Register::Ar2.into(), by]);
                 Place::Indirect { area: Area::InstanceData, pointer, offset: 8 * dice.roll(6) as u32 + bit }
             }
+            // From where the data block begins, not the instance.
+            2 if dice.roll(4) == 0 => {
+                let pointer = b.constant(0x8400_0000 + 8 * dice.roll(3));
+                Place::Indirect { area: Area::InstanceData, pointer, offset: 8 * dice.roll(12) as u32 + bit }
+            }
             _ => own(8 * dice.roll(most) as u32 + bit),
         }
     };
@@ -256,6 +261,16 @@ fn block(b: &mut Builder, dice: &mut Dice, number: u16) {
         }
         b.begin_statement();
         statement += 1;
+        if dice.roll(3) == 0 {
+            let end = |b: &mut Builder, dice: &mut Dice| match dice.roll(12) {
+                // As a pointer to any area.
+                0 => Place::Crossing { pointer: Register::Ar2.into(), offset: 8 * dice.roll(6) as u32 },
+                _ => inside(b, dice, Width::Byte),
+            };
+            let (from, to) = (end(b, dice), end(b, dice));
+            b.push(Inst::Move { from, to, bytes: dice.of(&[2, 3, 4, 8, 16]) });
+            continue;
+        }
         if number == BLOCKS || dice.roll(2) == 0 {
             assigns(b, dice, &mut inside);
             continue;
@@ -443,6 +458,111 @@ fn an_instance_that_an_index_tells_is_looked_at_where_it_may_lie_outside() {
                 run(engine.as_ref(), &layout, &entry, &prepare, &|_, _, _| Reaction::Continue)
             };
             all_engines_agree((&program, &layout), false, &outcome, &|| format!("{first} {behind}, index {index}"));
+        }
+    }
+}
+
+/// What an instance does with the bytes where its data block begins.
+#[derive(Clone, Copy, Debug)]
+enum Does {
+    Writes,
+    CopiesThere,
+    CopiesFromThere,
+    /// Copies from and to where its own pointer leads, as one to any area.
+    CopiesAnywhere,
+}
+
+/// Three instances behind the counter of a loop, which count in the bytes of an array behind them. They do something with bytes where their
+/// data block begins, which are known or told by an index.
+fn reaches_absolutely(does: Does, indexed: bool) -> Program {
+    let counter = own(0);
+    let element = |b: &mut Builder, step: u64| {
+        let (number, step) = (b.load(counter, Width::Word, OnFault::SkipStatement), b.constant(step));
+        let by = b.compute(Op::MulU32, &[number, step]);
+        b.compute(Op::AddU32, &[Register::Ar2.into(), by])
+    };
+    let main = |b: &mut Builder| {
+        b.begin_statement();
+        let zero = b.constant(0);
+        b.store(counter, Width::Word, zero);
+        b.begin_statement();
+        let pointer = element(b, 8 * STEP);
+        b.store(SAVED, Width::DoubleWord, Register::Ar2);
+        let first = b.constant(u64::from(STRUCTURES));
+        b.compute_into(Register::Ar2, Op::AddU32, &[pointer, first]);
+        b.push(Inst::Call { callee: Callee::Block(BlockId::fb(1)), parameters: 0 });
+        let saved = b.load(SAVED, Width::DoubleWord, OnFault::SkipStatement);
+        b.copy(Register::Ar2, saved);
+        b.begin_statement();
+        let pointer = element(b, 8);
+        let value = b.load(counter, Width::Byte, OnFault::SkipStatement);
+        b.store(Place::Indirect { area: Area::InstanceData, pointer, offset: INSTANCES }, Width::Byte, value);
+        b.begin_statement();
+        let (value, one) = (b.load(counter, Width::Word, OnFault::SkipStatement), b.constant(1));
+        let next = b.compute(Op::AddU16, &[value, one]);
+        b.store(counter, Width::Word, next);
+        let last = b.constant(ELEMENTS - 1);
+        let goes_on = b.compute(Op::LeI16, &[next, last]);
+        b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+    };
+    let writes = |b: &mut Builder| {
+        b.begin_statement();
+        let mut pointer = b.constant(0x8400_0000);
+        if indexed {
+            let (number, mask) = (b.load(own(8), Width::Byte, OnFault::SkipStatement), b.constant(1));
+            let (number, step) = (b.compute(Op::AndU32, &[number, mask]), b.constant(8));
+            let by = b.compute(Op::MulU32, &[number, step]);
+            pointer = b.compute(Op::AddU32, &[pointer, by]);
+        }
+        let there = |offset: u32| Place::Indirect { area: Area::InstanceData, pointer, offset };
+        let bytes = 2;
+        // Known in front of what follows, and a bit of the first instance that waits for others.
+        let value = b.load(own(8 * 6), Width::Word, OnFault::SkipStatement);
+        b.store(own(8 * 10), Width::Word, value);
+        let bit = b.load(own(8 * 5 + 1), Width::Bit, OnFault::SkipStatement);
+        b.store(own(3), Width::Bit, bit);
+        match does {
+            Does::Writes => {
+                let value = b.load(own(8 * 4), Width::Word, OnFault::SkipStatement);
+                b.store(there(0), Width::Word, value);
+            }
+            Does::CopiesThere => b.push(Inst::Move { from: own(8 * 4), to: there(0), bytes }),
+            Does::CopiesFromThere => b.push(Inst::Move { from: there(STRUCTURES), to: own(8 * 4), bytes }),
+            Does::CopiesAnywhere => {
+                let number = b.constant(1);
+                b.push(Inst::Open { register: DataRegister::Shared, number });
+                let anywhere = |byte: u32| Place::Crossing { pointer: Register::Ar2.into(), offset: 8 * byte };
+                b.push(Inst::Move { from: anywhere(4), to: anywhere(6), bytes });
+            }
+        }
+        b.begin_statement();
+        let value = b.load(own(8 * 6), Width::Word, OnFault::SkipStatement);
+        b.store(own(8 * 8), Width::Word, value);
+    };
+    program(&[(BlockId::ob(1), LOCAL_BYTES, &begin), (BlockId::fb(CALLER), LOCAL_BYTES, &main), (BlockId::fb(1), LOCAL_BYTES, &writes)])
+}
+
+#[test]
+fn what_an_instance_does_where_its_data_block_begins_may_be_with_the_counter_of_its_caller() {
+    let all = [Does::Writes, Does::CopiesThere, Does::CopiesFromThere, Does::CopiesAnywhere];
+    for (does, indexed) in all.into_iter().flat_map(|does| [(does, false), (does, true)]) {
+        let program = reaches_absolutely(does, indexed);
+        let layout = layout_of(&program);
+        let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+        for number in [0_u8, 2, 3, 40] {
+            let outcome = |engine: Arc<dyn Engine>| {
+                let prepare = |machine: &mut Machine| {
+                    machine.budget = 100;
+                    let range = machine.memory.layout.data_blocks[&1].clone();
+                    (0..3).for_each(|at| machine.memory.arena[range.start + 8 + STEP as usize * at + 5] = number);
+                };
+                let answer = |_: &mut Machine, _: &str, asked: usize| match asked < QUESTIONS_MAX {
+                    true => Reaction::Continue,
+                    false => Reaction::Stop(StopReason { event: 0x4562, place: None::<FaultPlace> }),
+                };
+                run(engine.as_ref(), &layout, &entry, &prepare, &answer)
+            };
+            all_engines_agree((&program, &layout), false, &outcome, &|| format!("{does:?}, indexed {indexed}, {number}"));
         }
     }
 }

@@ -53,7 +53,8 @@ pub(in crate::translate) fn pointers(code: &Code, is_apart: &dyn Fn(&Inst) -> bo
                 },
                 Inst::Load { place, .. } => is_apart_there(place),
                 Inst::Store { place, src, .. } => is_apart_there(place) && !is_pointer(src),
-                Inst::Move { .. } | Inst::Text { .. } | Inst::Open { register: DataRegister::Instance, .. } => false,
+                Inst::Move { from, to, .. } => is_apart_there(from) && is_apart_there(to),
+                Inst::Text { .. } | Inst::Open { register: DataRegister::Instance, .. } => false,
                 Inst::Call { .. } => is_apart(inst),
                 _ => !verify::reads(inst).any(is_pointer),
             };
