@@ -213,6 +213,16 @@ fn bits_that_turns_read_from_one_another_are_written_one_by_one() {
         let pointer = b.compute(Op::MulU32, &[number, bits]);
         b.store(Place::Indirect { area: Area::SharedData, pointer, offset: 0 }, Width::Byte, number);
     }));
+    // Bits of one array upwards and of another one downwards.
+    assert!(!makes_bytes(&|b| {
+        write_compared(b);
+        b.begin_statement();
+        let value = compared(b);
+        let number = get(b, COUNTER);
+        let last = b.constant(199);
+        let pointer = b.compute(Op::SubU32, &[last, number]);
+        b.store(Place::Indirect { area: Area::SharedData, pointer, offset: 512 }, Width::Bit, value);
+    }));
     // Bits that do not follow one another.
     assert!(!makes_bytes(&|b| {
         let value = compared(b);
