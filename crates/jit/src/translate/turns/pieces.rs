@@ -1,5 +1,8 @@
-//! Turns that write bits which follow one another in memory: eight of them are written behind one another, and their bits are one byte,
-//! which is written once. Turns one by one wait for the byte that the one before has written.
+//! Turns that write or read bits which follow one another in memory, upwards or downwards: eight of them are written behind one another, and
+//! their bits are one byte, which is read and written once. Turns one by one wait for the byte that the one before has written.
+//!
+//! Single turns in front of them go up to the first one whose bit begins a byte. What a turn reads that one before it has written was handed
+//! on ([`ahead`](super::ahead)); other bits that it reads lie ahead of all that were written, and are in memory as they were.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -21,7 +24,7 @@ pub(super) const TURNS: u32 = 8;
 /// Values of a turn that is written so often.
 const VALUES_MAX: usize = 100;
 
-/// Positions of a turn's bits that may lie between the first bit it writes and one it reads further on.
+/// How far a bit that a turn reads may lie ahead of one that it writes.
 const AHEAD_MAX: u32 = 1 << 15;
 /// The bytes of an area in which two positions so far apart, as numbers of 24 bits, are so, too.
 const AREA_MAX: u64 = ((1 << 24) - AHEAD_MAX as u64) / 8;
@@ -87,7 +90,7 @@ pub(super) struct Piece {
 }
 
 impl Kernel {
-    /// The accesses of a loop whose bits make whole bytes, if it writes such bits.
+    /// The accesses of a loop whose bits make whole bytes, if it has such bits.
     pub(super) fn gathered(&self) -> Option<Gathered> {
         if self.inner.is_some() || !self.copies.is_empty() || !self.left().is_empty() {
             return None;
