@@ -2,7 +2,7 @@
 //! are numbers at all, the loops do on all engines what the interpreter does.
 
 use dice::Dice;
-use noting::{all_engines_agree_from, program};
+use noting::{all_engines_agree_from, counted, element_at, fixed, get, program};
 use sieben_engine::Machine;
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_jit::Jit;
@@ -110,7 +110,7 @@ impl Part {
         b.begin_statement();
         match *self {
             Self::Sum { sum, op, turned, scaled } => {
-                let (mut of, before) = (element(b, kind.width), get(b, sum, kind.width));
+                let (mut of, before) = (element_at(b, COUNTER, kind.width), get(b, sum, kind.width));
                 if scaled {
                     of = b.compute(kind.multiply, &[of, of]);
                 }
@@ -143,7 +143,7 @@ impl Condition {
                 let place = Place::Indirect { area: Area::BitMemory, pointer: counter, offset: 8 * FLAGS + first };
                 return b.load(place, Width::Bit, OnFault::SkipStatement);
             }
-            Self::Negative => element(b, kind.width),
+            Self::Negative => element_at(b, COUNTER, kind.width),
             Self::SumNegative(sum) => get(b, sum, kind.width),
         };
         let zero = b.constant(0);
@@ -151,37 +151,9 @@ impl Condition {
     }
 }
 
-fn fixed(byte: u32) -> Place {
-    Place::Fixed { area: Area::BitMemory, position: 8 * byte }
-}
-
-fn get(b: &mut Builder, byte: u32, width: Width) -> Var {
-    b.load(fixed(byte), width, OnFault::SkipStatement)
-}
-
-fn element(b: &mut Builder, width: Width) -> Var {
-    let counter = get(b, COUNTER, Width::DoubleWord);
-    let bits = b.constant(u64::from(8 * width.bytes()));
-    let pointer = b.compute(Op::MulU32, &[counter, bits]);
-    b.load(Place::Indirect { area: Area::BitMemory, pointer, offset: 0 }, width, OnFault::SkipStatement)
-}
-
-/// `FOR counter := 0 TO last DO … END_FOR`.
-fn counted(b: &mut Builder, kind: &Kind, last: u64, parts: &[Part]) {
-    b.begin_statement();
-    let zero = b.constant(0);
-    b.store(fixed(COUNTER), Width::DoubleWord, zero);
-    parts.iter().fold(1, |first, part| part.write(b, kind, first));
-    b.begin_statement();
-    let counter = get(b, COUNTER, Width::DoubleWord);
-    let one = b.constant(1);
-    let next = b.compute(Op::AddU32, &[counter, one]);
-    b.store(fixed(COUNTER), Width::DoubleWord, next);
-    let last = b.constant(last);
-    let condition = b.compute(Op::LeI32, &[next, last]);
-    b.push(Inst::Branch { condition, to: Target(1) });
-    b.begin_statement();
-    b.push(Inst::Return);
+/// A loop of some parts.
+fn looping(b: &mut Builder, kind: &Kind, last: u64, parts: &[Part]) {
+    counted(b, COUNTER, last, |b| parts.iter().fold(1, |first, part| part.write(b, kind, first)));
 }
 
 /// Fills the array and the variables with numbers, some of them special.
@@ -220,7 +192,7 @@ fn sums_of_some_turns_are_those_of_the_interpreter() {
         let parts = Part::some(&mut dice, &kind, 3);
         let elements = u64::from(ARRAY_BYTES / kind.width.bytes());
         let last = dice.of(&[0, 3, 7, 16, 30, elements - 1]);
-        let program = program(&[(BlockId::ob(1), 16, &|b| counted(b, &kind, last, &parts))]);
+        let program = program(&[(BlockId::ob(1), 16, &|b| looping(b, &kind, last, &parts))]);
         let prepare = |machine: &mut Machine, memory: u64| fill(machine, &kind, seed + 1_000_000 + (memory << 32));
         silent += all_engines_agree_from((&program, &noting::layout(&program)), MEMORIES, &prepare, &seed.to_string());
     }
@@ -229,7 +201,7 @@ fn sums_of_some_turns_are_those_of_the_interpreter() {
 
 /// Whether a sum of a loop has to be a number when it begins: nothing else in a loop is written with this comparison.
 fn looks_whether_it_is_a_number(parts: &[Part]) -> bool {
-    let program = program(&[(BlockId::ob(1), 16, &|b| counted(b, &REAL, 30, parts))]);
+    let program = program(&[(BlockId::ob(1), 16, &|b| looping(b, &REAL, 30, parts))]);
     let listing = Jit::listing(&program, &noting::layout(&program)).expect("machine code");
     listing.lines().any(|line| line.contains("fcmp") && line.contains(" ord "))
 }

@@ -5,8 +5,8 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{program, run};
-use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
+use noting::{counted, element_at, fixed, get, program, run};
+use sieben_engine::ir::{Builder, Inst, Op, Target};
 use sieben_engine::{Engine, Entry, Exit, FaultPlace, Interpreter, Machine, Program, Reaction, StopReason};
 use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::{Area, Width};
@@ -66,31 +66,16 @@ const LREAL: Kind = Kind {
 };
 const KINDS: [Kind; 4] = [HALF, DOUBLE, REAL, LREAL];
 
-fn fixed(byte: u32) -> Place {
-    Place::Fixed { area: Area::BitMemory, position: 8 * byte }
-}
-
-fn get(b: &mut Builder, byte: u32, width: Width) -> Var {
-    b.load(fixed(byte), width, OnFault::SkipStatement)
-}
-
-fn element(b: &mut Builder, width: Width) -> Var {
-    let counter = get(b, COUNTER, Width::DoubleWord);
-    let bits = b.constant(u64::from(8 * width.bytes()));
-    let pointer = b.compute(Op::MulU32, &[counter, bits]);
-    b.load(Place::Indirect { area: Area::BitMemory, pointer, offset: 0 }, width, OnFault::SkipStatement)
-}
-
 /// `IF element < kept THEN kept := element; …` and its like, by so many statements: `beside` is written under the same condition.
 fn keep_by_comparison(b: &mut Builder, statement: u32, (width, op): (Width, Op), kept: u32, turned: bool, beside: bool) -> u32 {
     let behind = statement + 2 + u32::from(beside);
     b.begin_statement();
-    let (value, before) = (element(b, width), get(b, kept, width));
+    let (value, before) = (element_at(b, COUNTER, width), get(b, kept, width));
     let condition = b.compute(op, &if turned { [before, value] } else { [value, before] });
     let otherwise = b.compute(Op::Not, &[condition]);
     b.push(Inst::Branch { condition: otherwise, to: Target(behind) });
     b.begin_statement();
-    let value = element(b, width);
+    let value = element_at(b, COUNTER, width);
     b.store(fixed(kept), width, value);
     if beside {
         b.begin_statement();
@@ -103,27 +88,9 @@ fn keep_by_comparison(b: &mut Builder, statement: u32, (width, op): (Width, Op),
 /// `kept := MAX(kept, element);`
 fn keep_one_of_two(b: &mut Builder, (width, op): (Width, Op), kept: u32, turned: bool) {
     b.begin_statement();
-    let (value, before) = (element(b, width), get(b, kept, width));
+    let (value, before) = (element_at(b, COUNTER, width), get(b, kept, width));
     let value = b.compute(op, &if turned { [before, value] } else { [value, before] });
     b.store(fixed(kept), width, value);
-}
-
-/// `FOR counter := 0 TO last DO … END_FOR`; what is in it begins with statement 1 and says where it ends.
-fn counted(b: &mut Builder, last: u64, turn: impl FnOnce(&mut Builder) -> u32) {
-    b.begin_statement();
-    let zero = b.constant(0);
-    b.store(fixed(COUNTER), Width::DoubleWord, zero);
-    turn(b);
-    b.begin_statement();
-    let counter = get(b, COUNTER, Width::DoubleWord);
-    let one = b.constant(1);
-    let next = b.compute(Op::AddU32, &[counter, one]);
-    b.store(fixed(COUNTER), Width::DoubleWord, next);
-    let last = b.constant(last);
-    let condition = b.compute(Op::LeI32, &[next, last]);
-    b.push(Inst::Branch { condition, to: Target(1) });
-    b.begin_statement();
-    b.push(Inst::Return);
 }
 
 /// A loop that keeps one or two numbers.
@@ -132,7 +99,7 @@ fn looping(b: &mut Builder, seed: u64) {
     let Kind { width, compare, one_of_two, add, .. } = KINDS[(seed % 4) as usize];
     let elements = u64::from(ARRAY_BYTES / width.bytes());
     let last = dice.of(&[0, 3, 7, 16, 30, elements - 1]);
-    counted(b, last, |b| {
+    counted(b, COUNTER, last, |b| {
         let mut statement = 1;
         for number in 0..=dice.roll(3) {
             // Both may keep the same, one behind the other.
@@ -151,7 +118,7 @@ fn looping(b: &mut Builder, seed: u64) {
         if others < 3 {
             b.begin_statement();
             statement += 1;
-            let source = if others == 0 { get(b, KEPT[0], width) } else { element(b, width) };
+            let source = if others == 0 { get(b, KEPT[0], width) } else { element_at(b, COUNTER, width) };
             let sum = get(b, SUM, width);
             let sum = b.compute(add, &[sum, source]);
             b.store(fixed(if dice.roll(8) == 0 { KEPT[1] } else { SUM }), width, sum);
@@ -225,7 +192,7 @@ fn least_and_greatest_numbers_are_those_of_the_interpreter() {
 }
 
 fn listing(turn: &dyn Fn(&mut Builder) -> u32) -> String {
-    let program: Program = program(&[(BlockId::ob(1), 16, &|b| counted(b, 30, turn))]);
+    let program: Program = program(&[(BlockId::ob(1), 16, &|b| counted(b, COUNTER, 30, turn))]);
     Jit::listing(&program, &noting::layout(&program)).expect("machine code")
 }
 

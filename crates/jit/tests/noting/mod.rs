@@ -4,11 +4,11 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target};
+use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::{Register, Registers};
 use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Interpreter, Layout, Machine, Program, Reaction};
 use sieben_jit::{Jit, StatusBits};
-use sieben_model::address::Width;
+use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 
@@ -118,6 +118,46 @@ pub(crate) fn count_on(b: &mut Builder, counter: Place, (op, limit): (Op, u64), 
     let limit = b.constant(limit);
     let again = b.compute(op, &[next, limit]);
     b.push(Inst::Branch { condition: again, to: first });
+    b.begin_statement();
+    b.push(Inst::Return);
+}
+
+/// A variable in bit memory that begins with a byte.
+#[allow(dead_code)] // Not every test that shares this file has such variables.
+pub(crate) fn fixed(byte: u32) -> Place {
+    Place::Fixed { area: Area::BitMemory, position: 8 * byte }
+}
+
+/// What it holds.
+#[allow(dead_code)] // The same.
+pub(crate) fn get(b: &mut Builder, byte: u32, width: Width) -> Var {
+    b.load(fixed(byte), width, OnFault::SkipStatement)
+}
+
+/// The element of an array at the beginning of bit memory whose number is in a variable.
+#[allow(dead_code)] // The same.
+pub(crate) fn element_at(b: &mut Builder, counter: u32, width: Width) -> Var {
+    let counter = get(b, counter, Width::DoubleWord);
+    let bits = b.constant(u64::from(8 * width.bytes()));
+    let pointer = b.compute(Op::MulU32, &[counter, bits]);
+    b.load(Place::Indirect { area: Area::BitMemory, pointer, offset: 0 }, width, OnFault::SkipStatement)
+}
+
+/// `FOR counter := 0 TO last DO … END_FOR`; what is in it begins with statement 1 and says where it ends.
+#[allow(dead_code)] // The same.
+pub(crate) fn counted(b: &mut Builder, counter: u32, last: u64, turn: impl FnOnce(&mut Builder) -> u32) {
+    b.begin_statement();
+    let zero = b.constant(0);
+    b.store(fixed(counter), Width::DoubleWord, zero);
+    turn(b);
+    b.begin_statement();
+    let number = get(b, counter, Width::DoubleWord);
+    let one = b.constant(1);
+    let next = b.compute(Op::AddU32, &[number, one]);
+    b.store(fixed(counter), Width::DoubleWord, next);
+    let last = b.constant(last);
+    let condition = b.compute(Op::LeI32, &[next, last]);
+    b.push(Inst::Branch { condition, to: Target(1) });
     b.begin_statement();
     b.push(Inst::Return);
 }

@@ -128,7 +128,7 @@ impl Kernel {
                 if access.value.is_none() && before.value.is_none() || ![number, other].iter().any(|number| pieces.contains_key(number)) {
                     continue;
                 }
-                let reads_what_is_written_then = before.value.is_none() && access.goes_where(before);
+                let reads_what_is_written_then = before.value.is_none() && access.is_same(before);
                 let reads_ahead = access.is_bit_ahead_of(before, way) || before.is_bit_ahead_of(access, way);
                 if access.may_share(before) && !reads_what_is_written_then && !reads_ahead {
                     return None;
@@ -150,11 +150,6 @@ impl Kernel {
 }
 
 impl Access {
-    /// Whether two accesses go to the same place in each turn.
-    pub(super) fn goes_where(&self, other: &Self) -> bool {
-        (self.area, self.pointer, self.offset, self.width) == (other.area, other.pointer, other.offset, other.width)
-    }
-
     /// Whether a bit is read that lies ahead of the one that another access writes, whose turns go there one after the other.
     fn is_bit_ahead_of(&self, other: &Self, way: Way) -> bool {
         let is_read = self.value.is_none() && other.value.is_some();
