@@ -244,7 +244,8 @@ impl Translator<'_> {
         let unsigned = if !all_at_once { plan.kernel.without_signs() } else { None };
         let unsigned = unsigned.map(|kernel| Plan { kernel, count: plan.count, inner: plan.inner });
         let fastest = unsigned.as_ref().unwrap_or(&plan);
-        if !all_at_once && filled.is_none() && idle.is_none() {
+        let has_bits = || fastest.kernel.accesses.iter().any(|access| fastest.kernel.bits_follow(access).is_some());
+        if !all_at_once && filled.is_none() && idle.is_none() && has_bits() {
             let in_pieces = Plan { kernel: fastest.kernel.clone().with_bits_ahead(), count: fastest.count, inner: fastest.inner };
             if let Some(gathered) = in_pieces.kernel.gathered() {
                 Writing::write(self, &in_pieces, it, Writes { up_to: Some(gathered.clone()), ..Writes::lanes(1) });
