@@ -471,6 +471,7 @@ impl Translator<'_> {
         if self.options.forgets_locals && !self.options.exact {
             let end = self.local_behind() as i32;
             self.drop_local(|at| at >= end);
+            self.forget_words_behind_block();
         }
     }
 

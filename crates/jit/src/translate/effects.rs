@@ -128,11 +128,16 @@ struct Number {
 struct Numbers {
     known: BTreeMap<u8, Number>,
     made: usize,
+    /// AR2, if the statement has moved it by an index.
+    moved: Option<Number>,
 }
 
 impl Numbers {
     fn get(&mut self, var: Var, instance: Option<u32>) -> Number {
         if var.register() == Some(Register::Ar2) {
+            if let Some(moved) = self.moved {
+                return moved;
+            }
             return self.number(Interval::constant(u64::from(instance.unwrap_or(0))), instance.is_some());
         }
         match self.known.get(&var.0) {
@@ -184,6 +189,21 @@ impl Numbers {
                 all.iter_mut().zip(args).for_each(|(range, number)| *range = number.range);
                 self.number(ranges::result(op, all), false)
             }
+        }
+    }
+
+    /// Follows AR2, which is known behind an instruction that wrote it, or has moved by an index.
+    fn follow_instance(&mut self, instance: Option<u32>) {
+        let written = self.known.remove(&Var::from(Register::Ar2).0);
+        self.moved = written.filter(|number| instance.is_none() && number.from_instance);
+    }
+
+    /// The bits by which AR2 has moved, from the least to the most.
+    fn moved_by(&self, instance: Option<u32>) -> Option<(i64, i64)> {
+        match (instance, self.moved) {
+            (Some(added), _) => Some((i64::from(added as i32), i64::from(added as i32))),
+            (None, Some(moved)) => Some(moved.range.unsigned(32)).map(|(least, most)| (least as i64, most as i64)),
+            (None, None) => None,
         }
     }
 
@@ -362,7 +382,7 @@ impl Search<'_> {
                         let callee = (self.find)(id)? as usize;
                         let given = passed.split_off(passed.len().checked_sub(usize::from(parameters))?);
                         let inner = self.found[callee].as_ref()?;
-                        effects.add_call(inner, &given, instance)?;
+                        effects.add_call(inner, &given, numbers.moved_by(instance))?;
                         if !inner.pointed.is_empty() {
                             for (reached, writes) in look_alone()?.by_call(at)? {
                                 effects.add_reached(reached, writes)?;
@@ -417,6 +437,7 @@ impl Search<'_> {
                     numbers.follow(inst, dst, instance);
                     if dst == Register::Ar2.into() {
                         instance = pointers.after(at);
+                        numbers.follow_instance(instance);
                     }
                 }
             }
@@ -605,15 +626,12 @@ impl Effects {
     }
 
     /// Adds what a called block does, but for what it reaches by pointers in memory.
-    fn add_call(&mut self, inner: &Self, given: &[Held], added: Option<u32>) -> Option<()> {
+    fn add_call(&mut self, inner: &Self, given: &[Held], moved_by: Option<(i64, i64)>) -> Option<()> {
         self.areas.extend(&inner.areas);
         self.blocks.extend(&inner.blocks);
-        match (&inner.instance, added) {
+        match (&inner.instance, moved_by) {
             (None, _) => {}
-            (Some(range), Some(added)) => {
-                let bits = i64::from(added as i32);
-                self.add_instance(&(range.start + bits..range.end + bits));
-            }
+            (Some(range), Some((least, most))) => self.add_instance(&(range.start + least..range.end + most)),
             (Some(_), None) => self.add_instance(&ANYWHERE),
         }
         for access in &inner.given {

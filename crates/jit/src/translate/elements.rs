@@ -18,12 +18,19 @@ use super::value::Val;
 /// Elements that are remembered, the newest ones.
 const KNOWN_MAX: usize = 6;
 
-/// What an address is made of: the first byte of its area, a constant, and values times constants.
+/// What an address is made of: the first byte of its area, or the address of the instance of which it is a part; a constant; and values
+/// times constants.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Made {
-    start: i32,
+    start: Start,
     constant: u32,
     terms: Vec<(Value, bool, u32)>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Start {
+    Area(i32),
+    Instance(Value),
 }
 
 impl Made {
@@ -61,14 +68,26 @@ impl Translator<'_> {
         write: bool,
     ) -> Option<Address> {
         let is_part = offset < 1 << 19 && (width == Width::Bit || offset % 8 == 0);
-        if !self.options.optimize || self.cold.is_some() || *touched != Base::Arena || area.0 != self.arena || !is_part {
+        if !self.options.optimize || self.cold.is_some() || !is_part {
             return None;
         }
         let pointer = self.int(pointer);
         let byte = i64::from(offset / 8);
         // A number alone has nothing to be put together with, and one more address would keep a register. What is written in front of a call
         // is mostly for the called block.
-        if width != Width::Bit && !(write && self.calls_with_instance()) && self.known_element(area.1, pointer).is_none() {
+        let pays = width == Width::Bit || write && self.calls_with_instance();
+        if let Base::Computed(instance) = touched
+            && self.ranges.is_relative()
+        {
+            let mut sum = self.behind_instance(pointer).filter(|sum| !sum.terms.is_empty())?;
+            if !pays && self.known_part(instance.address, &sum).is_none() {
+                return None;
+            }
+            sum.constant = sum.constant.wrapping_add(offset & !7);
+            let (element, offset_of_byte, _) = self.part_of_sum(&sum).filter(|&(.., left)| left >= u64::from(count))?;
+            return Some(Address { base: element.address, offset: offset_of_byte, bit: Bit::Number((offset % 8) as u8) });
+        }
+        if *touched != Base::Arena || area.0 != self.arena || !pays && self.known_element(area.1, pointer).is_none() {
             return None;
         }
         let there = bytes.start - byte..bytes.end - i64::from(count) - byte;
@@ -90,13 +109,31 @@ impl Translator<'_> {
         }
         let made = self.made_of(area.1, pointer)?;
         let address = self.byte_address(area, pointer)?;
-        let computed = Computed { address, least: there.start, most: there.end };
-        self.computed.insert(address, computed);
+        let computed = Computed { address, least: there.start, most: there.end, part_of: None };
+        self.remember_element(made, computed);
+        Some((computed, 0))
+    }
+
+    fn remember_element(&mut self, made: Made, computed: Computed) {
+        self.computed.insert(computed.address, computed);
         if self.elements.0.len() == KNOWN_MAX {
             self.elements.0.remove(0);
         }
         self.elements.0.push((made, computed));
-        Some((computed, 0))
+    }
+
+    /// The part of an instance, which begins at an address, that lies as far behind it as a sum without its constant says, if its address has
+    /// been computed.
+    pub(super) fn known_part(&self, instance: Value, sum: &Sum) -> Option<Computed> {
+        let terms = self.terms_of(sum);
+        let is_it = |made: &Made| made.start == Start::Instance(instance) && made.terms == terms;
+        self.elements.0.iter().rev().find_map(|&(ref made, computed)| is_it(made).then_some(computed))
+    }
+
+    /// Notes the address of such a part.
+    pub(super) fn remember_part(&mut self, instance: Value, sum: &Sum, computed: Computed) {
+        let made = Made { start: Start::Instance(instance), constant: 0, terms: self.terms_of(sum) };
+        self.remember_element(made, computed);
     }
 
     /// An element that is known, or a place a constant behind or in front of it: other fields, elements of other arrays with the same index.
@@ -112,16 +149,20 @@ impl Translator<'_> {
             return None;
         }
         let whole = sum.constant % 8 == 0 && sum.terms.iter().all(|&(_, times)| times % 8 == 0);
-        let mut terms: Vec<(Value, bool, u32)> = sum
-            .terms
-            .iter()
-            .map(|&(value, times)| {
-                let (value, extended) = self.without_extension(value);
-                (value, extended, times)
-            })
-            .collect();
-        terms.sort_unstable();
+        let terms = self.terms_of(&sum);
+        let start = Start::Area(start);
         (whole && !terms.is_empty()).then_some(Made { start, constant: sum.constant & 0x00FF_FFFF, terms })
+    }
+
+    /// The values of a sum and what they are multiplied by, in an order.
+    fn terms_of(&self, sum: &Sum) -> Vec<(Value, bool, u32)> {
+        let term = |&(value, times): &(Value, u32)| {
+            let (value, extended) = self.without_extension(value);
+            (value, extended, times)
+        };
+        let mut terms: Vec<(Value, bool, u32)> = sum.terms.iter().map(term).collect();
+        terms.sort_unstable();
+        terms
     }
 
     /// The number whose low 16 bits a value is with their sign, if it is: an index is extended in each statement.

@@ -10,7 +10,7 @@ use sieben_model::address::{Area, Width};
 
 use super::inside::Sum;
 use super::memory::{Address, Bit};
-use super::promote::{Base, Computed};
+use super::promote::{Base, Computed, Part};
 use super::ranges::{self, Interval, Relative};
 use super::value::Val;
 use super::{OPEN_BLOCKS, Translator};
@@ -58,6 +58,12 @@ impl Bounds {
         (self.most - self.least, std::cmp::Reverse(self.zeros))
     }
 
+    /// What is known where both hold.
+    fn and(self, other: Self) -> Self {
+        let (least, most) = (self.least.max(other.least), self.most.min(other.most));
+        if least > most { self } else { Self { least, most, zeros: self.zeros.max(other.zeros) } }
+    }
+
     fn either(self, other: Self) -> Self {
         Self { least: self.least.min(other.least), most: self.most.max(other.most), zeros: self.zeros.min(other.zeros) }
     }
@@ -95,7 +101,7 @@ impl Translator<'_> {
                 let position = self.b.ins().ushr_imm_u(position, 3);
                 let start = self.b.ins().iadd_imm_u(self.arena, i64::try_from(base).ok()?);
                 let address = self.b.ins().iadd(start, position);
-                self.computed.insert(address, Computed { address, least: byte(least), most: byte(most) });
+                self.computed.insert(address, Computed { address, least: byte(least), most: byte(most), part_of: None });
                 (address, 0)
             }
         };
@@ -120,7 +126,7 @@ impl Translator<'_> {
 
     /// A part of the instance of the present block that indexes tell, whatever they are: what an address is counted from, how many bytes behind
     /// that it begins, and the bytes that are there.
-    fn part_of_sum(&mut self, sum: &Sum) -> Option<(Computed, i32, u64)> {
+    pub(super) fn part_of_sum(&mut self, sum: &Sum) -> Option<(Computed, i32, u64)> {
         if !self.options.optimize || self.cold.is_some() || !sum.constant.is_multiple_of(8) {
             return None;
         }
@@ -135,15 +141,22 @@ impl Translator<'_> {
         let (Base::Computed(instance), first, bytes) = self.instance_area()? else { return None };
         let (lowest, highest) = (least as i64 + constant, i64::try_from(most).ok()? + constant);
         let left = bytes.checked_sub(u64::try_from(highest).ok()? / 8).filter(|&left| lowest >= 0 && left > 0)?;
+        let first = first.checked_add((constant / 8) as i32)?;
+        if let Some(known) = self.known_part(instance.address, sum) {
+            return Some((known, first, left));
+        }
         let mut address = instance.address;
         for &(value, times) in &sum.terms {
             let value = self.b.ins().uextend(I64, value);
-            let part = self.b.ins().imul_imm_u(value, i64::from(times / 8));
-            address = self.b.ins().iadd(address, part);
+            // A sum would be made anew in each access: two registers that live as long.
+            let part = self.b.ins().imul_imm_s(value, -i64::from(times / 8));
+            address = self.b.ins().isub(address, part);
         }
-        let element = Computed { address, least: instance.least + (least / 8) as i64, most: instance.most + (most / 8) as i64 };
-        self.computed.insert(address, element);
-        Some((element, first.checked_add((constant / 8) as i32)?, left))
+        let (least, most) = ((least / 8) as i64, (most / 8) as i64);
+        let part_of = Some(Part { of: instance.address, least, most });
+        let element = Computed { address, least: instance.least + least, most: instance.most + most, part_of };
+        self.remember_part(instance.address, sum, element);
+        Some((element, first, left))
     }
 
     /// The address of a variable of the instance that indexes tell, if it is there whatever they are. The open data block may be accessed.
@@ -162,14 +175,15 @@ impl Translator<'_> {
     pub(super) fn relative_instance(&self) -> Option<Relative> {
         let it = self.in_range?;
         let instance = *self.computed.get(&it.address)?;
-        let is_apart = |inst: &Inst| match inst {
-            Inst::Call { callee: Callee::Block(id), .. } => {
-                let effects = (self.find)(*id).and_then(|code| self.effects[code as usize].as_ref());
-                effects.is_some_and(|effects| effects.instance.is_none() && effects.texts.is_empty())
-            }
+        let is_bounded = |inst: &Inst| match inst {
+            Inst::Call { callee: Callee::Block(id), .. } => (self.find)(*id).is_some_and(|code| {
+                let effects = self.effects[code as usize].as_ref();
+                effects.is_some_and(|effects| effects.texts.is_empty()) && self.pointers[code as usize].kept
+            }),
             _ => false,
         };
-        let pointers = ranges::pointers(&self.native().code, &is_apart)?;
+        let is_taken_back = |inst| self.pointers[self.index].after(inst).is_some();
+        let pointers = ranges::pointers(&self.native().code, &is_bounded, &is_taken_back)?;
         Some(Relative { instance, first: i64::from(it.first), bytes: it.bytes as i64, protected: !it.written, pointers })
     }
 
@@ -204,7 +218,7 @@ impl Translator<'_> {
         let byte = self.b.ins().ushr_imm_u(position, 3);
         let start = self.b.ins().iadd(self.arena, start);
         let address = self.b.ins().iadd(start, byte);
-        let computed = Computed { address, least: 0, most: self.layout.size as i64 };
+        let computed = Computed { address, least: 0, most: self.layout.size as i64, part_of: None };
         self.computed.insert(address, computed);
         (Base::Computed(computed), 0)
     }
@@ -275,8 +289,11 @@ impl Translator<'_> {
 
     /// What is known of a value from how it is computed, or from the statement.
     fn bounds(&self, value: Value, depth: usize) -> Option<Bounds> {
-        let noted = || self.bounds.get(&value).map(|&(least, most)| Bounds { least: u64::from(least), most: u64::from(most), zeros: 0 });
-        self.computed_bounds(value, depth).or_else(noted)
+        let noted = self.bounds.get(&value).map(|&(least, most)| Bounds { least: u64::from(least), most: u64::from(most), zeros: 0 });
+        match (self.computed_bounds(value, depth), noted) {
+            (Some(computed), Some(noted)) => Some(computed.and(noted)),
+            (computed, noted) => computed.or(noted),
+        }
     }
 
     fn computed_bounds(&self, value: Value, depth: usize) -> Option<Bounds> {

@@ -56,6 +56,16 @@ pub(super) struct Computed {
     pub(super) address: Value,
     pub(super) least: i64,
     pub(super) most: i64,
+    /// Another such address from which it is counted, if it is.
+    pub(super) part_of: Option<Part>,
+}
+
+/// How many bytes an address lies behind another one: at least, and at most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) struct Part {
+    pub(super) of: Value,
+    pub(super) least: i64,
+    pub(super) most: i64,
 }
 
 impl Base {
@@ -64,6 +74,11 @@ impl Base {
         let share = |a: &Range<i64>, b: &Range<i64>| a.start < b.end && b.start < a.end;
         if self == other {
             return share(bytes, others);
+        }
+        if let (Self::Computed(own), Self::Computed(other)) = (self, other)
+            && let Some((own, other)) = own.counted_from_one(&other)
+        {
+            return share(&own.reach(bytes), &other.reach(others));
         }
         match (self.in_arena(bytes), other.in_arena(others)) {
             (Some(bytes), Some(others)) => share(&bytes, &others),
@@ -78,6 +93,23 @@ impl Base {
             Self::Computed(Computed { least, most, .. }) => Some(least + bytes.start..most + bytes.end),
             Self::Local | Self::Run => None,
         }
+    }
+}
+
+impl Computed {
+    /// How far it and another address lie behind one from which both are counted.
+    fn counted_from_one(&self, other: &Self) -> Option<(Part, Part)> {
+        let itself = |it: &Self| Part { of: it.address, least: 0, most: 0 };
+        let [own, others] = [self, other].map(|it| [Some(itself(it)), it.part_of]);
+        let mut pairs = own.into_iter().flatten().flat_map(|own| others.into_iter().flatten().map(move |other| (own, other)));
+        pairs.find(|(own, other)| own.of == other.of)
+    }
+}
+
+impl Part {
+    /// Where bytes behind the address may lie behind the one from which it is counted.
+    fn reach(&self, bytes: &Range<i64>) -> Range<i64> {
+        self.least + bytes.start..self.most + bytes.end
     }
 }
 
@@ -237,7 +269,7 @@ impl Translator<'_> {
     fn keeps_over(&self, insts: &[Inst], written: Written, depth: u32) -> bool {
         let inlined = written != Written::Loop;
         let (mut given, mut constants) = (BTreeSet::new(), BTreeSet::new());
-        let own_instance = self.instance.constant().is_some();
+        let own_instance = self.instance.constant().is_some() || self.ranges.is_relative();
         insts.iter().all(|inst| {
             let is_said = |place: Place| match place {
                 Place::Fixed { area, .. } => !matches!(area, Area::SharedData | Area::InstanceData),
@@ -255,7 +287,7 @@ impl Translator<'_> {
                 Inst::Call { callee: Callee::Block(id), .. } => (self.find)(id).is_some_and(|called| {
                     let block = &self.blocks[called as usize].code;
                     let statements = || (0..block.statement_count()).map(|statement| block.statement(statement));
-                    let by_pointers = ranges::pointers(block, &|_| false).is_some();
+                    let by_pointers = ranges::pointers(block, &|_| false, &|_| false).is_some();
                     let written = if by_pointers { Written::BlockByPointers } else { Written::Block };
                     // What texts may reach is stored for each of them: that is not worth while in an inner loop.
                     let repeats_texts = block.insts.iter().any(|inst| matches!(inst, Inst::Text { .. })) && !loop_heads(block).is_empty();

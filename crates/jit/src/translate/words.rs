@@ -225,8 +225,11 @@ impl Translator<'_> {
 
     /// Drops numbers in local data that wait and begin at some offsets: memory does not hold what is known of them.
     pub(super) fn drop_words(&mut self, is_dropped: impl Fn(i32) -> bool) {
-        self.bytes.words.0.retain(|&(base, at, ..)| base != Base::Local || !is_dropped(at));
-        self.words.known.retain(|&(at, ..)| !is_dropped(at));
+        let dropped = self.bytes.words.0.extract_if(.., |&mut (base, at, ..)| base == Base::Local && is_dropped(at));
+        for (_, at, width, _) in dropped {
+            let end = at + width.bytes() as i32;
+            self.words.known.retain(|&(known, width, _)| known >= end || known + width.bytes() as i32 <= at);
+        }
     }
 
     /// Stores numbers that wait.

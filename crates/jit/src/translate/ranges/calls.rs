@@ -111,14 +111,10 @@ impl Analysis<'_> {
             before.push((source, width, self.source(state, (source, width), given, ar2)?));
         }
         if let Some(touched) = &effects.instance {
-            let (_, start, length, _) = self.area(state, Area::InstanceData)?;
-            let (least, most) = ar2?.range.unsigned(24);
-            let (first, end) = (least as i64 + touched.start, most as i64 + touched.end);
-            // A position may turn over.
-            let bytes = if first < 0 || end > POSITIONS { start..start + length } else { start + first / 8..start + bytes_before(end) };
+            let (base, bytes) = self.part_of_instance(state, touched, ar2?.range)?;
             // A block does not write to the pointers that it reads.
             let elements = std::mem::take(&mut state.elements);
-            state.forget(Base::Arena, &bytes);
+            state.forget(base, &bytes);
             state.elements = elements;
         }
         for &area in &effects.areas {
@@ -160,6 +156,20 @@ impl Analysis<'_> {
             }
         }
         Some(elements)
+    }
+
+    /// The bytes of some bits of the instance data block, from where AR2 points: all of that if they may be others.
+    fn part_of_instance(&self, state: &State, bits: &Range<i64>, ar2: Interval) -> Option<Bytes> {
+        let (base, start, length, _) = self.area(state, Area::InstanceData)?;
+        let (least, most) = ar2.unsigned(24);
+        let (first, end) = (least as i64 + bits.start, most as i64 + bits.end);
+        let (part_of, first_byte, limit) = match self.around.relative {
+            Some(it) => (Base::Computed(it.instance), it.first, 8 * it.bytes),
+            None => (base, start, POSITIONS),
+        };
+        // A position may turn over.
+        let anywhere = first < 0 || end > limit;
+        Some(if anywhere { (base, start..start + length) } else { (part_of, first_byte + first / 8..first_byte + bytes_before(end)) })
     }
 
     /// What is known of a number that a called block reads.

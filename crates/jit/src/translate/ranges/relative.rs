@@ -1,12 +1,13 @@
 //! Blocks that reach their instance by AR2 and nothing else: what is found with AR2 at the first byte of the instance holds wherever that
-//! lies, if all pointers are AR2 and something more, and if nothing is made of them but access to the instance.
+//! lies, if all pointers are AR2 and something more, and if nothing is made of them but access to the instance. For a call AR2 is moved to
+//! a part of the instance, and taken back behind it from the local data, where it counts as any number.
 
 use std::collections::BTreeSet;
 
 use rustc_hash::FxHashSet;
 use sieben_engine::ir::{Code, DataRegister, Inst, Op, Place, Var, verify};
 use sieben_engine::machine::Register;
-use sieben_model::address::Area;
+use sieben_model::address::{Area, Width};
 
 use crate::translate::promote::Computed;
 
@@ -20,13 +21,18 @@ pub(in crate::translate) struct Relative {
     pub(in crate::translate) bytes: i64,
     /// Whether it may not be written.
     pub(in crate::translate) protected: bool,
-    /// Instructions that calculate pointers into it.
+    /// Instructions that calculate pointers into it, keep AR2, or take it back.
     pub(in crate::translate) pointers: FxHashSet<u32>,
 }
 
-/// The instructions of a block that calculate pointers into its instance, if it reaches that in no other way. `is_apart` tells whether a
-/// call leaves the instance alone.
-pub(in crate::translate) fn pointers(code: &Code, is_apart: &dyn Fn(&Inst) -> bool) -> Option<FxHashSet<u32>> {
+/// The instructions of a block that calculate pointers into its instance, keep AR2, or take it back, if the block reaches its instance in
+/// no other way. `is_bounded` tells whether it is known what a call writes, and that it leaves AR2 as it is; `is_taken_back` whether AR2
+/// is known behind an instruction that writes it.
+pub(in crate::translate) fn pointers(
+    code: &Code,
+    is_bounded: &dyn Fn(&Inst) -> bool,
+    is_taken_back: &dyn Fn(u32) -> bool,
+) -> Option<FxHashSet<u32>> {
     let mut found = FxHashSet::default();
     for statement in 0..code.statement_count() {
         let mut pointers: BTreeSet<u8> = BTreeSet::new();
@@ -52,18 +58,27 @@ pub(in crate::translate) fn pointers(code: &Code, is_apart: &dyn Fn(&Inst) -> bo
                     }
                 },
                 Inst::Load { place, .. } => is_apart_there(place),
+                Inst::Store { place: Place::Fixed { area: Area::Local, .. }, width: Width::DoubleWord, src } if is_pointer(src) => {
+                    found.insert(index);
+                    true
+                }
                 Inst::Store { place, src, .. } => is_apart_there(place) && !is_pointer(src),
                 Inst::Move { from, to, .. } => is_apart_there(from) && is_apart_there(to),
                 Inst::Text { .. } | Inst::Open { register: DataRegister::Instance, .. } => false,
-                Inst::Call { .. } => is_apart(inst),
+                Inst::Call { .. } => is_bounded(inst),
                 _ => !verify::reads(inst).any(is_pointer),
             };
             if !fine {
                 return None;
             }
             if let Some(dst) = verify::writes(inst) {
-                if dst.register() == Some(Register::Ar2) || calculated && dst.register().is_some() {
-                    return None;
+                match dst.register() {
+                    Some(Register::Ar2) if calculated || is_taken_back(index) => {
+                        found.insert(index);
+                        continue;
+                    }
+                    Some(register) if calculated || register == Register::Ar2 => return None,
+                    _ => {}
                 }
                 if calculated {
                     pointers.insert(dst.0);

@@ -49,7 +49,11 @@ impl Analysis<'_> {
                     put(&mut state, &mut temporaries, dst, known);
                 }
                 Inst::Store { place, width, src } => {
-                    let value = self.get(&state, &temporaries, src);
+                    let value = match self.around.relative {
+                        // AR2 is somewhere else than what is said of it.
+                        Some(relative) if relative.pointers.contains(&index) => self.value(Interval::any(32)),
+                        _ => self.get(&state, &temporaries, src),
+                    };
                     let role = notes.then_some((index, true));
                     let reach = self.reach(&state, &temporaries, place, Span::Width(width), true, role);
                     let pointer = match place {
