@@ -334,7 +334,35 @@ impl Translator<'_> {
         let most = self.most_idle_turns(idle, &positions);
         let bits = self.b.ins().ctz(seen);
         let turns_to_next = self.b.ins().ushr_imm_u(bits, i64::from(looks.bits().trailing_zeros()));
-        let turns = self.b.ins().smin(turns_to_next, most);
+        // One that does something is mostly seen: what follows does not wait for how many may be passed.
+        let turns = match idle.others {
+            Some(others) => {
+                let is_found = self.b.ins().icmp(IntCC::SignedLessThan, turns_to_next, most);
+                let [found, all] = [self.b.create_block(), self.b.create_block()];
+                self.b.ins().brif(is_found, found, &[], all, &[]);
+                self.b.switch_to_block(found);
+                self.b.seal_block(found);
+                let in_front = self.known_memory_here();
+                self.pass_turns(idle, turns_to_next, budget);
+                let others = self.edge(others);
+                self.b.ins().jump(others, &[]);
+                self.b.switch_to_block(all);
+                self.b.seal_block(all);
+                self.know_memory(in_front);
+                most
+            }
+            None => self.b.ins().smin(turns_to_next, most),
+        };
+        self.pass_turns(idle, turns, budget);
+        self.b.ins().jump(go_on, &[]);
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+        self.know_memory(known);
+    }
+
+    /// Passes so many turns, with the budget that was there in front of them.
+    fn pass_turns(&mut self, idle: &Idle, turns: Value, budget: Value) {
+        let kernel = &idle.kernel;
         let cells: Vec<(Cell, Val)> = idle.lines.iter().map(|&(cell, _)| (cell, self.cell_before(kernel, cell))).collect();
         for (&(_, line), (cell, before)) in idle.lines.iter().zip(cells) {
             let value = self.behind(before, line, turns);
@@ -351,22 +379,10 @@ impl Translator<'_> {
             self.write_cell(kernel, cell, Val::Word(value));
         }
         self.settle_bytes();
-        let taken = self.b.ins().imul_imm_s(turns, weight);
+        let taken = self.b.ins().imul_imm_s(turns, i64::from(kernel.outer.weight));
         let left = self.b.ins().isub(budget, taken);
+        let variable = self.budget();
         self.b.def_var(variable, left);
-        match idle.others {
-            Some(others) => {
-                let is_found = self.b.ins().icmp(IntCC::SignedLessThan, turns_to_next, most);
-                let others = self.edge(others);
-                self.b.ins().brif(is_found, others, &[], go_on, &[]);
-            }
-            None => {
-                self.b.ins().jump(go_on, &[]);
-            }
-        }
-        self.b.switch_to_block(go_on);
-        self.b.seal_block(go_on);
-        self.know_memory(known);
     }
 
     /// Where an access goes in the first turn: the number of the bit in its area, or of the byte. A number that is beyond the area may be
