@@ -40,6 +40,7 @@ mod inline;
 mod inlining;
 mod inside;
 mod instance;
+mod instance_needs;
 mod instance_pointer;
 mod interpreted;
 mod intrinsics;
@@ -433,6 +434,9 @@ impl<'a> Translator<'a> {
     /// Writes the function.
     fn run(mut self, known: Known, target: cranelift_codegen::isa::TargetFrontendConfig) -> Found {
         self.find_registers_and_loops(known);
+        if known.inside {
+            self.know_instance_inside(self.versions.needs(self.index));
+        }
         self.ranges = self.find_ranges();
         self.keep_budget();
         self.keep_arena();

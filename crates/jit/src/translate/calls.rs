@@ -133,7 +133,7 @@ impl Translator<'_> {
             put(self, value, offset);
         }
         // The callee knows what a call sets, and does not read it.
-        let (function, known) = self.version(code);
+        let (function, known) = self.version(index, code);
         let callee = &self.summaries[code];
         let handed = self.dirty & !set_by_calls() & !(SPARED & !callee.live_in()) | self.dirty & open_blocks();
         let handed = handed & !known.registers();

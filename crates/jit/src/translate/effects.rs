@@ -113,7 +113,7 @@ enum Opened {
 
 /// A number that a statement computes.
 #[derive(Clone, Copy)]
-struct Number {
+pub(super) struct Number {
     range: Interval,
     /// Whether it is counted from what AR2 holds when the block is called.
     from_instance: bool,
@@ -125,7 +125,7 @@ struct Number {
 
 /// What a statement computes, as far as an index that it looks at leads to an element of an array in the instance.
 #[derive(Default)]
-struct Numbers {
+pub(super) struct Numbers {
     known: BTreeMap<u8, Number>,
     made: usize,
     /// AR2, if the statement has moved it by an index.
@@ -152,7 +152,7 @@ impl Numbers {
     }
 
     /// Follows an instruction that writes a variable.
-    fn follow(&mut self, inst: &Inst, dst: Var, instance: Option<u32>) {
+    pub(super) fn follow(&mut self, inst: &Inst, dst: Var, instance: Option<u32>) {
         let number = match *inst {
             Inst::Constant { value, .. } => self.number(Interval::constant(value), false),
             Inst::Compute { op: Op::Copy, args, .. } => self.get(args[0], instance),
@@ -193,13 +193,13 @@ impl Numbers {
     }
 
     /// Follows AR2, which is known behind an instruction that wrote it, or has moved by an index.
-    fn follow_instance(&mut self, instance: Option<u32>) {
+    pub(super) fn follow_instance(&mut self, instance: Option<u32>) {
         let written = self.known.remove(&Var::from(Register::Ar2).0);
         self.moved = written.filter(|number| instance.is_none() && number.from_instance);
     }
 
     /// The bits by which AR2 has moved, from the least to the most.
-    fn moved_by(&self, instance: Option<u32>) -> Option<(i64, i64)> {
+    pub(super) fn moved_by(&self, instance: Option<u32>) -> Option<(i64, i64)> {
         match (instance, self.moved) {
             (Some(added), _) => Some((i64::from(added as i32), i64::from(added as i32))),
             (None, Some(moved)) => Some(moved.range.unsigned(32)).map(|(least, most)| (least as i64, most as i64)),
@@ -208,7 +208,7 @@ impl Numbers {
     }
 
     /// Bits of the instance to which an access goes, from where AR2 points when the block is called.
-    fn instance_range(&self, pointer: Var, offset: u32, width: Width) -> Option<Range<i64>> {
+    pub(super) fn instance_range(&self, pointer: Var, offset: u32, width: Width) -> Option<Range<i64>> {
         let number = self.known.get(&pointer.0).filter(|number| number.from_instance)?;
         let (least, most) = number.range.unsigned(32);
         Some(least as i64 + i64::from(offset)..most as i64 + i64::from(offset) + i64::from(width.bits()))

@@ -108,6 +108,24 @@ impl Translator<'_> {
         Some(Instance { pointer, address, first, bytes, block, written })
     }
 
+    /// Whether the instance of a block that is called now begins at a byte of its data block, and so many bytes are there.
+    pub(super) fn has_instance_inside(&mut self, call: u32, bytes: u32) -> bool {
+        let Some([_, _, length]) = self.instance_block() else { return false };
+        match self.register(Register::Ar2).constant() {
+            Some(pointer) => pointer % 8 == 0 && (pointer & 0x00FF_FFFF) / 8 + u64::from(bytes) <= length,
+            None => self.instance_in_range(self.ranges.instance(call)).is_some_and(|it| it.bytes >= u64::from(bytes)),
+        }
+    }
+
+    /// The instance of the function's outermost block, which is known to begin at a byte of its data block with so many bytes.
+    pub(super) fn know_instance_inside(&mut self, bytes: u32) {
+        let pointer = self.register(Register::Ar2);
+        let Some([_, _, length]) = self.instance_block() else { return };
+        let Some(last) = u32::try_from(length).ok().and_then(|length| length.checked_sub(bytes)) else { return };
+        self.in_range = self.instance_in_range(Some(Interval::bytes_up_to(last)));
+        self.current[Register::Ar2 as usize] = self.in_range.map(|_| pointer);
+    }
+
     /// The instance of the block that begins now, if it lies at a constant place in that of its caller: it is counted from where that begins,
     /// and what is known of the one is known of the other.
     fn part_of_instance(&mut self, pointer: Val, block: [u64; 3]) -> Option<Instance> {

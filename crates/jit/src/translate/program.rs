@@ -16,7 +16,7 @@ use sieben_model::block::BlockId;
 
 use super::outside::{self, Functions};
 use super::versions::Versions;
-use super::{Program, Translator, analysis, effects, gates, inlining, instance_pointer, near_reads, reals_as_read};
+use super::{Program, Translator, analysis, effects, gates, inlining, instance_needs, instance_pointer, near_reads, reals_as_read};
 use crate::entry::Generation;
 use crate::jit::Native;
 use crate::run::{LINKS, Room};
@@ -160,8 +160,9 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     builder.symbol_lookup_fn(Box::new(outside::address));
     let mut module = JITModule::new(builder);
     let functions = Functions::default();
-    let mut versions = Versions::new(&mut module, blocks, find, options.optimize).map_err(|error| error.to_string())?;
     let pointers = instance_pointer::follow(blocks, find);
+    let needs = instance_needs::find(blocks, &pointers, find);
+    let mut versions = Versions::new(&mut module, blocks, find, needs, options.optimize).map_err(|error| error.to_string())?;
     let summaries = analysis::summaries(blocks, find, options.exact);
     let plans = inlining::plan(blocks, find);
     let effects = effects::find(blocks, find, layout, &plans, &pointers);

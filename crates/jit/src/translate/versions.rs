@@ -1,5 +1,6 @@
 //! Versions of blocks for what their callers know: a block is compiled for the instance and the data block with which it is called,
-//! wherever these are constants, so that its variables lie at constant addresses.
+//! wherever these are constants, so that its variables lie at constant addresses. Where the data block is known and the instance may be one
+//! of several, a version knows that it lies inside the data block.
 //!
 //! What a version knows is proven by the calls that enter it; nothing is looked at when it runs. Whoever knows less calls the general
 //! version, which is compiled only if somebody does.
@@ -21,6 +22,9 @@ use crate::jit::Native;
 const KNOWABLE: [Register; 7] =
     [OPEN_BLOCKS[0], OPEN_BLOCKS[1], OPEN_BLOCKS[2], OPEN_BLOCKS[3], OPEN_BLOCKS[4], OPEN_BLOCKS[5], Register::Ar2];
 
+/// The place of AR2 among them.
+const AR2: usize = 6;
+
 /// Versions of one block, beside the general one. A block with more calls has none: most of them would find no version.
 const VERSIONS_MAX: usize = 4;
 /// How many IR instructions all versions together may have, for each of the program …
@@ -32,12 +36,16 @@ const ROUNDS_MAX: usize = 24;
 
 /// What a version knows of [`KNOWABLE`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub(super) struct Known([Option<u64>; KNOWABLE.len()]);
+pub(super) struct Known {
+    values: [Option<u64>; KNOWABLE.len()],
+    /// Whether AR2 leads to a byte of the instance data block, and all bytes from there on that the block reaches are there.
+    pub(super) inside: bool,
+}
 
 impl Known {
     /// Registers and their values.
     pub(super) fn iter(self) -> impl Iterator<Item = (Register, u64)> {
-        KNOWABLE.into_iter().zip(self.0).filter_map(|(register, value)| Some((register, value?)))
+        KNOWABLE.into_iter().zip(self.values).filter_map(|(register, value)| Some((register, value?)))
     }
 
     /// The registers.
@@ -55,6 +63,8 @@ pub(super) struct Versions {
     counts: Vec<usize>,
     /// For each block, how many calls name it.
     calls: Vec<usize>,
+    /// For each block, how many bytes of its instance it reaches.
+    needs: Vec<u32>,
     /// Versions of one block.
     most: usize,
     /// IR instructions that versions may still have.
@@ -64,7 +74,13 @@ pub(super) struct Versions {
 
 impl Versions {
     /// Begins with the blocks that are entered by others than calls.
-    pub(super) fn new(module: &mut JITModule, blocks: &[Native], find: Find<'_>, optimize: bool) -> Result<Self, Box<ModuleError>> {
+    pub(super) fn new(
+        module: &mut JITModule,
+        blocks: &[Native],
+        find: Find<'_>,
+        needs: Vec<u32>,
+        optimize: bool,
+    ) -> Result<Self, Box<ModuleError>> {
         let mut calls = vec![0; blocks.len()];
         callees(blocks, find).into_iter().flatten().for_each(|callee| calls[callee] += 1);
         let instructions: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
@@ -73,6 +89,7 @@ impl Versions {
             functions: FxHashMap::default(),
             counts: vec![0; blocks.len()],
             calls,
+            needs,
             // Code that has to be there at once is compiled once.
             most: if optimize { VERSIONS_MAX } else { 1 },
             room: instructions.saturating_mul(GROWTH).saturating_add(GROWTH_MIN),
@@ -119,37 +136,50 @@ impl Versions {
         Ok(function)
     }
 
-    /// What a call that knows so much makes use of: all of it, or nothing if there are versions enough.
-    fn settle(&mut self, known: Known, index: usize, block: &Native) -> Known {
+    /// What a call that knows so much makes use of: all of it, that its instance is `inside`, or nothing if there are versions enough.
+    fn settle(&mut self, known: Known, inside: bool, index: usize, block: &Native) -> Known {
         let size = block.code.insts.len();
-        if known == Known::default() || self.functions.contains_key(&(index, known)) {
-            return known;
+        let mut anywhere = Known { inside, ..known };
+        anywhere.values[AR2] = None;
+        let own = (known.values[AR2].is_some() || !inside).then_some(known);
+        for known in own.into_iter().chain(inside.then_some(anywhere)) {
+            if known == Known::default() || self.functions.contains_key(&(index, known)) {
+                return known;
+            }
+            // Many calls would find no version of their own, but one for all of them.
+            if (self.calls[index] <= self.most || known.inside) && self.counts[index] < self.most && size <= self.room {
+                self.room -= size;
+                return known;
+            }
         }
-        if self.calls[index] > self.most || self.counts[index] >= self.most || size > self.room {
-            return Known::default();
-        }
-        self.room -= size;
-        known
+        Known::default()
+    }
+
+    /// How many bytes of its instance a block reaches.
+    pub(super) fn needs(&self, index: usize) -> u32 {
+        self.needs[index]
     }
 }
 
 impl Translator<'_> {
     /// The function that a call enters now, and what it knows.
-    pub(super) fn version(&mut self, index: usize) -> (FuncId, Known) {
+    pub(super) fn version(&mut self, at: u32, index: usize) -> (FuncId, Known) {
         let mut known = Known::default();
         let reads = self.versions.reads[index];
-        for (register, known) in KNOWABLE.into_iter().zip(&mut known.0) {
+        for (register, known) in KNOWABLE.into_iter().zip(&mut known.values) {
             if reads & bit_of(register) != 0 {
                 *known = self.current[register as usize].and_then(super::Val::constant);
             }
         }
         // Number, base and length of a data block belong together.
-        for block in known.0[..6].chunks_mut(3) {
+        for block in known.values[..6].chunks_mut(3) {
             if block.iter().any(Option::is_none) {
                 block.fill(None);
             }
         }
-        let known = self.versions.settle(known, index, &self.blocks[index]);
+        let has_instance = reads & bit_of(Register::Ar2) != 0 && known.values[AR2 - 1].is_some();
+        let inside = has_instance && self.options.optimize && self.has_instance_inside(at, self.versions.needs(index));
+        let known = self.versions.settle(known, inside, index, &self.blocks[index]);
         let function = self.versions.function(self.module, index, known);
         (function.expect("every function has a name of its own and the same signature"), known)
     }

@@ -31,6 +31,11 @@ impl Interval {
         }
     }
 
+    /// Positions of bytes up to one, counted in bits.
+    pub(in crate::translate) fn bytes_up_to(last: u32) -> Self {
+        Self { least: 0, most: 8 * i64::from(last), zeros: 3, bits: 32 }
+    }
+
     /// A constant.
     pub(in crate::translate) fn constant(value: u64) -> Self {
         match u32::try_from(value) {
