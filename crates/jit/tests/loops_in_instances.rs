@@ -1,5 +1,6 @@
 //! Blocks that loop over function blocks in their own instance, and that are called for the elements of an array themselves: what is known of
-//! such a block, wherever its instance lies, is what the interpreter finds, whatever a Host does.
+//! such a block, wherever its instance lies, is what the interpreter finds, whatever a Host does. Some blocks are too long to become part of
+//! their callers: those are functions that know that their instance is there.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -24,6 +25,8 @@ const QUESTIONS_MAX: usize = 60;
 const OUTER: u16 = 1;
 const MIDDLE: u16 = 2;
 const INNER: u16 = 3;
+/// IR instructions of a block that becomes part of none.
+const LONG: usize = 1_300;
 /// Elements of both arrays, where they begin, and their bytes. Behind the inner ones the instance of the middle block goes on.
 const ELEMENTS: u64 = 3;
 const MIDDLES: u32 = 8 * 8;
@@ -126,12 +129,17 @@ fn calls(b: &mut Builder, dice: &mut Dice, array: Array) {
 }
 
 /// A block with a loop over instances in its own.
-fn loops(b: &mut Builder, dice: &mut Dice, array: Array) {
+fn loops(b: &mut Builder, dice: &mut Dice, array: Array, is_long: bool) {
     let Array { counter, .. } = array;
+    let mut statements = 1;
+    if is_long {
+        lengthen(b, 0);
+        statements += 2;
+    }
     b.begin_statement();
     let first = b.constant(0);
     b.store(counter, Width::Word, first);
-    let mut statements = 1;
+    let head = Target(statements);
     for _ in 0..1 + dice.roll(4) {
         match dice.roll(6) {
             0 | 1 => {
@@ -156,7 +164,7 @@ fn loops(b: &mut Builder, dice: &mut Dice, array: Array) {
     b.store(counter, Width::Word, next);
     let last = b.constant(ELEMENTS - 1);
     let goes_on = b.compute(Op::LeI16, &[next, last]);
-    b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+    b.push(Inst::Branch { condition: goes_on, to: head });
     for _ in 0..dice.roll(3) {
         if dice.roll(2) == 0 {
             calls(b, dice, Array { counter: own(8 * 2), ..array });
@@ -167,8 +175,12 @@ fn loops(b: &mut Builder, dice: &mut Dice, array: Array) {
     }
 }
 
-fn inner(b: &mut Builder, dice: &mut Dice) {
-    for statement in 0..1 + dice.roll(4) as u32 {
+fn inner(b: &mut Builder, dice: &mut Dice, is_long: bool) {
+    let first = if is_long { 2 } else { 0 };
+    if is_long {
+        lengthen(b, 0);
+    }
+    for statement in first..first + 1 + dice.roll(4) as u32 {
         b.begin_statement();
         if dice.roll(5) == 0 {
             let condition = b.load(own(dice.roll(16) as u32), Width::Bit, OnFault::SkipStatement);
@@ -180,6 +192,15 @@ fn inner(b: &mut Builder, dice: &mut Dice) {
     b.begin_statement();
     let value = b.load(own(0), Width::Byte, OnFault::SkipStatement);
     b.store(own(8), Width::Byte, value);
+}
+
+/// Makes a block too long to become part of another one, by instructions that are jumped over.
+fn lengthen(b: &mut Builder, statements: u32) {
+    b.begin_statement();
+    b.push(Inst::Jump { to: Target(statements + 2) });
+    b.begin_statement();
+    let dst = b.constant(0);
+    (0..LONG).for_each(|_| b.push(Inst::Constant { dst, value: 0 }));
 }
 
 /// Changes a few bytes and the budget, sometimes, and goes on.
@@ -206,11 +227,12 @@ fn blocks_that_loop_over_instances_in_their_own_are_the_same_on_all_engines() {
         let outer_array = Array { counter: own(0), first: MIDDLES, bytes: MIDDLE_BYTES, callee: MIDDLE };
         let counter = if seed % 4 == 0 { Place::Fixed { area: Area::BitMemory, position: 8 * 10 } } else { own(0) };
         let middle_array = Array { counter, first: INNERS, bytes: INNER_BYTES, callee: INNER };
+        let is_long = |block: u16| Dice(seed * 100 + 50 + u64::from(block)).roll(3) == 0;
         let program = program(&[
             (BlockId::ob(1), LOCAL_BYTES, &|b: &mut Builder| begin_with_instance(b, OUTER)),
-            (BlockId::fb(OUTER), LOCAL_BYTES, &|b: &mut Builder| loops(b, &mut rolls(OUTER), outer_array)),
-            (BlockId::fb(MIDDLE), LOCAL_BYTES, &|b: &mut Builder| loops(b, &mut rolls(MIDDLE), middle_array)),
-            (BlockId::fb(INNER), LOCAL_BYTES, &|b: &mut Builder| inner(b, &mut rolls(INNER))),
+            (BlockId::fb(OUTER), LOCAL_BYTES, &|b: &mut Builder| loops(b, &mut rolls(OUTER), outer_array, is_long(OUTER))),
+            (BlockId::fb(MIDDLE), LOCAL_BYTES, &|b: &mut Builder| loops(b, &mut rolls(MIDDLE), middle_array, is_long(MIDDLE))),
+            (BlockId::fb(INNER), LOCAL_BYTES, &|b: &mut Builder| inner(b, &mut rolls(INNER), is_long(INNER))),
         ]);
         let mut layout = layout_with(&program, DATA_BYTES);
         if seed % 16 == 0 {

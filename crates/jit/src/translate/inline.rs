@@ -5,6 +5,7 @@ use cranelift_codegen::ir::condcodes::{CondCode, FloatCC, IntCC};
 use cranelift_codegen::ir::immediates::Ieee32;
 use cranelift_codegen::ir::types::{F32, I16, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, InstructionData, MemFlagsData, Opcode, Value, ValueDef};
+use cranelift_frontend::FunctionBuilder;
 use sieben_engine::ir::Op;
 use sieben_engine::machine::CALLS_SHIFT;
 use sieben_model::address::Width;
@@ -185,8 +186,8 @@ impl Translator<'_> {
                 let denormal = self.compare(IntCC::UnsignedLessThan, Val::Int(less), Val::Const(0x007F_FFFF));
                 self.or(infinite, denormal)
             }
-            Op::NegF32 => { let a = self.int(a); Val::Int(self.b.ins().bxor_imm_u(a, 0x8000_0000)) }
-            Op::AbsF32 => { let a = self.int(a); Val::Int(self.b.ins().band_imm_u(a, 0x7FFF_FFFF)) }
+            Op::NegF32 => { let bits = self.int(a); let bits = self.b.ins().bxor_imm_u(bits, 0x8000_0000); self.with_real(a, bits, |b, real| b.ins().fneg(real)) }
+            Op::AbsF32 => { let bits = self.int(a); let bits = self.b.ins().band_imm_u(bits, 0x7FFF_FFFF); self.with_real(a, bits, |b, real| b.ins().fabs(real)) }
             Op::I32ToF32 => { let a = self.int(a); let real = self.b.ins().fcvt_from_sint(F32, a); Val::Real { real, bits: self.b.ins().bitcast(I32, MemFlagsData::new(), real) } }
             Op::Swap16 => {
                 let a = self.int(a);
@@ -519,6 +520,14 @@ impl Translator<'_> {
         let bits = self.b.ins().bitcast(I32, MemFlagsData::new(), real);
         let nan = self.b.ins().iconst(I32, i64::from(f32::NAN.to_bits()));
         Val::Real { real, bits: self.b.ins().select(none, nan, bits) }
+    }
+
+    /// Bits that were made of those of a value, and the REAL that is made of it in the same way, if it is one: nobody waits for the bits then.
+    fn with_real(&mut self, of: Val, bits: Value, make: impl FnOnce(&mut FunctionBuilder<'_>, Value) -> Value) -> Val {
+        match of {
+            Val::Real { real, .. } => Val::Real { real: make(&mut self.b, real), bits },
+            _ => Val::Int(bits),
+        }
     }
 
     /// The first of two reals where it is less or greater than the second one, the second one otherwise; where a third one is no number, a

@@ -65,7 +65,7 @@ fn read_as_real(func: &mut Function, Read { load, swap, cast, real, vector }: Re
     let order = func.dfg.immediates.push(ConstantData::from(turned_order(ty.bytes() as u8)));
     let bytes = FuncCursor::new(func).at_inst(load).ins().load(ty, flags, base, offset);
     let mut cursor = FuncCursor::new(func).at_inst(cast);
-    let lanes = cursor.ins().scalar_to_vector(vector, bytes);
+    let lanes = cursor.ins().splat(vector, bytes);
     let lanes = cursor.ins().bitcast(I8X16, little(), lanes);
     let lanes = cursor.ins().shuffle(lanes, lanes, order);
     let lanes = cursor.ins().bitcast(vector, little(), lanes);
