@@ -588,6 +588,25 @@ impl Translator<'_> {
         }
     }
 
+    /// How many low bits of a value may be 1; 64 where that is not known to be less.
+    pub(super) fn bits_used(&self, value: Val) -> u32 {
+        let bits = |most: u64| 64 - most.leading_zeros();
+        match value {
+            Val::Const(value) => bits(value),
+            Val::Int(number) => {
+                let ranged = self.range_of(value).map(|(_, most)| bits(most.into()));
+                let masked = match self.definition(number) {
+                    Some((_, InstructionData::Binary { opcode: Opcode::Band, args: [_, mask] })) => {
+                        self.iconst(mask).map(|mask| bits(mask.into()))
+                    }
+                    _ => None,
+                };
+                ranged.into_iter().chain(masked).fold(self.most_bits(value), u32::min)
+            }
+            _ => 64,
+        }
+    }
+
     /// A result in 32 bits of which no more low bits than these may be 1.
     pub(super) fn know_bits(&mut self, result: Value, most: u32) -> Val {
         if self.options.optimize && most <= 16 {

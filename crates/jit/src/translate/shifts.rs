@@ -28,6 +28,7 @@ impl Translator<'_> {
             Op::Shl16 => self.shifted_by(To::Left, 16, a, b),
             Op::Shr16 => self.shifted_by(To::Right, 16, a, b),
             Op::Sar16 => self.shifted_by(To::Signed, 16, a, b),
+            Op::Shl32 | Op::Shr32 | Op::Sar32 if self.bits_used(b) <= 5 => self.shifted_inside(op, a, b),
             Op::Shl32 => self.shifted_by(To::Left, 32, a, b),
             Op::Shr32 => self.shifted_by(To::Right, 32, a, b),
             Op::Sar32 => self.shifted_by(To::Signed, 32, a, b),
@@ -54,6 +55,7 @@ impl Translator<'_> {
                 let (moved, first) = (self.b.ins().ushr_imm_u(a, 1), self.b.ins().ishl_imm_u(carry, 31));
                 Val::Int(self.b.ins().bor(moved, first))
             }
+            Op::ShiftCount if self.bits_used(a) <= 8 => a,
             Op::ShiftCount => {
                 let count = self.word(a);
                 let most = self.b.ins().iconst(I64, 255);
@@ -81,15 +83,30 @@ impl Translator<'_> {
 
     /// A count of eight bits, at most 63, in 64.
     fn count_to_63(&mut self, count: Val) -> Value {
+        let is_small = self.bits_used(count) <= 6;
         let count = self.count_of_8_bits(count);
+        if is_small {
+            return count;
+        }
         let most = self.b.ins().iconst(I64, 63);
         self.b.ins().umin(count, most)
     }
 
     fn count_of_8_bits(&mut self, count: Val) -> Value {
+        let is_small = self.bits_used(count) <= 8;
         let count = self.int(count);
-        let count = self.b.ins().band_imm_u(count, 0xFF);
+        let count = if is_small { count } else { self.b.ins().band_imm_u(count, 0xFF) };
         self.b.ins().uextend(I64, count)
+    }
+
+    /// A number of 32 bits shifted by a count that is known to be below 32.
+    fn shifted_inside(&mut self, op: Op, a: Val, count: Val) -> Val {
+        let (a, count) = (self.int(a), self.int(count));
+        Val::Int(match op {
+            Op::Shl32 => self.b.ins().ishl(a, count),
+            Op::Shr32 => self.b.ins().ushr(a, count),
+            _ => self.b.ins().sshr(a, count),
+        })
     }
 
     /// A number of at most 32 bits in 64: all of its bits can be shifted away by 63 or less.

@@ -69,6 +69,7 @@ impl Translator<'_> {
             Op::MaxI8 => self.extreme(Signed(8), IntCC::SignedGreaterThan, a, b),
             Op::MaxI16 => self.extreme(Signed(16), IntCC::SignedGreaterThan, a, b),
             Op::MaxI32 => self.extreme(Signed(32), IntCC::SignedGreaterThan, a, b),
+            Op::MaxI64 if b == Val::Const(0) && self.bits_used(a) < 64 => a,
             Op::MaxI64 => self.extreme(Signed(64), IntCC::SignedGreaterThan, a, b),
             Op::MinU64 => self.extreme(Unsigned(64), IntCC::UnsignedLessThan, a, b),
             Op::MaxU64 => self.extreme(Unsigned(64), IntCC::UnsignedGreaterThan, a, b),
@@ -202,6 +203,9 @@ impl Translator<'_> {
             Op::U64ToF64 => { let a = self.word(a); let real = self.b.ins().fcvt_from_uint(F64, a); self.bits_f64(real) }
             Op::ExtendI8I16 => { let a = self.signed(8, a); self.cut(16, a) }
             Op::ExtendI8I32 => Val::Int(self.signed(8, a)),
+            Op::ExtendI8I64 if self.bits_used(a) < 8 => a,
+            Op::ExtendI16I64 if self.bits_used(a) < 16 => a,
+            Op::ExtendI32I64 if self.bits_used(a) < 32 => a,
             Op::ExtendI8I64 => { let a = self.signed(8, a); Val::Word(self.b.ins().sextend(I64, a)) }
             Op::ExtendI16I64 => { let a = self.i16(a); Val::Word(self.b.ins().sextend(I64, a)) }
             Op::ExtendI32I64 => Val::Word(self.i64(a)),
