@@ -238,6 +238,8 @@ struct Translator<'a> {
     bounds: FxHashMap<Value, (u32, u32)>,
     /// Ranges of values that were computed for one instruction of the IR and nothing before: they hold wherever the value is used.
     bounds_of_results: FxHashMap<Value, (u32, u32)>,
+    /// The bytes in their areas to which pointers lead that were read.
+    bytes_of_pointers: FxHashMap<Value, Value>,
     /// The first value that the running instruction may have added.
     newest: u32,
     /// What remained of divisions: of which number of 32 bits with sign, and the divisor.
@@ -376,6 +378,7 @@ impl<'a> Translator<'a> {
             ranges: Ranges::default(),
             bounds: FxHashMap::default(),
             bounds_of_results: FxHashMap::default(),
+            bytes_of_pointers: FxHashMap::default(),
             newest: 0,
             rests: FxHashMap::default(),
             divided: FxHashSet::default(),

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use cranelift_codegen::cursor::{Cursor, FuncCursor};
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{self as clif, InstBuilder, InstructionData, Opcode, Value, ValueDef};
@@ -25,6 +26,9 @@ use crate::ask::Question;
 const TERMS_MAX: usize = 6;
 /// How deep the calculation of an address is followed.
 const DEPTH_MAX: usize = 12;
+
+/// What is taken apart where an address is a sum.
+const SUMS: [Opcode; 5] = [Opcode::Iadd, Opcode::Isub, Opcode::Ishl, Opcode::Imul, Opcode::Iconst];
 
 /// A pointer to the first byte of the instance data block.
 pub(super) const FIRST_BYTE: u64 = 0x8400_0000;
@@ -123,6 +127,9 @@ impl Translator<'_> {
 
     /// Notes the range of a value that an instruction has computed.
     pub(super) fn note_range(&mut self, index: u32, value: Val) {
+        if let (Val::Int(value), Some(range)) = (value, self.ranges.pointer(index)) {
+            self.note_pointer(value, range);
+        }
         if let Val::Int(value) = value
             && let Some(range) = self.ranges.result(index)
         {
@@ -131,6 +138,33 @@ impl Translator<'_> {
                 self.bounds_of_results.insert(value, range);
             }
         }
+    }
+
+    /// Notes that a value is a pointer to a byte, which is a number of its own then: places that are counted from there share it.
+    fn note_pointer(&mut self, value: Value, (least, most): (u32, u32)) {
+        if !self.options.optimize || self.cold.is_some() {
+            return;
+        }
+        let value = self.b.func.dfg.resolve_aliases(value);
+        // What is known to be a sum is taken apart.
+        if self.definition(value).is_some_and(|(_, data)| SUMS.contains(&data.opcode())) {
+            return;
+        }
+        let byte = match self.bytes_of_pointers.get(&value) {
+            Some(&byte) => byte,
+            None => {
+                let mut cursor = match self.b.func.dfg.value_def(value) {
+                    ValueDef::Result(inst, _) => FuncCursor::new(self.b.func).after_inst(inst),
+                    ValueDef::Param(block, _) => FuncCursor::new(self.b.func).at_first_insertion_point(block),
+                    ValueDef::Union(..) => return,
+                };
+                let position = cursor.ins().band_imm_u(value, 0x00FF_FFFF);
+                let byte = cursor.ins().ushr_imm_u(position, 3);
+                self.bytes_of_pointers.insert(value, byte);
+                byte
+            }
+        };
+        self.bounds.insert(byte, ((least & 0x00FF_FFFF) / 8, (most & 0x00FF_FFFF) / 8));
     }
 
     /// The least and the greatest number without sign that a value may be in the running statement, if its 32 bits are known to be less
@@ -220,12 +254,17 @@ impl Translator<'_> {
     pub(super) fn decompose(&self, value: Value, times: u32, sum: &mut Sum, depth: usize) -> bool {
         let dfg = &self.b.func.dfg;
         let value = dfg.resolve_aliases(value);
+        if sum.of_instance != Some(value)
+            && let Some(byte) = self.bytes_of_pointers.get(&value).filter(|byte| self.bounds.contains_key(byte))
+        {
+            // The area that it names counts for nothing: a position has 24 bits.
+            return self.term(*byte, times.wrapping_mul(8), sum);
+        }
         let ValueDef::Result(inst, 0) = dfg.value_def(value) else { return self.term(value, times, sum) };
         if depth == DEPTH_MAX
             || sum.of_instance == Some(value)
             || self.divided.contains(&value)
-            || self.bounds.contains_key(&value)
-                && !matches!(dfg.insts[inst].opcode(), Opcode::Iadd | Opcode::Isub | Opcode::Ishl | Opcode::Imul | Opcode::Iconst)
+            || self.bounds.contains_key(&value) && !SUMS.contains(&dfg.insts[inst].opcode())
         {
             return self.term(value, times, sum);
         }
@@ -263,8 +302,7 @@ impl Translator<'_> {
 
     /// Whether nothing is known of the range of a value, nor of what it is made of.
     fn is_unknown(&self, value: Value) -> bool {
-        let made = [Opcode::Iadd, Opcode::Isub, Opcode::Ishl, Opcode::Imul, Opcode::Iconst];
-        let is_made = self.definition(value).is_some_and(|(_, data)| made.contains(&data.opcode()));
+        let is_made = self.definition(value).is_some_and(|(_, data)| SUMS.contains(&data.opcode()));
         self.range_of(Val::Int(self.b.func.dfg.resolve_aliases(value))).is_none() && !is_made
     }
 

@@ -97,6 +97,8 @@ pub(super) struct Ranges {
     passed_on: FxHashSet<u32>,
     /// Ranges of results, of numbers without sign.
     results: FxHashMap<u32, (u32, u32)>,
+    /// Numbers that are read and are pointers to bytes of one area, at least and at most: by instruction.
+    pointers: FxHashMap<u32, (u32, u32)>,
     /// Areas to which pointers go that are not known beforehand and may name any: by instruction, and whether it is written.
     areas: FxHashMap<(u32, bool), Area>,
     /// Data blocks that pointers name by a number above them: by instruction, and whether it is written.
@@ -179,6 +181,11 @@ impl Ranges {
     /// The least and the greatest result of an instruction.
     pub(super) fn result(&self, inst: u32) -> Option<(u32, u32)> {
         self.results.get(&inst).copied()
+    }
+
+    /// The least and the greatest pointer that an instruction reads, if all of them lead to bytes of one area.
+    pub(super) fn pointer(&self, inst: u32) -> Option<(u32, u32)> {
+        self.pointers.get(&inst).copied()
     }
 
     /// What the code relies on from a statement on.

@@ -205,7 +205,15 @@ impl Analysis<'_> {
                 state.registers.insert(Register::Ar2 as u8, known);
             }
             if notes && let Some(dst) = sieben_engine::ir::verify::writes(inst) {
-                let (least, most) = self.get(&state, &temporaries, dst).range.unsigned(64);
+                let range = self.get(&state, &temporaries, dst).range;
+                let (least, most) = range.unsigned(64);
+                if matches!(inst, Inst::Load { .. })
+                    && range.zeros >= 3
+                    && let (Ok(least @ 0x8000_0000..), Ok(most)) = (u32::try_from(least), u32::try_from(most))
+                    && least >> 24 == most >> 24
+                {
+                    self.found.pointers.insert(index, (least, most));
+                }
                 if let (Ok(least), Ok(most)) = (u32::try_from(least), u32::try_from(most))
                     && (least == most || most <= i32::MAX as u32)
                 {
