@@ -20,6 +20,8 @@ pub(super) struct Choice {
     negated: bool,
     /// Whether the value is 0 or 1.
     is_flag: bool,
+    /// The bit that decides, which is 1 where the value is not 0.
+    bit: Val,
 }
 
 /// Whether an operation takes no longer than a jump that was not foreseen.
@@ -37,6 +39,9 @@ pub(super) fn is_cheap(op: Op) -> bool {
             | O::SubU16
             | O::SubU32
             | O::SubU64
+            | O::AndU64
+            | O::OrU64
+            | O::XorU64
             | O::MulU16
             | O::MulU32
             | O::Shl16
@@ -94,7 +99,8 @@ impl Translator<'_> {
         }
         let (value, negated) = self.condition(condition);
         let is_flag = !matches!(self.force(condition), Val::At { at: 1.., .. });
-        self.choice = Some(Choice { value, negated, is_flag });
+        let (bit, _) = self.without_not(condition);
+        self.choice = Some(Choice { value, negated, is_flag, bit });
         true
     }
 
@@ -126,6 +132,11 @@ impl Translator<'_> {
         self.load(index, free, place, width, OnFault::SkipWrite);
         let (old, new) = (self.get(free), self.force(value));
         let old = self.force(old);
+        if width != Width::Bit
+            && let Some(number) = self.chosen_bit(choice, old, new)
+        {
+            return number;
+        }
         if width == Width::DoubleWord
             && let Some(sum) = self.chosen_sum(choice, old, new)
         {
@@ -163,7 +174,7 @@ impl Translator<'_> {
     /// A variable to which something is added if the condition holds that was not negated, or does not hold that was: a sum in any case,
     /// of nothing if need be. Who counts on waits for one addition then, and for no choice.
     fn chosen_sum(&mut self, choice: Choice, old: Val, new: Val) -> Option<Value> {
-        let Choice { value: condition, negated, is_flag } = choice;
+        let Choice { value: condition, negated, is_flag, .. } = choice;
         if self.is_comparison(condition) {
             // It is one with a choice behind it.
             return None;
@@ -184,6 +195,44 @@ impl Translator<'_> {
             }
         };
         Some(self.b.ins().iadd(old, added))
+    }
+
+    /// A number of which one bit is set, cleared or turned over if the condition holds that was not negated, or does not hold that was: the
+    /// bit that decides goes to its place.
+    fn chosen_bit(&mut self, choice: Choice, old: Val, new: Val) -> Option<Val> {
+        if self.is_comparison(choice.value) {
+            // It is one with a choice behind it.
+            return None;
+        }
+        let (of, changed, opcode) = match (old, new) {
+            (Val::Const(old), Val::Const(new)) => {
+                let changed = u32::try_from(old ^ new).ok().filter(|_| old == 0)?;
+                (None, changed, Opcode::Bor)
+            }
+            (Val::Int(old), Val::Int(new)) => {
+                let (_, InstructionData::Binary { opcode, args: [a, b] }) = self.definition(new)? else { return None };
+                let (of, constant) = if let Some(constant) = self.iconst(b) { (a, constant) } else { (b, self.iconst(a)?) };
+                let [own, of] = [old, of].map(|value| self.b.func.dfg.resolve_aliases(value));
+                let changed = match opcode {
+                    Opcode::Bor | Opcode::Bxor => constant,
+                    Opcode::Band => !constant,
+                    _ => return None,
+                };
+                (Some(of).filter(|&of| of == own), changed, opcode)
+            }
+            _ => return None,
+        };
+        if !changed.is_power_of_two() || of.is_none() && !matches!(old, Val::Const(_)) {
+            return None;
+        }
+        let given = if choice.negated { choice.bit } else { self.not(choice.bit) };
+        let bit = self.bit_at(given, changed.trailing_zeros() as u8);
+        Some(Val::Int(match (of, opcode) {
+            (None, _) => bit,
+            (Some(of), Opcode::Bor) => self.b.ins().bor(of, bit),
+            (Some(of), Opcode::Bxor) => self.b.ins().bxor(of, bit),
+            (Some(of), _) => self.b.ins().band_not(of, bit),
+        }))
     }
 
     fn is_comparison(&self, value: Value) -> bool {

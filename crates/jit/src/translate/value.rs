@@ -269,7 +269,7 @@ impl Translator<'_> {
     }
 
     /// What was negated, if a value is the result of a NOT.
-    fn without_not(&mut self, value: Val) -> (Val, bool) {
+    pub(super) fn without_not(&mut self, value: Val) -> (Val, bool) {
         let value = self.force(value);
         let (Val::Bit { value: bits, .. } | Val::At { value: bits, .. }) = value else { return (value, false) };
         let Some((_, data)) = self.definition(bits) else { return (value, false) };
