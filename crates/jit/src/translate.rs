@@ -8,7 +8,9 @@ use std::mem::offset_of;
 
 use cranelift_codegen::cursor::{Cursor, FuncCursor};
 use cranelift_codegen::ir::types::{I32, I64};
-use cranelift_codegen::ir::{self as clif, BlockArg, FuncRef, InstBuilder, InstructionData, MemFlagsData, Opcode, Value, ValueDef};
+use cranelift_codegen::ir::{
+    self as clif, BlockArg, FuncRef, InstBuilder, InstructionData, MemFlagsData, Opcode, StackSlot, Value, ValueDef,
+};
 use cranelift_frontend::{FunctionBuilder, Variable};
 use cranelift_jit::JITModule;
 use cranelift_module::{FuncId, Module};
@@ -26,6 +28,7 @@ use crate::run::Run;
 
 mod alone;
 mod analysis;
+mod bits_apart;
 mod budget;
 mod bytes;
 mod calls;
@@ -301,6 +304,8 @@ struct Translator<'a> {
     choice: Option<Choice>,
     /// Where in its piece the running statement writes a bit last, if that is known: a good place to work on bits.
     aim: Option<u8>,
+    /// Bytes of the stack for bits that wait.
+    slots_for_bits: Vec<StackSlot>,
     /// Where the ways of the running statement meet, if it is written twice.
     meeting: Option<Meeting>,
     /// The running statement has not begun yet.
@@ -411,6 +416,7 @@ impl<'a> Translator<'a> {
             series: None,
             choice: None,
             aim: None,
+            slots_for_bits: Vec::new(),
             meeting: None,
             arriving: false,
             ended: false,

@@ -3,12 +3,13 @@
 //! may have changed it, and where code meets only what is the same value on all ways.
 //!
 //! A piece is four bytes if the code looks at bits of more than one of them and at nothing else in them, else it is one byte: a load of
-//! four bytes behind a store of two of them would have to wait for it.
+//! four bytes behind a store of two of them would have to wait for it. Where many bits of a piece are written, they wait apart: see
+//! `bits_apart.rs`.
 
 use std::ops::Range;
 
 use cranelift_codegen::ir::types::I32;
-use cranelift_codegen::ir::{Endianness, InstBuilder, InstructionData, MemFlagsData, Opcode, Value};
+use cranelift_codegen::ir::{Endianness, InstBuilder, InstructionData, MemFlagsData, Opcode, StackSlot, Value};
 use cranelift_frontend::Variable;
 use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::ir::Inst;
@@ -64,7 +65,7 @@ impl Bytes {
 
 /// Bytes that are read and written together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-struct Piece {
+pub(super) struct Piece {
     base: Base,
     start: i32,
     bytes: i32,
@@ -77,7 +78,7 @@ impl Piece {
     }
 
     /// All its bits.
-    fn mask(&self) -> u32 {
+    pub(super) fn mask(&self) -> u32 {
         if self.bytes == LONG { u32::MAX } else { 0xFF }
     }
 }
@@ -94,6 +95,8 @@ struct Waiting {
     bits: Option<Value>,
     /// Bits that were written lately, the last one first: who reads one of them need not wait for those behind it.
     recent: [Option<(u8, Val)>; RECENT],
+    /// The bytes of the stack in which bits wait, and which bits do.
+    apart: (Option<StackSlot>, u32),
     /// The ones and the bits without the one that was written last: if it is written again before another one, what put it among the others is
     /// not needed.
     others: (u32, Option<Value>),
@@ -177,6 +180,12 @@ impl Translator<'_> {
         if let Some(waiting) = self.bytes.waiting.iter().find(|waiting| waiting.piece == piece)
             && waiting.mask & 1 << at != 0
         {
+            if waiting.apart.1 & 1 << at != 0
+                && let Some(slot) = waiting.apart.0
+            {
+                let recent = waiting.recent.into_iter().flatten().find(|&(own, _)| own == at);
+                return recent.map_or_else(|| self.bit_apart(slot, at), |(_, value)| value);
+            }
             return match waiting.bits {
                 // The only bit that was written.
                 Some(value) if waiting.mask == 1 => Val::Bit { value, clean: true },
@@ -220,7 +229,13 @@ impl Translator<'_> {
         self.settle_shared(piece, true);
         let mut waiting = match self.bytes.waiting.iter().position(|waiting| waiting.piece == piece) {
             Some(index) => self.bytes.waiting.remove(index),
-            None => Waiting { piece, mask: 0, ones: 0, bits: None, recent: [None; RECENT], others: (0, None) },
+            None => {
+                let slot = self.are_apart(piece).then(|| {
+                    let used: Vec<StackSlot> = self.bytes.waiting.iter().filter_map(|waiting| waiting.apart.0).collect();
+                    self.bytes_for_bits(&used)
+                });
+                Waiting { piece, mask: 0, ones: 0, bits: None, recent: [None; RECENT], apart: (slot, 0), others: (0, None) }
+            }
         };
         let bit = 1u32 << at;
         if waiting.recent[0].is_some_and(|(last, _)| last == at) {
@@ -235,9 +250,14 @@ impl Translator<'_> {
         let same = waiting.recent[..kept].iter().position(|recent| recent.is_none_or(|(own, _)| own == at)).unwrap_or(kept - 1);
         waiting.recent[..=same].rotate_right(1);
         waiting.recent[0] = Some((at, value));
+        waiting.apart.1 &= !bit;
         match value {
             Val::Const(0) => {}
             Val::Const(_) => waiting.ones |= bit,
+            value if let Some(slot) = waiting.apart.0.filter(|_| !self.copies_with_neighbour(self.statement)) => {
+                waiting.recent[0] = Some((at, self.put_apart(slot, at, value)));
+                waiting.apart.1 |= bit;
+            }
             value => {
                 let (new, others) = self.bits_of_one_number(value, at, waiting.bits);
                 if self.is_alone(new, at) && matches!(value, Val::At { .. } | Val::Bit { clean: false, .. }) {
@@ -311,10 +331,15 @@ impl Translator<'_> {
         let Some(Inst::Store { place, width: Width::Bit, .. }) = insts.last() else { return None };
         let (base, offset) = self.constant_address(*place, Width::Bit)?;
         let (_, position) = self.constant_position(*place)?;
-        Some(self.piece_at(base, offset, (position % 8) as u8).1)
+        let (piece, at) = self.piece_at(base, offset, (position % 8) as u8);
+        let apart = match self.bytes.waiting.iter().find(|waiting| waiting.piece == piece) {
+            Some(waiting) => waiting.apart.0.is_some(),
+            None => self.are_apart(piece),
+        };
+        Some(if apart { 0 } else { at })
     }
 
-    fn piece_at(&mut self, base: Base, offset: i32, number: u8) -> (Piece, u8) {
+    pub(super) fn piece_at(&mut self, base: Base, offset: i32, number: u8) -> (Piece, u8) {
         if let Base::Computed(_) = base {
             return (Piece { base, start: offset, bytes: 1 }, number);
         }
@@ -406,7 +431,14 @@ impl Translator<'_> {
     }
 
     fn store_bits(&mut self, waiting: Waiting) {
-        let Waiting { piece, mask, ones, bits, .. } = waiting;
+        let Waiting { piece, mask, ones, bits, apart, .. } = waiting;
+        let bits = match apart {
+            (Some(slot), apart @ 1..) => {
+                let apart = self.bits_from_apart(slot, apart);
+                Some(bits.map_or(apart, |bits| self.b.ins().bor(bits, apart)))
+            }
+            _ => bits,
+        };
         let others = piece.mask() & !mask;
         let kept = match others {
             0 => None,
