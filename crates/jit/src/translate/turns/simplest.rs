@@ -62,6 +62,10 @@ impl Reader<'_, '_> {
                 args = [self.compute(Op::Extend16, of); 4];
                 Op::I32ToF32
             }
+            (Op::F64ToI32, What::Compute(Op::F32ToF64, [real, ..])) if let What::Compute(Op::TruncF32, of) = self.kernel.what(real) => {
+                args = [self.compute(Op::F32ToF64, of); 4];
+                op
+            }
             // What is cut anyway.
             (Op::F64ToI32, What::Compute(Op::TruncF64, of)) => {
                 args = of;

@@ -310,7 +310,20 @@ impl Translator<'_> {
     /// REALs cut to numbers of 32 bits; the nearest limits outside their range, 0 for what is no number.
     pub(super) fn cut_lanes(&mut self, reals: &Lanes, lanes: u32) -> Lanes {
         let reals = self.reals(reals, lanes);
-        Lanes::Words(reals.into_iter().map(|real| self.b.ins().fcvt_to_sint_sat(I32X4, real)).collect())
+        Lanes::Words(reals.into_iter().map(|real| self.cut_vector(real)).collect())
+    }
+
+    fn cut_vector(&mut self, real: Value) -> Value {
+        if cfg!(not(all(target_arch = "x86_64", not(feature = "aarch64")))) {
+            return self.b.ins().fcvt_to_sint_sat(I32X4, real);
+        }
+        // What has no place in 32 bits becomes the least number: right for what is too small, the opposite of the greatest one, or 0.
+        let cut = self.b.ins().x86_cvtt2dq(I32X4, real);
+        let limit = self.constant_vector(F32X4, 2_147_483_648_f32.to_le_bytes().repeat(4));
+        let is_great = self.b.ins().fcmp(FloatCC::GreaterThanOrEqual, real, limit);
+        let is_number = self.b.ins().fcmp(FloatCC::Ordered, real, real);
+        let limited = self.b.ins().bxor(cut, is_great);
+        self.b.ins().band(limited, is_number)
     }
 
     /// Numbers of 32 bits shifted.
