@@ -17,6 +17,7 @@ use super::loops::Loop;
 
 mod accesses;
 mod ahead;
+mod alike;
 mod around;
 mod bit_choices;
 mod bit_sums;
@@ -60,6 +61,7 @@ mod weights;
 mod whole;
 mod write;
 
+use alike::Alike;
 use count::Count;
 pub(super) use idle::Idle;
 use kernel::{Access, Cell, Kernel, Level, Node, What};
@@ -93,6 +95,8 @@ struct Writes<'k> {
     up_to: Option<Gathered>,
     /// How the turns of the inner loop are done, if they are done side by side.
     nested: Option<&'k Nested>,
+    /// How turns side by side are done that all go the same way.
+    alike: Option<&'k Alike>,
 }
 
 impl InnerTurns {
@@ -107,7 +111,7 @@ impl InnerTurns {
 
 impl Writes<'_> {
     fn lanes(lanes: u32) -> Self {
-        Self { lanes, gathered: None, up_to: None, nested: None }
+        Self { lanes, gathered: None, up_to: None, nested: None, alike: None }
     }
 }
 
@@ -272,8 +276,9 @@ impl Translator<'_> {
     }
 
     fn write_beside(&mut self, Beside { plan, lanes }: &Beside<'_>, it: &Loop) {
+        let alike = if lanes[..] == [alike::TURNS] { plan.alike() } else { None };
         for &lanes in lanes {
-            Writing::write(self, plan, it, Writes::lanes(lanes));
+            Writing::write(self, plan, it, Writes { alike: alike.as_ref(), ..Writes::lanes(lanes) });
         }
     }
 }

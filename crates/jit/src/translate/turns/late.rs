@@ -46,7 +46,7 @@ impl Kernel {
     }
 
     /// Adds the reads on which a value rests, and those on which their addresses do, as far as they were not seen before.
-    fn reads_behind(&self, node: Node, seen: &mut BTreeSet<Node>, reads: &mut BTreeSet<usize>) {
+    pub(super) fn reads_behind(&self, node: Node, seen: &mut BTreeSet<Node>, reads: &mut BTreeSet<usize>) {
         let mut waiting = vec![node];
         while let Some(node) = waiting.pop() {
             if !seen.insert(node) {

@@ -101,6 +101,11 @@ impl Kernel {
         self.nodes[place] = What::Constant(u64::from(holds));
         let moved = self.add(what);
         self.settled.push((moved, holds));
+        self.simplify();
+    }
+
+    /// Leaves out what constants make superfluous.
+    pub(super) fn simplify(&mut self) {
         // Conditions that were made of two stand behind all others.
         for _ in 0..2 {
             self.fold_constants();

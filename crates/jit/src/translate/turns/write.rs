@@ -12,6 +12,7 @@ use super::super::Translator;
 use super::super::loops::Loop;
 use super::super::promote::Base;
 use super::super::value::Val;
+use super::alike::Alike;
 use super::divide::greatest;
 use super::handed::Handed;
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Step, What};
@@ -26,7 +27,7 @@ use super::vector::Lanes;
 use super::{Plan, Writes};
 
 /// What one of the loops has while its turns are written.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Scope {
     pub(super) values: HashMap<Node, Lanes>,
     /// What cells hold when a turn begins.
@@ -54,6 +55,8 @@ pub(super) struct Writing<'t, 'a, 'k> {
     pub(super) near_bits: NearBits,
     /// How the turns of the inner loop are done, if they are done side by side.
     nested: Option<&'k Nested>,
+    /// How turns side by side are done that all go the same way.
+    pub(super) alike: Option<&'k Alike>,
     /// Turns that are written behind one another instead of as a loop.
     pub(super) unrolled: u32,
     /// Which of these turns is written, and their bytes so far.
@@ -96,7 +99,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         Self::new(t, plan, writes).version(it);
     }
 
-    pub(super) fn new(t: &'t mut Translator<'a>, plan: &'k Plan, Writes { lanes, gathered, up_to, nested }: Writes<'k>) -> Self {
+    pub(super) fn new(t: &'t mut Translator<'a>, plan: &'k Plan, Writes { lanes, gathered, up_to, nested, alike }: Writes<'k>) -> Self {
         let kernel = &plan.kernel;
         Writing {
             t,
@@ -107,6 +110,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             up_to,
             near_bits: if lanes == 1 { kernel.near_bits() } else { NearBits::new() },
             nested,
+            alike,
             unrolled: 1,
             turn: 0,
             pieces: BTreeMap::new(),
@@ -383,45 +387,19 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 self.t.in_turns = self.lanes == 1;
             }
             self.begin(level, &handed, &now[others..]);
-            // What is written to one structure is written at the end of a turn.
-            let is_late = level == Level::Outer && self.gathered.is_none() && (self.lanes == 1 || self.records.are_several());
-            let steps =
-                if is_late { self.kernel.steps_with_late_reads(self.lanes, &self.records) } else { self.kernel.turn(level).steps.clone() };
-            let mut steps = steps.into_iter().peekable();
-            while let Some(step) = steps.next() {
-                match step {
-                    Step::Copy(first) => {
-                        let mut numbers = vec![first];
-                        while let Some(&Step::Copy(next)) = steps.peek()
-                            && self.kernel.copies[next].reached == self.kernel.copies[first].reached
-                        {
-                            numbers.push(next);
-                            steps.next();
-                        }
-                        self.copy_whole(&numbers);
-                    }
-                    Step::Access(access) => {
-                        self.access(access, level);
-                        self.written.extend(self.kernel.accesses[access].value.is_some().then_some(access));
-                    }
-                    Step::Inner => {
-                        match self.nested {
-                            Some(nested) => self.inner_side_by_side(nested),
-                            None => {
-                                let turns = self.all_inner_turns();
-                                self.inner = Scope::default();
-                                self.turns(Level::Inner, turns);
-                            }
-                        }
-                        self.outer.bytes.clear();
-                    }
+            let next_of_turn = match self.alike {
+                Some(alike) if level == Level::Outer => Some(self.turns_alike(alike, &handed, &now, progress)),
+                _ => {
+                    self.steps_of_turn(level, progress);
+                    None
                 }
-                self.leave(level, progress, false);
-            }
-            self.write_records();
-            self.leave(level, progress, true);
+            };
             if level == Level::Outer {
                 self.t.in_turns = false;
+            }
+            if let Some(next) = next_of_turn {
+                now = next;
+                continue;
             }
             let mut next = match counting {
                 Some(_) => Vec::new(),
@@ -470,6 +448,49 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             at += count;
         }
         all
+    }
+
+    /// Does what a turn does, or several of them side by side.
+    pub(super) fn steps_of_turn(&mut self, level: Level, progress: Progress) {
+        // What is written to one structure is written at the end of a turn.
+        let is_late = level == Level::Outer && self.gathered.is_none() && (self.lanes == 1 || self.records.are_several());
+        let steps =
+            if is_late { self.kernel.steps_with_late_reads(self.lanes, &self.records) } else { self.kernel.turn(level).steps.clone() };
+        let mut steps = steps.into_iter().peekable();
+        while let Some(step) = steps.next() {
+            match step {
+                Step::Copy(first) => {
+                    let mut numbers = vec![first];
+                    while let Some(&Step::Copy(next)) = steps.peek()
+                        && self.kernel.copies[next].reached == self.kernel.copies[first].reached
+                    {
+                        numbers.push(next);
+                        steps.next();
+                    }
+                    self.copy_whole(&numbers);
+                }
+                // It was read to look where the turns go.
+                Step::Access(access) if self.was_read_first(access) => {}
+                Step::Access(access) => {
+                    self.access(access, level);
+                    self.written.extend(self.kernel.accesses[access].value.is_some().then_some(access));
+                }
+                Step::Inner => {
+                    match self.nested {
+                        Some(nested) => self.inner_side_by_side(nested),
+                        None => {
+                            let turns = self.all_inner_turns();
+                            self.inner = Scope::default();
+                            self.turns(Level::Inner, turns);
+                        }
+                    }
+                    self.outer.bytes.clear();
+                }
+            }
+            self.leave(level, progress, false);
+        }
+        self.write_records();
+        self.leave(level, progress, true);
     }
 
     /// Puts down what the turn leaves, as soon as its values are known.

@@ -1,0 +1,390 @@
+//! Turns side by side that all go the same way. Conditions are choices there, and each turn computes both sides; where a condition holds in
+//! all of them, or in none, a shorter version of the turns does the rest.
+
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
+use std::mem::discriminant;
+
+use cranelift_codegen::ir::{Block, BlockArg, InstBuilder, Value};
+use rustc_hash::FxHashMap;
+use sieben_engine::ir::Op;
+
+use super::super::value::Val;
+use super::handed::{Form, Handed};
+use super::in_order::InOrder;
+use super::kernel::{Cell, Kernel, Level, Node, Step, What};
+use super::left::Progress;
+use super::line::{Carried, Shape};
+use super::records::Records;
+use super::write::{Scope, Writing};
+use super::{InnerTurns, Plan};
+
+/// Turns side by side.
+pub(super) const TURNS: u32 = 4;
+/// Larger turns are not looked at, and not written once more: in values, and in instructions for all turns side by side.
+const NODES_MAX: usize = 600;
+const COST_MAX: u32 = 500;
+/// Conditions that are tried, those first on which most rests.
+const CONDITIONS_MAX: usize = 4;
+/// How far conditions made of others are followed.
+const DEPTH_MAX: usize = 6;
+/// Turns after which a condition at the least is as it was, for several ones to share it.
+const PERIOD_MIN: u64 = 8;
+/// Instructions that a shorter version has to save, for the look to be worth it: one that was not foreseen costs about as much as 60.
+const SAVED_MIN: u32 = 20;
+/// Fifths of all that both sides have to save together where turns ask for states: neighbours often have others.
+const OF_STATES_MIN: u32 = 2;
+
+/// How turns side by side are done if they all go the same way.
+pub(super) struct Alike {
+    condition: Node,
+    /// What has to be read to look at the condition, in its order.
+    first: Vec<usize>,
+    sides: [Side; 2],
+    /// What the last turn leaves in cells that are not handed on, as vectors.
+    left: Vec<(Cell, Node, Shape)>,
+}
+
+/// The turns where a condition holds in all of them, or in none.
+struct Side {
+    holds: bool,
+    kernel: Kernel,
+    /// What is added to cells, handed on, or left in them here.
+    ends: BTreeMap<Cell, Node>,
+    saved: u32,
+}
+
+impl Plan {
+    /// The condition whose sides are the shortest if it is the same in all turns, if that is worth it.
+    pub(super) fn alike(&self) -> Option<Alike> {
+        let kernel = &self.kernel;
+        let is_simple = kernel.inner.is_none() && kernel.copies.is_empty() && kernel.nodes.len() <= NODES_MAX;
+        if !is_simple || !kernel.outer.steps.iter().all(|step| matches!(step, Step::Access(_))) {
+            return None;
+        }
+        let left = kernel.left_as_vectors()?;
+        let cost = kernel.cost();
+        if cost > COST_MAX {
+            return None;
+        }
+        let found = kernel.conditions().into_iter().filter_map(|condition| {
+            let first = kernel.first_for(condition)?;
+            let sides = [self.side(condition, false, cost)?, self.side(condition, true, cost)?];
+            let saved: u32 = sides.iter().map(|side| side.saved).sum();
+            let is_worth_it = first.is_empty() || saved * 5 >= cost * OF_STATES_MIN;
+            is_worth_it.then(|| (saved, Alike { condition, first, sides, left: left.clone() }))
+        });
+        found.max_by_key(|(saved, alike)| (*saved, Reverse(alike.condition))).map(|(_, alike)| alike)
+    }
+
+    /// The turns where a condition holds in all of them, or in none.
+    fn side(&self, condition: Node, holds: bool, cost: u32) -> Option<Side> {
+        let whole = &self.kernel;
+        let mut kernel = whole.clone();
+        kernel.in_order = InOrder::default();
+        kernel.assume(condition, holds, DEPTH_MAX);
+        kernel.simplify();
+        if !whole.in_order.cells.is_empty() {
+            kernel = kernel.with_order()?;
+        }
+        if kernel.in_order.cells != whole.in_order.cells {
+            return None;
+        }
+        let saved = cost.checked_sub(kernel.cost()).filter(|&saved| saved >= SAVED_MIN)?;
+        let ends = kernel.ends_as_in(whole)?;
+        let plan = Self { kernel, count: self.count, inner: InnerTurns::Constant(0) };
+        (plan.lanes() == [TURNS]).then_some(Side { holds, kernel: plan.kernel, ends, saved })
+    }
+}
+
+impl Kernel {
+    /// What the last turn leaves in cells that are not handed on, as far as turns side by side have it in vectors; `None` if turns hand on
+    /// something for which there is no place.
+    fn left_as_vectors(&self) -> Option<Vec<(Cell, Node, Shape)>> {
+        let mut left = Vec::new();
+        for (cell, end, carried) in self.carried(Level::Outer) {
+            match carried {
+                Carried::Line(_) | Carried::Sum { .. } => {}
+                Carried::Chain if self.in_order.cells.contains(&cell) => {}
+                Carried::Nothing => {
+                    // What a sum was when the last turn began is made of what that turn adds.
+                    let (cell, node) = self.sum_at_start(end).map_or((cell, end), |sum| (sum.of, sum.added));
+                    match self.shape(node)? {
+                        Shape::Line(_) => {}
+                        shape => left.push((cell, node, shape)),
+                    }
+                }
+                Carried::Chain | Carried::Extreme { .. } => return None,
+            }
+        }
+        Some(left)
+    }
+
+    /// The conditions of choices, those first that are asked most.
+    fn conditions(&self) -> Vec<Node> {
+        let mut asked: BTreeMap<Node, usize> = BTreeMap::new();
+        for node in self.reached() {
+            let condition = match self.what(node) {
+                What::Compute(Op::Select, [condition, ..]) => condition,
+                What::Compute(Op::Gate, [_, condition, ..]) => condition,
+                _ => continue,
+            };
+            let is_mask = self.shape(condition) == Some(Shape::Mask) && self.is_bit(condition);
+            if is_mask && !self.in_order.nodes.contains(&condition) && self.is_foreseen(condition) {
+                *asked.entry(condition).or_default() += 1;
+            }
+        }
+        let mut conditions: Vec<(usize, Node)> = asked.into_iter().map(|(condition, times)| (times, condition)).collect();
+        conditions.sort_unstable_by_key(|&(times, condition)| (Reverse(times), condition));
+        conditions.into_iter().take(CONDITIONS_MAX).map(|(_, condition)| condition).collect()
+    }
+
+    /// Whether a processor is likely to foresee a condition, and several turns one after the other to share it: one that is made of the
+    /// number of the turn alone, or the question for a state.
+    fn is_foreseen(&self, condition: Node) -> bool {
+        let mut parts = BTreeSet::new();
+        self.rests(condition, &mut parts);
+        if parts.iter().any(|&part| matches!(self.what(part), What::Read(_))) {
+            let What::Compute(op, [a, b, ..]) = self.what(condition) else { return false };
+            let compares = matches!(op, Op::EqI16 | Op::EqI32 | Op::Equal | Op::NeI16 | Op::NeI32 | Op::Differ);
+            return compares && [a, b].iter().any(|&part| self.constant(part).is_some());
+        }
+        // Each second or third turn goes another way.
+        let alternates = |&part: &Node| match self.what(part) {
+            What::Compute(Op::RemI16 | Op::RemI32, [_, by, ..]) => self.constant(by).is_none_or(|by| by < PERIOD_MIN),
+            What::Compute(Op::AndU32, [_, by, ..]) => self.constant(by).is_some_and(|by| by < PERIOD_MIN - 1),
+            _ => false,
+        };
+        !parts.iter().any(alternates)
+    }
+
+    /// All values on which rests what a turn writes and leaves.
+    fn reached(&self) -> BTreeSet<Node> {
+        let mut reached = BTreeSet::new();
+        let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
+        self.all_ends().chain(of_accesses).for_each(|node| self.rests(node, &mut reached));
+        reached
+    }
+
+    /// What is read for a condition, if it can be read in front of all that turns write.
+    fn first_for(&self, condition: Node) -> Option<Vec<usize>> {
+        let mut needed = BTreeSet::new();
+        self.reads_behind(condition, &mut BTreeSet::new(), &mut needed);
+        let mut written: Vec<usize> = Vec::new();
+        let mut first = Vec::new();
+        for (number, access) in self.accesses_in_order() {
+            if access.value.is_some() {
+                written.push(number);
+            } else if needed.contains(&number) {
+                if written.iter().any(|&other| self.touches(number, true, other)) {
+                    return None;
+                }
+                first.push(number);
+            }
+        }
+        Some(first)
+    }
+
+    /// About how many instructions four turns side by side take.
+    fn cost(&self) -> u32 {
+        let of_nodes = self.reached().into_iter().map(|node| match self.what(node) {
+            What::Compute(..) if self.line(node, Level::Outer).is_some() => 0,
+            What::Compute(..) if self.is_one_by_one(node) => 3 * TURNS,
+            What::Compute(Op::DivF32 | Op::Select | Op::MinF32 | Op::MaxF32, _) => 3,
+            What::Compute(..) => 1,
+            _ => 0,
+        });
+        let of_accesses = self.accesses.iter().map(|access| if self.apart(access).is_some() { TURNS + 2 } else { 3 });
+        of_nodes.chain(of_accesses).sum()
+    }
+
+    /// Makes a condition a constant, with all that is known then.
+    fn assume(&mut self, condition: Node, holds: bool, depth: usize) {
+        if depth > 0
+            && let What::Compute(op, [a, b, ..]) = self.what(condition)
+        {
+            let parts = match (op, holds) {
+                (Op::Not, _) => vec![(a, !holds)],
+                (Op::And, true) | (Op::Or, false) => vec![(a, holds), (b, holds)],
+                (Op::AndNot, true) => vec![(a, true), (b, false)],
+                _ => Vec::new(),
+            };
+            for (part, holds) in parts {
+                if self.is_bit(part) && self.constant(part).is_none() {
+                    self.assume(part, holds, depth - 1);
+                }
+            }
+            let equal = match op {
+                Op::EqI16 | Op::EqI32 | Op::Equal => holds,
+                Op::NeI16 | Op::NeI32 | Op::Differ => !holds,
+                _ => false,
+            };
+            // What lies above the bits that are compared is not known.
+            let is_whole = |node: Node| match op {
+                Op::EqI16 | Op::NeI16 => self.is_16_bits(node),
+                Op::EqI32 | Op::NeI32 => self.is_32_bits(node),
+                _ => true,
+            };
+            if equal && is_whole(a) && is_whole(b) {
+                match (self.constant(a), self.constant(b)) {
+                    (None, Some(number)) => self.replace(a, number),
+                    (Some(number), None) => self.replace(b, number),
+                    _ => {}
+                }
+            }
+        }
+        self.replace(condition, u64::from(holds));
+    }
+
+    /// Makes a value a constant; what reads it stays as long as somebody else needs that.
+    fn replace(&mut self, node: Node, number: u64) {
+        let what = self.what(node);
+        self.nodes[node.number() as usize] = What::Constant(number);
+        if let What::Read(access) = what {
+            self.reads[access] = self.add(what);
+        }
+    }
+
+    /// What cells get here, where another version of the turns does the same with all cells; `None` if it does not.
+    fn ends_as_in(&mut self, whole: &Self) -> Option<BTreeMap<Cell, Node>> {
+        let mut ends = BTreeMap::new();
+        let own = self.carried(Level::Outer);
+        let others = whole.carried(Level::Outer);
+        if own.len() != others.len() {
+            return None;
+        }
+        for ((cell, end, carried), (other, _, whole)) in own.into_iter().zip(others) {
+            let is_same = cell == other && discriminant(&carried) == discriminant(&whole);
+            let node = match (carried, whole) {
+                (Carried::Line(line), Carried::Line(other)) if line == other => continue,
+                (Carried::Sum { added, bits }, Carried::Sum { bits: other, .. }) if bits == other => added,
+                // What is added is the same in all turns.
+                (Carried::Line(line), Carried::Sum { bits, .. }) if line.bits == bits || line.is_same() => {
+                    self.add(What::Constant(u64::from(line.step)))
+                }
+                (Carried::Chain | Carried::Nothing, _) if is_same => end,
+                _ => return None,
+            };
+            ends.insert(cell, node);
+        }
+        Some(ends)
+    }
+}
+
+/// What is known where ways part.
+#[derive(Clone)]
+struct Moment {
+    outer: Scope,
+    records: Records,
+    opposites: FxHashMap<Value, Value>,
+    in_words: FxHashMap<Value, Vec<Value>>,
+}
+
+impl<'k> Writing<'_, '_, 'k> {
+    /// Does turns side by side, with a shorter version of them where they all go the same way. What is handed on to the next ones.
+    pub(super) fn turns_alike(&mut self, alike: &'k Alike, handed: &[Handed], now: &[Value], progress: Progress) -> Vec<Value> {
+        alike.first.iter().for_each(|&number| self.access(number, Level::Outer));
+        let condition = self.value(alike.condition, Level::Outer);
+        let mask = self.t.masks(&condition, self.lanes)[0];
+        let moment = Moment {
+            outer: self.outer.clone(),
+            records: self.records.clone(),
+            opposites: self.t.opposites.clone(),
+            in_words: self.t.in_words.clone(),
+        };
+        let meeting = self.t.b.create_block();
+        let whole = &self.plan.kernel;
+        for side in &alike.sides {
+            let [own, other] = [self.t.b.create_block(), self.t.b.create_block()];
+            if side.holds {
+                let all = self.t.b.ins().vall_true(mask);
+                self.t.b.ins().brif(all, own, &[], other, &[]);
+            } else {
+                let any = self.t.b.ins().vany_true(mask);
+                self.t.b.ins().brif(any, other, &[], own, &[]);
+            }
+            self.t.b.switch_to_block(own);
+            self.t.b.seal_block(own);
+            self.kernel = &side.kernel;
+            self.records = side.kernel.records(self.lanes);
+            // Accesses have other numbers here, and some values are known.
+            self.outer.bytes.clear();
+            let is_read = |kernel: &Kernel, node: Node| matches!(kernel.what(node), What::Read(_));
+            self.outer.values.retain(|&node, _| is_read(whole, node) && is_read(&side.kernel, node));
+            self.steps_of_turn(Level::Outer, progress);
+            self.meet(meeting, alike, Some(side), handed, now);
+            self.kernel = whole;
+            self.take_up(moment.clone());
+            self.t.b.switch_to_block(other);
+            self.t.b.seal_block(other);
+        }
+        self.steps_of_turn(Level::Outer, progress);
+        self.meet(meeting, alike, None, handed, now);
+        self.take_up(moment);
+        self.t.b.switch_to_block(meeting);
+        self.t.b.seal_block(meeting);
+        let mut next = self.t.b.block_params(meeting).to_vec();
+        let mut at = next.len();
+        for &(_, node, shape) in alike.left.iter().rev() {
+            at -= shape.vectors(self.lanes).1 as usize;
+            self.outer.values.insert(node, shape.of(next.split_off(at)));
+        }
+        for (one, own) in handed.iter().zip(self.owned(handed, &next[1..])) {
+            if let Handed::Chain(cell, end, form) = *one {
+                let value = match form {
+                    Form::Bit => Val::Bit { value: own[0], clean: true },
+                    Form::Quad => Val::Word(own[0]),
+                    _ => self.t.know_bits(own[0], if self.kernel.is_word(cell) { 16 } else { 32 }),
+                };
+                self.in_lanes.insert((end, self.lanes - 1), value);
+            }
+        }
+        next
+    }
+
+    /// Whether an access reads what was read to look where the turns go.
+    pub(super) fn was_read_first(&self, number: usize) -> bool {
+        let is_read = self.kernel.accesses[number].value.is_none();
+        self.alike.is_some() && is_read && self.outer.values.contains_key(&self.kernel.read_of(number))
+    }
+
+    /// Goes on as it was where the ways parted.
+    fn take_up(&mut self, Moment { outer, records, opposites, in_words }: Moment) {
+        (self.outer, self.records) = (outer, records);
+        (self.t.opposites, self.t.in_words) = (opposites, in_words);
+        self.written.clear();
+        self.in_lanes.clear();
+    }
+
+    /// Goes where the ways meet, with what turns hand on and leave.
+    fn meet(&mut self, meeting: Block, alike: &Alike, side: Option<&Side>, handed: &[Handed], now: &[Value]) {
+        let end = |cell: Cell, node: Node| side.and_then(|side| side.ends.get(&cell)).copied().unwrap_or(node);
+        let mut all = vec![self.t.b.ins().iadd_imm_s(now[0], -i64::from(self.lanes))];
+        for (one, own) in handed.iter().zip(self.owned(handed, &now[1..])) {
+            match *one {
+                Handed::Sum(cell, added, shape) => {
+                    self.next_of(Level::Outer, &Handed::Sum(cell, end(cell, added), shape), &own, now[0], &mut all);
+                }
+                Handed::Chain(cell, node, form) => {
+                    self.next_of(Level::Outer, &Handed::Chain(cell, end(cell, node), form), &own, now[0], &mut all);
+                }
+                _ => self.next_of(Level::Outer, one, &own, now[0], &mut all),
+            }
+        }
+        for &(cell, node, shape) in &alike.left {
+            let value = self.value(end(cell, node), Level::Outer);
+            match shape {
+                Shape::Mask => all.extend(self.t.masks(&value, self.lanes)),
+                shape => self.in_form(&value, Form::Lanes(shape), &mut all),
+            }
+        }
+        if self.t.b.block_params(meeting).is_empty() {
+            for &value in &all {
+                let ty = self.t.b.func.dfg.value_type(value);
+                self.t.b.append_block_param(meeting, ty);
+            }
+        }
+        let arguments: Vec<BlockArg> = all.into_iter().map(BlockArg::Value).collect();
+        self.t.b.ins().jump(meeting, &arguments);
+    }
+}
