@@ -110,12 +110,14 @@ fn calls(b: &mut Builder, dice: &mut Dice, array: Array) {
         _ => distance(b, dice, array),
     };
     b.compute_into(Register::Ar2, Op::AddU32, &[Register::Ar2.into(), by]);
-    let first = b.constant(if dice.roll(24) == 0 { 0xFFFF_FFC0 } else { u64::from(array.first) });
+    // Or where the own instance begins, or just in front of it.
+    let first = b.constant(if dice.roll(16) == 0 { dice.of(&[0, 0xFFFF_FFF0, 0xFFFF_FFE8]) } else { u64::from(array.first) });
     b.compute_into(Register::Ar2, Op::AddU32, &[Register::Ar2.into(), first]);
     b.push(Inst::Call { callee: Callee::Block(BlockId::fb(array.callee)), parameters: 0 });
     let saved = b.load(SAVED, Width::DoubleWord, OnFault::SkipStatement);
     match dice.roll(16) {
         0 => {}
+        2 => b.set(Register::Ar2, 0x8400_0000 + u64::from(MIDDLES) + 8 * MIDDLE_BYTES * dice.roll(ELEMENTS)),
         1 => {
             // What was kept of AR2 is a number like others.
             let other = b.constant(0x8400_0000 + u64::from(MIDDLES) + 8 * MIDDLE_BYTES * dice.roll(ELEMENTS));
@@ -192,6 +194,11 @@ fn inner(b: &mut Builder, dice: &mut Dice, is_long: bool) {
     b.begin_statement();
     let value = b.load(own(0), Width::Byte, OnFault::SkipStatement);
     b.store(own(8), Width::Byte, value);
+    if dice.roll(10) == 0 {
+        // It does not leave AR2 as it is.
+        let more = b.constant(8 * dice.of(&[1, INNER_BYTES]));
+        b.compute_into(Register::Ar2, Op::AddU32, &[Register::Ar2.into(), more]);
+    }
 }
 
 /// Makes a block too long to become part of another one, by instructions that are jumped over.
@@ -225,7 +232,12 @@ fn blocks_that_loop_over_instances_in_their_own_are_the_same_on_all_engines() {
     for seed in 0..PROGRAMS {
         let rolls = |block: u16| Dice(seed * 100 + u64::from(block));
         let outer_array = Array { counter: own(0), first: MIDDLES, bytes: MIDDLE_BYTES, callee: MIDDLE };
-        let counter = if seed % 4 == 0 { Place::Fixed { area: Area::BitMemory, position: 8 * 10 } } else { own(0) };
+        let counter = match seed % 6 {
+            0 => Place::Fixed { area: Area::BitMemory, position: 8 * 10 },
+            // Where an element lies that is called.
+            1 | 2 => own(INNERS + 8 * Dice(seed + 3_000_000).roll(ELEMENTS * INNER_BYTES - 1) as u32),
+            _ => own(0),
+        };
         let middle_array = Array { counter, first: INNERS, bytes: INNER_BYTES, callee: INNER };
         let is_long = |block: u16| Dice(seed * 100 + 50 + u64::from(block)).roll(3) == 0;
         let program = program(&[
