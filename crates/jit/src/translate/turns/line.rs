@@ -401,6 +401,10 @@ impl Kernel {
                 shape => shape,
             };
         }
+        if op == Op::Select && !self.is_bit(node) {
+            // A bit or another number: the bit is one, too.
+            shapes[1..3].iter_mut().filter(|shape| **shape == Shape::Mask).for_each(|shape| *shape = Shape::Words);
+        }
         let divisor = (op.arity() == 2).then(|| self.constant(args[1])).flatten();
         match op {
             Op::DivI16 | Op::RemI16 | Op::DivI32 | Op::RemI32
