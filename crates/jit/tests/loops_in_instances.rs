@@ -221,7 +221,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
     machine.budget = dice.of(&[0, 1, 2, 5, 10, 40]);
     for _ in 0..dice.of(&[0, 0, 1, 1, 3]) {
         let range = machine.memory.layout.data_blocks[&1].clone();
-        machine.memory.arena[range.start + dice.roll(DATA_BYTES as u64) as usize] = dice.of(&[0, 1, 2, 3, 7, 0x80, 0x84, 0xFF]);
+        machine.memory.arena[range.start + dice.roll(range.len() as u64) as usize] = dice.of(&[0, 1, 2, 3, 7, 0x80, 0x84, 0xFF]);
     }
     Reaction::Continue
 }
@@ -246,7 +246,9 @@ fn blocks_that_loop_over_instances_in_their_own_are_the_same_on_all_engines() {
             (BlockId::fb(MIDDLE), LOCAL_BYTES, &|b: &mut Builder| loops(b, &mut rolls(MIDDLE), middle_array, is_long(MIDDLE))),
             (BlockId::fb(INNER), LOCAL_BYTES, &|b: &mut Builder| inner(b, &mut rolls(INNER), is_long(INNER))),
         ]);
-        let mut layout = layout_with(&program, DATA_BYTES);
+        // The last instance may be there in part.
+        let missing = Dice(seed + 4_000_000).of(&[0, 0, 0, 4, 12, 20]);
+        let mut layout = layout_with(&program, DATA_BYTES - missing);
         if seed % 16 == 0 {
             layout.read_only.push(1);
         }
