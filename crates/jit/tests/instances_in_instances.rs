@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, begin_with_instance, layout_with, program, run};
+use noting::{all_engines_agree, begin_with_instance, layout_with, next_turn, program, run};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
@@ -194,12 +194,7 @@ fn caller(b: &mut Builder, dice: &mut Dice) {
         statements += 1;
     }
     b.begin_statement();
-    let (value, one) = (b.load(counter, Width::Word, OnFault::SkipStatement), b.constant(1));
-    let next = b.compute(Op::AddU16, &[value, one]);
-    b.store(counter, Width::Word, next);
-    let last = b.constant(ELEMENTS - 1);
-    let goes_on = b.compute(Op::LeI16, &[next, last]);
-    b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+    next_turn(b, counter, (Op::LeI16, ELEMENTS - 1), Target(1));
 }
 
 /// A number in the instance times a step: mostly it is known to be small, and it may be counted from the element in front.
@@ -400,12 +395,7 @@ fn indexed(first: u64, behind: u64) -> Program {
         let by = b.compute(Op::MulU32, &[number, step]);
         calls(b, by, first, 1);
         b.begin_statement();
-        let (value, one) = (b.load(counter, Width::Word, OnFault::SkipStatement), b.constant(1));
-        let next = b.compute(Op::AddU16, &[value, one]);
-        b.store(counter, Width::Word, next);
-        let last = b.constant(ELEMENTS - 1);
-        let goes_on = b.compute(Op::LeI16, &[next, last]);
-        b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+        next_turn(b, counter, (Op::LeI16, ELEMENTS - 1), Target(1));
     };
     let outer = |b: &mut Builder| {
         b.begin_statement();
@@ -498,12 +488,7 @@ fn reaches_absolutely(does: Does, indexed: bool) -> Program {
         let value = b.load(counter, Width::Byte, OnFault::SkipStatement);
         b.store(Place::Indirect { area: Area::InstanceData, pointer, offset: INSTANCES }, Width::Byte, value);
         b.begin_statement();
-        let (value, one) = (b.load(counter, Width::Word, OnFault::SkipStatement), b.constant(1));
-        let next = b.compute(Op::AddU16, &[value, one]);
-        b.store(counter, Width::Word, next);
-        let last = b.constant(ELEMENTS - 1);
-        let goes_on = b.compute(Op::LeI16, &[next, last]);
-        b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+        next_turn(b, counter, (Op::LeI16, ELEMENTS - 1), Target(1));
     };
     let writes = |b: &mut Builder| {
         b.begin_statement();

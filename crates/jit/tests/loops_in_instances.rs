@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, begin_with_instance, layout_with, program, run};
+use noting::{all_engines_agree, begin_with_instance, layout_with, next_turn, program, run};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
@@ -161,12 +161,7 @@ fn loops(b: &mut Builder, dice: &mut Dice, array: Array, is_long: bool) {
         statements += 1;
     }
     b.begin_statement();
-    let (value, one) = (b.load(counter, Width::Word, OnFault::SkipStatement), b.constant(1));
-    let next = b.compute(Op::AddU16, &[value, one]);
-    b.store(counter, Width::Word, next);
-    let last = b.constant(ELEMENTS - 1);
-    let goes_on = b.compute(Op::LeI16, &[next, last]);
-    b.push(Inst::Branch { condition: goes_on, to: head });
+    next_turn(b, counter, (Op::LeI16, ELEMENTS - 1), head);
     for _ in 0..dice.roll(3) {
         if dice.roll(2) == 0 {
             calls(b, dice, Array { counter: own(8 * 2), ..array });

@@ -47,7 +47,7 @@ impl Translator<'_> {
                 break;
             }
             if !self.copies_with_neighbour(statement as u32)
-                && let Some(at) = self.written_in(insts, piece)
+                && let Some((_, at)) = self.written_in_piece(insts).filter(|&(own, _)| own == piece)
             {
                 written |= 1 << at;
                 if written.count_ones() >= least {
@@ -56,15 +56,6 @@ impl Translator<'_> {
             }
         }
         false
-    }
-
-    /// Which bit of a piece some instructions write last, if they write one of it.
-    fn written_in(&mut self, insts: &[Inst], piece: Piece) -> Option<u8> {
-        let Some(Inst::Store { place, width: Width::Bit, .. }) = insts.last() else { return None };
-        let (base, offset) = self.constant_address(*place, Width::Bit)?;
-        let (_, position) = self.constant_position(*place)?;
-        let (own, at) = self.piece_at(base, offset, (position % 8) as u8);
-        (own == piece).then_some(at)
     }
 
     /// Whether a statement copies a bit, and the one in front of it or behind it its neighbour in both places: they go there together.

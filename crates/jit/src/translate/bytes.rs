@@ -328,10 +328,7 @@ impl Translator<'_> {
 
     /// Which bit of its piece some instructions write last, if they write one at an address known beforehand.
     pub(super) fn written_bit(&mut self, insts: &[Inst]) -> Option<u8> {
-        let Some(Inst::Store { place, width: Width::Bit, .. }) = insts.last() else { return None };
-        let (base, offset) = self.constant_address(*place, Width::Bit)?;
-        let (_, position) = self.constant_position(*place)?;
-        let (piece, at) = self.piece_at(base, offset, (position % 8) as u8);
+        let (piece, at) = self.written_in_piece(insts)?;
         let apart = match self.bytes.waiting.iter().find(|waiting| waiting.piece == piece) {
             Some(waiting) => waiting.apart.0.is_some(),
             None => self.are_apart(piece),
@@ -339,7 +336,15 @@ impl Translator<'_> {
         Some(if apart { 0 } else { at })
     }
 
-    pub(super) fn piece_at(&mut self, base: Base, offset: i32, number: u8) -> (Piece, u8) {
+    /// The piece to which some instructions write a bit last, and which one of it, if they do and it is known beforehand.
+    pub(super) fn written_in_piece(&mut self, insts: &[Inst]) -> Option<(Piece, u8)> {
+        let Some(Inst::Store { place, width: Width::Bit, .. }) = insts.last() else { return None };
+        let (base, offset) = self.constant_address(*place, Width::Bit)?;
+        let (_, position) = self.constant_position(*place)?;
+        Some(self.piece_at(base, offset, (position % 8) as u8))
+    }
+
+    fn piece_at(&mut self, base: Base, offset: i32, number: u8) -> (Piece, u8) {
         if let Base::Computed(_) = base {
             return (Piece { base, start: offset, bytes: 1 }, number);
         }

@@ -151,8 +151,16 @@ impl Numbers {
         Number { range, from_instance, id: self.made, below: None }
     }
 
-    /// Follows an instruction that writes a variable.
-    pub(super) fn follow(&mut self, inst: &Inst, dst: Var, instance: Option<u32>) {
+    /// Follows an instruction that writes a variable, with what is known of AR2 in front of it and behind it.
+    pub(super) fn follow_write(&mut self, (at, inst, dst): (u32, &Inst, Var), instance: &mut Option<u32>, pointers: &InstancePointer) {
+        self.follow(inst, dst, *instance);
+        if dst == Register::Ar2.into() {
+            *instance = pointers.after(at);
+            self.follow_instance(*instance);
+        }
+    }
+
+    fn follow(&mut self, inst: &Inst, dst: Var, instance: Option<u32>) {
         let number = match *inst {
             Inst::Constant { value, .. } => self.number(Interval::constant(value), false),
             Inst::Compute { op: Op::Copy, args, .. } => self.get(args[0], instance),
@@ -193,7 +201,7 @@ impl Numbers {
     }
 
     /// Follows AR2, which is known behind an instruction that wrote it, or has moved by an index.
-    pub(super) fn follow_instance(&mut self, instance: Option<u32>) {
+    fn follow_instance(&mut self, instance: Option<u32>) {
         let written = self.known.remove(&Var::from(Register::Ar2).0);
         self.moved = written.filter(|number| instance.is_none() && number.from_instance);
     }
@@ -434,11 +442,7 @@ impl Search<'_> {
                         return None;
                     }
                     held.insert(dst.0, result);
-                    numbers.follow(inst, dst, instance);
-                    if dst == Register::Ar2.into() {
-                        instance = pointers.after(at);
-                        numbers.follow_instance(instance);
-                    }
+                    numbers.follow_write((at, inst, dst), &mut instance, pointers);
                 }
             }
         }

@@ -70,11 +70,7 @@ impl Search<'_> {
                     _ => {}
                 }
                 if let Some(dst) = sieben_engine::ir::verify::writes(inst) {
-                    numbers.follow(inst, dst, instance);
-                    if dst == Register::Ar2.into() {
-                        instance = pointers.after(at);
-                        numbers.follow_instance(instance);
-                    }
+                    numbers.follow_write((at, inst, dst), &mut instance, pointers);
                 }
             }
         }

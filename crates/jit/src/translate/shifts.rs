@@ -28,7 +28,6 @@ impl Translator<'_> {
             Op::Shl16 => self.shifted_by(To::Left, 16, a, b),
             Op::Shr16 => self.shifted_by(To::Right, 16, a, b),
             Op::Sar16 => self.shifted_by(To::Signed, 16, a, b),
-            Op::Shl32 | Op::Shr32 | Op::Sar32 if self.bits_used(b) <= 5 => self.shifted_inside(op, a, b),
             Op::Shl32 => self.shifted_by(To::Left, 32, a, b),
             Op::Shr32 => self.shifted_by(To::Right, 32, a, b),
             Op::Sar32 => self.shifted_by(To::Signed, 32, a, b),
@@ -99,16 +98,6 @@ impl Translator<'_> {
         self.b.ins().uextend(I64, count)
     }
 
-    /// A number of 32 bits shifted by a count that is known to be below 32.
-    fn shifted_inside(&mut self, op: Op, a: Val, count: Val) -> Val {
-        let (a, count) = (self.int(a), self.int(count));
-        Val::Int(match op {
-            Op::Shl32 => self.b.ins().ishl(a, count),
-            Op::Shr32 => self.b.ins().ushr(a, count),
-            _ => self.b.ins().sshr(a, count),
-        })
-    }
-
     /// A number of at most 32 bits in 64: all of its bits can be shifted away by 63 or less.
     fn in_64_bits(&mut self, to: To, bits: u32, a: Val) -> Value {
         match to {
@@ -132,6 +121,10 @@ impl Translator<'_> {
     }
 
     fn shifted_by(&mut self, to: To, bits: u32, a: Val, count: Val) -> Val {
+        if bits == 32 && self.bits_used(count) <= 5 {
+            let (a, count) = (self.int(a), self.int(count));
+            return Val::Int(self.moved_by(to, a, count));
+        }
         let (a, count) = (self.in_64_bits(to, bits, a), self.count_to_63(count));
         let moved = self.moved_by(to, a, count);
         let low = self.b.ins().ireduce(I32, moved);

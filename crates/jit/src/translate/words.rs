@@ -226,10 +226,8 @@ impl Translator<'_> {
     /// Drops numbers in local data that wait and begin at some offsets: memory does not hold what is known of them.
     pub(super) fn drop_words(&mut self, is_dropped: impl Fn(i32) -> bool) {
         let dropped = self.bytes.words.0.extract_if(.., |&mut (base, at, ..)| base == Base::Local && is_dropped(at));
-        for (_, at, width, _) in dropped {
-            let end = at + width.bytes() as i32;
-            self.words.known.retain(|&(known, width, _)| known >= end || known + width.bytes() as i32 <= at);
-        }
+        let bytes = dropped.map(|(base, at, width, _)| (base, i64::from(at)..i64::from(at) + i64::from(width.bytes())));
+        bytes.collect::<Vec<_>>().iter().for_each(|bytes| self.forget_words_in(bytes));
     }
 
     /// Stores numbers that wait.

@@ -109,17 +109,23 @@ pub(crate) fn begin_with_instance(b: &mut Builder, function_block: u16) {
     b.push(Inst::Call { callee: Callee::Block(BlockId::fb(function_block)), parameters: 0 });
 }
 
-/// Ends a block that counts turns: the next number, and the first statement of a turn again if that holds, compared with a limit.
+/// Ends a block that counts turns: see [`next_turn`].
 #[allow(dead_code)] // Not every test that shares this file counts turns.
-pub(crate) fn count_on(b: &mut Builder, counter: Place, (op, limit): (Op, u64), first: Target) {
+pub(crate) fn count_on(b: &mut Builder, counter: Place, limit: (Op, u64), first: Target) {
+    next_turn(b, counter, limit, first);
+    b.begin_statement();
+    b.push(Inst::Return);
+}
+
+/// The next number, and the first statement of a turn again if that holds, compared with a limit.
+#[allow(dead_code)] // The same.
+pub(crate) fn next_turn(b: &mut Builder, counter: Place, (op, limit): (Op, u64), first: Target) {
     let (number, one) = (b.load(counter, Width::Word, OnFault::SkipStatement), b.constant(1));
     let next = b.compute(Op::AddU16, &[number, one]);
     b.store(counter, Width::Word, next);
     let limit = b.constant(limit);
     let again = b.compute(op, &[next, limit]);
     b.push(Inst::Branch { condition: again, to: first });
-    b.begin_statement();
-    b.push(Inst::Return);
 }
 
 /// A variable in bit memory that begins with a byte.
