@@ -17,12 +17,15 @@ use super::write::Writing;
 /// Operations of a turn that are done in order.
 const OPERATIONS_MAX: usize = 16;
 
+/// Cells that turns hand on in order.
+const CELLS_MAX: usize = 64;
+
 /// What is done in the order of the turns.
 #[derive(Clone, Debug, Default)]
 pub(super) struct InOrder {
     /// What each turn needs from the one before.
     pub(super) cells: BTreeSet<Cell>,
-    /// All values that rest on that.
+    /// Values that are made of that in order: all that the cells become rests on them.
     pub(super) nodes: BTreeSet<Node>,
 }
 
@@ -31,23 +34,83 @@ impl Kernel {
     pub(super) fn with_order(&self) -> Option<Self> {
         let chains = self.carried(Level::Outer).into_iter().filter(|(.., carried)| *carried == Carried::Chain);
         let cells: BTreeSet<Cell> = chains.filter(|&(cell, end, _)| self.left_beside(cell, end).is_none()).map(|(cell, ..)| cell).collect();
-        if cells.is_empty() || cells.iter().any(|&cell| matches!(self.kept(cell), Kept::Budget | Kept::Clock)) {
+        if cells.is_empty() || cells.len() > CELLS_MAX || cells.iter().any(|&cell| matches!(self.kept(cell), Kept::Budget | Kept::Clock)) {
             return None;
         }
         let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
         let mut reached = BTreeSet::new();
         self.all_ends().chain(of_accesses).chain([self.outer.again]).for_each(|node| self.rests(node, &mut reached));
-        let rests = |&node: &Node| cells.iter().any(|&cell| self.rests_on(node, Level::Outer, cell));
-        let nodes: BTreeSet<Node> = reached.into_iter().filter(rests).collect();
-        let computed = nodes.iter().filter(|&&node| matches!(self.what(node), What::Compute(..))).count();
+        let masks = self.rest_on_cells(&cells);
+        let resting: BTreeSet<Node> = reached.into_iter().filter(|node| masks[node.number() as usize] != 0).collect();
         let by_turn = self.accesses.iter().map(|access| access.pointer).chain([self.outer.again]);
-        if computed > OPERATIONS_MAX || by_turn.chain(self.all_of_inner()).any(|node| nodes.contains(&node)) {
+        if by_turn.chain(self.all_of_inner()).any(|node| resting.contains(&node)) {
+            return None;
+        }
+        let handed_on = self.handed_on(&cells, &masks, &resting);
+        [handed_on, resting.clone()].into_iter().find_map(|nodes| self.with_these_in_order(&cells, nodes, &resting))
+    }
+
+    /// The same loop with these values in order, if all others that rest on them have a form side by side.
+    fn with_these_in_order(&self, cells: &BTreeSet<Cell>, nodes: BTreeSet<Node>, resting: &BTreeSet<Node>) -> Option<Self> {
+        let computed = nodes.iter().filter(|&&node| matches!(self.what(node), What::Compute(..))).count();
+        if computed > OPERATIONS_MAX {
             return None;
         }
         let mut kernel = self.clone();
-        kernel.in_order = InOrder { cells, nodes };
+        kernel.in_order = InOrder { cells: cells.clone(), nodes };
         kernel.shapes.borrow_mut().clear();
-        (kernel.has_all_for_order() && kernel.reads_in_time()).then_some(kernel)
+        let have_forms = resting.iter().all(|&node| kernel.shape(node).is_some());
+        (have_forms && kernel.has_all_for_order() && kernel.reads_in_time()).then_some(kernel)
+    }
+
+    /// On which of these cells, as bits, each value rests.
+    fn rest_on_cells(&self, cells: &BTreeSet<Cell>) -> Vec<u64> {
+        let mut masks = vec![0; self.nodes.len()];
+        loop {
+            let before = masks.clone();
+            for at in 0..masks.len() {
+                let of = |node: &Node| masks[node.number() as usize];
+                let of_inner = |cell: Cell| {
+                    let inner = self.inner.as_ref();
+                    let ends = inner.and_then(|inner| inner.ends.get(&cell)).map_or(0, of);
+                    ends | inner.and_then(|inner| inner.entry.get(&cell)).map_or(0, of)
+                };
+                masks[at] = match self.nodes[at] {
+                    What::Constant(_) => 0,
+                    What::Start(Level::Outer, cell) => cells.iter().position(|&known| known == cell).map_or(0, |at| 1 << at),
+                    What::Start(Level::Inner, cell) | What::After(cell) => of_inner(cell),
+                    What::Read(access) => of(&self.accesses[access].pointer),
+                    What::Compute(op, args) => args[..op.arity()].iter().map(of).fold(0, |all, mask| all | mask),
+                };
+            }
+            if masks == before {
+                return masks;
+            }
+        }
+    }
+
+    /// What these cells hold when a turn begins, and what lies on a way from there to what one of them holds when a later turn begins, and
+    /// back to the first. Nothing else that rests on them needs to be made in order.
+    fn handed_on(&self, cells: &BTreeSet<Cell>, masks: &[u64], resting: &BTreeSet<Node>) -> BTreeSet<Node> {
+        let ends: Vec<Option<Node>> = cells.iter().map(|cell| self.outer.ends.get(cell).copied()).collect();
+        // On which cells each of them rests, in however many turns.
+        let mut rests: Vec<u64> = ends.iter().map(|end| end.map_or(0, |end| masks[end.number() as usize])).collect();
+        for by in 0..rests.len() {
+            for at in 0..rests.len() {
+                if rests[at] >> by & 1 != 0 {
+                    rests[at] |= rests[by];
+                }
+            }
+        }
+        let mut nodes: BTreeSet<Node> = resting.iter().copied().filter(|&node| matches!(self.what(node), What::Start(..))).collect();
+        for (at, end) in ends.iter().enumerate() {
+            let mut on_way = BTreeSet::new();
+            end.iter().for_each(|&end| self.rests(end, &mut on_way));
+            // What rests on a cell that rests on this one.
+            let from = (0..rests.len()).filter(|&from| from == at || rests[from] >> at & 1 != 0).fold(0, |all, from| all | 1_u64 << from);
+            nodes.extend(on_way.into_iter().filter(|node| masks[node.number() as usize] & from != 0));
+        }
+        nodes
     }
 
     /// Whether what is written in order rests on nothing that is read later in a turn: the turn before has not read it yet then.
