@@ -191,11 +191,41 @@ impl Translator<'_> {
         kernel.accesses.iter().chain(ends).any(|access| self.keeps_some_of(access.bytes()))
     }
 
+    /// How a loop is written whose inner loops are part of its turns, turn by turn.
+    fn unrolled(&mut self, it: &Loop) -> Option<Plan> {
+        let kernel = reader::read_unrolled(self, it).filter(|kernel| !kernel.repeats_itself() && !kernel.waits_for_choices())?;
+        if self.keeps_some_of_kernel(&kernel) {
+            return None;
+        }
+        self.pinned.extend(&kernel.opened);
+        Plan::of(kernel)
+    }
+
+    /// Whether there is no loop in a loop, or one that is done side by side as such: it has more turns than are worth writing one by one.
+    fn needs_no_unrolling(&mut self, kernel: Option<&Kernel>, it: &Loop) -> bool {
+        let Some(kernel) = kernel else { return false };
+        if kernel.inner.is_none() {
+            return true;
+        }
+        let plan = Plan::of(kernel.clone());
+        let is_fast = |plan: Plan| plan.side_by_side_or_in_order().is_some() || plan.swapped().is_some() || plan.nested().is_some();
+        plan.is_some_and(is_fast) || self.inner_is_side_by_side(it)
+    }
+
     fn write_at_once(&mut self, it: &Loop) -> Option<Idle> {
         if !self.options.optimize || self.at_once.len() >= LOOPS_MAX || self.is_at_once(it) {
             return None;
         }
-        let kernel = reader::read(self, it).filter(|kernel| !kernel.repeats_itself() && !kernel.waits_for_choices())?;
+        let kernel = reader::read(self, it).filter(|kernel| !kernel.repeats_itself() && !kernel.waits_for_choices());
+        if !self.needs_no_unrolling(kernel.as_ref(), it)
+            && let Some(plan) = self.unrolled(it)
+            && let Some(beside) = plan.side_by_side_or_in_order()
+        {
+            self.at_once.push((self.index, it.first, it.last));
+            self.write_beside(&beside, it);
+            return None;
+        }
+        let kernel = kernel?;
         if self.keeps_some_of_kernel(&kernel) {
             return None;
         }

@@ -38,6 +38,8 @@ const CHOSEN_MAX: usize = 500;
 const CHOSEN_ALONE_MAX: usize = 160;
 /// How often a loop in a called block is read to find what it writes.
 const READINGS_MAX: usize = 4;
+/// Jumps back of inner loops that are read turn by turn.
+const JUMPS_BACK_MAX: usize = 48;
 /// What a division by an unknown number counts among them.
 const DIVISION: usize = 60;
 /// Choices in choices in which a condition is looked for.
@@ -56,6 +58,15 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
         return None;
     }
     read_as(translator, it, Reading { inside, ..Reading::default() })
+}
+
+/// Reads a loop with the turns of all loops in it one behind the other: they have few turns, and how many is known.
+pub(super) fn read_unrolled(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel> {
+    let may_loop = !it.calls_nothing || translator.loops.iter().any(|inner| inner.first > it.first && inner.last <= it.last);
+    if !it.asks_nothing || !may_loop {
+        return None;
+    }
+    read_as(translator, it, Reading { unrolled: true, ..Reading::default() })
 }
 
 /// Reads one way through a turn of a loop: which way each of its jumps goes is a bit of a number, the lowest one that of the first jump, and
@@ -84,14 +95,16 @@ struct Reading {
     one_way: Option<u32>,
     /// Copies are done as a whole, not as numbers.
     whole_copies: bool,
+    /// The turns of inner loops are read one behind the other.
+    unrolled: bool,
 }
 
-fn read_as(translator: &mut Translator<'_>, it: &Loop, Reading { inside, one_way, whole_copies }: Reading) -> Option<Kernel> {
+fn read_as(translator: &mut Translator<'_>, it: &Loop, Reading { inside, one_way, whole_copies, unrolled }: Reading) -> Option<Kernel> {
     let facts = [Some(it.first), inside.as_ref().map(|inside| inside.first)].map(|first| facts(translator, first));
     let statements_inside = inside.as_ref().map(|inside| (inside.first, inside.last));
     let mut reader = Reader::new(translator, it.written, facts);
     (reader.inside, reader.reads_tables, reader.one_way) = (inside, !it.calls_nothing, one_way);
-    reader.whole_copies = whole_copies;
+    (reader.whole_copies, reader.unrolled) = (whole_copies, unrolled);
     // A block that reaches its instance by AR2 and nothing else counts from there.
     let pointer = reader.translator.current[Register::Ar2 as usize];
     if reader.translator.ranges.is_relative() {
@@ -101,6 +114,9 @@ fn read_as(translator: &mut Translator<'_>, it: &Loop, Reading { inside, one_way
     reader.leave_frames(0);
     reader.translator.current[Register::Ar2 as usize] = pointer;
     reader.kernel.outer = outer?;
+    if unrolled && reader.jumped_back == 0 {
+        return None;
+    }
     reader.choose_pointers()?;
     let mut kernel = reader.kernel;
     kernel.size = reader.translator.layout.size;
@@ -219,6 +235,9 @@ pub(super) struct Reader<'t, 'a> {
     one_way: Option<u32>,
     /// Whether copies are done as a whole.
     pub(super) whole_copies: bool,
+    /// Whether inner loops are read turn by turn, and how often they have jumped back.
+    unrolled: bool,
+    jumped_back: usize,
 }
 
 impl<'t, 'a> Reader<'t, 'a> {
@@ -256,6 +275,8 @@ impl<'t, 'a> Reader<'t, 'a> {
             exclusive: Vec::new(),
             one_way: None,
             whole_copies: false,
+            unrolled: false,
+            jumped_back: 0,
         }
     }
 }
@@ -309,6 +330,7 @@ impl Reader<'_, '_> {
             if self.read > INSTRUCTIONS_MAX || self.chosen > CHOSEN_MAX {
                 return None;
             }
+            let mut next = statement + 1;
             for (at, (index, inst)) in (code.statements[statement as usize]..).zip(insts).enumerate() {
                 let is_last = at + 1 == insts.len();
                 let is_ahead = |to: u32| to > statement && to <= last;
@@ -352,6 +374,13 @@ impl Reader<'_, '_> {
                         let ways = std::mem::take(&mut self.ways);
                         arriving.entry(otherwise).or_default().join(ways)?;
                     }
+                    Inst::Branch { condition, to: Target(to) } if is_last && self.unrolled && to <= statement => {
+                        let condition = self.get(condition)?;
+                        if self.kernel.constant(condition)? & 1 != 0 {
+                            next = self.jump_back(statement, to)?;
+                        }
+                    }
+                    Inst::Jump { to: Target(to) } if is_last && self.unrolled && to <= statement => next = self.jump_back(statement, to)?,
                     Inst::Return if is_last && !is_loop && statement == last => {}
                     Inst::Call { callee: Callee::Block(id), parameters } if self.one_way.is_none() => {
                         let called = (self.translator.find)(id)? as usize;
@@ -360,9 +389,19 @@ impl Reader<'_, '_> {
                     _ => self.inst(index, inst, steps)?,
                 }
             }
-            statement += 1;
+            statement = next;
         }
         Some(again)
+    }
+
+    /// Goes back to the beginning of an inner loop, which has another turn.
+    fn jump_back(&mut self, statement: u32, to: u32) -> Option<u32> {
+        self.jumped_back += 1;
+        if self.jumped_back > JUMPS_BACK_MAX {
+            return None;
+        }
+        self.take(u32::from(weight((statement - to) as usize)))?;
+        Some(to)
     }
 
     /// Reads the inner loop: once to see what it writes, and once more with what else is known. Where its turns write variables at addresses

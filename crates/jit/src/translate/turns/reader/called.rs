@@ -26,8 +26,19 @@ impl Reader<'_, '_> {
         self.level == Level::Outer && self.ways.is_always() && self.inside.as_ref().is_some_and(leads_over)
     }
 
-    /// Notes what a block takes from the budget that some turns do not enter.
-    pub(super) fn take_sometimes(&mut self, weight: u32) -> Option<()> {
+    /// Notes what a block that is entered, or an inner loop that begins again, takes from the budget.
+    pub(super) fn take(&mut self, weight: u32) -> Option<()> {
+        self.blocks_most += weight;
+        if self.ways.is_always() {
+            self.blocks += weight;
+            Some(())
+        } else {
+            self.take_sometimes(weight)
+        }
+    }
+
+    /// Notes what some turns take from the budget.
+    fn take_sometimes(&mut self, weight: u32) -> Option<()> {
         if self.level == Level::Inner {
             return None;
         }
@@ -58,12 +69,7 @@ impl Reader<'_, '_> {
         let behind = i32::try_from(t.local_behind()).ok()?;
         let weight = u32::from(weight(block.statement_count()));
         let last = (block.statement_count() as u32).checked_sub(1)?;
-        self.blocks_most += weight;
-        if self.ways.is_always() {
-            self.blocks += weight;
-        } else {
-            self.take_sometimes(weight)?;
-        }
+        self.take(weight)?;
         for &(register, value) in AT_CALL.iter().filter(|(register, _)| !RESTORED.contains(register)) {
             let value = self.constant(value);
             self.set(register.into(), value)?;
@@ -205,6 +211,9 @@ impl Reader<'_, '_> {
 
     /// Notes the loop of a called block: the one inside the loop that is read, if there is one.
     fn loop_in_called(&mut self, code: usize) -> Option<()> {
+        if self.unrolled {
+            return Some(());
+        }
         let mut loops = self.translator.find_loops(code).into_iter();
         let Some(inside) = loops.next() else { return Some(()) };
         if self.level == Level::Inner || loops.next().is_some() || !inside.asks_nothing {
