@@ -1,5 +1,5 @@
 //! Loops that call a function block for each element of an array, in which there are loops of few turns: over an array in the instance, with
-//! choices, with ends before the last turn, in one another and under conditions. Beside them turns hand on numbers in order. On all engines
+//! choices, with ends before the last turn, in one another and under conditions, or such that end when the data say so. Beside them turns hand on numbers in order. On all engines
 //! they do what the interpreter does, whatever a Host makes of memory and budget.
 
 use std::cell::RefCell;
@@ -18,7 +18,7 @@ use sieben_model::block::BlockId;
 mod dice;
 mod noting;
 
-const PROGRAMS: u64 = 500;
+const PROGRAMS: u64 = 400;
 /// Questions after which the Host stops a run.
 const QUESTIONS_MAX: usize = 40;
 /// Instances, and bytes of one.
@@ -156,6 +156,76 @@ impl Maker<'_> {
         self.b.push(Inst::Branch { condition: again, to: head });
     }
 
+    /// `counter := 0; WHILE number > array[counter] DO counter := counter + 1; … END_WHILE`, or until a number has become small.
+    fn searches(&mut self) {
+        let mut first = Maker { b: &mut Builder::default(), dice: Dice(self.dice.0), ..*self };
+        first.searches_to(0);
+        let behind = first.statements;
+        self.searches_to(behind);
+    }
+
+    fn searches_to(&mut self, behind: u32) {
+        let counter = COUNTERS[0];
+        self.begin();
+        let zero = self.b.constant(0);
+        self.b.store(own(counter), Width::Word, zero);
+        let counts_down = self.dice.roll(3) == 0;
+        let (looks_first, ends_early) = (self.dice.roll(2) == 0, self.dice.roll(4) == 0);
+        let head = Target(self.statements);
+        if looks_first {
+            self.begin();
+            let again = self.goes_on(counts_down);
+            let leaves = self.b.compute(Op::Not, &[again]);
+            self.b.push(Inst::Branch { condition: leaves, to: Target(behind) });
+        }
+        if ends_early {
+            self.begin();
+            let condition = self.condition(None);
+            self.b.push(Inst::Branch { condition, to: Target(behind) });
+        }
+        self.begin();
+        let (number, one) = (load(self.b, own(counter), Width::Word), self.b.constant(1));
+        let next = self.b.compute(Op::AddU16, &[number, one]);
+        self.b.store(own(counter), Width::Word, next);
+        if counts_down {
+            self.begin();
+            let (number, less) =
+                (load(self.b, own(NUMBERS), Width::DoubleWord), self.b.constant(if self.reals { 0x3F80_0000 } else { 0x1000_0000 }));
+            let number = self.b.compute(if self.reals { Op::SubF32 } else { Op::SubU32 }, &[number, less]);
+            self.b.store(own(NUMBERS), Width::DoubleWord, number);
+        }
+        if self.dice.roll(2) == 0 {
+            self.assigns(None);
+        }
+        self.begin();
+        if looks_first {
+            self.b.push(Inst::Jump { to: head });
+        } else {
+            let again = self.goes_on(counts_down);
+            self.b.push(Inst::Branch { condition: again, to: head });
+            if self.dice.roll(2) == 0 {
+                self.b.push(Inst::Jump { to: Target(behind) });
+            }
+        }
+        // What it has found.
+        self.begin();
+        let from = if self.dice.roll(2) == 0 { self.element(counter) } else { own(NUMBERS + 32) };
+        let value = load(self.b, from, Width::DoubleWord);
+        self.b.store(own(NUMBERS + 32), Width::DoubleWord, value);
+    }
+
+    /// Whether such a loop goes on.
+    fn goes_on(&mut self, counts_down: bool) -> Var {
+        let number = load(self.b, own(NUMBERS), Width::DoubleWord);
+        let limit = if counts_down {
+            self.b.constant(if self.reals { 0x3F00_0000 } else { 0x0100_0000 })
+        } else {
+            let element = self.element(COUNTERS[0]);
+            load(self.b, element, Width::DoubleWord)
+        };
+        self.b.compute(if self.reals { Op::GtF32 } else { Op::GtI32 }, &[number, limit])
+    }
+
     /// Writes to the element of a ring and goes on to the next one.
     fn ring(&mut self) {
         self.begin();
@@ -183,7 +253,8 @@ impl Maker<'_> {
                     let behind = first.statements;
                     self.conditional_loop(behind);
                 }
-                2..6 => self.loops(0),
+                2 | 3 => self.searches(),
+                4..7 => self.loops(0),
                 _ => self.assigns(None),
             }
         }
@@ -309,7 +380,7 @@ fn loops_of_few_turns_in_the_turns_of_others_do_what_the_interpreter_does() {
         let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
         let prepare = |machine: &mut Machine| {
             let mut dice = Dice(seed + 1_000_000);
-            machine.budget = dice.of(&[5, 60, 4000, 4000]);
+            machine.budget = dice.of(&[5, 60, 600, 600]);
             machine.memory.area_mut(Area::BitMemory).iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
             let range = machine.memory.layout.data_blocks[&1].clone();
             for (at, byte) in machine.memory.arena[range].iter_mut().enumerate() {
@@ -317,7 +388,7 @@ fn loops_of_few_turns_in_the_turns_of_others_do_what_the_interpreter_does() {
                 *byte = match of_ring {
                     32 => 0,
                     40 => dice.roll(ELEMENTS) as u8,
-                    _ if reals && of_ring >= NUMBERS && of_ring % 32 == 0 => dice.of(&[0x3F, 0x40, 0xC0, 0x7F, 0xFF, 0]),
+                    _ if reals && of_ring >= NUMBERS && of_ring.is_multiple_of(32) => dice.of(&[0x3F, 0x40, 0xC0, 0x7F, 0xFF, 0]),
                     _ => dice.roll(256) as u8,
                 };
             }
@@ -332,6 +403,5 @@ fn loops_of_few_turns_in_the_turns_of_others_do_what_the_interpreter_does() {
         asked += questions;
         silent += usize::from(questions == 0);
     }
-    println!("{asked} {silent} {beside}");
     assert!(asked > 500 && silent > 60 && beside > 100, "{asked} questions, {silent} programs without any, {beside} side by side");
 }

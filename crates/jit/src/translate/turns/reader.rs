@@ -24,9 +24,12 @@ mod called;
 mod calls;
 mod cases;
 mod places;
+mod rounds;
 
 pub(super) use calls::{Called, Instances};
 pub(super) use places::{Goes, Reached};
+use rounds::Rounds;
+pub(super) use rounds::read_unrolled;
 
 /// Instructions of a turn that is looked at, with those of the blocks that are part of it.
 const INSTRUCTIONS_MAX: usize = 2000;
@@ -34,12 +37,12 @@ const INSTRUCTIONS_MAX: usize = 2000;
 const INSTRUCTIONS_ALONE_MAX: usize = 640;
 /// Instructions that a turn computes though it may jump over them, where turns are done side by side.
 const CHOSEN_MAX: usize = 500;
+/// The same where it is read with the turns of inner loops one behind the other.
+const CHOSEN_UNROLLED_MAX: usize = 1_000;
 /// The same where they are done one by one: beyond that, it would be faster to jump.
 const CHOSEN_ALONE_MAX: usize = 160;
 /// How often a loop in a called block is read to find what it writes.
 const READINGS_MAX: usize = 4;
-/// Jumps back of inner loops that are read turn by turn.
-const JUMPS_BACK_MAX: usize = 48;
 /// What a division by an unknown number counts among them.
 const DIVISION: usize = 60;
 /// Choices in choices in which a condition is looked for.
@@ -58,15 +61,6 @@ pub(super) fn read(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel>
         return None;
     }
     read_as(translator, it, Reading { inside, ..Reading::default() })
-}
-
-/// Reads a loop with the turns of all loops in it one behind the other: they have few turns, and how many is known.
-pub(super) fn read_unrolled(translator: &mut Translator<'_>, it: &Loop) -> Option<Kernel> {
-    let may_loop = !it.calls_nothing || translator.loops.iter().any(|inner| inner.first > it.first && inner.last <= it.last);
-    if !it.asks_nothing || !may_loop {
-        return None;
-    }
-    read_as(translator, it, Reading { unrolled: true, ..Reading::default() })
 }
 
 /// Reads one way through a turn of a loop: which way each of its jumps goes is a bit of a number, the lowest one that of the first jump, and
@@ -114,7 +108,7 @@ fn read_as(translator: &mut Translator<'_>, it: &Loop, Reading { inside, one_way
     reader.leave_frames(0);
     reader.translator.current[Register::Ar2 as usize] = pointer;
     reader.kernel.outer = outer?;
-    if unrolled && reader.jumped_back == 0 {
+    if unrolled && !reader.has_few_turns_inside() {
         return None;
     }
     reader.choose_pointers()?;
@@ -238,6 +232,10 @@ pub(super) struct Reader<'t, 'a> {
     /// Whether inner loops are read turn by turn, and how often they have jumped back.
     unrolled: bool,
     jumped_back: usize,
+    /// Instructions of turns of inner loops that most turns do without.
+    repeated: usize,
+    /// Ways that no turn goes: that is looked at in front of the loop.
+    beyond: Ways,
 }
 
 impl<'t, 'a> Reader<'t, 'a> {
@@ -277,6 +275,8 @@ impl<'t, 'a> Reader<'t, 'a> {
             whole_copies: false,
             unrolled: false,
             jumped_back: 0,
+            repeated: 0,
+            beyond: Ways::default(),
         }
     }
 }
@@ -300,15 +300,20 @@ impl Reader<'_, '_> {
         let code = &self.translator.native().code;
         let is_loop = piece == Piece::Turn;
         let mut arriving: BTreeMap<u32, Ways> = BTreeMap::new();
+        let mut rounds = Rounds::default();
         let mut again = None;
         let mut statement = first;
         while statement <= last {
             if let Some(ways) = arriving.remove(&statement) {
                 self.ways.join(ways)?;
+                self.join_beyond();
             }
             if self.ways.is_never() {
                 statement += 1;
                 continue;
+            }
+            if self.unrolled {
+                rounds.reach(statement, &self.ways);
             }
             if self.level == Level::Outer
                 && let Some(inside) = self.inside.clone()
@@ -323,15 +328,20 @@ impl Reader<'_, '_> {
             }
             self.temporaries.clear();
             let insts = code.statement(statement as usize);
+            let before = self.read;
             self.read += insts.len();
             if !self.ways.is_always() {
                 self.chosen += insts.len();
             }
-            if self.read > INSTRUCTIONS_MAX || self.chosen > CHOSEN_MAX {
+            let chosen_max = if self.unrolled { CHOSEN_UNROLLED_MAX } else { CHOSEN_MAX };
+            if self.read > INSTRUCTIONS_MAX || self.chosen > chosen_max {
                 return None;
             }
-            let mut next = statement + 1;
+            let mut back = None;
             for (at, (index, inst)) in (code.statements[statement as usize]..).zip(insts).enumerate() {
+                if self.ways.is_never() {
+                    break;
+                }
                 let is_last = at + 1 == insts.len();
                 let is_ahead = |to: u32| to > statement && to <= last;
                 match *inst {
@@ -374,13 +384,19 @@ impl Reader<'_, '_> {
                         let ways = std::mem::take(&mut self.ways);
                         arriving.entry(otherwise).or_default().join(ways)?;
                     }
-                    Inst::Branch { condition, to: Target(to) } if is_last && self.unrolled && to <= statement => {
+                    Inst::Branch { condition, to: Target(to) } if self.unrolled && to <= statement && back.is_none() => {
                         let condition = self.get(condition)?;
-                        if self.kernel.constant(condition)? & 1 != 0 {
-                            next = self.jump_back(statement, to)?;
-                        }
+                        let (taken, other) = match self.kernel.constant(condition) {
+                            Some(value) if value & 1 != 0 => (std::mem::take(&mut self.ways), Ways::default()),
+                            Some(_) => (Ways::default(), std::mem::take(&mut self.ways)),
+                            None => self.ways_behind(condition),
+                        };
+                        self.ways = other;
+                        back = Some((to, taken));
                     }
-                    Inst::Jump { to: Target(to) } if is_last && self.unrolled && to <= statement => next = self.jump_back(statement, to)?,
+                    Inst::Jump { to: Target(to) } if is_last && self.unrolled && to <= statement && back.is_none() => {
+                        back = Some((to, std::mem::take(&mut self.ways)));
+                    }
                     Inst::Return if is_last && !is_loop && statement == last => {}
                     Inst::Call { callee: Callee::Block(id), parameters } if self.one_way.is_none() => {
                         let called = (self.translator.find)(id)? as usize;
@@ -389,19 +405,24 @@ impl Reader<'_, '_> {
                     _ => self.inst(index, inst, steps)?,
                 }
             }
-            statement = next;
+            if rounds.is_unlikely(statement) {
+                self.repeated += self.read - before;
+            }
+            statement += 1;
+            match back {
+                Some((to, ways)) if rounds.is_over(to, &ways) => self.never(ways)?,
+                Some((to, ways)) if !ways.is_never() => {
+                    let others = std::mem::replace(&mut self.ways, ways);
+                    if !others.is_never() {
+                        arriving.entry(statement).or_default().join(others)?;
+                    }
+                    self.jump_back(&mut rounds, statement - 1, to)?;
+                    statement = to;
+                }
+                _ => {}
+            }
         }
         Some(again)
-    }
-
-    /// Goes back to the beginning of an inner loop, which has another turn.
-    fn jump_back(&mut self, statement: u32, to: u32) -> Option<u32> {
-        self.jumped_back += 1;
-        if self.jumped_back > JUMPS_BACK_MAX {
-            return None;
-        }
-        self.take(u32::from(weight((statement - to) as usize)))?;
-        Some(to)
     }
 
     /// Reads the inner loop: once to see what it writes, and once more with what else is known. Where its turns write variables at addresses
@@ -912,6 +933,11 @@ impl Reader<'_, '_> {
     fn require(&mut self, condition: Node) -> Option<()> {
         if self.is_true(condition) {
             return Some(());
+        }
+        if self.unrolled && self.kernel.constant(condition).is_some() {
+            // A turn that comes here goes on elsewhere.
+            let ways = std::mem::take(&mut self.ways);
+            return self.never(ways);
         }
         let What::Compute(Op::Below, [number, limit, ..]) = self.kernel.what(condition) else { return None };
         let limit = u32::try_from(self.kernel.constant(limit)?).ok()?;

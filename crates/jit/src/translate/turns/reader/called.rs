@@ -44,9 +44,11 @@ impl Reader<'_, '_> {
         }
         let cell = self.cell(Kept::Budget);
         let before = self.read_cell(cell);
-        let weight = self.constant(u64::from(weight));
-        let after = self.compute(Op::AddU32, [before, weight, before, before]);
-        self.put(cell, after);
+        let [no, yes, weight] = [0, 1, weight].map(|number| self.constant(u64::from(number)));
+        let reached = self.chosen(yes, no);
+        let taken = self.compute(Op::Gate, [weight, reached, weight, weight]);
+        let after = self.compute(Op::AddU32, [before, taken, before, before]);
+        self.now.insert(cell, after);
         Some(())
     }
 
