@@ -29,6 +29,7 @@ use crate::run::Run;
 mod alone;
 mod analysis;
 mod bits_apart;
+mod branches;
 mod budget;
 mod bytes;
 mod calls;

@@ -76,7 +76,8 @@ fn bring_nearer_in(func: &mut Function, block: Block) {
     }
 }
 
-fn changes_memory(func: &Function, inst: Inst) -> bool {
+/// Whether an instruction may change memory, or must not change places with one that reads it.
+pub(super) fn changes_memory(func: &Function, inst: Inst) -> bool {
     let opcode = func.dfg.insts[inst].opcode();
     opcode.can_store() || opcode.is_call() || opcode.other_side_effects()
 }

@@ -16,7 +16,9 @@ use sieben_model::block::BlockId;
 
 use super::outside::{self, Functions};
 use super::versions::Versions;
-use super::{Program, Translator, analysis, effects, gates, inlining, instance_needs, instance_pointer, near_reads, reals_as_read};
+use super::{
+    Program, Translator, analysis, branches, effects, gates, inlining, instance_needs, instance_pointer, near_reads, reals_as_read,
+};
 use crate::entry::Generation;
 use crate::jit::Native;
 use crate::run::{LINKS, Room};
@@ -235,6 +237,7 @@ fn define(module: &mut JITModule, id: FuncId, context: &mut Context, sets: Sets<
             context.optimize(&**other, &mut ControlPlane::default()).map_err(ModuleError::from)?;
             reals_as_read::turn_as_reals(&mut context.func);
             near_reads::bring_nearer(&mut context.func);
+            branches::part(&mut context.func);
             // It is optimized.
             &**sets.for_room
         }
