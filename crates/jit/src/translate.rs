@@ -34,6 +34,7 @@ mod budget;
 mod bytes;
 mod calls;
 mod choices;
+mod decided;
 mod decimal;
 mod effects;
 mod elements;
@@ -99,7 +100,7 @@ use outside::{Functions, Outside};
 pub(crate) use program::aarch64_bytes;
 use program::{Find, block_signature, words_signature};
 pub(crate) use program::{Options, listing, program};
-use promote::{Base, Computed, Promoted};
+use promote::{Base, Computed, Counted, Promoted};
 use ranges::Ranges;
 use series::Series;
 use value::{Constants, Lazy, Val};
@@ -228,6 +229,10 @@ struct Translator<'a> {
     stored: u32,
     /// What has been taken from the budget and not from its variable.
     taken: i64,
+    /// What counts the budget in the running loop.
+    counted: Option<Counted>,
+    /// Whether the running instruction stores what counts the budget, one further than before.
+    steps: bool,
     /// The look at the budget on which blocks that are entered now rely.
     look: Option<usize>,
     looks: Vec<Look>,
@@ -376,6 +381,8 @@ impl<'a> Translator<'a> {
             items: [None; 2],
             stored: 0,
             taken: 0,
+            counted: None,
+            steps: false,
             look: None,
             looks: Vec::new(),
             interpreted: Vec::new(),
@@ -469,6 +476,8 @@ impl<'a> Translator<'a> {
         for statement in 0..code.statement_count() {
             if !self.ended {
                 self.leave_loops(statement as u32);
+            } else if self.leaves_counted(statement as u32) {
+                self.counted = None;
             }
             self.statement = statement as u32;
             self.arrive();
@@ -485,6 +494,7 @@ impl<'a> Translator<'a> {
             self.begin_series();
             self.aim = self.written_bit(code.statement(statement));
             let first = code.statements[statement];
+            let mut decided = self.decided_by_parts();
             for (index, inst) in (first..).zip(code.statement(statement)) {
                 if self.is_in_series(index) {
                     continue;
@@ -494,11 +504,16 @@ impl<'a> Translator<'a> {
                     let behind = &code.insts[index as usize + 1..code.statements[statement + 1] as usize];
                     self.drop_what_was_handed(behind);
                 }
+                if self.is_read_again(index, inst, &decided) {
+                    continue;
+                }
                 self.inst(index, inst);
                 if self.ended {
                     break;
                 }
+                self.note_read(index, inst, &mut decided);
                 self.meet_behind(index);
+                self.jump_if_decided(index, &mut decided);
             }
             if !self.ended {
                 self.drop_what_was_handed(&[]);
@@ -809,13 +824,13 @@ impl<'a> Translator<'a> {
                 self.b.ins().brif(answer, self.leave, &[], block, &[BlockArg::Value(value)]);
             }
             After::NextStatement => {
-                let (changed, taken) = (self.changed, self.taken);
+                let (changed, taken, counted) = (self.changed, self.taken, self.counted);
                 self.leave_loops(self.statement + 1);
                 let next = self.edge(self.statement + 1);
                 let next = self.verified(self.statement + 1, next);
                 self.b.ins().brif(answer, self.leave, &[], next, &[]);
                 self.write_verifications();
-                (self.changed, self.taken) = (changed, taken);
+                (self.changed, self.taken, self.counted) = (changed, taken, counted);
             }
         }
         self.cold = before;
@@ -862,10 +877,12 @@ impl<'a> Translator<'a> {
             Inst::Load { dst, place, width, on_fault } => self.load(index, dst, place, width, on_fault),
             Inst::Store { place, width, src } => {
                 let mut value = self.get(src);
+                self.steps = self.is_step_of_turn(index);
                 if let Some(condition) = self.choice.take() {
                     value = self.chosen(condition, (place, width), index, value);
                 }
                 self.store(index, place, width, value);
+                self.steps = false;
             }
             Inst::Move { from, to, bytes }
                 if self.move_inside(index, (from, to, bytes)) || self.move_anywhere(index, (from, to, bytes)) => {}
@@ -910,18 +927,7 @@ impl<'a> Translator<'a> {
                 if self.chooses(index, condition, to.0) {
                     return;
                 }
-                let (mut condition, mut negated) = self.condition(condition);
-                if to.0 <= self.statement && !negated {
-                    // The way on which a loop ends is the one that jumps.
-                    (condition, negated) = (self.opposite(condition), true);
-                }
-                let block = self.way_to(to);
-                let go_on = self.b.create_block();
-                let (then, otherwise) = if negated { (go_on, block) } else { (block, go_on) };
-                self.b.ins().brif(condition, then, &[], otherwise, &[]);
-                self.fill_ways();
-                self.b.switch_to_block(go_on);
-                self.b.seal_block(go_on);
+                self.branch(condition, to);
             }
             Inst::JumpTable { index, first, count, otherwise } => self.jump_table(index, first, count, otherwise),
             Inst::Call { callee, parameters } => self.call_block(index, callee, parameters),
@@ -942,6 +948,22 @@ impl<'a> Translator<'a> {
                 self.ended = true;
             }
         }
+    }
+
+    /// Jumps if a condition is 1.
+    fn branch(&mut self, condition: Val, to: Target) {
+        let (mut condition, mut negated) = self.condition(condition);
+        if to.0 <= self.statement && !negated {
+            // The way on which a loop ends is the one that jumps.
+            (condition, negated) = (self.opposite(condition), true);
+        }
+        let block = self.way_to(to);
+        let go_on = self.b.create_block();
+        let (then, otherwise) = if negated { (go_on, block) } else { (block, go_on) };
+        self.b.ins().brif(condition, then, &[], otherwise, &[]);
+        self.fill_ways();
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
     }
 
     fn compute(&mut self, op: Op, dst: Var, args: [Var; 4]) -> Val {

@@ -34,7 +34,7 @@ impl Translator<'_> {
         }
         let variable = self.budget();
         let budget = self.b.use_var(variable);
-        let left = self.b.ins().iadd_imm_s(budget, -taken);
+        let left = self.less_budget(budget, taken);
         self.b.def_var(variable, left);
         self.taken -= taken;
     }

@@ -86,15 +86,7 @@ fn leads_to_address(insts: &[Inst], variable: Place) -> bool {
 impl Translator<'_> {
     /// Whether the statement over which the running one jumps, if a condition holds, is written out as a choice; it is, from now on.
     pub(super) fn chooses(&mut self, index: u32, condition: Val, to: u32) -> bool {
-        let next = self.statement + 1;
-        let code = &self.native().code;
-        let is_last = code.statements.get(next as usize) == Some(&(index + 1));
-        if !self.options.optimize || to != next + 1 || !is_last || self.arrivals.contains_key(&next) || !self.is_plain(next) {
-            return false;
-        }
-        if let Some(&Inst::Store { place, .. }) = code.statement(next as usize).last()
-            && leads_to_address(code.statement(self.statement as usize), place)
-        {
+        if !self.is_choice(index, to) {
             return false;
         }
         let (value, negated) = self.condition(condition);
@@ -102,6 +94,18 @@ impl Translator<'_> {
         let (bit, _) = self.without_not(condition);
         self.choice = Some(Choice { value, negated, is_flag, bit });
         true
+    }
+
+    /// Whether a branch jumps over one statement that is written out as a choice.
+    pub(super) fn is_choice(&self, index: u32, to: u32) -> bool {
+        let next = self.statement + 1;
+        let code = &self.native().code;
+        let is_last = code.statements.get(next as usize) == Some(&(index + 1));
+        if !self.options.optimize || to != next + 1 || !is_last || self.arrivals.contains_key(&next) || !self.is_plain(next) {
+            return false;
+        }
+        !matches!(code.statement(next as usize).last(), Some(&Inst::Store { place, .. })
+            if leads_to_address(code.statement(self.statement as usize), place))
     }
 
     /// Whether a statement computes one value and writes it, and can neither fail nor be entered elsewhere.

@@ -26,6 +26,10 @@ use super::{TRUSTED, Translator};
 use crate::jit::loop_heads;
 use crate::run::Run;
 
+mod counted;
+
+pub(super) use counted::Counted;
+
 /// Variables that are kept at the same time and that a loop uses; more would be kept on the stack, which is memory too.
 const PROMOTED_MAX: usize = 8;
 /// Variables that are kept at the same time, with those that only the loops around use: cold code stores each of them.
@@ -632,7 +636,8 @@ impl Translator<'_> {
             (Width::DoubleWord, _) => self.int(value),
             (width, _) => self.low_bits(value, width),
         };
-        self.b.def_var(promoted.variable, value);
+        let is_step = std::mem::take(&mut self.steps);
+        self.define(&promoted, value, is_step);
         true
     }
 
@@ -732,11 +737,13 @@ impl Translator<'_> {
 
     /// Whether something is kept here that is not kept at another statement.
     pub(super) fn leaves_loop(&self, to: u32) -> bool {
-        self.promoted.iter().any(|it| it.is_in(self.statement) && !it.is_in(to))
+        self.promoted.iter().any(|it| it.is_in(self.statement) && !it.is_in(to)) || self.leaves_counted(to)
     }
 
-    /// Stores what is kept here and not at the statement that follows, but for what only this one hands on.
+    /// Stores what is kept here and not at the statement that follows, but for what only this one hands on. The budget counts by itself from
+    /// here on.
     pub(super) fn leave_loops(&mut self, to: u32) {
+        self.leave_counted(to);
         self.kept().into_iter().filter(|it| !it.is_in(to) && it.handed.is_none()).for_each(|it| self.give_back(it));
     }
 
@@ -755,14 +762,15 @@ impl Translator<'_> {
         let value = match promoted.base {
             Base::Run => {
                 let budget = self.load_budget();
-                if self.taken == 0 { budget } else { self.b.ins().iadd_imm_s(budget, self.taken) }
+                let budget = if self.taken == 0 { budget } else { self.b.ins().iadd_imm_s(budget, self.taken) };
+                self.budget_as_kept(budget)
             }
             base => {
                 let value = self.read(self.address(base, promoted.offset), promoted.width);
                 if promoted.width == Width::QuadWord { self.word(value) } else { self.int(value) }
             }
         };
-        self.b.def_var(promoted.variable, value);
+        self.define(&promoted, value, false);
         if let Some(variable) = promoted.real {
             let ty = if promoted.width == Width::QuadWord { F64 } else { F32 };
             let real = self.b.ins().bitcast(ty, MemFlagsData::new(), value);
@@ -780,6 +788,7 @@ impl Translator<'_> {
         let value = self.b.use_var(promoted.variable);
         match promoted.base {
             Base::Run => {
+                let value = self.budget_there(value);
                 let left = if self.taken == 0 { value } else { self.b.ins().iadd_imm_s(value, -self.taken) };
                 self.b.ins().store(TRUSTED, left, self.run, promoted.offset);
             }

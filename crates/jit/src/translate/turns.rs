@@ -147,7 +147,7 @@ impl Plan {
 
 impl Translator<'_> {
     /// Whether a loop, or one around it, is done at once.
-    fn is_at_once(&self, it: &Loop) -> bool {
+    pub(super) fn is_at_once(&self, it: &Loop) -> bool {
         let around = |&(index, first, last): &(usize, u32, u32)| index == self.index && first <= it.first && it.last <= last;
         self.at_once.iter().any(around)
     }

@@ -41,6 +41,9 @@ impl Analysis<'_> {
                     if notes && op == Op::PassOnPointer && pointer.bits <= 32 && pointer.leads_elsewhere() {
                         self.found.passed_on.insert(index);
                     }
+                    if notes && is_step(op, args[0].range, args[1].range) {
+                        self.found.steps.insert(index);
+                    }
                     let known = self.compute(op, args);
                     put(&mut state, &mut temporaries, dst, known);
                 }
@@ -430,4 +433,18 @@ fn put(state: &mut State, temporaries: &mut BTreeMap<u8, Known>, dst: Var, known
         Some(register) => state.registers.insert(register as u8, known),
         None => temporaries.insert(dst.0, known),
     };
+}
+
+/// Whether an operation adds 1 to a number with sign, or subtracts it, and the result is not cut off.
+fn is_step(op: Op, number: Interval, one: Interval) -> bool {
+    let (bits, down) = match (op, one.exact()) {
+        (Op::AddU16, Some(1)) => (16, false),
+        (Op::SubU16, Some(1)) | (Op::AddU16, Some(0xFFFF)) => (16, true),
+        (Op::AddU32, Some(1)) => (32, false),
+        (Op::SubU32, Some(1)) | (Op::AddU32, Some(0xFFFF_FFFF)) => (32, true),
+        _ => return false,
+    };
+    let (least, most) = number.signed(bits);
+    let half = 1 << (bits - 1);
+    if down { least > -half } else { most < half - 1 }
 }
