@@ -27,6 +27,7 @@ use crate::jit::loop_heads;
 use crate::run::Run;
 
 mod counted;
+mod locals;
 
 pub(super) use counted::Counted;
 
@@ -327,7 +328,8 @@ impl Translator<'_> {
     fn keep(&mut self, base: Base, offset: i32, candidate: &Candidate, it: &Loop) {
         let &Candidate { width, in_data_block, written, real, handed, .. } = candidate;
         // A block that becomes part of the loop may write what the loop itself only reads.
-        let written = written || !it.calls_nothing;
+        let in_arena = matches!(base, Base::Arena | Base::Computed(_));
+        let written = written || !(it.calls_nothing || in_arena && self.calls_write_locals_only(it));
         let real = match width {
             Width::DoubleWord if real => Some(self.b.declare_var(F32)),
             Width::QuadWord if real => Some(self.b.declare_var(F64)),
