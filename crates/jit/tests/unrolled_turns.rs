@@ -285,8 +285,9 @@ impl Maker<'_> {
                 let (by, more) = (self.b.constant(1103), self.b.constant(12_345));
                 let product = self.b.compute(Op::MulU32, &[number, by]);
                 let sum = self.b.compute(Op::AddU32, &[product, more]);
-                let least = self.b.constant(16);
-                self.b.compute(Op::Shr32, &[sum, least])
+                let (op, by) = self.dice.of(&[(Op::Shr32, 16), (Op::DivU64, 65_536), (Op::RemU64, 4_096), (Op::DivU64, 1)]);
+                let by = self.b.constant(by);
+                self.b.compute(op, &[sum, by])
             }
         };
         self.b.store(fixed(to), Width::DoubleWord, after);

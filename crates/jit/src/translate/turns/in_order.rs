@@ -47,11 +47,17 @@ impl Kernel {
             return None;
         }
         let handed_on = self.handed_on(&cells, &masks, &resting);
-        [handed_on, resting.clone()].into_iter().find_map(|nodes| self.with_these_in_order(&cells, nodes, &resting))
+        // What a sum is so far has no form: turns side by side add up what each of them adds.
+        let is_sum = |carried: &Carried| matches!(carried, Carried::Sum { .. } | Carried::Extreme { .. });
+        let sums = self.carried(Level::Outer).into_iter().filter(|(.., carried)| is_sum(carried)).map(|(cell, ..)| cell);
+        let sums: BTreeSet<Cell> = sums.take(CELLS_MAX).collect();
+        let of_sums = self.rest_on_cells(&sums);
+        let others: Vec<Node> = resting.iter().copied().filter(|node| of_sums[node.number() as usize] == 0).collect();
+        [handed_on, resting].into_iter().find_map(|nodes| self.with_these_in_order(&cells, nodes, &others))
     }
 
-    /// The same loop with these values in order, if all others that rest on them have a form side by side.
-    fn with_these_in_order(&self, cells: &BTreeSet<Cell>, nodes: BTreeSet<Node>, resting: &BTreeSet<Node>) -> Option<Self> {
+    /// The same loop with these values in order, if all others have a form side by side.
+    fn with_these_in_order(&self, cells: &BTreeSet<Cell>, nodes: BTreeSet<Node>, others: &[Node]) -> Option<Self> {
         let computed = nodes.iter().filter(|&&node| matches!(self.what(node), What::Compute(..))).count();
         if computed > OPERATIONS_MAX {
             return None;
@@ -59,7 +65,7 @@ impl Kernel {
         let mut kernel = self.clone();
         kernel.in_order = InOrder { cells: cells.clone(), nodes };
         kernel.shapes.borrow_mut().clear();
-        let have_forms = resting.iter().all(|&node| kernel.shape(node).is_some());
+        let have_forms = others.iter().all(|&node| kernel.shape(node).is_some());
         (have_forms && kernel.has_all_for_order() && kernel.reads_in_time()).then_some(kernel)
     }
 

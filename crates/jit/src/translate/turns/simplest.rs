@@ -16,6 +16,9 @@ impl Reader<'_, '_> {
             words[..used].copy_from_slice(&constants);
             return self.constant(op.eval(words));
         }
+        if let Some(node) = self.by_power_of_two(op, args) {
+            return node;
+        }
         if op == Op::Select {
             let (condition, holds) = self.positive(args[0]);
             let (a, b) = if holds { (args[1], args[2]) } else { (args[2], args[1]) };
@@ -93,6 +96,18 @@ impl Reader<'_, '_> {
         let (first, rest) = args.split_at_mut(op.arity().max(1));
         rest.fill(first[0]);
         self.node(What::Compute(op, args))
+    }
+
+    /// A number without sign of 32 bits that is divided by a power of two, or what that leaves over: as numbers of 64 bits, which is how UDINT
+    /// and DWORD are divided, it would have no form side by side.
+    fn by_power_of_two(&mut self, op: Op, [number, divisor, ..]: [Node; 4]) -> Option<Node> {
+        if !matches!(op, Op::DivU64 | Op::RemU64) || !self.kernel.is_32_bits(number) {
+            return None;
+        }
+        let divisor = u32::try_from(self.kernel.constant(divisor)?).ok().filter(|divisor| divisor.is_power_of_two())?;
+        let (op, by) = if op == Op::DivU64 { (Op::Shr32, divisor.trailing_zeros()) } else { (Op::AndU32, divisor - 1) };
+        let by = self.constant(by.into());
+        Some(self.compute(op, [number, by, number, number]))
     }
 
     /// A value that grows on one side of a condition only grows by 0 on the other one: so a sum stays a sum.

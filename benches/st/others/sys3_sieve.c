@@ -1,0 +1,27 @@
+#include "st.h"
+#include <stdbool.h>
+
+#define LIMIT_N 6000
+
+static bool composite[LIMIT_N + 1];
+
+void scan(void)
+{
+    int32_t i, j, count = 0, sum = 0;
+
+    for (i = 0; i <= LIMIT_N; i++)
+        composite[i] = false;
+    for (i = 2; i * i <= LIMIT_N; i++) {
+        if (!composite[i]) {
+            for (j = i * i; j <= LIMIT_N; j += i)
+                composite[j] = true;
+        }
+    }
+    for (i = 2; i <= LIMIT_N; i++) {
+        if (!composite[i]) {
+            count++;
+            sum += i;
+        }
+    }
+    check = (int32_t)((uint32_t)check * 31u + (uint32_t)(sum + count));
+}
