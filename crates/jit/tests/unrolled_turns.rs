@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, fixed, get, layout_with, program, run};
+use noting::{all_engines_agree, fixed, get, layout_with, next_turn, program, run};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
@@ -113,12 +113,17 @@ impl Maker<'_> {
         self.b.compute(if self.reals { Op::LtF32 } else { Op::LtI32 }, &[a, b])
     }
 
-    /// `FOR counter := first TO last DO … END_FOR` with constants, mostly. Where it ends is known when it is written once more.
-    fn loops(&mut self, depth: usize) {
+    /// Writes something that needs to know where it ends: that is known when it is written once more.
+    fn write_to_end(&mut self, write: impl Fn(&mut Maker<'_>, u32)) {
         let mut first = Maker { b: &mut Builder::default(), dice: Dice(self.dice.0), ..*self };
-        first.loops_to(depth, 0);
+        write(&mut first, 0);
         let behind = first.statements;
-        self.loops_to(depth, behind);
+        write(self, behind);
+    }
+
+    /// `FOR counter := first TO last DO … END_FOR` with constants, mostly.
+    fn loops(&mut self, depth: usize) {
+        self.write_to_end(|maker, behind| maker.loops_to(depth, behind));
     }
 
     fn loops_to(&mut self, depth: usize, behind: u32) {
@@ -148,20 +153,13 @@ impl Maker<'_> {
             }
         }
         self.begin();
-        let (number, one) = (load(self.b, own(counter), Width::Word), self.b.constant(1));
-        let next = self.b.compute(Op::AddU16, &[number, one]);
-        self.b.store(own(counter), Width::Word, next);
-        let last = self.b.constant(1 + self.dice.roll(if depth == 0 { 6 } else { 2 }));
-        let again = self.b.compute(Op::LeI16, &[next, last]);
-        self.b.push(Inst::Branch { condition: again, to: head });
+        let last = 1 + self.dice.roll(if depth == 0 { 6 } else { 2 });
+        next_turn(self.b, own(counter), (Op::LeI16, last), head);
     }
 
     /// `counter := 0; WHILE number > array[counter] DO counter := counter + 1; … END_WHILE`, or until a number has become small.
     fn searches(&mut self) {
-        let mut first = Maker { b: &mut Builder::default(), dice: Dice(self.dice.0), ..*self };
-        first.searches_to(0);
-        let behind = first.statements;
-        self.searches_to(behind);
+        self.write_to_end(|maker, behind| maker.searches_to(behind));
     }
 
     fn searches_to(&mut self, behind: u32) {
@@ -248,10 +246,7 @@ impl Maker<'_> {
                 0 => self.ring(),
                 1 => {
                     // A loop that some instances jump over.
-                    let mut first = Maker { b: &mut Builder::default(), dice: Dice(self.dice.0), ..self };
-                    first.conditional_loop(0);
-                    let behind = first.statements;
-                    self.conditional_loop(behind);
+                    self.write_to_end(|maker, behind| maker.conditional_loop(behind));
                 }
                 2 | 3 => self.searches(),
                 4..7 => self.loops(0),

@@ -229,6 +229,8 @@ impl Translator<'_> {
         }
         let (candidates, mut used) = self.candidates(it);
         let mut candidates: Vec<_> = candidates.into_iter().collect();
+        // A block that becomes part of the loop may write what the loop itself only reads.
+        let blocks_write = !it.calls_nothing && !self.calls_write_locals_only(it);
         let order = |candidate: &Candidate| (candidate.handed, std::cmp::Reverse((candidate.written, candidate.weight)));
         candidates.sort_by_key(|(place, candidate)| (order(candidate), *place));
         for ((base, offset), candidate) in candidates {
@@ -236,7 +238,9 @@ impl Translator<'_> {
                 break;
             }
             if candidate.handed || used < PROMOTED_MAX {
-                self.keep(base, offset, &candidate, it);
+                let in_arena = matches!(base, Base::Arena | Base::Computed(_));
+                let written = candidate.written || blocks_write || !it.calls_nothing && !in_arena;
+                self.keep(base, offset, &Candidate { written, ..candidate }, it);
                 used += usize::from(!candidate.handed);
             }
         }
@@ -327,9 +331,6 @@ impl Translator<'_> {
 
     fn keep(&mut self, base: Base, offset: i32, candidate: &Candidate, it: &Loop) {
         let &Candidate { width, in_data_block, written, real, handed, .. } = candidate;
-        // A block that becomes part of the loop may write what the loop itself only reads.
-        let in_arena = matches!(base, Base::Arena | Base::Computed(_));
-        let written = written || !(it.calls_nothing || in_arena && self.calls_write_locals_only(it));
         let real = match width {
             Width::DoubleWord if real => Some(self.b.declare_var(F32)),
             Width::QuadWord if real => Some(self.b.declare_var(F64)),

@@ -30,6 +30,7 @@ mod statements;
 pub(super) use interval::{Interval, result};
 use interval::{Number, Relation};
 pub(super) use relative::{Relative, pointers};
+pub(super) use statements::step_of;
 
 /// Blocks with more instructions in loops are not looked at: it takes time that grows faster than they do …
 const INSTRUCTIONS_IN_LOOPS_MAX: usize = 6_000;

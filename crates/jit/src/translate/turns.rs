@@ -174,7 +174,7 @@ impl Translator<'_> {
     /// How a loop is written whose turns are done one by one, hand on what the next one would read, and copy structures as a whole.
     fn one_by_one(&mut self, it: &Loop) -> Option<Plan> {
         let kernel = reader::read_one_by_one(self, it)?;
-        if kernel.only_side_by_side || kernel.repeats_itself() || kernel.waits_for_choices() {
+        if kernel.only_side_by_side || !kernel.goes_on() {
             return None;
         }
         if self.keeps_some_of_kernel(&kernel) {
@@ -193,7 +193,7 @@ impl Translator<'_> {
 
     /// How a loop is written whose inner loops are part of its turns, turn by turn.
     fn unrolled(&mut self, it: &Loop) -> Option<Plan> {
-        let kernel = reader::read_unrolled(self, it).filter(|kernel| !kernel.repeats_itself() && !kernel.waits_for_choices())?;
+        let kernel = reader::read_unrolled(self, it).filter(Kernel::goes_on)?;
         if self.keeps_some_of_kernel(&kernel) {
             return None;
         }
@@ -216,7 +216,7 @@ impl Translator<'_> {
         if !self.options.optimize || self.at_once.len() >= LOOPS_MAX || self.is_at_once(it) {
             return None;
         }
-        let kernel = reader::read(self, it).filter(|kernel| !kernel.repeats_itself() && !kernel.waits_for_choices());
+        let kernel = reader::read(self, it).filter(Kernel::goes_on);
         if !self.needs_no_unrolling(kernel.as_ref(), it)
             && let Some(plan) = self.unrolled(it)
             && let Some(beside) = plan.side_by_side_or_in_order()
@@ -462,6 +462,11 @@ impl Plan {
 }
 
 impl Kernel {
+    /// Whether its turns are worth doing at once: they get on, and do not wait for choices of those before them.
+    fn goes_on(&self) -> bool {
+        !self.repeats_itself() && !self.waits_for_choices()
+    }
+
     /// How many turns the inner loop makes, if that is the same in all turns of the outer one and all that is required of these turns holds
     /// or can be looked at in front of the loop.
     fn inner_turns(&self) -> Option<InnerTurns> {

@@ -6,11 +6,12 @@ use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, Value};
 use cranelift_frontend::Variable;
 use sieben_engine::interpreter::weight;
-use sieben_engine::ir::{Inst, Op, Place, Var};
+use sieben_engine::ir::{Inst, Place, Var};
 use sieben_model::address::Width;
 
 use super::super::Translator;
 use super::super::loops::{Loop, targets};
+use super::super::ranges::step_of;
 use super::super::value::Val;
 use super::{Base, Promoted};
 
@@ -101,13 +102,8 @@ impl Translator<'_> {
         let (sum, Inst::Compute { op, args: [counter, one, ..], .. }) = made(src, at)? else { return None };
         let (_, Inst::Load { place: from, width: read, .. }) = made(counter, sum)? else { return None };
         let (_, Inst::Constant { value, .. }) = made(one, sum)? else { return None };
-        let down = match (op, width, value) {
-            (Op::AddU16, Width::Word, 1) | (Op::AddU32, Width::DoubleWord, 1) => false,
-            (Op::SubU16, Width::Word, 1) | (Op::SubU32, Width::DoubleWord, 1) => true,
-            (Op::AddU16, Width::Word, 0xFFFF) | (Op::AddU32, Width::DoubleWord, 0xFFFF_FFFF) => true,
-            _ => return None,
-        };
-        if (from, read) != (place, width) || !self.ranges.is_step(first + sum as u32) {
+        let (bits, down) = step_of(op, value)?;
+        if (from, read, bits) != (place, width, width.bits()) || !self.ranges.is_step(first + sum as u32) {
             return None;
         }
         let index = first + at as u32;
