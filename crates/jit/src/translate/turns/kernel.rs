@@ -435,45 +435,59 @@ impl Kernel {
     }
 
     pub(super) fn is_16_bits(&self, node: Node) -> bool {
-        match self.what(node) {
+        self.holds_of_chosen(node, &[Op::Select, Op::Gate], &|what| match what {
             What::Constant(value) => value <= 0xFFFF,
             What::Start(_, cell) | What::After(cell) => self.is_word(cell),
             What::Read(access) => self.accesses[access].width.bytes() <= 2,
-            What::Compute(Op::Select, [_, a, b, _]) => self.is_16_bits(a) && self.is_16_bits(b),
-            What::Compute(Op::Gate, [a, ..]) => self.is_16_bits(a),
             What::Compute(op, _) => {
                 let divides = matches!(op, Op::DivI16 | Op::RemI16);
                 divides || matches!(op, Op::AddU16 | Op::SubU16 | Op::MulU16 | Op::Low16 | Op::Low8 | Op::Decrement16)
             }
-        }
+        })
     }
 
     pub(super) fn is_32_bits(&self, node: Node) -> bool {
-        match self.what(node) {
+        self.holds_of_chosen(node, &[Op::Select, Op::Gate], &|what| match what {
             What::Constant(value) => u32::try_from(value).is_ok(),
             What::Start(_, cell) | What::After(cell) => !self.kept(cell).is_wide(),
             What::Read(access) => self.accesses[access].width != Width::QuadWord,
-            What::Compute(op, [a, b, c, _]) => match op {
-                Op::Gate => self.is_32_bits(a),
-                Op::Select => self.is_32_bits(b) && self.is_32_bits(c),
-                _ => !op.is_wide(),
-            },
-        }
+            What::Compute(op, _) => !op.is_wide(),
+        })
     }
 
     pub(super) fn is_bit(&self, node: Node) -> bool {
-        match self.what(node) {
+        self.holds_of_chosen(node, &[Op::Select], &|what| match what {
             What::Read(access) => self.accesses[access].width == Width::Bit,
             What::Start(_, cell) | What::After(cell) => {
                 matches!(self.kept(cell), Kept::Memory { width: Width::Bit, .. } | Kept::Given { width: Width::Bit })
             }
-            What::Compute(Op::Select, [_, a, b, _]) => self.is_bit(a) && self.is_bit(b),
             What::Compute(op, _) => {
                 let fails = matches!(op, Op::DivFailsI16 | Op::DivFailsI32 | Op::DivFailsI64);
                 fails || Self::compares(op) || matches!(op, Op::Not | Op::And | Op::AndNot | Op::Or | Op::Xor | Op::IsNonzero | Op::Below)
             }
             What::Constant(value) => value <= 1,
+        })
+    }
+
+    /// Whether something holds of all values of which these operations choose one. Each is looked at once, however many choices lead to it.
+    fn holds_of_chosen(&self, node: Node, choices: &[Op], holds: &dyn Fn(What) -> bool) -> bool {
+        let chosen = |what: What| match what {
+            What::Compute(op, [_, a, b, _]) if op == Op::Select && choices.contains(&op) => Some([a, b]),
+            What::Compute(op, [a, ..]) if op == Op::Gate && choices.contains(&op) => Some([a, a]),
+            _ => None,
+        };
+        let Some(first) = chosen(self.what(node)) else { return holds(self.what(node)) };
+        let (mut seen, mut waiting) = (BTreeSet::from([node]), Vec::from(first));
+        while let Some(node) = waiting.pop() {
+            let what = self.what(node);
+            match chosen(what) {
+                _ if !seen.insert(node) => {}
+                Some(others) => waiting.extend(others),
+                None if !holds(what) => return false,
+                None => {}
+            }
         }
+        true
     }
 
     /// Whether an operation compares two numbers.
@@ -548,6 +562,37 @@ impl Kept {
             Self::Memory { base, offset, width, bit } => {
                 let bit = (width == Width::Bit).then_some(bit);
                 Some((base, i64::from(offset)..i64::from(offset) + i64::from(width.bytes()), bit))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use sieben_engine::ir::Op;
+
+    use super::{Kernel, Node, What};
+
+    /// Choices between the choice before and itself, a hundred of them behind a number: no one could go all ways through them.
+    fn chosen(number: u64, op: Op) -> (Kernel, Node) {
+        let mut kernel = Kernel::empty();
+        kernel.nodes = vec![What::Constant(0), What::Constant(number)];
+        for before in (1..=100).map(Node::numbered) {
+            let condition = Node::numbered(0);
+            let args = if op == Op::Select { [condition, before, before, before] } else { [before, condition, condition, condition] };
+            kernel.nodes.push(What::Compute(op, args));
+        }
+        (kernel, Node::numbered(101))
+    }
+
+    #[test]
+    fn each_value_that_choices_choose_is_looked_at_once() {
+        for (number, bits) in [(1, 1), (2, 16), (0xFFFF, 16), (0x1_0000, 32), (0xFFFF_FFFF, 32), (0x1_0000_0000, 64)] {
+            for op in [Op::Select, Op::Gate] {
+                let (kernel, node) = chosen(number, op);
+                assert_eq!(kernel.is_32_bits(node), bits <= 32, "{number} {op:?}");
+                assert_eq!(kernel.is_16_bits(node), bits <= 16, "{number} {op:?}");
+                assert_eq!(kernel.is_bit(node), bits == 1 && op == Op::Select, "{number} {op:?}");
             }
         }
     }
