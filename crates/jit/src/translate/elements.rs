@@ -75,7 +75,7 @@ impl Translator<'_> {
         let byte = i64::from(offset / 8);
         // A number alone has nothing to be put together with, and one more address would keep a register. What is written in front of a call
         // is mostly for the called block.
-        let pays = width == Width::Bit || write && self.calls_with_instance();
+        let pays = width == Width::Bit || write && self.calls_with_instance() || self.is_in_structure(area.1, pointer, width);
         if let Base::Computed(instance) = touched
             && self.ranges.is_relative()
         {
@@ -94,6 +94,11 @@ impl Translator<'_> {
         let (computed, first) = self.element(area, pointer, there)?;
         let offset_of_byte = first.checked_add(byte as i32)?;
         Some(Address { base: computed.address, offset: offset_of_byte, bit: Bit::Number((offset % 8) as u8) })
+    }
+
+    /// Whether an element of an array is more than a number.
+    fn is_in_structure(&self, start: i32, pointer: Value, width: Width) -> bool {
+        self.made_of(start, pointer).is_some_and(|made| made.terms.iter().all(|&(.., times)| times > 2 * width.bits()))
     }
 
     /// Whether the running statement calls a block with an instance.
