@@ -78,6 +78,7 @@ mod texts;
 mod turns;
 mod value;
 mod versions;
+mod whole_products;
 mod words;
 
 use alone::Reliance;

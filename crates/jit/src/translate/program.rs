@@ -18,6 +18,7 @@ use super::outside::{self, Functions};
 use super::versions::Versions;
 use super::{
     Program, Translator, analysis, branches, effects, gates, inlining, instance_needs, instance_pointer, near_reads, reals_as_read,
+    whole_products,
 };
 use crate::entry::Generation;
 use crate::jit::Native;
@@ -236,6 +237,7 @@ fn define(module: &mut JITModule, id: FuncId, context: &mut Context, sets: Sets<
         Some(other) => {
             context.optimize(&**other, &mut ControlPlane::default()).map_err(ModuleError::from)?;
             reals_as_read::turn_as_reals(&mut context.func);
+            whole_products::widen(&mut context.func);
             near_reads::bring_nearer(&mut context.func);
             branches::part(&mut context.func);
             // It is optimized.
