@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use sieben_engine::interpreter::weight;
 use sieben_engine::ir::{Callee, Code, Inst, Place};
 use sieben_engine::machine::Register;
 use sieben_engine::machine::memory::DataBlockEntry;
@@ -17,6 +18,7 @@ use crate::entry::{Function, Generation};
 use crate::handed;
 use crate::run::{Areas, Limits, OpenTable, Room, Run, Scratch, areas, open_table};
 use crate::translate::{self, Options};
+use crate::unrolled::{Turns, Unrolled, unroll};
 
 /// More parameters at one call are left to the interpreter: every activation has room for as many.
 const PARAMETERS_MAX: usize = 256;
@@ -39,7 +41,7 @@ const OPTIMIZED_ACCESSES_MAX: usize = 2_000;
 const OPTIMIZED_INSTANCE_ACCESSES_MAX: usize = 20_000;
 
 /// A block as machine code needs it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Native {
     pub(crate) id: BlockId,
     pub(crate) local_size: u32,
@@ -48,9 +50,45 @@ pub(crate) struct Native {
     pub(crate) private: Vec<(u32, Width)>,
     /// Bytes of the local data that nobody needs between statements, in order.
     pub(crate) handed: Vec<Range<u32>>,
+    /// What its numbers are in the program, if loops are written out.
+    pub(crate) unrolled: Option<Unrolled>,
 }
 
 impl Native {
+    /// The same with its loops of few turns written out.
+    fn unrolled(&self) -> Self {
+        let (code, unrolled) = match unroll(&self.code) {
+            Some((code, unrolled)) => (code, Some(unrolled)),
+            None => (self.code.clone(), None),
+        };
+        Self { code, unrolled, ..self.clone() }
+    }
+
+    /// The number of a statement in the program.
+    pub(crate) fn named(&self, statement: u32) -> u32 {
+        self.unrolled.as_ref().map_or(statement, |unrolled| unrolled.statement(statement))
+    }
+
+    /// The number of an instruction in the program.
+    pub(crate) fn named_inst(&self, inst: u32) -> u32 {
+        self.unrolled.as_ref().map_or(inst, |unrolled| unrolled.inst(inst))
+    }
+
+    /// Loops that are written out.
+    pub(crate) fn turns(&self) -> &[Turns] {
+        self.unrolled.as_ref().map_or(&[], Unrolled::turns)
+    }
+
+    /// What entering it takes from the budget.
+    pub(crate) fn weight(&self) -> u16 {
+        weight(self.named(self.code.statement_count() as u32) as usize)
+    }
+
+    /// What a jump back takes from the budget.
+    pub(crate) fn weight_of_jump(&self, (from, to): (u32, u32)) -> u16 {
+        weight((self.named(from) - self.named(to)) as usize)
+    }
+
     /// Whether nobody needs so many bytes of the local data between statements.
     pub(crate) fn is_handed(&self, at: i32, bytes: u32) -> bool {
         let Ok(at) = u32::try_from(at) else { return false };
@@ -86,6 +124,8 @@ fn passed(insts: &[Inst]) -> usize {
 pub(crate) struct Source {
     interpreter: Arc<Interpreter>,
     blocks: Arc<[Native]>,
+    /// The same with loops of few turns written out.
+    unrolled: Vec<Native>,
     layout: Layout,
     parameters_max: usize,
     asks_before_writing: bool,
@@ -103,13 +143,15 @@ impl Source {
             }
             let mut private = block.private.clone();
             private.sort_unstable();
-            Native { id, local_size: block.local_size, code, private, handed: handed::of_one_statement(block) }
+            let handed = handed::of_one_statement(block);
+            Native { id, local_size: block.local_size, code, private, handed, unrolled: None }
         };
         let blocks: Arc<[Native]> = program.code.iter().map(native).collect();
+        let unrolled = blocks.iter().map(Native::unrolled).collect();
         let asks_before_writing = !layout.read_only.is_empty() || makes_protected_blocks(&blocks);
         let entered = entered(program);
         let forgets_locals = entered.iter().all(|block| block.reads_own_locals || !reads_locals(&block.code));
-        Ok(Self { interpreter, blocks, layout: layout.clone(), parameters_max, asks_before_writing, forgets_locals })
+        Ok(Self { interpreter, blocks, unrolled, layout: layout.clone(), parameters_max, asks_before_writing, forgets_locals })
     }
 
     /// Whether Cranelift's optimizations take a bounded time.
@@ -142,6 +184,11 @@ impl Source {
         outermost.into_boxed_slice()
     }
 
+    /// The blocks as they are compiled.
+    fn blocks(&self, options: Options) -> &[Native] {
+        if options.optimize && !options.exact { &self.unrolled } else { &self.blocks }
+    }
+
     /// What is known of the program beside what is wanted. Who looks at the registers finds the local data, too.
     fn options(&self, wanted: Options) -> Options {
         Options { asks_before_writing: self.asks_before_writing, forgets_locals: self.forgets_locals && !wanted.exact, ..wanted }
@@ -150,7 +197,7 @@ impl Source {
     /// Compiles all blocks.
     pub(crate) fn compile(&self, options: Options) -> Result<Jit, String> {
         let options = self.options(options);
-        let (generation, pinned, rooms) = translate::program(&self.blocks, &|id| self.interpreter.code(id), &self.layout, options)?;
+        let (generation, pinned, rooms) = translate::program(self.blocks(options), &|id| self.interpreter.code(id), &self.layout, options)?;
         let entry = |number: u16| {
             let range = &self.layout.data_blocks[&number];
             let read_only = self.layout.read_only.contains(&number);
@@ -278,7 +325,7 @@ impl Jit {
     pub fn listing(program: &Program, layout: &Layout) -> Result<String, String> {
         let source = Source::new(program, layout, Arc::new(Interpreter::new(program, layout)))?;
         let options = source.options(Options { exact: false, optimize: true, ..Options::default() });
-        translate::listing(&source.blocks, &|id| source.interpreter.code(id), &source.layout, options)
+        translate::listing(source.blocks(options), &|id| source.interpreter.code(id), &source.layout, options)
     }
 
     /// Compiles all blocks for aarch64 in every tier, with Cranelift's checks on, and throws the code away; bytes of all tiers.
@@ -292,7 +339,7 @@ impl Jit {
         let mut bytes = 0;
         for (exact, optimize) in [(true, false), (false, false), (false, true)] {
             let options = source.options(Options { exact, optimize, ..Options::default() });
-            bytes += translate::aarch64_bytes(&source.blocks, &find, layout, options)?;
+            bytes += translate::aarch64_bytes(source.blocks(options), &find, layout, options)?;
         }
         Ok(bytes)
     }

@@ -10,6 +10,7 @@ mod run;
 mod tiers;
 mod translate;
 mod turn;
+mod unrolled;
 
 pub use jit::{Jit, StatusBits};
 pub use tiers::{Tier, Tiers};

@@ -80,6 +80,7 @@ mod value;
 mod versions;
 mod whole_products;
 mod words;
+mod written_out;
 
 use alone::Reliance;
 use analysis::{SPARED, Summary, open_blocks, set_by_calls};
@@ -482,9 +483,10 @@ impl<'a> Translator<'a> {
             }
             self.statement = statement as u32;
             self.arrive();
-            if self.ended {
+            if self.ended || self.has_more_turns() {
                 continue;
             }
+            self.begin_turns();
             self.temporaries.clear();
             self.bounds.clear();
             self.fixed.clear();
@@ -762,6 +764,7 @@ impl<'a> Translator<'a> {
     }
 
     fn site(&mut self, inst: u32) -> Value {
+        let inst = self.native().named_inst(inst);
         self.b.ins().iconst(I64, ((self.index as i64) << 32) | i64::from(inst))
     }
 

@@ -23,13 +23,13 @@ const QUESTIONS_MAX: usize = 40;
 const LOOPS: u16 = 1;
 const CALLED: [u16; 2] = [2, 3];
 /// Instances of the array, and bytes of one; what else the data block holds lies behind them.
-const INSTANCES: u32 = 5;
+const INSTANCES: u32 = 6;
 const INSTANCE: u32 = 8;
 const COUNTER: u32 = 8 * INSTANCES * INSTANCE;
 const NUMBERS: u32 = COUNTER + 32;
 const FLAGS: u32 = NUMBERS + 64;
 const QUOTIENT: u32 = NUMBERS + 96;
-const DATA_BYTES: usize = 64;
+const DATA_BYTES: usize = 72;
 /// Fields of an instance: where they lie, in bits.
 const FIELDS: &[(u32, Width)] = &[(0, Width::DoubleWord), (0, Width::Word), (32, Width::Word), (48, Width::Bit), (49, Width::Bit)];
 /// Where the instance of the loop is saved over calls.

@@ -87,7 +87,8 @@ impl Translator<'_> {
         let budget = self.b.use_var(variable);
         let too_low = self.b.ins().icmp(IntCC::SignedLessThan, budget, limit);
         let code = self.b.ins().iconst(I64, self.index as i64);
-        let statement = self.b.ins().iconst(I64, i64::from(self.statement));
+        let statement = self.native().named(self.statement);
+        let statement = self.b.ins().iconst(I64, i64::from(statement));
         self.unless_failed(too_low, Question::Interpret, &[self.link, code, statement], After::Never);
         self.look = Some(index);
     }

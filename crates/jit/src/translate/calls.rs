@@ -117,7 +117,8 @@ impl Translator<'_> {
         let passed = self.passed.len() as i64;
         let first = self.b.ins().iadd_imm_u(own_end, 4 * (passed - i64::from(parameters)));
         let last = self.b.ins().iadd_imm_u(own_end, 4 * passed);
-        let site = self.b.ins().iconst(I64, i64::from(index));
+        let site = self.native().named_inst(index);
+        let site = self.b.ins().iconst(I64, i64::from(site));
         let put = |this: &mut Self, value: Value, offset: usize| {
             this.b.ins().store(TRUSTED, value, link, offset as i32);
         };

@@ -4,7 +4,6 @@ use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I32, I64};
 use cranelift_codegen::ir::{self as clif, InstBuilder, Value};
 use rustc_hash::FxHashMap;
-use sieben_engine::interpreter::weight;
 use sieben_engine::ir::{Target, Var};
 use sieben_engine::machine::Register;
 
@@ -60,7 +59,7 @@ impl Translator<'_> {
 
     /// The safe point at the beginning of a block.
     pub(super) fn enter_block(&mut self) {
-        let weight = i64::from(weight(self.native().code.statement_count()));
+        let weight = i64::from(self.native().weight());
         if self.is_looked_at(weight) {
             self.taken += weight;
             return;
@@ -81,7 +80,7 @@ impl Translator<'_> {
 
     /// Takes the weight of a safe point from the budget, asks the Host if it is used up, and goes on at `go_on`, or at `asked` if the
     /// Host was asked.
-    fn count_down(&mut self, weight: u16, statement: u32, go_on: clif::Block, asked: clif::Block) {
+    pub(super) fn count_down(&mut self, weight: u16, statement: u32, go_on: clif::Block, asked: clif::Block) {
         self.taken += i64::from(weight);
         self.take_from_budget(self.taken);
         let variable = self.budget();
@@ -109,7 +108,7 @@ impl Translator<'_> {
         let code = self.b.ins().iconst(I64, self.index as i64);
         let statement_of_head = statement;
         // The interpreter names the first statement that does something.
-        let statement = self.first_with_code(statement);
+        let statement = self.first_named(statement);
         let statement = self.b.ins().iconst(I64, i64::from(statement));
         let answer = self.ask(Question::SafePoint, &[self.link, code, statement]);
         self.cold = before;
@@ -126,6 +125,11 @@ impl Translator<'_> {
 
     pub(super) fn first_with_code(&self, statement: u32) -> u32 {
         self.first_with_code_in(self.index, statement)
+    }
+
+    /// The number in the program of the first statement, from one on, that does something.
+    pub(super) fn first_named(&self, statement: u32) -> u32 {
+        self.native().named(self.first_with_code(statement))
     }
 
     /// The first statement of a block, from one on, that does something.
@@ -286,7 +290,7 @@ impl Translator<'_> {
                 self.counted = counted;
                 continue;
             }
-            let weight = weight((self.statement - to) as usize);
+            let weight = self.native().weight_of_jump((self.statement, to));
             // Who is asked there finds what the loops around both keep.
             let from = std::mem::replace(&mut self.statement, to);
             let look = self.look.take();

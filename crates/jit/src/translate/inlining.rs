@@ -10,7 +10,6 @@ use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, Value};
 use rustc_hash::FxHashMap;
-use sieben_engine::interpreter::weight;
 use sieben_engine::ir::{Callee, Inst};
 use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
 use sieben_model::address::Width;
@@ -28,6 +27,7 @@ use super::{AFTER_CALL, AT_CALL, After, Arrival, Find, OPEN_BLOCKS, TRUSTED, Tra
 use crate::ask::Question;
 use crate::jit::{Native, end, loop_heads};
 use crate::run::{Link, Room, Run};
+use crate::unrolled::Turns;
 
 /// Rounds in which blocks are chosen: an inlined block has others inlined in it, and so on, as deep as this.
 const DEPTH_MAX: usize = 4;
@@ -133,9 +133,9 @@ pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
 fn reach(plans: &[Plan], blocks: &[Native], index: usize, callees: &[usize]) -> Plan {
     let own = &blocks[index].code;
     let own = Plan {
-        loops: !loop_heads(own).is_empty(),
+        loops: !loop_heads(own).is_empty() || !blocks[index].turns().is_empty(),
         is_long: loops::instructions_beside(own) > BESIDE_LOOPS_MAX,
-        weight: i64::from(weight(own.statement_count())),
+        weight: i64::from(blocks[index].weight()) + blocks[index].turns().iter().map(Turns::weight_of_all).sum::<i64>(),
         ..Plan::default()
     };
     callees.iter().fold(own, |all, &callee| {
@@ -261,7 +261,7 @@ impl Translator<'_> {
         let too_long = self.b.ins().icmp(IntCC::UnsignedGreaterThan, end, local_end);
         let no_room = self.b.ins().bor(too_deep, too_long);
         let code = self.b.ins().iconst(I64, self.index as i64);
-        let statement = self.first_with_code(0);
+        let statement = self.first_named(0);
         let statement = self.b.ins().iconst(I64, i64::from(statement));
         self.unless_failed(no_room, Question::Interpret, &[self.link, code, statement], After::Never);
     }
@@ -384,7 +384,8 @@ impl Translator<'_> {
                 Some(outer) => (outer.index, outer.given.clone(), outer.local_offset, outer.parameters_end),
                 None => (self.index, self.given.clone(), self.local_offset, self.parameters_end),
             };
-            let (site, restored) = (self.outer[level - 1].inst, self.outer[level - 1].restored);
+            let Outer { index: caller, inst, restored, .. } = self.outer[level - 1];
+            let site = self.blocks[caller].named_inst(inst);
             let first_given = parameters_end - given.len();
             let code = self.b.ins().iconst(I64, code as i64);
             let site = self.b.ins().iconst(I64, i64::from(site));

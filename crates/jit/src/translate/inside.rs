@@ -568,7 +568,7 @@ impl Translator<'_> {
     /// Hands over to the interpreter at a statement. All that it looks at is in memory.
     pub(super) fn give_up_at(&mut self, statement: u32) {
         let code = self.b.ins().iconst(I64, self.index as i64);
-        let statement = self.first_with_code(statement);
+        let statement = self.first_named(statement);
         let statement = self.b.ins().iconst(I64, i64::from(statement));
         let link = self.shown_link();
         let arguments = [self.run, link, code, statement];

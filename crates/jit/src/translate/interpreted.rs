@@ -75,7 +75,7 @@ impl Translator<'_> {
         }
     }
 
-    fn look_at_piece(&mut self, (first, last): (u32, u32), front: Option<clif::Block>, changed: u32) {
+    pub(super) fn look_at_piece(&mut self, (first, last): (u32, u32), front: Option<clif::Block>, changed: u32) {
         let look = self.looks.len();
         self.looks.push(Look::default());
         let variable = self.budget();
@@ -193,10 +193,11 @@ impl Translator<'_> {
     fn hand_over(&mut self, piece: Interpreted, statement: u32, link: Value) {
         let home = self.link_of(piece.level);
         let code = self.b.ins().iconst(I64, self.index as i64);
-        let statement = self.first_with_code(statement);
+        let statement = self.first_named(statement);
         let statement = self.b.ins().iconst(I64, i64::from(statement));
-        let first = self.first_with_code_in(piece.index, piece.first);
-        let span = self.b.ins().iconst(I64, span(first, piece.last) as i64);
+        let block = &self.blocks[piece.index];
+        let first = block.named(self.first_with_code_in(piece.index, piece.first));
+        let span = self.b.ins().iconst(I64, span(first, block.named(piece.last)) as i64);
         let answer = self.ask_at_gate(Question::Turn, &[self.run, link, code, statement, span, home]);
         self.b.ins().brif(answer, self.leave, &[], piece.done, &[]);
     }
@@ -226,7 +227,7 @@ impl Translator<'_> {
         self.take_promoted();
         if let Some(front) = piece.front {
             let [again, elsewhere] = [(); 2].map(|()| self.cold_block());
-            let first = self.first_with_code(piece.first);
+            let first = self.first_named(piece.first);
             let begins_again = self.b.ins().icmp_imm_u(IntCC::Equal, statement, i64::from(first));
             self.b.ins().brif(begins_again, again, &[], elsewhere, &[]);
             self.b.switch_to_block(again);
@@ -239,7 +240,8 @@ impl Translator<'_> {
         }
         let [behind, nowhere] = [(); 2].map(|()| self.cold_block());
         let end = self.first_with_code(piece.last + 1);
-        let is_behind = self.b.ins().icmp_imm_u(IntCC::Equal, statement, i64::from(end));
+        let named = self.native().named(end);
+        let is_behind = self.b.ins().icmp_imm_u(IntCC::Equal, statement, i64::from(named));
         self.b.ins().brif(is_behind, behind, &[], nowhere, &[]);
         self.b.switch_to_block(nowhere);
         self.b.seal_block(nowhere);

@@ -5,7 +5,6 @@ use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, Value};
 use cranelift_frontend::Variable;
-use sieben_engine::interpreter::weight;
 use sieben_engine::ir::{Inst, Place, Var};
 use sieben_model::address::Width;
 
@@ -62,7 +61,11 @@ impl Translator<'_> {
         let insts =
             (it.first..=it.last).flat_map(|statement| (code.statements[statement as usize]..).zip(code.statement(statement as usize)));
         let ends_block = it.last as usize + 1 >= code.statement_count();
-        if has_loops || ends_block || self.turn_of(it.first).is_some() || weight((it.last - it.first) as usize) != 1 {
+        if has_loops || ends_block || self.turn_of(it.first).is_some() || self.native().weight_of_jump((it.last, it.first)) != 1 {
+            return None;
+        }
+        // Turns that are written out take from the budget, too.
+        if self.native().turns().iter().any(|turns| it.contains(turns.first)) {
             return None;
         }
         // One more number that no turn changes would take a register where there is cold code in each turn.

@@ -4,7 +4,6 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use sieben_engine::access::data_registers;
-use sieben_engine::interpreter::weight;
 use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Callee, Inst, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
@@ -290,7 +289,7 @@ impl Reader<'_, '_> {
         self.write_held(&mut steps);
         self.held.forget();
         self.forget_handed()?;
-        let weight = weight((last - first) as usize);
+        let weight = self.translator.native().weight_of_jump((last, first));
         let (blocks, blocks_most) = (self.blocks, self.blocks_most);
         Some(Turn { steps, ends: std::mem::take(&mut self.now), entry: BTreeMap::new(), again: again?, weight, blocks, blocks_most })
     }
@@ -311,6 +310,14 @@ impl Reader<'_, '_> {
             if self.ways.is_never() {
                 statement += 1;
                 continue;
+            }
+            if let Some(unrolled) = &self.translator.native().unrolled {
+                if unrolled.more(statement).is_some() {
+                    return None;
+                }
+                if let Some(turns) = unrolled.next_turn(statement) {
+                    self.take(turns.weight.into())?;
+                }
             }
             if self.unrolled {
                 rounds.reach(statement, &self.ways);

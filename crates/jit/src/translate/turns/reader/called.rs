@@ -1,6 +1,5 @@
 //! Reads a block that a turn calls: with what the turn knows where it calls, and the loop in it, if there is one.
 
-use sieben_engine::interpreter::weight;
 use sieben_engine::ir::{Inst, Op, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::Width;
@@ -69,7 +68,7 @@ impl Reader<'_, '_> {
         }
         let given = self.passed.split_off(self.passed.len().checked_sub(parameters)?);
         let behind = i32::try_from(t.local_behind()).ok()?;
-        let weight = u32::from(weight(block.statement_count()));
+        let weight = u32::from(t.blocks[code].weight());
         let last = (block.statement_count() as u32).checked_sub(1)?;
         self.take(weight)?;
         for &(register, value) in AT_CALL.iter().filter(|(register, _)| !RESTORED.contains(register)) {

@@ -3,8 +3,6 @@
 
 use std::collections::BTreeMap;
 
-use sieben_engine::interpreter::weight;
-
 use super::super::super::Translator;
 use super::super::super::loops::Loop;
 use super::super::kernel::{Kernel, Level};
@@ -78,7 +76,7 @@ impl Reader<'_, '_> {
             return None;
         }
         rounds.begin((to, statement), &self.ways);
-        self.take(u32::from(weight((statement - to) as usize)))
+        self.take(u32::from(self.translator.native().weight_of_jump((statement, to))))
     }
 
     /// Takes it that no turn goes some ways, if that can be looked at in front of the loop.

@@ -1,0 +1,324 @@
+//! Loops of few turns are written one turn behind the other, so that what they count is known in each of them.
+//!
+//! The code of a block with such loops has other numbers of statements and instructions than the program; whoever names one to others asks
+//! here for the number in the program. What a loop does stays the same, whatever its turns do with what they count: each of them ends as
+//! the program says, and if there are more than were written, the interpreter goes on.
+
+use std::ops::Range;
+
+use sieben_engine::interpreter::weight;
+use sieben_engine::ir::{Code, Inst, Op, Place, Target, Var};
+use sieben_model::address::Width;
+
+use crate::jit::jumps_back;
+use crate::translate::targets;
+
+/// Turns of a loop that is written out.
+const TURNS_MAX: u32 = 5;
+/// IR instructions of all turns of a loop.
+const INSTRUCTIONS_MAX: usize = 4_000;
+/// IR instructions by which a block may grow.
+const GROWTH_MAX: usize = 8_000;
+
+/// A loop that is written out.
+#[derive(Clone, Debug)]
+pub(crate) struct Turns {
+    /// Its first statement, as it is written.
+    pub(crate) first: u32,
+    /// Statements of a turn, with one more behind it.
+    length: u32,
+    /// Turns.
+    count: u32,
+    /// What going on with the next turn takes from the budget.
+    pub(crate) weight: u16,
+}
+
+impl Turns {
+    /// The statement behind the last turn: who comes there has more turns to make than are written.
+    pub(crate) fn more(&self) -> u32 {
+        self.first + self.count * self.length
+    }
+
+    /// What all turns take from the budget.
+    pub(crate) fn weight_of_all(&self) -> i64 {
+        i64::from(self.weight) * i64::from(self.count - 1)
+    }
+
+    fn begins(&self, statement: u32) -> bool {
+        statement > self.first && statement < self.more() && (statement - self.first).is_multiple_of(self.length)
+    }
+}
+
+/// What the numbers of a block's code are in the program.
+#[derive(Clone, Debug)]
+pub(crate) struct Unrolled {
+    /// For each statement, and for the end.
+    statements: Vec<u32>,
+    insts: Vec<u32>,
+    turns: Vec<Turns>,
+}
+
+impl Unrolled {
+    /// The number of a statement in the program.
+    pub(crate) fn statement(&self, statement: u32) -> u32 {
+        self.statements.get(statement as usize).or(self.statements.last()).copied().unwrap_or(statement)
+    }
+
+    /// The number of an instruction in the program.
+    pub(crate) fn inst(&self, inst: u32) -> u32 {
+        self.insts[inst as usize]
+    }
+
+    /// All loops that are written out.
+    pub(crate) fn turns(&self) -> &[Turns] {
+        &self.turns
+    }
+
+    /// The loop whose next turn begins with a statement.
+    pub(crate) fn next_turn(&self, statement: u32) -> Option<&Turns> {
+        self.turns.iter().find(|turns| turns.begins(statement))
+    }
+
+    /// The loop of which somebody who comes to a statement has more turns to make than are written.
+    pub(crate) fn more(&self, statement: u32) -> Option<&Turns> {
+        self.turns.iter().find(|turns| turns.more() == statement)
+    }
+
+    /// The loop that begins with a statement.
+    pub(crate) fn first(&self, statement: u32) -> Option<&Turns> {
+        self.turns.iter().find(|turns| turns.first == statement)
+    }
+}
+
+/// A loop as the program has it.
+struct Loop {
+    statements: Range<u32>,
+    count: u32,
+}
+
+/// Writes out the turns of a block's loops; `None` if it has none for which that is worth it.
+pub(crate) fn unroll(code: &Code) -> Option<(Code, Unrolled)> {
+    let loops = loops_of_few_turns(code);
+    if loops.is_empty() {
+        return None;
+    }
+    let mut writer =
+        Writer { code, out: Code::default(), unrolled: Unrolled { statements: Vec::new(), insts: Vec::new(), turns: Vec::new() } };
+    // Where each statement begins that is not in a loop, and each loop.
+    let mut places: Vec<u32> = Vec::new();
+    let mut at = 0;
+    let count = code.statement_count() as u32;
+    let mut statement = 0;
+    while statement <= count {
+        match loops.iter().find(|it| it.statements.start == statement) {
+            Some(it) => {
+                let length = it.statements.len() as u32 + 1;
+                places.extend((0..length - 1).map(|inside| at + inside));
+                at += length * it.count + 1;
+                statement = it.statements.end;
+            }
+            None => {
+                places.push(at);
+                at += 1;
+                statement += 1;
+            }
+        }
+    }
+    let outside = |to: u32| places[to as usize];
+    statement = 0;
+    while statement < count {
+        match loops.iter().find(|it| it.statements.start == statement) {
+            Some(it) => {
+                writer.turns(it, &outside);
+                statement = it.statements.end;
+            }
+            None => {
+                writer.statement(statement, &outside);
+                statement += 1;
+            }
+        }
+    }
+    writer.out.statements.push(writer.out.insts.len() as u32);
+    writer.unrolled.statements.push(count);
+    Some((writer.out, writer.unrolled))
+}
+
+struct Writer<'c> {
+    code: &'c Code,
+    out: Code,
+    unrolled: Unrolled,
+}
+
+impl Writer<'_> {
+    fn turns(&mut self, it: &Loop, outside: &dyn Fn(u32) -> u32) {
+        let Range { start, end } = it.statements;
+        // Behind each turn there is one more statement, for who has no other turn to make.
+        let (length, first) = (end - start + 1, self.unrolled.statements.len() as u32);
+        let leave = Inst::Jump { to: Target(outside(end)) };
+        let back = self.code.statements[end as usize] - 1;
+        for turn in 0..it.count {
+            let own = first + turn * length;
+            for statement in start..end {
+                let is_last = statement + 1 == end;
+                let place = |to: u32| match to {
+                    _ if to == start && is_last => own + length,
+                    _ if it.statements.contains(&to) => own + (to - start),
+                    _ => outside(to),
+                };
+                self.statement(statement, &place);
+            }
+            self.begin(end);
+            self.inst(back, leave);
+        }
+        // For who reads the code only: see `Turns::more`.
+        self.begin(end - 1);
+        self.inst(back, leave);
+        let weight = weight((end - 1 - start) as usize);
+        self.unrolled.turns.push(Turns { first, length, count: it.count, weight });
+    }
+
+    fn begin(&mut self, statement: u32) {
+        self.out.statements.push(self.out.insts.len() as u32);
+        self.unrolled.statements.push(statement);
+    }
+
+    fn inst(&mut self, number: u32, inst: Inst) {
+        self.out.insts.push(inst);
+        self.unrolled.insts.push(number);
+    }
+
+    fn statement(&mut self, statement: u32, place: &dyn Fn(u32) -> u32) {
+        self.begin(statement);
+        let first = self.code.statements[statement as usize];
+        for (number, inst) in (first..).zip(self.code.statement(statement as usize)) {
+            self.moved(number, inst, place);
+        }
+    }
+
+    fn moved(&mut self, number: u32, inst: &Inst, place: &dyn Fn(u32) -> u32) {
+        let moved = |Target(to): Target| Target(place(to));
+        let inst = match *inst {
+            Inst::Jump { to } => Inst::Jump { to: moved(to) },
+            Inst::Branch { condition, to } => Inst::Branch { condition, to: moved(to) },
+            Inst::JumpTable { index, first, count, otherwise } => {
+                let own = self.out.tables.len() as u32;
+                let entries = self.code.tables[first as usize..(first + count) as usize].iter().map(|&to| moved(to));
+                self.out.tables.extend(entries);
+                Inst::JumpTable { index, first: own, count, otherwise: moved(otherwise) }
+            }
+            other => other,
+        };
+        self.inst(number, inst);
+    }
+}
+
+/// Loops whose turns are to be written out, in their order.
+fn loops_of_few_turns(code: &Code) -> Vec<Loop> {
+    let back = jumps_back(code);
+    let mut grown = 0;
+    let mut loops = Vec::new();
+    for &(last, first) in &back {
+        let statements = first..last as u32 + 1;
+        let inside = |statement: u32| statements.contains(&statement);
+        // It is the only one with these statements, is entered at its first one, and has no loop in it.
+        let alone = back.iter().filter(|&&(from, to)| inside(from as u32) || inside(to)).count() == 1;
+        let Some(count) = alone.then(|| turns_of(code, &statements)).flatten() else { continue };
+        let size: usize = statements.clone().map(|statement| code.statement(statement as usize).len()).sum();
+        let all = size * count as usize;
+        if all > INSTRUCTIONS_MAX || grown + all > GROWTH_MAX || !is_entered_at_its_beginning(code, &statements) {
+            continue;
+        }
+        grown += all;
+        loops.push(Loop { statements, count });
+    }
+    loops.sort_by_key(|it| it.statements.start);
+    loops
+}
+
+/// Whether nobody jumps into a loop, and it calls nobody. What pointers in memory lead to is found once for all turns of a loop that is
+/// not written out.
+fn is_entered_at_its_beginning(code: &Code, statements: &Range<u32>) -> bool {
+    let calls = |inst: &Inst| match inst {
+        Inst::Load { place, .. } | Inst::Store { place, .. } => matches!(place, Place::Crossing { .. }),
+        Inst::Call { .. } | Inst::Return | Inst::PassParameter { .. } | Inst::Parameter { .. } => true,
+        Inst::Intrinsic { .. } | Inst::Text { .. } | Inst::Open { .. } | Inst::Move { .. } => true,
+        _ => false,
+    };
+    let jumps_in = |from: u32| {
+        let mut to = code.statement(from as usize).iter().flat_map(|inst| targets(code, inst));
+        to.any(|to| statements.contains(&to))
+    };
+    !statements.clone().any(|statement| code.statement(statement as usize).iter().any(calls))
+        && !(0..code.statement_count() as u32).filter(|from| !statements.contains(from)).any(jumps_in)
+}
+
+/// How many turns a loop has, if it counts from a constant to a constant and nothing else is seen.
+fn turns_of(code: &Code, statements: &Range<u32>) -> Option<u32> {
+    let [.., Inst::Branch { condition, to }] = *code.statement(statements.end as usize - 1) else { return None };
+    if to != Target(statements.start) || condition.register().is_some() || statements.start == 0 {
+        return None;
+    }
+    let (place, width, step, limit, compare) = step_of(code.statement(statements.end as usize - 1), condition)?;
+    let from = first_value(code.statement(statements.start as usize - 1), (place, width))?;
+    let bits = width.bits();
+    let signed = |value: u64| (value as i64) << (64 - bits) >> (64 - bits);
+    let goes_on = |value: i64| match compare {
+        Op::LeI16 | Op::LeI32 => value <= signed(limit),
+        Op::GeI16 | Op::GeI32 => value >= signed(limit),
+        _ => false,
+    };
+    let mut value = signed(from);
+    for count in 1..=TURNS_MAX {
+        value += signed(step);
+        if !goes_on(value) {
+            return (count > 1).then_some(count);
+        }
+    }
+    None
+}
+
+/// What the last statement of a loop counts, by how much, and with which constant it compares it how.
+fn step_of(insts: &[Inst], condition: Var) -> Option<(Place, Width, u64, u64, Op)> {
+    let constant = |var: Var, before: usize| {
+        insts[..before].iter().rev().find_map(|inst| match *inst {
+            Inst::Constant { dst, value } if dst == var => Some(Some(value)),
+            _ if sieben_engine::ir::verify::writes(inst) == Some(var) => Some(None),
+            _ => None,
+        })?
+    };
+    let (store, place, width, sum) = insts.iter().enumerate().rev().find_map(|(at, inst)| match *inst {
+        Inst::Store { place, width, src } => Some((at, place, width, src)),
+        _ => None,
+    })?;
+    let (add, [a, b, ..]) = insts[..store].iter().enumerate().rev().find_map(|(at, inst)| match *inst {
+        Inst::Compute { op: Op::AddU16 | Op::AddU32, dst, args } if dst == sum => Some((at, args)),
+        _ => None,
+    })?;
+    let is_read = |var: Var| {
+        insts[..add]
+            .iter()
+            .any(|inst| matches!(*inst, Inst::Load { dst, place: from, width: own, .. } if (dst, from, own) == (var, place, width)))
+    };
+    let step = match (is_read(a), is_read(b)) {
+        (true, _) => constant(b, add)?,
+        (_, true) => constant(a, add)?,
+        _ => return None,
+    };
+    let (at, compare, [value, limit, ..]) = insts.iter().enumerate().rev().find_map(|(at, inst)| match *inst {
+        Inst::Compute { op, dst, args } if dst == condition => Some((at, op, args)),
+        _ => None,
+    })?;
+    (value == sum).then_some((place, width, step, constant(limit, at)?, compare))
+}
+
+/// The constant that a statement writes to a place.
+fn first_value(insts: &[Inst], (place, width): (Place, Width)) -> Option<u64> {
+    let (at, src) = insts.iter().enumerate().rev().find_map(|(at, inst)| match *inst {
+        Inst::Store { place: to, width: own, src } if (to, own) == (place, width) => Some((at, src)),
+        _ => None,
+    })?;
+    insts[..at].iter().rev().find_map(|inst| match *inst {
+        Inst::Constant { dst, value } if dst == src => Some(value),
+        _ => None,
+    })
+}
