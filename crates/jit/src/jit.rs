@@ -50,6 +50,8 @@ pub(crate) struct Native {
     pub(crate) private: Vec<(u32, Width)>,
     /// Bytes of the local data that nobody needs between statements, in order.
     pub(crate) handed: Vec<Range<u32>>,
+    /// Bits of the local data beside which nobody needs anything in their byte, in order.
+    pub(crate) single_bits: Vec<u32>,
     /// What its numbers are in the program, if loops are written out.
     pub(crate) unrolled: Option<Unrolled>,
 }
@@ -144,7 +146,8 @@ impl Source {
             let mut private = block.private.clone();
             private.sort_unstable();
             let handed = handed::of_one_statement(block);
-            Native { id, local_size: block.local_size, code, private, handed, unrolled: None }
+            let single_bits = handed::single_bits(block, &handed);
+            Native { id, local_size: block.local_size, code, private, handed, single_bits, unrolled: None }
         };
         let blocks: Arc<[Native]> = program.code.iter().map(native).collect();
         let unrolled = blocks.iter().map(Native::unrolled).collect();

@@ -17,6 +17,7 @@ use sieben_model::address::Width;
 
 use super::Translator;
 use super::elements::Elements;
+use super::inlining::Outer;
 use super::loops::Loop;
 use super::memory::{Address, Bit, data};
 use super::numbers::Numbers;
@@ -444,7 +445,7 @@ impl Translator<'_> {
             }
             _ => bits,
         };
-        let others = piece.mask() & !mask;
+        let others = piece.mask() & !mask & !self.needless_bits(piece);
         let kept = match others {
             0 => None,
             _ => {
@@ -464,6 +465,24 @@ impl Translator<'_> {
             _ => self.b.ins().istore8(data(), new, base, piece.start),
         };
         self.remember(piece, new);
+    }
+
+    /// The bits of a piece that nobody needs: those beside one in local data that stands alone in its byte and that nobody sees.
+    fn needless_bits(&self, piece: Piece) -> u32 {
+        if piece.base != Base::Local || !self.options.forgets_locals || self.options.exact {
+            return 0;
+        }
+        let blocks: Vec<(usize, i32)> = self.outer.iter().map(Outer::local_data).chain([(self.index, self.local_offset)]).collect();
+        let needless = |byte: i32| {
+            let in_block = |&(index, first): &(usize, i32)| {
+                let block = &self.blocks[index];
+                let at = u32::try_from(piece.start + byte - first).ok().filter(|&at| at < block.local_size)?;
+                let single = block.single_bits.get(block.single_bits.partition_point(|&bit| bit < 8 * at))?;
+                (single / 8 == at).then_some(0xFF & !(1 << (single % 8)))
+            };
+            blocks.iter().find_map(in_block).map_or(0, |bits: u32| bits << (8 * byte))
+        };
+        (0..piece.bytes).fold(0, |all, byte| all | needless(byte))
     }
 
     fn store_waiting_in(&mut self, base: Value, offset: i32, width: Width) {

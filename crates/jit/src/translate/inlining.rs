@@ -207,6 +207,11 @@ impl Outer {
         (self.index, self.statement, self.inst, self.local_offset)
     }
 
+    /// The block, and where its local data begin.
+    pub(super) fn local_data(&self) -> (usize, i32) {
+        (self.index, self.local_offset)
+    }
+
     /// The block, and the statement that calls.
     pub(super) fn place(&self) -> (usize, u32) {
         (self.index, self.statement)
