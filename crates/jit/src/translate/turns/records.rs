@@ -383,7 +383,7 @@ impl Writing<'_, '_, '_> {
                     // Rather a little of what was written before once more than several short pieces.
                     let more = match left {
                         5..=7 | 13..=15 if run.end - 8 >= run.start => 8,
-                        3 if run.end - 4 >= run.start => 4,
+                        2 | 3 if run.end - 4 >= run.start => 4,
                         _ => bytes,
                     };
                     let (from, bytes) = if more > left { (run.end - more, more) } else { (start, bytes) };
