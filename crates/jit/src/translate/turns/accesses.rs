@@ -1,18 +1,49 @@
 //! How a turn reads and writes memory at addresses that it computes.
 
+use std::collections::BTreeSet;
+
 use cranelift_codegen::ir::types::I32;
 use cranelift_codegen::ir::{InstBuilder, Value};
+use sieben_engine::ir::Op;
 use sieben_model::address::Width;
 
 use super::super::Translator;
 use super::super::memory::{Address, Bit, data};
 use super::super::promote::Base;
 use super::super::value::Val;
-use super::kernel::{Access, Level, Node, Part};
+use super::kernel::{Access, Kernel, Level, Node, Part, What};
 use super::line::Shape;
 use super::spread::Apart;
 use super::vector::Lanes;
 use super::write::Writing;
+
+/// What an access writes if it does not keep what is there.
+struct Kept {
+    condition: Node,
+    /// Whether the condition says that it is written, and not that it is kept.
+    if_not: bool,
+    new: Node,
+}
+
+impl Kernel {
+    /// Whether an access keeps the greater or lesser one of what is there and something else, at a place that no turn knows of the next one.
+    fn kept_at_place(&self, access: &Access, value: Node) -> Option<Kept> {
+        let What::Compute(Op::Select, [condition, a, b, _]) = self.what(value) else { return None };
+        let was_there = |node: Node| match self.what(node) {
+            What::Read(number) => {
+                let read = &self.accesses[number];
+                (read.pointer, read.offset, read.width, read.area) == (access.pointer, access.offset, access.width, access.area)
+            }
+            _ => false,
+        };
+        let (old, new, if_not) = if was_there(b) { (b, a, true) } else { (a, b, false) };
+        let mut rests = BTreeSet::new();
+        self.rests(condition, &mut rests);
+        let is_somewhere = self.line(access.pointer, access.level).is_none();
+        let is_kept = was_there(old) && access.width != Width::Bit && is_somewhere && rests.contains(&old);
+        is_kept.then_some(Kept { condition, if_not, new })
+    }
+}
 
 impl Writing<'_, '_, '_> {
     pub(super) fn access(&mut self, number: usize, level: Level) {
@@ -76,6 +107,11 @@ impl Writing<'_, '_, '_> {
                 self.scope(level).values.insert(node, value);
             }
             Some(value) => {
+                if self.lanes == 1
+                    && let Some(kept) = self.kernel.kept_at_place(access, value)
+                {
+                    return self.write_unless_kept(number, address, kept, level);
+                }
                 let together = if self.lanes == 1 && access.width == Width::Byte { self.byte_of_bits(value, level) } else { None };
                 let value = together.map_or_else(|| self.value(value, level), Lanes::One);
                 if self.lanes > 1 {
@@ -96,6 +132,25 @@ impl Writing<'_, '_, '_> {
                 }
             }
         }
+    }
+
+    /// Writes what takes the place of what was there, and nothing if that is kept. Mostly it is, and who reads there later need not wait for
+    /// what would have been chosen.
+    fn write_unless_kept(&mut self, number: usize, address: Address, kept: Kept, level: Level) {
+        let condition = self.first(kept.condition, level);
+        let value = self.first(kept.new, level);
+        let value = self.t.force(value);
+        let flag = self.t.flag(condition);
+        let [written, behind] = [(); 2].map(|()| self.t.b.create_block());
+        let (then, otherwise) = if kept.if_not { (written, behind) } else { (behind, written) };
+        self.t.b.ins().brif(flag, then, &[], otherwise, &[]);
+        self.t.b.switch_to_block(written);
+        self.t.b.seal_block(written);
+        self.t.write(address, self.kernel.accesses[number].width, value);
+        self.t.b.ins().jump(behind, &[]);
+        self.t.b.switch_to_block(behind);
+        self.t.b.seal_block(behind);
+        self.forget_bytes(number, address, level);
     }
 
     /// A byte that is another value with some of its bits set anew, in a turn by itself: from the highest bit on, each step moves those before
