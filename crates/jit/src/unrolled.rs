@@ -55,6 +55,7 @@ pub(crate) struct Unrolled {
     /// For each statement, and for the end.
     statements: Vec<u32>,
     insts: Vec<u32>,
+    /// In their order.
     turns: Vec<Turns>,
 }
 
@@ -76,17 +77,23 @@ impl Unrolled {
 
     /// The loop whose next turn begins with a statement.
     pub(crate) fn next_turn(&self, statement: u32) -> Option<&Turns> {
-        self.turns.iter().find(|turns| turns.begins(statement))
+        self.at(statement).filter(|turns| turns.begins(statement))
     }
 
     /// The loop of which somebody who comes to a statement has more turns to make than are written.
     pub(crate) fn more(&self, statement: u32) -> Option<&Turns> {
-        self.turns.iter().find(|turns| turns.more() == statement)
+        self.at(statement).filter(|turns| turns.more() == statement)
     }
 
     /// The loop that begins with a statement.
     pub(crate) fn first(&self, statement: u32) -> Option<&Turns> {
-        self.turns.iter().find(|turns| turns.first == statement)
+        self.at(statement).filter(|turns| turns.first == statement)
+    }
+
+    /// The last loop that does not begin behind a statement.
+    fn at(&self, statement: u32) -> Option<&Turns> {
+        let next = self.turns.partition_point(|turns| turns.first <= statement);
+        self.turns[..next].last()
     }
 }
 
@@ -260,7 +267,8 @@ fn turns_of(code: &Code, statements: &Range<u32>) -> Option<u32> {
     }
     let (place, width, step, limit, compare) = step_of(code.statement(statements.end as usize - 1), condition)?;
     let from = first_value(code.statement(statements.start as usize - 1), (place, width))?;
-    let bits = width.bits();
+    // All numbers are far from the ends of what they are calculated with.
+    let bits = Some(width.bits()).filter(|&bits| bits <= 32)?;
     let signed = |value: u64| (value as i64) << (64 - bits) >> (64 - bits);
     let goes_on = |value: i64| match compare {
         Op::LeI16 | Op::LeI32 => value <= signed(limit),
