@@ -44,11 +44,7 @@ pub(crate) fn of_one_statement(block: &CodeBlock) -> Vec<Range<u32>> {
                     None
                 }
                 Inst::Load { place: Place::Fixed { area: Area::Local, position }, .. } => piece_at(position),
-                Inst::Constant { value, .. } => {
-                    let pointer = u32::try_from(value).unwrap_or(0);
-                    let codes = [Area::Local, Area::CallerLocal].map(|area| u32::from(area.pointer_code()));
-                    piece_at(pointer & 0x00FF_FFFF).filter(|_| codes.contains(&(pointer >> 24)))
-                }
+                Inst::Constant { value, .. } => pointed_position(value).and_then(piece_at),
                 Inst::Load { place, .. } | Inst::Store { place, .. } => {
                     if is_anywhere(place) {
                         return Vec::new();
@@ -75,6 +71,13 @@ pub(crate) fn of_one_statement(block: &CodeBlock) -> Vec<Range<u32>> {
     own.map(|(_, piece)| piece.start / 8..piece.end / 8).collect()
 }
 
+/// Where a constant leads in local data, if it may be a pointer there.
+fn pointed_position(value: u64) -> Option<u32> {
+    let pointer = u32::try_from(value).ok()?;
+    let codes = [Area::Local, Area::CallerLocal].map(|area| u32::from(area.pointer_code()));
+    codes.contains(&(pointer >> 24)).then_some(pointer & 0x00FF_FFFF)
+}
+
 /// Whether a place is at a computed position in local data.
 fn is_anywhere(place: Place) -> bool {
     matches!(place, Place::Indirect { area: Area::Local, .. })
@@ -85,7 +88,6 @@ fn is_anywhere(place: Place) -> bool {
 pub(crate) fn single_bits(block: &CodeBlock, pieces: &[Range<u32>]) -> Vec<u32> {
     let mut bits: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
     let mut others: BTreeSet<u32> = BTreeSet::new();
-    let codes = [Area::Local, Area::CallerLocal].map(|area| u32::from(area.pointer_code()));
     for inst in &block.code.insts {
         match *inst {
             Inst::Load { place, width, .. } | Inst::Store { place, width, .. } => match (place, width) {
@@ -95,9 +97,7 @@ pub(crate) fn single_bits(block: &CodeBlock, pieces: &[Range<u32>]) -> Vec<u32> 
                 _ => {}
             },
             Inst::Constant { value, .. } => {
-                let pointer = u32::try_from(value).unwrap_or(0);
-                if codes.contains(&(pointer >> 24)) {
-                    let position = pointer & 0x00FF_FFFF;
+                if let Some(position) = pointed_position(value) {
                     bits.entry(position / 8).or_default().insert(position);
                 }
             }

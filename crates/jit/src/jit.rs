@@ -1,5 +1,6 @@
 //! The engine: a program as machine code, with an interpreter beside it for what machine code cannot do.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
@@ -18,7 +19,7 @@ use crate::entry::{Function, Generation};
 use crate::handed;
 use crate::run::{Areas, Limits, OpenTable, Room, Run, Scratch, areas, open_table};
 use crate::translate::{self, Options};
-use crate::unrolled::{Turns, Unrolled, unroll};
+use crate::written_out::{Turns, WrittenOut, write_out};
 
 /// More parameters at one call are left to the interpreter: every activation has room for as many.
 const PARAMETERS_MAX: usize = 256;
@@ -53,32 +54,35 @@ pub(crate) struct Native {
     /// Bits of the local data beside which nobody needs anything in their byte, in order.
     pub(crate) single_bits: Vec<u32>,
     /// What its numbers are in the program, if loops are written out.
-    pub(crate) unrolled: Option<Unrolled>,
+    pub(crate) written_out: Option<WrittenOut>,
 }
 
 impl Native {
     /// The same with its loops of few turns written out.
-    fn unrolled(&self) -> Self {
-        let (code, unrolled) = match unroll(&self.code) {
-            Some((code, unrolled)) => (code, Some(unrolled)),
-            None => (self.code.clone(), None),
-        };
-        Self { code, unrolled, ..self.clone() }
+    fn with_turns_written_out(&self) -> Self {
+        let Some((code, written_out)) = write_out(&self.code) else { return self.clone() };
+        Self { code, written_out: Some(written_out), ..self.clone() }
+    }
+
+    /// The bit that stands alone in a byte of the local data, if there is one.
+    pub(crate) fn single_bit_in(&self, byte: u32) -> Option<u32> {
+        let next = self.single_bits.partition_point(|&bit| bit < 8 * byte);
+        self.single_bits.get(next).copied().filter(|bit| bit / 8 == byte)
     }
 
     /// The number of a statement in the program.
     pub(crate) fn named(&self, statement: u32) -> u32 {
-        self.unrolled.as_ref().map_or(statement, |unrolled| unrolled.statement(statement))
+        self.written_out.as_ref().map_or(statement, |it| it.statement(statement))
     }
 
     /// The number of an instruction in the program.
     pub(crate) fn named_inst(&self, inst: u32) -> u32 {
-        self.unrolled.as_ref().map_or(inst, |unrolled| unrolled.inst(inst))
+        self.written_out.as_ref().map_or(inst, |it| it.inst(inst))
     }
 
     /// Loops that are written out.
     pub(crate) fn turns(&self) -> &[Turns] {
-        self.unrolled.as_ref().map_or(&[], Unrolled::turns)
+        self.written_out.as_ref().map_or(&[], WrittenOut::turns)
     }
 
     /// What entering it takes from the budget.
@@ -126,8 +130,6 @@ fn passed(insts: &[Inst]) -> usize {
 pub(crate) struct Source {
     interpreter: Arc<Interpreter>,
     blocks: Arc<[Native]>,
-    /// The same with loops of few turns written out.
-    unrolled: Vec<Native>,
     layout: Layout,
     parameters_max: usize,
     asks_before_writing: bool,
@@ -147,14 +149,13 @@ impl Source {
             private.sort_unstable();
             let handed = handed::of_one_statement(block);
             let single_bits = handed::single_bits(block, &handed);
-            Native { id, local_size: block.local_size, code, private, handed, single_bits, unrolled: None }
+            Native { id, local_size: block.local_size, code, private, handed, single_bits, written_out: None }
         };
         let blocks: Arc<[Native]> = program.code.iter().map(native).collect();
-        let unrolled = blocks.iter().map(Native::unrolled).collect();
         let asks_before_writing = !layout.read_only.is_empty() || makes_protected_blocks(&blocks);
         let entered = entered(program);
         let forgets_locals = entered.iter().all(|block| block.reads_own_locals || !reads_locals(&block.code));
-        Ok(Self { interpreter, blocks, unrolled, layout: layout.clone(), parameters_max, asks_before_writing, forgets_locals })
+        Ok(Self { interpreter, blocks, layout: layout.clone(), parameters_max, asks_before_writing, forgets_locals })
     }
 
     /// Whether Cranelift's optimizations take a bounded time.
@@ -188,8 +189,11 @@ impl Source {
     }
 
     /// The blocks as they are compiled.
-    fn blocks(&self, options: Options) -> &[Native] {
-        if options.optimize && !options.exact { &self.unrolled } else { &self.blocks }
+    fn blocks(&self, options: Options) -> Cow<'_, [Native]> {
+        match options.optimize && !options.exact {
+            true => self.blocks.iter().map(Native::with_turns_written_out).collect(),
+            false => Cow::Borrowed(&self.blocks),
+        }
     }
 
     /// What is known of the program beside what is wanted. Who looks at the registers finds the local data, too.
@@ -200,7 +204,8 @@ impl Source {
     /// Compiles all blocks.
     pub(crate) fn compile(&self, options: Options) -> Result<Jit, String> {
         let options = self.options(options);
-        let (generation, pinned, rooms) = translate::program(self.blocks(options), &|id| self.interpreter.code(id), &self.layout, options)?;
+        let (generation, pinned, rooms) =
+            translate::program(&self.blocks(options), &|id| self.interpreter.code(id), &self.layout, options)?;
         let entry = |number: u16| {
             let range = &self.layout.data_blocks[&number];
             let read_only = self.layout.read_only.contains(&number);
@@ -328,7 +333,7 @@ impl Jit {
     pub fn listing(program: &Program, layout: &Layout) -> Result<String, String> {
         let source = Source::new(program, layout, Arc::new(Interpreter::new(program, layout)))?;
         let options = source.options(Options { exact: false, optimize: true, ..Options::default() });
-        translate::listing(source.blocks(options), &|id| source.interpreter.code(id), &source.layout, options)
+        translate::listing(&source.blocks(options), &|id| source.interpreter.code(id), &source.layout, options)
     }
 
     /// Compiles all blocks for aarch64 in every tier, with Cranelift's checks on, and throws the code away; bytes of all tiers.
@@ -342,7 +347,7 @@ impl Jit {
         let mut bytes = 0;
         for (exact, optimize) in [(true, false), (false, false), (false, true)] {
             let options = source.options(Options { exact, optimize, ..Options::default() });
-            bytes += translate::aarch64_bytes(source.blocks(options), &find, layout, options)?;
+            bytes += translate::aarch64_bytes(&source.blocks(options), &find, layout, options)?;
         }
         Ok(bytes)
     }

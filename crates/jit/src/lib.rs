@@ -10,7 +10,7 @@ mod run;
 mod tiers;
 mod translate;
 mod turn;
-mod unrolled;
+mod written_out;
 
 pub use jit::{Jit, StatusBits};
 pub use tiers::{Tier, Tiers};

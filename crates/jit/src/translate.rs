@@ -95,7 +95,7 @@ use instance::Instance;
 use instance_pointer::InstancePointer;
 use interpreted::Interpreted;
 use loops::Loop;
-pub(crate) use loops::targets;
+pub(crate) use loops::{made_by, targets};
 use meeting::Meeting;
 use outside::{Functions, Outside};
 #[cfg(feature = "aarch64")]

@@ -2,11 +2,10 @@
 //! records that are compared with what was taken out, with conditions of which a part decides, ways out in the middle, turns that count twice
 //! or not at all. Whatever the Host makes of memory and budget, they do on all engines what the interpreter does.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, program, run};
+use noting::{all_engines_agree, all_engines_agree_beside, program, run};
 use sieben_engine::ir::verify;
 use sieben_engine::ir::{Builder, Code, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Engine, Entry, Exit, FaultPlace, Machine, Program, Reaction, StopReason};
@@ -407,7 +406,6 @@ fn loops_whose_budget_a_variable_counts_do_what_the_interpreter_does() {
     for seed in 0..PROGRAMS {
         let program = random_program(seed);
         let layout = noting::layout(&program);
-        let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
         for round in 0..3 {
             let prepare = |machine: &mut Machine| {
                 let mut dice = Dice(seed + 1_000_000 + round);
@@ -418,14 +416,8 @@ fn loops_whose_budget_a_variable_counts_do_what_the_interpreter_does() {
                     *byte = if counts { dice.roll(4) as u8 } else { 0 };
                 });
             };
-            let outcome = |engine: Arc<dyn Engine>| {
-                let dice = RefCell::new(Dice(seed + 2_000_000));
-                let answer = |machine: &mut Machine, _: &str, asked: usize| meddle(machine, &mut dice.borrow_mut(), asked);
-                run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-            };
-            let listing = || program.code.iter().map(|(id, block)| format!("{id}\n{}", block.code)).collect::<String>();
-            let what = || format!("{seed} in round {round}\n{}", listing());
-            let expected = all_engines_agree((&program, &layout), false, &outcome, &what);
+            let dice = || Dice(seed + 2_000_000);
+            let expected = all_engines_agree_beside((&program, &layout), &prepare, &dice, &meddle, &format!("{seed} in round {round}"));
             asked += expected.asked.len();
             finished += usize::from(expected.exit == Exit::Finished);
         }

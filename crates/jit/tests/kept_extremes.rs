@@ -1,13 +1,10 @@
 //! Loops that keep the greatest or least number of several groups, in a record of the group to which each turn belongs: whatever the Host makes
 //! of memory and budget, they do on all engines what the interpreter does.
 
-use std::cell::RefCell;
-use std::sync::Arc;
-
 use dice::Dice;
-use noting::{all_engines_agree, program, run};
+use noting::{all_engines_agree_beside, program};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
-use sieben_engine::{Engine, Entry, Exit, FaultPlace, Machine, Reaction, StopReason};
+use sieben_engine::{Exit, FaultPlace, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
@@ -160,7 +157,6 @@ fn the_greatest_and_least_of_groups_are_those_of_the_interpreter() {
         let main = |b: &mut Builder| Maker { b, dice: Dice(seed), statements: 0 }.main();
         let program = program(&[(BlockId::ob(1), 0, &main)]);
         let layout = noting::layout(&program);
-        let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
         for round in 0..3 {
             let prepare = |machine: &mut Machine| {
                 let mut dice = Dice(seed + 1_000_000 + round);
@@ -169,13 +165,8 @@ fn the_greatest_and_least_of_groups_are_those_of_the_interpreter() {
                 // Few numbers: each is often the same as the one before.
                 memory.iter_mut().skip(4).take(244).for_each(|byte| *byte = dice.of(&[0, 0, 1, 2, 3, 0x3F, 0x7F, 0x80, 0xFF]));
             };
-            let outcome = |engine: Arc<dyn Engine>| {
-                let dice = RefCell::new(Dice(seed + 2_000_000));
-                let answer = |machine: &mut Machine, _: &str, asked: usize| meddle(machine, &mut dice.borrow_mut(), asked);
-                run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-            };
-            let text = || program.code.iter().map(|(id, block)| format!("{id}\n{}", block.code)).collect::<String>();
-            let expected = all_engines_agree((&program, &layout), false, &outcome, &|| format!("{seed} in round {round}\n{}", text()));
+            let dice = || Dice(seed + 2_000_000);
+            let expected = all_engines_agree_beside((&program, &layout), &prepare, &dice, &meddle, &format!("{seed} in round {round}"));
             asked += expected.asked.len();
             finished += usize::from(expected.exit == Exit::Finished);
         }

@@ -2,13 +2,10 @@
 //! statements that fail, counters that turns change or that somebody else changes, in a block and in one that it calls, in a loop around them
 //! or behind one another. Whatever the Host makes of memory and budget, they do on all engines what the interpreter does.
 
-use std::cell::RefCell;
-use std::sync::Arc;
-
 use dice::Dice;
-use noting::{all_engines_agree, program, run};
+use noting::{all_engines_agree_beside, program};
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, Target, Var};
-use sieben_engine::{Engine, Entry, Exit, FaultPlace, Machine, Program, Reaction, StopReason};
+use sieben_engine::{Exit, FaultPlace, Machine, Program, Reaction, StopReason};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
@@ -285,7 +282,6 @@ fn turns_that_are_written_out_do_what_the_interpreter_does() {
     for seed in 0..PROGRAMS {
         let program = random_program(seed);
         let layout = noting::layout(&program);
-        let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
         let statements: usize = program.code.values().map(|block| block.code.statement_count()).sum();
         let listing = Jit::listing(&program, &layout).expect("machine code");
         let ir = listing.split("\nfunction ").next().unwrap_or_default();
@@ -301,13 +297,8 @@ fn turns_that_are_written_out_do_what_the_interpreter_does() {
                     *byte = if counts { dice.roll(4) as u8 } else { 0 };
                 });
             };
-            let outcome = |engine: Arc<dyn Engine>| {
-                let dice = RefCell::new(Dice(seed + 2_000_000));
-                let answer = |machine: &mut Machine, _: &str, asked: usize| meddle(machine, &mut dice.borrow_mut(), asked);
-                run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-            };
-            let text = || program.code.iter().map(|(id, block)| format!("{id}\n{}", block.code)).collect::<String>();
-            let expected = all_engines_agree((&program, &layout), false, &outcome, &|| format!("{seed} in round {round}\n{}", text()));
+            let dice = || Dice(seed + 2_000_000);
+            let expected = all_engines_agree_beside((&program, &layout), &prepare, &dice, &meddle, &format!("{seed} in round {round}"));
             asked += expected.asked.len();
             finished += usize::from(expected.exit == Exit::Finished);
         }

@@ -182,7 +182,7 @@ fn needs(func: &Function, inst: Inst, other: Inst) -> bool {
 }
 
 /// A constant with zeros above it.
-fn constant_of(func: &Function, value: Value) -> Option<u64> {
+pub(super) fn constant_of(func: &Function, value: Value) -> Option<u64> {
     let value = func.dfg.resolve_aliases(value);
     match func.dfg.insts[func.dfg.value_def(value).inst()?] {
         InstructionData::UnaryImm { opcode: Opcode::Iconst, imm } => {

@@ -17,7 +17,6 @@ use sieben_model::address::Width;
 
 use super::Translator;
 use super::elements::Elements;
-use super::inlining::Outer;
 use super::loops::Loop;
 use super::memory::{Address, Bit, data};
 use super::numbers::Numbers;
@@ -472,15 +471,17 @@ impl Translator<'_> {
         if piece.base != Base::Local || !self.options.forgets_locals || self.options.exact {
             return 0;
         }
-        let blocks: Vec<(usize, i32)> = self.outer.iter().map(Outer::local_data).chain([(self.index, self.local_offset)]).collect();
         let needless = |byte: i32| {
-            let in_block = |&(index, first): &(usize, i32)| {
+            let in_block = |(index, first): (usize, i32)| {
                 let block = &self.blocks[index];
                 let at = u32::try_from(piece.start + byte - first).ok().filter(|&at| at < block.local_size)?;
-                let single = block.single_bits.get(block.single_bits.partition_point(|&bit| bit < 8 * at))?;
-                (single / 8 == at).then_some(0xFF & !(1 << (single % 8)))
+                block.single_bit_in(at).map(|bit| 0xFF & !(1_u32 << (bit % 8)))
             };
-            blocks.iter().find_map(in_block).map_or(0, |bits: u32| bits << (8 * byte))
+            let callers = self.outer.iter().map(|outer| {
+                let (index, .., first) = outer.call();
+                (index, first)
+            });
+            callers.chain([(self.index, self.local_offset)]).find_map(in_block).map_or(0, |bits| bits << (8 * byte))
         };
         (0..piece.bytes).fold(0, |all, byte| all | needless(byte))
     }

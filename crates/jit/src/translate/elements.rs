@@ -75,19 +75,19 @@ impl Translator<'_> {
         let byte = i64::from(offset / 8);
         // A number alone has nothing to be put together with, and one more address would keep a register. What is written in front of a call
         // is mostly for the called block.
-        let pays = width == Width::Bit || write && self.calls_with_instance() || self.is_in_structure(area.1, pointer, width);
+        let pays = |this: &Self| width == Width::Bit || write && this.calls_with_instance() || this.is_in_structure(area.1, pointer, width);
         if let Base::Computed(instance) = touched
             && self.ranges.is_relative()
         {
             let mut sum = self.behind_instance(pointer).filter(|sum| !sum.terms.is_empty())?;
-            if !pays && self.known_part(instance.address, &sum).is_none() {
+            if self.known_part(instance.address, &sum).is_none() && !pays(self) {
                 return None;
             }
             sum.constant = sum.constant.wrapping_add(offset & !7);
             let (element, offset_of_byte, _) = self.part_of_sum(&sum).filter(|&(.., left)| left >= u64::from(count))?;
             return Some(Address { base: element.address, offset: offset_of_byte, bit: Bit::Number((offset % 8) as u8) });
         }
-        if *touched != Base::Arena || area.0 != self.arena || !pays && self.known_element(area.1, pointer).is_none() {
+        if *touched != Base::Arena || area.0 != self.arena || self.known_element(area.1, pointer).is_none() && !pays(self) {
             return None;
         }
         let there = bytes.start - byte..bytes.end - i64::from(count) - byte;

@@ -129,7 +129,12 @@ impl Translator<'_> {
 
     /// The number in the program of the first statement, from one on, that does something.
     pub(super) fn first_named(&self, statement: u32) -> u32 {
-        self.native().named(self.first_with_code(statement))
+        self.first_named_in(self.index, statement)
+    }
+
+    /// The same in another block.
+    pub(super) fn first_named_in(&self, index: usize, statement: u32) -> u32 {
+        self.blocks[index].named(self.first_with_code_in(index, statement))
     }
 
     /// The first statement of a block, from one on, that does something.

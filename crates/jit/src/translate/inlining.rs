@@ -27,7 +27,7 @@ use super::{AFTER_CALL, AT_CALL, After, Arrival, Find, OPEN_BLOCKS, TRUSTED, Tra
 use crate::ask::Question;
 use crate::jit::{Native, end, loop_heads};
 use crate::run::{Link, Room, Run};
-use crate::unrolled::Turns;
+use crate::written_out::Turns;
 
 /// Rounds in which blocks are chosen: an inlined block has others inlined in it, and so on, as deep as this.
 const DEPTH_MAX: usize = 4;
@@ -205,11 +205,6 @@ impl Outer {
     /// The block, the statement that calls, the call, and where its local data begin.
     pub(super) fn call(&self) -> (usize, u32, u32, i32) {
         (self.index, self.statement, self.inst, self.local_offset)
-    }
-
-    /// The block, and where its local data begin.
-    pub(super) fn local_data(&self) -> (usize, i32) {
-        (self.index, self.local_offset)
     }
 
     /// The block, and the statement that calls.

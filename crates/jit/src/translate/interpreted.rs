@@ -68,14 +68,19 @@ impl Translator<'_> {
             return;
         }
         if let Some(last) = self.last_of_piece() {
-            let code = &self.native().code;
-            let insts = (self.statement..=last).flat_map(|statement| code.statement(statement as usize));
-            let written = insts.fold(0, |all, inst| all | loops::written(inst));
-            self.look_at_piece((self.statement, last), None, written);
+            self.look_up_to(last);
         }
     }
 
-    pub(super) fn look_at_piece(&mut self, (first, last): (u32, u32), front: Option<clif::Block>, changed: u32) {
+    /// Looks at the budget for all statements from the running one up to another one.
+    pub(super) fn look_up_to(&mut self, last: u32) {
+        let code = &self.native().code;
+        let insts = (self.statement..=last).flat_map(|statement| code.statement(statement as usize));
+        let written = insts.fold(0, |all, inst| all | loops::written(inst));
+        self.look_at_piece((self.statement, last), None, written);
+    }
+
+    fn look_at_piece(&mut self, (first, last): (u32, u32), front: Option<clif::Block>, changed: u32) {
         let look = self.looks.len();
         self.looks.push(Look::default());
         let variable = self.budget();
@@ -195,9 +200,8 @@ impl Translator<'_> {
         let code = self.b.ins().iconst(I64, self.index as i64);
         let statement = self.first_named(statement);
         let statement = self.b.ins().iconst(I64, i64::from(statement));
-        let block = &self.blocks[piece.index];
-        let first = block.named(self.first_with_code_in(piece.index, piece.first));
-        let span = self.b.ins().iconst(I64, span(first, block.named(piece.last)) as i64);
+        let first = self.first_named_in(piece.index, piece.first);
+        let span = self.b.ins().iconst(I64, span(first, self.blocks[piece.index].named(piece.last)) as i64);
         let answer = self.ask_at_gate(Question::Turn, &[self.run, link, code, statement, span, home]);
         self.b.ins().brif(answer, self.leave, &[], piece.done, &[]);
     }

@@ -50,6 +50,12 @@ pub(crate) fn targets<'a>(code: &'a Code, inst: &Inst) -> impl Iterator<Item = u
     one.into_iter().chain(table.iter().copied()).map(|Target(to)| to)
 }
 
+/// The last of some instructions that writes a variable, and its place among them.
+pub(crate) fn made_by(insts: &[Inst], var: Var) -> Option<(usize, Inst)> {
+    let at = insts.iter().rposition(|inst| sieben_engine::ir::verify::writes(inst) == Some(var))?;
+    Some((at, insts[at]))
+}
+
 /// How many instructions of a block are between no jump back and where it leads.
 pub(super) fn instructions_beside(code: &Code) -> usize {
     let mut ends = vec![0; code.statement_count() + 1];

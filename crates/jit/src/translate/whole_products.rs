@@ -5,6 +5,8 @@ use cranelift_codegen::cursor::{Cursor, FuncCursor};
 use cranelift_codegen::ir::types::{I16, I32, I64};
 use cranelift_codegen::ir::{Block, Function, Inst, InstBuilder, InstructionData, Opcode, Value};
 
+use super::branches::constant_of;
+
 /// Multiplies in whole registers, behind Cranelift's own optimizations: they would multiply in 16 bits again.
 pub(super) fn widen(func: &mut Function) {
     let blocks: Vec<Block> = func.layout.blocks().collect();
@@ -12,7 +14,7 @@ pub(super) fn widen(func: &mut Function) {
     for inst in insts {
         let InstructionData::Binary { opcode: Opcode::Imul, args } = func.dfg.insts[inst] else { continue };
         let result = func.dfg.first_result(inst);
-        if func.dfg.value_type(result) != I16 || !args.iter().any(|&arg| constant(func, arg).is_some()) {
+        if func.dfg.value_type(result) != I16 || !args.iter().any(|&arg| constant_of(func, arg).is_some()) {
             continue;
         }
         let [a, b] = args.map(|arg| whole(func, inst, arg));
@@ -25,16 +27,9 @@ pub(super) fn widen(func: &mut Function) {
     }
 }
 
-fn constant(func: &Function, value: Value) -> Option<i64> {
-    match func.dfg.insts[func.dfg.value_def(value).inst()?] {
-        InstructionData::UnaryImm { opcode: Opcode::Iconst, imm } => Some(imm.bits()),
-        _ => None,
-    }
-}
-
 /// A number of 32 bits that ends with one of 16.
 fn whole(func: &mut Function, at: Inst, value: Value) -> Value {
-    let number = constant(func, value);
+    let number = constant_of(func, value);
     let of = func.dfg.value_def(value).inst().and_then(|inst| match func.dfg.insts[inst] {
         InstructionData::Unary { opcode: Opcode::Ireduce, arg } => Some(arg),
         _ => None,

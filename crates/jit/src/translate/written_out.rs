@@ -1,26 +1,22 @@
-//! Loops whose turns are written out: see [`crate::unrolled`].
+//! Loops whose turns are written out: see [`crate::written_out`].
 
 use cranelift_codegen::ir::InstBuilder;
 use cranelift_codegen::ir::types::I64;
 
-use super::{After, Translator, loops};
+use super::{After, Translator};
 use crate::ask::Question;
 
 impl Translator<'_> {
     /// In front of the first turn looks at the budget for all of them, and takes from it what going on with the next one takes.
     pub(super) fn begin_turns(&mut self) {
-        let Some(unrolled) = &self.native().unrolled else { return };
-        if let Some(turns) = unrolled.first(self.statement) {
+        let Some(written_out) = &self.native().written_out else { return };
+        if let Some(turns) = written_out.first(self.statement) {
             let all = turns.weight_of_all();
             if self.options.optimize && self.cold.is_none() && (self.look.is_none() || self.left_of_look() < all) {
-                let last = turns.more();
-                let code = &self.native().code;
-                let insts = (self.statement..=last).flat_map(|statement| code.statement(statement as usize));
-                let written = insts.fold(0, |all, inst| all | loops::written(inst));
-                self.look_at_piece((self.statement, last), None, written);
+                self.look_up_to(turns.more());
             }
         }
-        if let Some(turns) = unrolled.next_turn(self.statement) {
+        if let Some(turns) = written_out.next_turn(self.statement) {
             self.take_for_turn(turns.weight, self.statement);
         }
     }
@@ -40,7 +36,7 @@ impl Translator<'_> {
 
     /// Lets the interpreter go on where a loop has more turns than are written out; whether the running statement is there for that.
     pub(super) fn has_more_turns(&mut self) -> bool {
-        let Some(turns) = self.native().unrolled.as_ref().and_then(|unrolled| unrolled.more(self.statement)) else { return false };
+        let Some(turns) = self.native().written_out.as_ref().and_then(|it| it.more(self.statement)) else { return false };
         let more = self.cold_block();
         self.b.ins().jump(more, &[]);
         self.b.switch_to_block(more);

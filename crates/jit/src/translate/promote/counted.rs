@@ -5,11 +5,11 @@ use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, Value};
 use cranelift_frontend::Variable;
-use sieben_engine::ir::{Inst, Place, Var};
+use sieben_engine::ir::{Inst, Place};
 use sieben_model::address::Width;
 
 use super::super::Translator;
-use super::super::loops::{Loop, targets};
+use super::super::loops::{Loop, made_by, targets};
 use super::super::ranges::step_of;
 use super::super::value::Val;
 use super::{Base, Promoted};
@@ -98,13 +98,9 @@ impl Translator<'_> {
         let insts = code.statement(statement as usize);
         let at = insts.iter().position(|inst| !matches!(inst, Inst::Load { .. } | Inst::Constant { .. } | Inst::Compute { .. }))?;
         let Inst::Store { place, width, src } = insts[at] else { return None };
-        let made = |var: Var, before: usize| {
-            let found = insts[..before].iter().rposition(|inst| sieben_engine::ir::verify::writes(inst) == Some(var))?;
-            Some((found, insts[found]))
-        };
-        let (sum, Inst::Compute { op, args: [counter, one, ..], .. }) = made(src, at)? else { return None };
-        let (_, Inst::Load { place: from, width: read, .. }) = made(counter, sum)? else { return None };
-        let (_, Inst::Constant { value, .. }) = made(one, sum)? else { return None };
+        let (sum, Inst::Compute { op, args: [counter, one, ..], .. }) = made_by(&insts[..at], src)? else { return None };
+        let (_, Inst::Load { place: from, width: read, .. }) = made_by(&insts[..sum], counter)? else { return None };
+        let (_, Inst::Constant { value, .. }) = made_by(&insts[..sum], one)? else { return None };
         let (bits, down) = step_of(op, value)?;
         if (from, read, bits) != (place, width, width.bits()) || !self.ranges.is_step(first + sum as u32) {
             return None;

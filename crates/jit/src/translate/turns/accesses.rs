@@ -18,7 +18,7 @@ use super::vector::Lanes;
 use super::write::Writing;
 
 /// What an access writes if it does not keep what is there.
-struct Kept {
+struct Unless {
     condition: Node,
     /// Whether the condition says that it is written, and not that it is kept.
     if_not: bool,
@@ -27,21 +27,15 @@ struct Kept {
 
 impl Kernel {
     /// Whether an access keeps the greater or lesser one of what is there and something else, at a place that no turn knows of the next one.
-    fn kept_at_place(&self, access: &Access, value: Node) -> Option<Kept> {
+    fn unless_kept(&self, access: &Access, value: Node) -> Option<Unless> {
         let What::Compute(Op::Select, [condition, a, b, _]) = self.what(value) else { return None };
-        let was_there = |node: Node| match self.what(node) {
-            What::Read(number) => {
-                let read = &self.accesses[number];
-                (read.pointer, read.offset, read.width, read.area) == (access.pointer, access.offset, access.width, access.area)
-            }
-            _ => false,
-        };
+        let was_there = |node: Node| matches!(self.what(node), What::Read(number) if self.accesses[number].is_same(access));
         let (old, new, if_not) = if was_there(b) { (b, a, true) } else { (a, b, false) };
         let mut rests = BTreeSet::new();
         self.rests(condition, &mut rests);
         let is_somewhere = self.line(access.pointer, access.level).is_none();
         let is_kept = was_there(old) && access.width != Width::Bit && is_somewhere && rests.contains(&old);
-        is_kept.then_some(Kept { condition, if_not, new })
+        is_kept.then_some(Unless { condition, if_not, new })
     }
 }
 
@@ -108,9 +102,9 @@ impl Writing<'_, '_, '_> {
             }
             Some(value) => {
                 if self.lanes == 1
-                    && let Some(kept) = self.kernel.kept_at_place(access, value)
+                    && let Some(unless) = self.kernel.unless_kept(access, value)
                 {
-                    return self.write_unless_kept(number, address, kept, level);
+                    return self.write_unless_kept(number, address, unless, level);
                 }
                 let together = if self.lanes == 1 && access.width == Width::Byte { self.byte_of_bits(value, level) } else { None };
                 let value = together.map_or_else(|| self.value(value, level), Lanes::One);
@@ -136,13 +130,13 @@ impl Writing<'_, '_, '_> {
 
     /// Writes what takes the place of what was there, and nothing if that is kept. Mostly it is, and who reads there later need not wait for
     /// what would have been chosen.
-    fn write_unless_kept(&mut self, number: usize, address: Address, kept: Kept, level: Level) {
-        let condition = self.first(kept.condition, level);
-        let value = self.first(kept.new, level);
+    fn write_unless_kept(&mut self, number: usize, address: Address, unless: Unless, level: Level) {
+        let condition = self.first(unless.condition, level);
+        let value = self.first(unless.new, level);
         let value = self.t.force(value);
         let flag = self.t.flag(condition);
         let [written, behind] = [(); 2].map(|()| self.t.b.create_block());
-        let (then, otherwise) = if kept.if_not { (written, behind) } else { (behind, written) };
+        let (then, otherwise) = if unless.if_not { (written, behind) } else { (behind, written) };
         self.t.b.ins().brif(flag, then, &[], otherwise, &[]);
         self.t.b.switch_to_block(written);
         self.t.b.seal_block(written);

@@ -311,11 +311,11 @@ impl Reader<'_, '_> {
                 statement += 1;
                 continue;
             }
-            if let Some(unrolled) = &self.translator.native().unrolled {
-                if unrolled.more(statement).is_some() {
+            if let Some(written_out) = &self.translator.native().written_out {
+                if written_out.more(statement).is_some() {
                     return None;
                 }
-                if let Some(turns) = unrolled.next_turn(statement) {
+                if let Some(turns) = written_out.next_turn(statement) {
                     self.take(turns.weight.into())?;
                 }
             }

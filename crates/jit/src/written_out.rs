@@ -11,7 +11,7 @@ use sieben_engine::ir::{Code, Inst, Op, Place, Target, Var};
 use sieben_model::address::Width;
 
 use crate::jit::jumps_back;
-use crate::translate::targets;
+use crate::translate::{made_by, targets};
 
 /// Turns of a loop that is written out.
 const TURNS_MAX: u32 = 5;
@@ -51,7 +51,7 @@ impl Turns {
 
 /// What the numbers of a block's code are in the program.
 #[derive(Clone, Debug)]
-pub(crate) struct Unrolled {
+pub(crate) struct WrittenOut {
     /// For each statement, and for the end.
     statements: Vec<u32>,
     insts: Vec<u32>,
@@ -59,7 +59,7 @@ pub(crate) struct Unrolled {
     turns: Vec<Turns>,
 }
 
-impl Unrolled {
+impl WrittenOut {
     /// The number of a statement in the program.
     pub(crate) fn statement(&self, statement: u32) -> u32 {
         self.statements.get(statement as usize).or(self.statements.last()).copied().unwrap_or(statement)
@@ -101,66 +101,52 @@ impl Unrolled {
 struct Loop {
     statements: Range<u32>,
     count: u32,
+    /// By how much what follows is further behind when this loop and those in front of it are written out.
+    growth: u32,
+}
+
+impl Loop {
+    /// Statements of a turn as it is written: behind each there is one more, for who has no other turn to make.
+    fn length(&self) -> u32 {
+        self.statements.len() as u32 + 1
+    }
 }
 
 /// Writes out the turns of a block's loops; `None` if it has none for which that is worth it.
-pub(crate) fn unroll(code: &Code) -> Option<(Code, Unrolled)> {
+pub(crate) fn write_out(code: &Code) -> Option<(Code, WrittenOut)> {
     let loops = loops_of_few_turns(code);
     if loops.is_empty() {
         return None;
     }
-    let mut writer =
-        Writer { code, out: Code::default(), unrolled: Unrolled { statements: Vec::new(), insts: Vec::new(), turns: Vec::new() } };
-    // Where each statement begins that is not in a loop, and each loop.
-    let mut places: Vec<u32> = Vec::new();
-    let mut at = 0;
+    let written_out = WrittenOut { statements: Vec::new(), insts: Vec::new(), turns: Vec::new() };
+    let mut writer = Writer { code, out: Code::default(), written_out };
+    let place = |to: u32| {
+        let before = loops.partition_point(|it| it.statements.end <= to);
+        to + loops[..before].last().map_or(0, |it| it.growth)
+    };
     let count = code.statement_count() as u32;
     let mut statement = 0;
-    while statement <= count {
-        match loops.iter().find(|it| it.statements.start == statement) {
-            Some(it) => {
-                let length = it.statements.len() as u32 + 1;
-                places.extend((0..length - 1).map(|inside| at + inside));
-                at += length * it.count + 1;
-                statement = it.statements.end;
-            }
-            None => {
-                places.push(at);
-                at += 1;
-                statement += 1;
-            }
-        }
+    for it in &loops {
+        (statement..it.statements.start).for_each(|statement| writer.statement(statement, &place));
+        writer.turns(it, &place);
+        statement = it.statements.end;
     }
-    let outside = |to: u32| places[to as usize];
-    statement = 0;
-    while statement < count {
-        match loops.iter().find(|it| it.statements.start == statement) {
-            Some(it) => {
-                writer.turns(it, &outside);
-                statement = it.statements.end;
-            }
-            None => {
-                writer.statement(statement, &outside);
-                statement += 1;
-            }
-        }
-    }
+    (statement..count).for_each(|statement| writer.statement(statement, &place));
     writer.out.statements.push(writer.out.insts.len() as u32);
-    writer.unrolled.statements.push(count);
-    Some((writer.out, writer.unrolled))
+    writer.written_out.statements.push(count);
+    Some((writer.out, writer.written_out))
 }
 
 struct Writer<'c> {
     code: &'c Code,
     out: Code,
-    unrolled: Unrolled,
+    written_out: WrittenOut,
 }
 
 impl Writer<'_> {
     fn turns(&mut self, it: &Loop, outside: &dyn Fn(u32) -> u32) {
         let Range { start, end } = it.statements;
-        // Behind each turn there is one more statement, for who has no other turn to make.
-        let (length, first) = (end - start + 1, self.unrolled.statements.len() as u32);
+        let (length, first) = (it.length(), self.written_out.statements.len() as u32);
         let leave = Inst::Jump { to: Target(outside(end)) };
         let back = self.code.statements[end as usize] - 1;
         for turn in 0..it.count {
@@ -181,17 +167,17 @@ impl Writer<'_> {
         self.begin(end - 1);
         self.inst(back, leave);
         let weight = weight((end - 1 - start) as usize);
-        self.unrolled.turns.push(Turns { first, length, count: it.count, weight });
+        self.written_out.turns.push(Turns { first, length, count: it.count, weight });
     }
 
     fn begin(&mut self, statement: u32) {
         self.out.statements.push(self.out.insts.len() as u32);
-        self.unrolled.statements.push(statement);
+        self.written_out.statements.push(statement);
     }
 
     fn inst(&mut self, number: u32, inst: Inst) {
         self.out.insts.push(inst);
-        self.unrolled.insts.push(number);
+        self.written_out.insts.push(number);
     }
 
     fn statement(&mut self, statement: u32, place: &dyn Fn(u32) -> u32) {
@@ -236,9 +222,13 @@ fn loops_of_few_turns(code: &Code) -> Vec<Loop> {
             continue;
         }
         grown += all;
-        loops.push(Loop { statements, count });
+        loops.push(Loop { statements, count, growth: 0 });
     }
     loops.sort_by_key(|it| it.statements.start);
+    loops.iter_mut().fold(0, |before, it| {
+        it.growth = before + it.length() * it.count + 1 - it.statements.len() as u32;
+        it.growth
+    });
     loops
 }
 
@@ -287,46 +277,34 @@ fn turns_of(code: &Code, statements: &Range<u32>) -> Option<u32> {
 
 /// What the last statement of a loop counts, by how much, and with which constant it compares it how.
 fn step_of(insts: &[Inst], condition: Var) -> Option<(Place, Width, u64, u64, Op)> {
-    let constant = |var: Var, before: usize| {
-        insts[..before].iter().rev().find_map(|inst| match *inst {
-            Inst::Constant { dst, value } if dst == var => Some(Some(value)),
-            _ if sieben_engine::ir::verify::writes(inst) == Some(var) => Some(None),
-            _ => None,
-        })?
-    };
-    let (store, place, width, sum) = insts.iter().enumerate().rev().find_map(|(at, inst)| match *inst {
-        Inst::Store { place, width, src } => Some((at, place, width, src)),
-        _ => None,
-    })?;
-    let (add, [a, b, ..]) = insts[..store].iter().enumerate().rev().find_map(|(at, inst)| match *inst {
-        Inst::Compute { op: Op::AddU16 | Op::AddU32, dst, args } if dst == sum => Some((at, args)),
-        _ => None,
-    })?;
+    let store = insts.iter().rposition(|inst| matches!(inst, Inst::Store { .. }))?;
+    let Inst::Store { place, width, src: sum } = insts[store] else { return None };
+    let (add, Inst::Compute { op: Op::AddU16 | Op::AddU32, args: [a, b, ..], .. }) = made_by(&insts[..store], sum)? else { return None };
     let is_read = |var: Var| {
-        insts[..add]
-            .iter()
-            .any(|inst| matches!(*inst, Inst::Load { dst, place: from, width: own, .. } if (dst, from, own) == (var, place, width)))
+        let made = made_by(&insts[..add], var);
+        made.is_some_and(|(_, inst)| matches!(inst, Inst::Load { place: from, width: own, .. } if (from, own) == (place, width)))
     };
     let step = match (is_read(a), is_read(b)) {
-        (true, _) => constant(b, add)?,
-        (_, true) => constant(a, add)?,
+        (true, _) => constant(&insts[..add], b)?,
+        (_, true) => constant(&insts[..add], a)?,
         _ => return None,
     };
-    let (at, compare, [value, limit, ..]) = insts.iter().enumerate().rev().find_map(|(at, inst)| match *inst {
-        Inst::Compute { op, dst, args } if dst == condition => Some((at, op, args)),
-        _ => None,
-    })?;
-    (value == sum).then_some((place, width, step, constant(limit, at)?, compare))
+    let (at, Inst::Compute { op: compare, args: [value, limit, ..], .. }) = made_by(insts, condition)? else { return None };
+    (value == sum).then_some((place, width, step, constant(&insts[..at], limit)?, compare))
 }
 
 /// The constant that a statement writes to a place.
 fn first_value(insts: &[Inst], (place, width): (Place, Width)) -> Option<u64> {
-    let (at, src) = insts.iter().enumerate().rev().find_map(|(at, inst)| match *inst {
-        Inst::Store { place: to, width: own, src } if (to, own) == (place, width) => Some((at, src)),
+    let writes = |inst: &Inst| matches!(*inst, Inst::Store { place: to, width: own, .. } if (to, own) == (place, width));
+    let store = insts.iter().rposition(writes)?;
+    let Inst::Store { src, .. } = insts[store] else { return None };
+    constant(&insts[..store], src)
+}
+
+/// The constant that a variable is behind some instructions.
+fn constant(insts: &[Inst], var: Var) -> Option<u64> {
+    match made_by(insts, var)? {
+        (_, Inst::Constant { value, .. }) => Some(value),
         _ => None,
-    })?;
-    insts[..at].iter().rev().find_map(|inst| match *inst {
-        Inst::Constant { dst, value } if dst == src => Some(value),
-        _ => None,
-    })
+    }
 }
