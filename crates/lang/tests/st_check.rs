@@ -5,6 +5,7 @@ use sieben_lang::{Options, compile};
 use sieben_model::diagnostic::Severity;
 use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
+use sieben_model::types::DataType;
 
 /// Dialects, declarations, statements, and what is said: `ok`, `warning CODE`, `error CODE`. Exactly one message, and no other.
 type Row = (&'static str, &'static str, &'static str, &'static str);
@@ -231,6 +232,33 @@ fn what_a_block_would_inherit_from_a_base_that_is_lacking_is_not_missed() {
         let said = said(Dialect::from_name(dialect).expect("a dialect"), &timer(base));
         let wrong: Vec<_> = said.iter().filter(|(severity, ..)| *severity == Severity::Error).collect();
         assert!(!wrong.is_empty() && wrong.iter().all(|(_, problem, _)| *problem == code), "{dialect}, {base}: {said:?}");
+    }
+}
+
+#[test]
+fn timers_and_counters_remember_inputs_beside_them() {
+    // The variables of an instance with their bytes and bits, and its bytes.
+    let rows = [
+        ("TON", "IN 0.0, M 0.1, PT 2.0, Q 6.0, ET 8.0, START 12.0: 16"),
+        ("CTU", "CU 0.0, R 0.1, MU 0.2, PV 2.0, Q 4.0, CV 6.0: 8"),
+        ("CTUD", "CU 0.0, CD 0.1, R 0.2, LD 0.3, MU 0.4, MD 0.5, PV 2.0, QU 4.0, QD 4.1, CV 6.0: 8"),
+        // Blocks of the user lie as the manual says, whatever stands between their parameters.
+        ("Own", "IN 0.0, PT 2.0, M 6.0: 8"),
+    ];
+    for (name, expected) in rows {
+        let own = "FUNCTION_BLOCK Own\nVAR_INPUT IN : BOOL; END_VAR\nVAR M : BOOL; END_VAR\nVAR_INPUT PT : TIME; END_VAR\n  M := IN;\nEND_FUNCTION_BLOCK\n";
+        let mut sources = Sources::default();
+        sources.add("test.st", format!("{own}PROGRAM Main\nVAR x : {name}; END_VAR\n  x();\nEND_PROGRAM\n"));
+        let program = compile(&sources, &SymbolTable::default(), &Options::default()).program;
+        let instance = program.data.values().find_map(|block| match &block.structure.field("x")?.data_type {
+            DataType::Instance { structure, .. } => Some(structure.clone()),
+            _ => None,
+        });
+        let instance = instance.expect("an instance");
+        let mut fields: Vec<_> = instance.fields.iter().collect();
+        fields.sort_by_key(|field| field.offset);
+        let fields: Vec<String> = fields.iter().map(|field| format!("{} {}.{}", field.name, field.offset / 8, field.offset % 8)).collect();
+        assert_eq!(format!("{}: {}", fields.join(", "), instance.size), expected, "{name}");
     }
 }
 

@@ -22,6 +22,8 @@ pub(crate) const START_INFORMATION_BYTES: u32 = 20;
 pub(crate) struct Declared {
     name: String,
     section: Section,
+    /// The section among whose variables it lies, mostly its own.
+    beside: Section,
     data_type: DataType,
     initial: Vec<Value>,
     comment: String,
@@ -31,7 +33,12 @@ pub(crate) struct Declared {
 impl Declared {
     pub(crate) fn from_variable(variable: Variable) -> Self {
         let Variable { name, section, data_type, initial, comment, span, .. } = variable;
-        Self { name, section, data_type, initial, comment, span }
+        Self { name, section, beside: section, data_type, initial, comment, span }
+    }
+
+    /// The same variable, lying among those of another section.
+    pub(crate) fn beside(self, beside: Section) -> Self {
+        Self { beside, ..self }
     }
 }
 
@@ -95,6 +102,7 @@ pub(crate) fn declared_of(types: &mut Types<'_>, id: BlockId, block: &ast::Block
                 all.push(Declared {
                     name: word.text.clone(),
                     section: section.section,
+                    beside: section.section,
                     data_type: data_type.clone(),
                     initial: initial.clone(),
                     comment: declaration.comment.clone(),
@@ -118,6 +126,7 @@ pub(crate) fn declared_of(types: &mut Types<'_>, id: BlockId, block: &ast::Block
                 all.push(Declared {
                     name: "RET_VAL".to_owned(),
                     section: Section::Return,
+                    beside: Section::Return,
                     data_type,
                     initial: Vec::new(),
                     comment: String::new(),
@@ -130,7 +139,8 @@ pub(crate) fn declared_of(types: &mut Types<'_>, id: BlockId, block: &ast::Block
 }
 
 fn unknown(word: &ast::Word, section: Section) -> Declared {
-    Declared { name: word.text.clone(), section, data_type: DataType::Void, initial: Vec::new(), comment: String::new(), span: word.span }
+    let (name, data_type, initial, comment) = (word.text.clone(), DataType::Void, Vec::new(), String::new());
+    Declared { name, section, beside: section, data_type, initial, comment, span: word.span }
 }
 
 /// What a call keeps for each parameter of a function: the pointer to the actual one. They stand in the calling block.
@@ -143,7 +153,7 @@ pub(crate) fn lay_out(id: BlockId, declared: Vec<Declared>) -> Option<BlockInter
 
 /// The same for a block whose instance begins with that of another one.
 pub(crate) fn lay_out_behind(id: BlockId, base: Option<&BlockInterface>, mut declared: Vec<Declared>) -> Option<BlockInterface> {
-    declared.sort_by_key(|variable| variable.section);
+    declared.sort_by_key(|variable| variable.beside);
     let function = matches!(id.kind, BlockKind::Function | BlockKind::SystemFunction);
     let mut interface = Interface::default();
     let mut instance = Structure { name: Some(id.to_string()), ..Structure::default() };
@@ -154,11 +164,12 @@ pub(crate) fn lay_out_behind(id: BlockId, base: Option<&BlockInterface>, mut dec
         instance.fields.clone_from(&base.instance.fields);
         instance_cursor = u64::from(base.instance.size) * 8;
     }
+    let inherited = interface.variables.len();
     let mut last = None;
     for variable in declared {
-        let Declared { name, section, data_type, initial, comment, span } = variable;
+        let Declared { name, section, beside, data_type, initial, comment, span } = variable;
         // Each section of an instance starts at an even byte.
-        if last.replace(section) != Some(section) {
+        if last.replace(beside) != Some(beside) {
             instance_cursor = instance_cursor.next_multiple_of(16);
         }
         let offset = match section {
@@ -196,6 +207,7 @@ pub(crate) fn lay_out_behind(id: BlockId, base: Option<&BlockInterface>, mut dec
         }
         interface.variables.push(Variable { name, section, data_type, offset: offset as u32, initial, comment, span });
     }
+    interface.variables[inherited..].sort_by_key(|variable| variable.section);
     instance.size = (instance_cursor.next_multiple_of(16) / 8) as u32;
     interface.instance_size = instance.size;
     interface.local_size = (local_cursor.next_multiple_of(16) / 8) as u32;

@@ -89,7 +89,16 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
         sections.result(code);
     }
     let Sections { resolver, pending, views, located, inherited, inherited_edges, edges, twice, partial, .. } = sections;
-    let unplaced: Vec<Unplaced> = pending.iter().filter_map(Pending::unplaced).collect();
+    let is_of_library = items.library.values().any(|&block| block == id);
+    let unplaced = pending.iter().enumerate().filter_map(|(index, one)| {
+        let unplaced = one.unplaced()?;
+        let around = if is_of_library { around(&pending, index) } else { None };
+        Some(match around {
+            Some(section) => unplaced.beside(section),
+            None => unplaced,
+        })
+    });
+    let unplaced: Vec<Unplaced> = unplaced.collect();
     let laid_out = lay_out_behind(id, base.as_ref(), unplaced);
     let Some(mut block) = laid_out else {
         let message = format!("the variables of `{id}` need more than {BLOCK_BYTES_MAX} bytes (4 for each parameter of a function)");
@@ -166,6 +175,18 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
     declared.broken = partial || types.errors() > before;
     types.st_known.blocks.insert(id, declared);
     Some(block)
+}
+
+/// The section of parameters on both sides of a static variable, if it is one: in blocks of the library it lies between these (decision 352).
+fn around(pending: &[Pending], index: usize) -> Option<Section> {
+    let parameters = |one: &Pending| match one.store {
+        Store::Interface(section @ (Section::Input | Section::Output)) => Some(section),
+        _ => None,
+    };
+    let (before, behind) = pending.split_at(index);
+    let is_static = behind[0].store == Store::Interface(Section::Static);
+    let section = before.iter().rev().find_map(parameters).filter(|_| is_static)?;
+    (behind.iter().find_map(parameters) == Some(section)).then_some(section)
 }
 
 /// The variables of a block that are called like one of its members, which is said here.
