@@ -22,6 +22,8 @@ const ARRAYS: [(u32, u32); 2] = [(0, 32), (512, 34)];
 const ALIKE: [(u32, u32); 2] = [(0, 32), (512, 32)];
 /// The same where the fields of one lie over those of the next ones.
 const OVER_ONE_ANOTHER: [(u32, u32); 2] = [(16, 1), (512, 6)];
+/// The same with records of eight bytes, as counters are.
+const OF_EIGHT: [(u32, u32); 2] = [(0, 8), (512, 8)];
 const RECORDS: u32 = 14;
 /// Where the variables lie, in bytes.
 const COUNTER: u32 = 1_000;
@@ -69,6 +71,10 @@ const FIELDS: &[(u32, Kind)] = &[
     (226, Bit),
     (248, Byte),
 ];
+
+/// The same in a record of eight bytes.
+const FIELDS_OF_EIGHT: &[(u32, Kind)] =
+    &[(0, Bit), (1, Bit), (2, Bit), (8, Byte), (16, Half), (32, Bit), (33, Bit), (40, Bit), (48, Half), (32, Real), (16, Double)];
 
 impl Kind {
     fn width(self) -> Width {
@@ -128,6 +134,7 @@ struct Maker<'b> {
     dice: Dice,
     statements: u32,
     arrays: &'static [(u32, u32)],
+    fields: &'static [(u32, Kind)],
 }
 
 impl Maker<'_> {
@@ -143,7 +150,7 @@ impl Maker<'_> {
     /// A field of the record of a turn, now and then one of the record before or behind it.
     fn field(&mut self) -> (Place, Kind) {
         let (start, record) = self.dice.of(self.arrays);
-        let (offset, kind) = self.dice.of(FIELDS);
+        let (offset, kind) = self.dice.of(self.fields);
         let neighbour = self.dice.of(&[0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 1_i32]);
         let counter = self.get(fixed(8 * COUNTER), Double);
         let bits = self.b.constant(u64::from(8 * record));
@@ -306,8 +313,19 @@ impl Maker<'_> {
             }
             _ => {
                 let (place, kind) = self.field();
-                let value = self.number(kind, 3);
+                // Bits of one byte are mostly written together, and often the same.
+                let together = kind == Bit && self.dice.roll(2) == 0;
+                let value = self.number(kind, if together { 2 } else { 3 });
                 self.b.store(place, kind.width(), value);
+                if together && let Place::Indirect { area, pointer, offset } = place {
+                    let other = match self.dice.roll(4) {
+                        0 => value,
+                        1 => self.b.compute(Op::Not, &[value]),
+                        2 => self.constant(Bit),
+                        _ => self.comparison(1),
+                    };
+                    self.b.store(Place::Indirect { area, pointer, offset: offset ^ 1 }, Width::Bit, other);
+                }
             }
         }
     }
@@ -391,13 +409,14 @@ fn records_hold_what_the_interpreter_writes() {
     let (mut asked, mut finished, mut beside) = (0, 0, 0);
     for seed in 0..PROGRAMS {
         let block = BlockId::ob(1);
-        let arrays: &[(u32, u32)] = match seed % 6 {
-            5 => &OVER_ONE_ANOTHER,
-            1 | 3 => &ALIKE,
-            _ => &ARRAYS,
+        let (arrays, fields): (&[(u32, u32)], _) = match seed % 8 {
+            5 => (&OVER_ONE_ANOTHER, FIELDS),
+            1 | 3 => (&ALIKE, FIELDS),
+            6 | 7 => (&OF_EIGHT, FIELDS_OF_EIGHT),
+            _ => (&ARRAYS, FIELDS),
         };
         let program = program(&[
-            (block, 16, &|b| Maker { b, dice: Dice(seed), statements: 0, arrays }.looping()),
+            (block, 16, &|b| Maker { b, dice: Dice(seed), statements: 0, arrays, fields }.looping()),
             (FUNCTION, 0, &|b| {
                 b.begin_statement();
                 b.constant(1);

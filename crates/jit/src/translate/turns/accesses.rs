@@ -212,22 +212,60 @@ impl Writing<'_, '_, '_> {
             self.scope(level).values.insert(node, value);
             return;
         };
-        let value = self.value(value, level);
-        let new = bit.map(|bit| {
-            let bytes = self.bytes_apart(number, apart, level);
-            self.t.with_bits(&bytes, bit, &value, self.lanes)
-        });
-        let bytes = new.clone().map(Lanes::Words);
-        if !self.write_in_rows(number, apart, bytes.as_ref().unwrap_or(&value)) {
+        let new = match bit {
+            Some(bit) => {
+                let value = self.value(value, level);
+                let bytes = self.bytes_apart(number, apart, level);
+                Some(self.t.with_bits(&bytes, bit, &value, self.lanes))
+            }
+            None => self.column_of_bits(number, value, level).map(|column| vec![column]),
+        };
+        let written = match &new {
+            Some(new) => Lanes::Words(new.clone()),
+            None => self.value(value, level),
+        };
+        if !self.write_in_rows(number, apart, &written, new.is_some()) {
             match &new {
                 Some(new) => self.t.write_bytes_apart(apart, new),
-                None => self.t.write_apart(apart, access.width, &value, self.lanes),
+                None => self.t.write_apart(apart, access.width, &written, self.lanes),
             }
         }
         self.forget_bytes(number, apart.first, level);
         if let Some(new) = new {
             self.scope(level).bytes.push((apart.first.base, apart.first.offset, number, new));
         }
+    }
+
+    /// What a byte that is written was with some of its bits set anew, and the bytes behind it that were read with it.
+    fn column_of_bits(&mut self, number: usize, node: Node, level: Level) -> Option<Value> {
+        let (rest, bits) = self.kernel.bits_set_in(node).filter(|_| self.kernel.accesses[number].width == Width::Byte)?;
+        let (read, kept) = match self.kernel.what(rest) {
+            What::Compute(Op::AndU32, [read, kept, ..]) => (read, self.kernel.constant(kept)?),
+            _ => (rest, 0xFF),
+        };
+        let What::Read(_) = self.kernel.what(read) else { return None };
+        let Lanes::Words(bytes) = self.value(read, level) else { return None };
+        let column = self.column_with(number, *bytes.first()?)?;
+        let mut cleared = !kept as u32 & 0xFF;
+        let mut ones = 0;
+        let mut masks: Vec<(Value, u32)> = Vec::new();
+        for (bit, set) in bits {
+            cleared |= 1 << bit;
+            if let Some(set) = self.kernel.constant(set) {
+                ones |= (set as u32 & 1) << bit;
+                continue;
+            }
+            let value = self.value(set, level);
+            let mask = match &value {
+                Lanes::Mask(_) | Lanes::LongMask(_) => *self.t.masks(&value, self.lanes).first()?,
+                _ => return None,
+            };
+            match masks.iter_mut().find(|(known, _)| *known == mask) {
+                Some((_, own)) => *own |= 1 << bit,
+                None => masks.push((mask, 1 << bit)),
+            }
+        }
+        Some(self.t.with_bits_of_masks(column, cleared, ones, &masks))
     }
 
     /// The bytes with the bits to which an access goes in turns side by side.

@@ -138,6 +138,32 @@ impl Translator<'_> {
         }
     }
 
+    /// Numbers with some bits cleared, and of these those of `ones` and those of the masks that hold set.
+    pub(super) fn with_bits_of_masks(&mut self, numbers: Value, cleared: u32, ones: u32, masks: &[(Value, u32)]) -> Value {
+        let kept = self.all_words(!cleared);
+        let mut numbers = self.b.ins().band(numbers, kept);
+        if ones != 0 {
+            let ones = self.all_words(ones);
+            numbers = self.b.ins().bor(numbers, ones);
+        }
+        for &(mask, own) in masks {
+            let all = self.all_words(own);
+            numbers = match self.simpler_opposite(mask) {
+                // One that is set is -1.
+                None if own == 1 => self.b.ins().isub(numbers, mask),
+                None => {
+                    let set = self.b.ins().band(mask, all);
+                    self.b.ins().bor(numbers, set)
+                }
+                Some(opposite) => {
+                    let set = self.b.ins().band_not(all, opposite);
+                    self.b.ins().bor(numbers, set)
+                }
+            };
+        }
+        numbers
+    }
+
     /// Masks chosen by masks.
     pub(super) fn chosen_masks(&mut self, masks: &[Value], a: &Lanes, b: &Lanes, lanes: u32) -> Vec<Value> {
         let with = |this: &mut Self, op: Op, of: &Lanes| {

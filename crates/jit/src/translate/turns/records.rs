@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use cranelift_codegen::ir::types::{F32X4, F64, F64X2, I8, I8X16, I16, I16X8, I32, I32X4, I64};
-use cranelift_codegen::ir::{InstBuilder, Value};
+use cranelift_codegen::ir::{InstBuilder, InstructionData, Opcode, Value};
 use sieben_model::address::Width;
 
 use super::super::Translator;
@@ -29,6 +29,9 @@ const GAP_MAX: i32 = 3;
 const FIELD_COST: u32 = 8;
 const ROWS: [(i32, u32); 2] = [(8, 8), (16, 12)];
 const PARTS_COST: u32 = 3;
+
+/// Rows of so many bytes, with such a step from turn to turn, lie beside each other: two are read or written at once.
+const SIDE_BY_SIDE: (i32, i32) = (8, 8);
 
 /// The first 16 bits of each number of 32 bits out of eight numbers of 16, turned around.
 const WORDS_TURNED_APART: [u8; 16] = [1, 0, 1, 0, 3, 2, 3, 2, 5, 4, 5, 4, 7, 6, 7, 6];
@@ -307,8 +310,21 @@ impl Writing<'_, '_, '_> {
         }
     }
 
-    /// Lets a field wait until it is written with others. Bytes are the lowest of 32 bits each.
-    pub(super) fn write_in_rows(&mut self, number: usize, apart: Apart, value: &Lanes) -> bool {
+    /// The 32 bits of each turn that were read where a field lies, of which these are its bytes.
+    pub(super) fn column_with(&self, number: usize, bytes: Value) -> Option<Value> {
+        let record = &self.records.0[self.records.of(number)?];
+        let (start, _) = self.kernel.field(number);
+        let is_cut = |column| self.t.low_bytes_of(bytes) == Some(column);
+        let columns = record.old.iter().filter(|part| part.at == start).filter_map(|part| match part.column {
+            Column::Lanes(column) => Some(column),
+            Column::Same(_) => None,
+        });
+        columns.filter(|&column| is_cut(column)).next()
+    }
+
+    /// Lets a field wait until it is written with others. Bytes are the lowest of 32 bits each; of what was read there with other bits, the
+    /// bytes behind it are known, too.
+    pub(super) fn write_in_rows(&mut self, number: usize, apart: Apart, value: &Lanes, with_others: bool) -> bool {
         let Some(at) = self.records.of(number) else { return false };
         let (start, bytes) = self.kernel.field(number);
         let field = start..start + bytes;
@@ -326,7 +342,7 @@ impl Writing<'_, '_, '_> {
         };
         let record = &mut self.records.0[at];
         // The other bits of a byte, and the bytes behind it, are those that were read.
-        let whole = matches!(column, Column::Lanes(_)) && self.kernel.accesses[number].width == Width::Bit;
+        let whole = matches!(column, Column::Lanes(_)) && with_others;
         let known = record.old.iter().filter(|part| whole && part.at == start).map(|part| part.known).max().unwrap_or(bytes);
         record.new.retain(|part| part.at != start);
         record.new.push(Part { at: start, bytes, known, column });
@@ -431,6 +447,16 @@ impl Translator<'_> {
         shape.of(vec![self.b.ins().bitcast(ty, little(), turned)])
     }
 
+    /// The vector of which these are the lowest bytes of each number.
+    fn low_bytes_of(&self, bytes: Value) -> Option<Value> {
+        let dfg = &self.b.func.dfg;
+        let inst = dfg.value_def(bytes).inst()?;
+        let InstructionData::Binary { opcode: Opcode::Band, args: [of, low] } = dfg.insts[inst] else { return None };
+        let low = dfg.value_def(low).inst()?;
+        let InstructionData::UnaryConst { opcode: Opcode::Vconst, constant_handle } = dfg.insts[low] else { return None };
+        (dfg.constants.get(constant_handle).as_slice() == 0xFF_u32.to_le_bytes().repeat(4)).then_some(of)
+    }
+
     /// What is written to a field, as it will be in memory.
     fn column_of(&mut self, value: &Lanes, bytes: i32) -> Value {
         if bytes == 1 {
@@ -533,6 +559,10 @@ impl Translator<'_> {
 
     /// Reads rows, as columns.
     fn read_rows(&mut self, apart: Apart, (start, bytes): Row) -> Vec<Value> {
+        if (bytes, apart.step) == SIDE_BY_SIDE {
+            let [a, b] = [0, 2].map(|lane| self.b.ins().load(I8X16, data(), apart.first.base, start + apart.step * lane));
+            return [0, 1].map(|column| self.every_second(a, b, column)).to_vec();
+        }
         let rows: Vec<Value> = (0..TURNS as i32)
             .map(|lane| {
                 let offset = start + apart.step * lane;
@@ -547,6 +577,13 @@ impl Translator<'_> {
         let columns =
             if bytes == 16 { self.exchanged([rows[0], rows[1], rows[2], rows[3]]).to_vec() } else { self.columns_of_short_rows(&rows) };
         columns.into_iter().map(|column| self.b.ins().bitcast(I32X4, little(), column)).collect()
+    }
+
+    /// The first or second number of each of four rows of two, of which each vector has two.
+    fn every_second(&mut self, a: Value, b: Value, number: u8) -> Value {
+        let bytes: Vec<u8> = (0..4).flat_map(|row| (0..4).map(move |byte| row * 8 + number * 4 + byte)).collect();
+        let column = self.shuffled(a, b, bytes.try_into().expect("sixteen bytes"));
+        self.b.ins().bitcast(I32X4, little(), column)
     }
 
     /// Two numbers of each of four rows, as two columns.
@@ -617,6 +654,10 @@ impl Translator<'_> {
             (8, &[a, b]) => {
                 for high in [false, true] {
                     let rows = self.pairs(a, b, high);
+                    if (bytes as i32, apart.step) == SIDE_BY_SIDE {
+                        self.b.ins().store(data(), rows, base, place(2 * i32::from(high)));
+                        continue;
+                    }
                     let rows = self.b.ins().bitcast(F64X2, little(), rows);
                     for at in 0..2 {
                         let row = self.b.ins().extractlane(rows, at);
