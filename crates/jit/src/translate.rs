@@ -90,7 +90,7 @@ use choices::Choice;
 use effects::Effects;
 use elements::Elements;
 use flow::Arrival;
-use inlining::{Outer, Plan};
+use inlining::{Grown, Outer, Plan};
 use instance::Instance;
 use instance_pointer::InstancePointer;
 use interpreted::Interpreted;
@@ -303,7 +303,7 @@ struct Translator<'a> {
     /// Where the parameters of the present block end behind those of the outermost one, as their number.
     parameters_end: usize,
     /// IR instructions of inlined blocks so far.
-    grown: usize,
+    grown: Grown,
     /// Safe points on ways back that are still to be written: the block, the statement, where it begins.
     ways: Vec<(clif::Block, u32, clif::Block)>,
     /// Calls that were written side by side, of which the rest is still to be written.
@@ -421,7 +421,7 @@ impl<'a> Translator<'a> {
             outer: Vec::new(),
             local_offset: 0,
             parameters_end: 0,
-            grown: 0,
+            grown: Grown::default(),
             ways: Vec::new(),
             series: None,
             choice: None,

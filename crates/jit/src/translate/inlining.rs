@@ -10,7 +10,7 @@ use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, Value};
 use rustc_hash::FxHashMap;
-use sieben_engine::ir::{Callee, Inst};
+use sieben_engine::ir::{Callee, Code, Inst, Place};
 use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
 use sieben_model::address::Width;
 
@@ -30,14 +30,16 @@ use crate::run::{Link, Room, Run};
 use crate::written_out::Turns;
 
 /// Rounds in which blocks are chosen: an inlined block has others inlined in it, and so on, as deep as this.
-const DEPTH_MAX: usize = 4;
+const DEPTH_MAX: usize = 16;
 /// IR instructions of an inlined block with all that is inlined in it. A call costs little beside so long a block, but its instance is
 /// known only where the block becomes part of its caller.
 const INSTRUCTIONS_MAX: usize = 1_200;
-/// Jumps back of an inlined block: loops take the compiler long …
+/// Jumps back of an inlined block: loops take the compiler long.
 const LOOPS_MAX: usize = 4;
-/// … but where a block is handed pointers as parameters, only its caller knows where they lead.
-const LOOPS_MAX_WITH_PARAMETERS: usize = 16;
+/// The same of blocks that are handed pointers: only their caller knows where these lead, and to look at it at each access takes longer and
+/// more code than anything else.
+const INSTRUCTIONS_MAX_WITH_POINTERS: usize = 40_000;
+const LOOPS_MAX_WITH_POINTERS: usize = 64;
 /// How many IR instructions a function may grow by: so many for each of its own …
 const GROWTH: usize = 8;
 /// … and these, for a block of few calls …
@@ -75,6 +77,8 @@ pub(super) struct Plan {
     pub(super) loops: bool,
     /// Whether so much lies beside its own loops that what is optimized in these would cost more there.
     pub(super) is_long: bool,
+    /// Whether only its caller knows where pointers lead through which it reads and writes.
+    with_pointers: bool,
     /// What it takes from the budget with all that becomes part of it, at most.
     weight: i64,
 }
@@ -96,6 +100,24 @@ impl Plan {
     }
 }
 
+/// IR instructions of all blocks that became part of a function: of those that are handed pointers, and of others.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Grown {
+    with_pointers: usize,
+    others: usize,
+}
+
+impl Grown {
+    /// With another block, if that becomes part of the function.
+    fn with(self, plan: &Plan) -> Self {
+        let more = plan.inlined.unwrap_or(0);
+        match plan.with_pointers {
+            true => Self { with_pointers: self.with_pointers + more, ..self },
+            false => Self { others: self.others + more, ..self },
+        }
+    }
+}
+
 /// Decides for all blocks. A block that calls itself, however far around, is never inlined.
 pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
     let callees = callees(blocks, find);
@@ -114,11 +136,15 @@ pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
             let returns = block.code.insts.iter().filter(|inst| matches!(inst, Inst::Return)).count();
             let ends_once = returns == 1 && block.code.insts.last() == Some(&Inst::Return);
             let has_an_end = ends_once || end(&block.code).is_some();
-            // One look at the budget has to serve for all of it: behind a question little is known.
-            let fits = size <= INSTRUCTIONS_MAX && plans[index].weight <= WEIGHT_MAX;
-            let takes_parameters = block.code.insts.iter().any(|inst| matches!(inst, Inst::Parameter { .. }));
-            let loops_max = if takes_parameters { LOOPS_MAX_WITH_PARAMETERS } else { LOOPS_MAX };
-            if fits && has_an_end && loop_heads(&block.code).len() <= loops_max {
+            let with_pointers = takes_pointers(&block.code);
+            let fits = if with_pointers {
+                size <= INSTRUCTIONS_MAX_WITH_POINTERS && loop_heads(&block.code).len() <= LOOPS_MAX_WITH_POINTERS
+            } else {
+                // One look at the budget has to serve for all of it: behind a question little is known.
+                size <= INSTRUCTIONS_MAX && loop_heads(&block.code).len() <= LOOPS_MAX && plans[index].weight <= WEIGHT_MAX
+            };
+            plans[index].with_pointers = with_pointers;
+            if fits && has_an_end {
                 plans[index].inlined = Some(size);
             }
         }
@@ -127,6 +153,15 @@ pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
         plans[index] = reach(&plans, blocks, index, &callees[index]);
     }
     plans
+}
+
+/// Whether a block is handed pointers, as parameters or in its instance, or goes where others lead that it computes.
+fn takes_pointers(code: &Code) -> bool {
+    code.insts.iter().any(|inst| match inst {
+        Inst::Parameter { .. } => true,
+        Inst::Load { place: Place::Crossing { .. }, .. } | Inst::Store { place: Place::Crossing { .. }, .. } => true,
+        _ => false,
+    })
 }
 
 /// The plan of a block that is not inlined itself.
@@ -146,6 +181,7 @@ fn reach(plans: &[Plan], blocks: &[Native], index: usize, callees: &[usize]) -> 
             local: all.local.max(blocks[callee].local_size as usize + inner.local),
             loops: all.loops || inner.loops,
             is_long: all.is_long,
+            with_pointers: all.with_pointers,
             weight: all.weight.saturating_add(inner.weight),
         }
     })
@@ -221,7 +257,16 @@ impl Outer {
 impl Translator<'_> {
     /// Whether a call of this block becomes its code.
     pub(super) fn inlines(&self, code: usize) -> bool {
-        self.inlines_at_all() && self.plans[code].inlined.is_some_and(|size| self.grown + size <= self.grown_most())
+        let plan = &self.plans[code];
+        // What becomes part of a block that became part of this function is counted with that.
+        self.inlines_at_all() && plan.inlined.is_some() && (!self.outer.is_empty() || self.has_room_for(Grown::default().with(plan)))
+    }
+
+    /// Whether the function may grow by this, too.
+    fn has_room_for(&self, more: Grown) -> bool {
+        let own = self.outer.first().map_or(self.index, |outermost| outermost.index);
+        let most = (self.blocks[own].code.insts.len() * GROWTH + GROWTH_MIN).min(GROWTH_MAX);
+        self.grown.others + more.others <= most && self.grown.with_pointers + more.with_pointers <= GROWTH_MAX
     }
 
     fn inlines_at_all(&self) -> bool {
@@ -230,19 +275,14 @@ impl Translator<'_> {
         self.options.inline && !quick
     }
 
-    fn grown_most(&self) -> usize {
-        let own = self.outer.first().map_or(self.index, |outermost| outermost.index);
-        (self.blocks[own].code.insts.len() * GROWTH + GROWTH_MIN).min(GROWTH_MAX)
-    }
-
     /// Whether each call of the present block, which is still to be written, becomes its code if the called block can.
     pub(super) fn inlines_all_calls(&self) -> bool {
-        let inlined = |inst: &Inst| match inst {
-            Inst::Call { callee: Callee::Block(id), .. } => (self.find)(*id).and_then(|code| self.plans[code as usize].inlined),
+        let called = |inst: &Inst| match inst {
+            Inst::Call { callee: Callee::Block(id), .. } => (self.find)(*id).map(|code| &self.plans[code as usize]),
             _ => None,
         };
-        let all: usize = self.native().code.insts.iter().filter_map(inlined).sum();
-        self.inlines_at_all() && self.grown + all <= self.grown_most()
+        let all = self.native().code.insts.iter().filter_map(called).fold(Grown::default(), Grown::with);
+        self.inlines_at_all() && (!self.outer.is_empty() || self.has_room_for(all))
     }
 
     /// Looks at the beginning of a function whether all that it calls itself has room. If not, the interpreter goes on, which looks at
@@ -279,7 +319,9 @@ impl Translator<'_> {
 
     /// Writes the code of a called block in place of the call.
     pub(super) fn call_inlined(&mut self, index: u32, code: usize, parameters: usize) {
-        self.grown += self.blocks[code].code.insts.len();
+        if self.outer.is_empty() {
+            self.grown = self.grown.with(&self.plans[code]);
+        }
         let restored = RESTORED.map(|register| {
             let value = self.register(register);
             self.force(value)
