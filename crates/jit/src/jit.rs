@@ -8,7 +8,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use sieben_engine::interpreter::weight;
 use sieben_engine::ir::{Callee, Code, Inst, Place};
-use sieben_engine::machine::Register;
 use sieben_engine::machine::memory::DataBlockEntry;
 use sieben_engine::machine::{Memory, Registers};
 use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Interpreter, Layout, Machine, Program};
@@ -35,11 +34,9 @@ const LOOPS_MAX: usize = 1_000;
 const OPTIMIZED_STATEMENTS_MAX: usize = 50_000;
 /// Blocks with more loops in one another too: a hundred take Cranelift a second, eight hundred a minute.
 const OPTIMIZED_NESTED_MAX: usize = 32;
-/// Blocks with more accesses by computed addresses too: each may ask, and the time to share out the registers of a function grows with
-/// the square of their number (12,000 of them take minutes).
-const OPTIMIZED_ACCESSES_MAX: usize = 2_000;
-/// The same with those that go to the instance of the block: most blocks are compiled for instances that are known.
-const OPTIMIZED_INSTANCE_ACCESSES_MAX: usize = 20_000;
+/// Blocks with more accesses by computed addresses too. Most of these are known to be inside where a block knows its instance and where
+/// its pointers lead; a function in which many ask is left to the first tier by itself.
+const OPTIMIZED_ACCESSES_MAX: usize = 40_000;
 
 /// A block as machine code needs it.
 #[derive(Clone, Debug)]
@@ -162,10 +159,7 @@ impl Source {
     pub(crate) fn may_optimize(&self) -> bool {
         let statements: usize = self.blocks.iter().map(|block| block.code.statement_count()).sum();
         let nested = self.blocks.iter().map(|block| nested_loops(&block.code)).max().unwrap_or(0);
-        let few_accesses = |block: &Native| {
-            let (in_instance, others) = computed_accesses(&block.code);
-            in_instance <= OPTIMIZED_INSTANCE_ACCESSES_MAX && others <= OPTIMIZED_ACCESSES_MAX
-        };
+        let few_accesses = |block: &Native| computed_accesses(&block.code) <= OPTIMIZED_ACCESSES_MAX;
         statements <= OPTIMIZED_STATEMENTS_MAX && nested <= OPTIMIZED_NESTED_MAX && self.blocks.iter().all(few_accesses)
     }
 
@@ -585,22 +579,15 @@ fn reads_locals(code: &Code) -> bool {
     })
 }
 
-/// How many loads and stores of a block compute their address: those to variables of its instance, and the others.
-fn computed_accesses(code: &Code) -> (usize, usize) {
-    let (mut in_instance, mut others) = (0, 0);
-    let mut count = |place: &Place| match place {
-        Place::Fixed { .. } => {}
-        Place::Indirect { area: Area::InstanceData, pointer, .. } if pointer.register() == Some(Register::Ar2) => in_instance += 1,
-        _ => others += 1,
-    };
-    for inst in &code.insts {
-        match inst {
-            Inst::Load { place, .. } | Inst::Store { place, .. } => count(place),
-            Inst::Move { from, to, .. } => [from, to].into_iter().for_each(&mut count),
-            _ => {}
-        }
-    }
-    (in_instance, others)
+/// How many loads and stores of a block compute their address.
+fn computed_accesses(code: &Code) -> usize {
+    let computed = |place: &Place| usize::from(!matches!(place, Place::Fixed { .. }));
+    let accesses = code.insts.iter().map(|inst| match inst {
+        Inst::Load { place, .. } | Inst::Store { place, .. } => computed(place),
+        Inst::Move { from, to, .. } => computed(from) + computed(to),
+        _ => 0,
+    });
+    accesses.sum()
 }
 
 /// Checks the limits of machine code; the greatest number of parameters that a statement passes.

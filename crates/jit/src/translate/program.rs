@@ -54,6 +54,10 @@ const RESERVED_BYTES_MIN: usize = 1 << 20;
 /// What relative calls reach on every machine is more than the code of a program that becomes machine code takes.
 const RESERVED_BYTES_MAX: usize = 1 << 30;
 
+/// A function with more pieces of code, most of which ask somebody, is written again as in the first tier: the time to share out the
+/// registers of such functions grows with the square of their number.
+const OPTIMIZED_PIECES_MAX: usize = 20_000;
+
 /// Native stack that a run may take; threads have 2 MiB and more.
 const STACK_BYTES: usize = 1 << 20;
 /// What an activation takes beside the frame of its function. The Rust code that enters interrupts comes on top, as often as machine
@@ -155,6 +159,7 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     // The allocator of the first tier gives each value that leaves its piece of code a place of its own, the other one shares them; and
     // optimized code of thousands of statements in a row keeps what it has read until it is used.
     let for_room = instruction_set("none", "backtracking", machine)?;
+    let quick = instruction_set("none", "single_pass", machine)?;
     let frame_limit = STACK_BYTES / levels_needed(layout) - STACK_BYTES_OF_A_CALL;
     let mut builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
     let insts: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
@@ -182,10 +187,9 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
         // Whoever clears the context forgets it.
         context.set_disasm(options.lists);
         context.func.signature = block_signature(&module);
-        let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
         let target = module.target_config();
-        let for_loops = for_loops.as_ref().filter(|_| plans[index].loops && !plans[index].is_long);
-        let program = Program {
+        let mut for_loops = for_loops.as_ref().filter(|_| plans[index].loops && !plans[index].is_long);
+        let mut program = Program {
             functions: &functions,
             blocks,
             summaries: &summaries,
@@ -196,12 +200,25 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
             layout,
             options,
         };
-        let mut found = Translator::new(builder, &mut module, &mut versions, program, index).run(known, target);
+        let mut translate = |context: &mut Context, program: Program<'_>| {
+            let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
+            Translator::new(builder, &mut module, &mut versions, program, index).run(known.clone(), target)
+        };
+        let mut found = translate(&mut context, program);
+        let is_too_long = options.optimize && context.func.layout.blocks().count() > OPTIMIZED_PIECES_MAX;
+        if is_too_long {
+            let signature = context.func.signature.clone();
+            context.func.clear();
+            context.func.signature = signature;
+            program.options.optimize = false;
+            for_loops = None;
+            found = translate(&mut context, program);
+        }
         pinned.append(&mut found.pinned);
         if options.lists {
             listing += &format!("{}\n{}\n", blocks[index].id, context.func.display());
         }
-        let sets = Sets { other: for_loops, for_room: &for_room, frame_limit };
+        let sets = Sets { other: for_loops, for_room: &for_room, frame_limit, quick: is_too_long.then_some(&quick) };
         define(&mut module, function, &mut context, sets).map_err(|error| format!("{}: {error}", blocks[index].id))?;
         listing += context.compiled_code().and_then(|code| code.vcode.as_deref()).unwrap_or_default();
         let code = context.compiled_code().map_or(&[][..], |code| code.code_buffer());
@@ -217,6 +234,8 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
 
 /// The instruction sets that a function may be compiled for beside that of the module.
 struct Sets<'a> {
+    /// What it is compiled for if it is written as in the first tier though others are not.
+    quick: Option<&'a OwnedTargetIsa>,
     /// What it is optimized for, if it is.
     other: Option<&'a OwnedTargetIsa>,
     /// What it is compiled for if it is optimized, or if its frame has more bytes than this.
@@ -233,7 +252,7 @@ fn define(module: &mut JITModule, id: FuncId, context: &mut Context, sets: Sets<
     // Optimizations move calculations and reads, and nothing moves them back.
     let as_written = sets.other.map(|_| context.func.clone());
     let mut isa = match sets.other {
-        None => module.isa(),
+        None => sets.quick.map_or(module.isa(), |quick| &**quick),
         Some(other) => {
             context.optimize(&**other, &mut ControlPlane::default()).map_err(ModuleError::from)?;
             reals_as_read::turn_as_reals(&mut context.func);
