@@ -218,6 +218,9 @@ impl Translator<'_> {
             // Pointers and status.
             Op::PassOnPointer => {
                 let pointer = self.int(a);
+                if self.leads_elsewhere(pointer) {
+                    return Some(Val::Int(pointer));
+                }
                 let calls = self.b.ins().ushr_imm_u(pointer, i64::from(CALLS_SHIFT));
                 let calls = self.b.ins().iadd_imm_s(calls, -LOCAL_OF_CALLER);
                 let has_room = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, calls, 0x1F);

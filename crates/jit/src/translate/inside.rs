@@ -330,7 +330,7 @@ impl Translator<'_> {
         sum.terms.retain(|&(_, times)| times != 0);
         let (mut least, mut most) = (0_u64, 0_u64);
         for &(value, times) in &sum.terms {
-            let &(low, high) = self.bounds.get(&value).or_else(|| self.bounds_of_results.get(&value))?;
+            let (low, high) = self.range_of(Val::Int(value)).or_else(|| self.computed_range(value))?;
             least = least.checked_add(u64::from(low) * u64::from(times))?;
             most = most.checked_add(u64::from(high) * u64::from(times))?;
         }

@@ -1,6 +1,8 @@
 //! Instances at computed places: an element of an array of function blocks, mostly. Where the code that computes AR2 shows that the
 //! instance lies inside its data block, the address is computed once for the whole call, and access to the instance is not checked.
 
+use std::ops::Range;
+
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, InstructionData, Opcode, Value, ValueDef};
@@ -305,9 +307,47 @@ impl Translator<'_> {
         (least >> 24 == most >> 24).then_some(least & 0xFF00_0000)
     }
 
+    /// Whether a pointer leads to no local data of a caller, so that it is the same for blocks that are called.
+    pub(super) fn leads_elsewhere(&self, pointer: Value) -> bool {
+        let interval = |Bounds { least, most, zeros }: Bounds| Interval { least: least as i64, most: most as i64, zeros, bits: 32 };
+        self.bounds(pointer, DEPTH_MAX).is_some_and(|bounds| interval(bounds).leads_elsewhere())
+    }
+
+    /// The bytes of an area of so many to which accesses with a pointer go, if all of them are there.
+    pub(super) fn bytes_at(&self, length: u64, (pointer, offset): (Value, u32), width: Width) -> Option<Range<i64>> {
+        let Bounds { least, most, zeros } = self.bounds(pointer, DEPTH_MAX)?;
+        let [first, last] = [least, most].map(|pointer| (pointer & 0x00FF_FFFF) + u64::from(offset));
+        let to_bytes = width == Width::Bit || offset.is_multiple_of(8) && zeros.max(self.low_zeros(pointer, DEPTH_MAX)) >= 3;
+        let end = last / 8 + u64::from(width.bytes());
+        let inside = least >> 24 == most >> 24 && last <= 0x00FF_FFFF && end <= length;
+        (inside && to_bytes).then_some((first / 8) as i64..end as i64)
+    }
+
+    /// How many of the lowest bits of a value are 0, whatever it is.
+    fn low_zeros(&self, value: Value, depth: usize) -> u32 {
+        let (Some((_, data)), Some(depth)) = (self.definition(value), depth.checked_sub(1)) else { return 0 };
+        match data {
+            InstructionData::UnaryImm { opcode: Opcode::Iconst, imm } => imm.bits().trailing_zeros(),
+            InstructionData::Binary { opcode: Opcode::Imul, args: [a, b] } => self.low_zeros(a, depth) + self.low_zeros(b, depth),
+            InstructionData::Binary { opcode: Opcode::Iadd, args: [a, b] } => self.low_zeros(a, depth).min(self.low_zeros(b, depth)),
+            InstructionData::Binary { opcode: Opcode::Ishl, args: [a, b] } => match self.computed_bounds(b, 1) {
+                Some(Bounds { least, most, .. }) if least == most && least < 32 => self.low_zeros(a, depth) + least as u32,
+                _ => 0,
+            },
+            _ => 0,
+        }
+    }
+
+    /// The least and the greatest number without sign that a value of 32 bits may be, from how it is computed.
+    pub(super) fn computed_range(&self, value: Value) -> Option<(u32, u32)> {
+        let Bounds { least, most, .. } = self.bounds(value, DEPTH_MAX)?;
+        Some((u32::try_from(least).ok()?, u32::try_from(most).ok()?))
+    }
+
     /// What is known of a value from how it is computed, or from the statement.
     fn bounds(&self, value: Value, depth: usize) -> Option<Bounds> {
-        let noted = self.bounds.get(&value).map(|&(least, most)| Bounds { least: u64::from(least), most: u64::from(most), zeros: 0 });
+        let noted = self.bounds.get(&value).or_else(|| self.bounds_of_results.get(&value));
+        let noted = noted.map(|&(least, most)| Bounds { least: u64::from(least), most: u64::from(most), zeros: 0 });
         match (self.computed_bounds(value, depth), noted) {
             (Some(computed), Some(noted)) => Some(computed.and(noted)),
             (computed, noted) => computed.or(noted),

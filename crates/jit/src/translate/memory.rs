@@ -337,7 +337,12 @@ impl Translator<'_> {
         } else {
             return Way::Asked;
         };
-        if let (Val::Const(length), Some(touched)) = (length, self.ranges.inside(index)) {
+        let inside = self.ranges.inside(index).or_else(|| {
+            let (Val::Const(length), Val::Int(pointer)) = (length, pointer) else { return None };
+            let bytes = self.bytes_at(length, (pointer, offset), width).filter(|_| base == self.arena)?;
+            Some((Base::Arena, i64::from(start) + bytes.start..i64::from(start) + bytes.end))
+        });
+        if let (Val::Const(length), Some(touched)) = (length, inside) {
             if let Some(address) = self.field((base, start, length), (pointer, offset), (width, width.bytes()), &touched, write) {
                 return Way::Direct(address);
             }

@@ -3,17 +3,13 @@
 
 use std::collections::BTreeSet;
 
-use super::kernel::{Kernel, Node, Step, What};
+use super::kernel::{Kernel, Level, Node, Step, What};
 use super::records::Records;
 
 impl Kernel {
     /// The steps of a turn without a loop in it, with each read in front of the first write that needs it or another one of its row, or that
     /// may go to the same bits in one of the turns side by side.
     pub(super) fn steps_with_late_reads(&self, lanes: u32, records: &Records) -> Vec<Step> {
-        // What is done in order needs what other variables hold at the end of a turn.
-        if !self.in_order.cells.is_empty() {
-            return self.outer.steps.clone();
-        }
         let mut steps = Vec::new();
         let mut waiting: Vec<usize> = Vec::new();
         let mut seen = BTreeSet::new();
@@ -58,6 +54,8 @@ impl Kernel {
                     reads.insert(access);
                     waiting.push(self.accesses[access].pointer);
                 }
+                // What a turn begins with in order is what the one before ends with, which is one of those side by side.
+                What::Start(Level::Outer, cell) if self.in_order.cells.contains(&cell) => waiting.push(self.outer.ends[&cell]),
                 _ => {}
             }
         }
