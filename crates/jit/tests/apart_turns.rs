@@ -13,6 +13,8 @@ mod dice;
 mod noting;
 
 const PROGRAMS: u64 = 500;
+/// One in which a write needs, in order, what others of the turns side by side read behind it.
+const IN_ORDER: u64 = 1_682;
 /// Turns that call something choose between more than two ways, too.
 const FUNCTION: BlockId = BlockId::fc(1);
 const QUESTIONS_MAX: usize = 30;
@@ -407,7 +409,7 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 #[test]
 fn records_hold_what_the_interpreter_writes() {
     let (mut asked, mut finished, mut beside) = (0, 0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in (0..PROGRAMS).chain([IN_ORDER]) {
         let block = BlockId::ob(1);
         let (arrays, fields): (&[(u32, u32)], _) = match seed % 8 {
             5 => (&OVER_ONE_ANOTHER, FIELDS),
