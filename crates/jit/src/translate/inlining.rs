@@ -157,9 +157,11 @@ pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
 
 /// Whether a block is handed pointers, as parameters or in its instance, or goes where others lead that it computes.
 fn takes_pointers(code: &Code) -> bool {
+    let crosses = |place: &Place| matches!(place, Place::Crossing { .. });
     code.insts.iter().any(|inst| match inst {
         Inst::Parameter { .. } => true,
-        Inst::Load { place: Place::Crossing { .. }, .. } | Inst::Store { place: Place::Crossing { .. }, .. } => true,
+        Inst::Load { place, .. } | Inst::Store { place, .. } => crosses(place),
+        Inst::Move { from, to, .. } => crosses(from) || crosses(to),
         _ => false,
     })
 }

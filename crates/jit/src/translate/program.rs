@@ -202,7 +202,7 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
         };
         let mut translate = |context: &mut Context, program: Program<'_>| {
             let builder = FunctionBuilder::new(&mut context.func, &mut frontend);
-            Translator::new(builder, &mut module, &mut versions, program, index).run(known.clone(), target)
+            Translator::new(builder, &mut module, &mut versions, program, index).run(known, target)
         };
         let mut found = translate(&mut context, program);
         let is_too_long = options.optimize && context.func.layout.blocks().count() > OPTIMIZED_PIECES_MAX;

@@ -315,11 +315,10 @@ impl Writing<'_, '_, '_> {
         let record = &self.records.0[self.records.of(number)?];
         let (start, _) = self.kernel.field(number);
         let is_cut = |column| self.t.low_bytes_of(bytes) == Some(column);
-        let columns = record.old.iter().filter(|part| part.at == start).filter_map(|part| match part.column {
-            Column::Lanes(column) => Some(column),
-            Column::Same(_) => None,
-        });
-        columns.filter(|&column| is_cut(column)).next()
+        record.old.iter().filter(|part| part.at == start).find_map(|part| match part.column {
+            Column::Lanes(column) if is_cut(column) => Some(column),
+            _ => None,
+        })
     }
 
     /// Lets a field wait until it is written with others. Bytes are the lowest of 32 bits each; of what was read there with other bits, the
