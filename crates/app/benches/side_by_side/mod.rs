@@ -98,6 +98,7 @@ pub(crate) fn c_program(name: &str, text: &str, main: &str, flags: &[&str], inde
         .arg(&main)
         .arg("-o")
         .arg(compiled.path())
+        .arg("-lm")
         .status();
     assert!(status.is_ok_and(|status| status.success()), "the system's C compiler compiles {name}");
     compiled
