@@ -136,14 +136,12 @@ pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
             let returns = block.code.insts.iter().filter(|inst| matches!(inst, Inst::Return)).count();
             let ends_once = returns == 1 && block.code.insts.last() == Some(&Inst::Return);
             let has_an_end = ends_once || end(&block.code).is_some();
-            let with_pointers = takes_pointers(&block.code);
-            let fits = if with_pointers {
+            let fits = if plans[index].with_pointers {
                 size <= INSTRUCTIONS_MAX_WITH_POINTERS && loop_heads(&block.code).len() <= LOOPS_MAX_WITH_POINTERS
             } else {
                 // One look at the budget has to serve for all of it: behind a question little is known.
                 size <= INSTRUCTIONS_MAX && loop_heads(&block.code).len() <= LOOPS_MAX && plans[index].weight <= WEIGHT_MAX
             };
-            plans[index].with_pointers = with_pointers;
             if fits && has_an_end {
                 plans[index].inlined = Some(size);
             }
@@ -172,6 +170,7 @@ fn reach(plans: &[Plan], blocks: &[Native], index: usize, callees: &[usize]) -> 
     let own = Plan {
         loops: !loop_heads(own).is_empty() || !blocks[index].turns().is_empty(),
         is_long: loops::instructions_beside(own) > BESIDE_LOOPS_MAX,
+        with_pointers: takes_pointers(own),
         weight: i64::from(blocks[index].weight()) + blocks[index].turns().iter().map(Turns::weight_of_all).sum::<i64>(),
         ..Plan::default()
     };

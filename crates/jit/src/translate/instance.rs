@@ -330,8 +330,8 @@ impl Translator<'_> {
             InstructionData::UnaryImm { opcode: Opcode::Iconst, imm } => imm.bits().trailing_zeros(),
             InstructionData::Binary { opcode: Opcode::Imul, args: [a, b] } => self.low_zeros(a, depth) + self.low_zeros(b, depth),
             InstructionData::Binary { opcode: Opcode::Iadd, args: [a, b] } => self.low_zeros(a, depth).min(self.low_zeros(b, depth)),
-            InstructionData::Binary { opcode: Opcode::Ishl, args: [a, b] } => match self.computed_bounds(b, 1) {
-                Some(Bounds { least, most, .. }) if least == most && least < 32 => self.low_zeros(a, depth) + least as u32,
+            InstructionData::Binary { opcode: Opcode::Ishl, args: [a, b] } => match self.iconst(b) {
+                Some(count @ 0..32) => self.low_zeros(a, depth) + count,
                 _ => 0,
             },
             _ => 0,
@@ -346,8 +346,8 @@ impl Translator<'_> {
 
     /// What is known of a value from how it is computed, or from the statement.
     fn bounds(&self, value: Value, depth: usize) -> Option<Bounds> {
-        let noted = self.bounds.get(&value).or_else(|| self.bounds_of_results.get(&value));
-        let noted = noted.map(|&(least, most)| Bounds { least: u64::from(least), most: u64::from(most), zeros: 0 });
+        let noted = self.range_of(Val::Int(value));
+        let noted = noted.map(|(least, most)| Bounds { least: u64::from(least), most: u64::from(most), zeros: 0 });
         match (self.computed_bounds(value, depth), noted) {
             (Some(computed), Some(noted)) => Some(computed.and(noted)),
             (computed, noted) => computed.or(noted),

@@ -159,7 +159,8 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     // The allocator of the first tier gives each value that leaves its piece of code a place of its own, the other one shares them; and
     // optimized code of thousands of statements in a row keeps what it has read until it is used.
     let for_room = instruction_set("none", "backtracking", machine)?;
-    let quick = instruction_set("none", "single_pass", machine)?;
+    // What is too long for the other allocator is written as in the first tier.
+    let quick = if options.optimize { Some(instruction_set("none", "single_pass", machine)?) } else { None };
     let frame_limit = STACK_BYTES / levels_needed(layout) - STACK_BYTES_OF_A_CALL;
     let mut builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
     let insts: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
@@ -218,7 +219,7 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
         if options.lists {
             listing += &format!("{}\n{}\n", blocks[index].id, context.func.display());
         }
-        let sets = Sets { other: for_loops, for_room: &for_room, frame_limit, quick: is_too_long.then_some(&quick) };
+        let sets = Sets { other: for_loops, for_room: &for_room, frame_limit, quick: quick.as_ref().filter(|_| is_too_long) };
         define(&mut module, function, &mut context, sets).map_err(|error| format!("{}: {error}", blocks[index].id))?;
         listing += context.compiled_code().and_then(|code| code.vcode.as_deref()).unwrap_or_default();
         let code = context.compiled_code().map_or(&[][..], |code| code.code_buffer());

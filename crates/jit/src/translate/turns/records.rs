@@ -650,13 +650,15 @@ impl Translator<'_> {
                     self.b.ins().store(data(), row, base, place(lane));
                 }
             }
+            (8, &[a, b]) if (bytes as i32, apart.step) == SIDE_BY_SIDE => {
+                for high in [false, true] {
+                    let rows = self.pairs(a, b, high);
+                    self.b.ins().store(data(), rows, base, place(2 * i32::from(high)));
+                }
+            }
             (8, &[a, b]) => {
                 for high in [false, true] {
                     let rows = self.pairs(a, b, high);
-                    if (bytes as i32, apart.step) == SIDE_BY_SIDE {
-                        self.b.ins().store(data(), rows, base, place(2 * i32::from(high)));
-                        continue;
-                    }
                     let rows = self.b.ins().bitcast(F64X2, little(), rows);
                     for at in 0..2 {
                         let row = self.b.ins().extractlane(rows, at);

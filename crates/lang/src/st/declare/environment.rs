@@ -331,7 +331,7 @@ impl Names for BlockNames<'_, '_> {
 
     fn is_of_library(&self, block: BlockId) -> bool {
         let environment = self.environment;
-        environment.items.library.values().any(|&known| known == block) || environment.links.contains_key(&block)
+        environment.items.is_of_library(block) || environment.links.contains_key(&block)
     }
 
     fn linked(&self, block: BlockId) -> Option<&'static LibraryBlock> {

@@ -89,7 +89,7 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
         sections.result(code);
     }
     let Sections { resolver, pending, views, located, inherited, inherited_edges, edges, twice, partial, .. } = sections;
-    let is_of_library = items.library.values().any(|&block| block == id);
+    let is_of_library = items.is_of_library(id);
     let unplaced = pending.iter().enumerate().filter_map(|(index, one)| {
         let unplaced = one.unplaced()?;
         let around = if is_of_library { around(&pending, index) } else { None };

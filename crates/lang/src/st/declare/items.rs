@@ -306,6 +306,11 @@ const KEPT: &str = ".static";
 const IMPLICIT: &str = "MAIN";
 
 impl Items<'_> {
+    /// Whether a block is one of the library.
+    pub(crate) fn is_of_library(&self, block: BlockId) -> bool {
+        self.library.values().any(|&known| known == block)
+    }
+
     /// The instance of a PROGRAM of this name; the name of the PROGRAM itself is enough if there is one only.
     pub(crate) fn program(&self, wanted: &str) -> Option<&Program> {
         self.programs.iter().find(|program| key(&program.name) == wanted).or_else(|| {
