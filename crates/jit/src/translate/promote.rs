@@ -13,7 +13,7 @@ use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value};
 use cranelift_frontend::Variable;
 use sieben_engine::access::data_registers;
 use sieben_engine::intrinsics::Intrinsic;
-use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, TextRoom, Var};
+use sieben_engine::ir::{Callee, DataRegister, Inst, Op, Place, TextRoom, Var, verify};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
@@ -381,6 +381,17 @@ impl Translator<'_> {
             let mut loaded: BTreeMap<u8, (Base, i32)> = BTreeMap::new();
             let mut results = BTreeSet::new();
             for (index, inst) in (code.statements[statement as usize]..).zip(code.statement(statement as usize)) {
+                if let Inst::Compute { op, args, .. } = *inst
+                    && computes_reals(op)
+                {
+                    for place in args[..op.arity()].iter().filter_map(|arg| loaded.get(&arg.0)) {
+                        candidates.entry(*place).and_modify(|candidate| candidate.real = true);
+                    }
+                }
+                if let Some(dst) = verify::writes(inst) {
+                    loaded.remove(&dst.0);
+                    results.remove(&dst.0);
+                }
                 let (place, width, written) = match *inst {
                     Inst::Load { place, width, .. } if self.constant_at(index, place, width).is_some() => continue,
                     Inst::Load { place, width, .. } => (place, width, false),
@@ -391,15 +402,10 @@ impl Translator<'_> {
                         others.extend(self.touched_text(index, (from, false), from_room));
                         continue;
                     }
-                    Inst::Compute { op: Op::I32ToF32 | Op::I32ToF64 | Op::I64ToF64, dst, .. } => {
-                        results.insert(dst.0);
-                        continue;
-                    }
-                    Inst::Compute { op, dst, args } if computes_reals(op) => {
-                        for place in args[..op.arity()].iter().filter_map(|arg| loaded.get(&arg.0)) {
-                            candidates.entry(*place).and_modify(|candidate| candidate.real = true);
+                    Inst::Compute { op, dst, .. } => {
+                        if computes_reals(op) || matches!(op, Op::I32ToF32 | Op::I32ToF64 | Op::I64ToF64) {
+                            results.insert(dst.0);
                         }
-                        results.insert(dst.0);
                         continue;
                     }
                     Inst::Move { .. } => {
