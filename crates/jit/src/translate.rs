@@ -880,12 +880,15 @@ impl<'a> Translator<'a> {
             Inst::Load { dst, place, width, .. } if self.is_there(index, place, width) && self.is_needless(index, dst) => {}
             Inst::Load { dst, place, width, on_fault } => self.load(index, dst, place, width, on_fault),
             Inst::Store { place, width, src } => {
-                let mut value = self.get(src);
+                let value = self.get(src);
                 self.steps = self.is_step_of_turn(index);
-                if let Some(condition) = self.choice.take() {
-                    value = self.chosen(condition, (place, width), index, value);
+                let value = match self.choice.take() {
+                    Some(choice) => self.chosen(choice, (place, width), index, value),
+                    None => Some(value),
+                };
+                if let Some(value) = value {
+                    self.store(index, place, width, value);
                 }
-                self.store(index, place, width, value);
                 self.steps = false;
             }
             Inst::Move { from, to, bytes }
@@ -913,6 +916,8 @@ impl<'a> Translator<'a> {
             Inst::Require { condition, register, .. } => self.require(index, condition, Some(register), After::NextStatement),
             Inst::RequireStack { condition, .. } => self.require(index, condition, None, After::Never),
             Inst::Open { register, number } => self.open(index, register, number),
+            // Between two statements one of which is chosen.
+            Inst::Jump { .. } if self.choice.is_some() => {}
             Inst::Jump { to } => {
                 let block = self.way_to(to);
                 self.b.ins().jump(block, &[]);

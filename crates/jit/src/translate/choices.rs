@@ -1,8 +1,8 @@
-//! A jump over one assignment: the value is computed in any case, and chosen where it is written. Nobody foresees such a jump if it
-//! depends on the plant, and what is known of memory in front of it is known behind it.
+//! A jump over one assignment, or to one of two that write the same variable: the values are computed in any case, and one is chosen where
+//! it is written. Nobody foresees such a jump if it depends on the plant, and what is known of memory in front of it is known behind it.
 
 use cranelift_codegen::ir::{InstBuilder, InstructionData, Opcode, Value};
-use sieben_engine::ir::{Inst, OnFault, Op, Place, Var};
+use sieben_engine::ir::{Inst, OnFault, Op, Place, Target, Var};
 use sieben_model::address::Width;
 
 use super::Translator;
@@ -11,9 +11,21 @@ use super::value::Val;
 /// Longer statements are jumped over.
 const INSTRUCTIONS_MAX: usize = 8;
 
+/// Which statements a branch chooses from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Chosen {
+    /// The next one, or none.
+    OrNone,
+    /// The next one, with a jump behind it, or the one behind that.
+    OrOther,
+}
+
 /// A condition under which a statement is jumped over.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Choice {
+    from: Chosen,
+    /// What the first of two statements would write.
+    first: Option<Val>,
     /// Not 0 if it is …
     value: Value,
     /// … or is not.
@@ -44,6 +56,8 @@ pub(super) fn is_cheap(op: Op) -> bool {
             | O::XorU64
             | O::MulU16
             | O::MulU32
+            | O::Shl8
+            | O::Shr8
             | O::Shl16
             | O::Shr16
             | O::Shl32
@@ -84,28 +98,55 @@ fn leads_to_address(insts: &[Inst], variable: Place) -> bool {
 }
 
 impl Translator<'_> {
-    /// Whether the statement over which the running one jumps, if a condition holds, is written out as a choice; it is, from now on.
+    /// Whether what the running statement jumps over, if a condition holds, is written out as a choice; it is, from now on.
     pub(super) fn chooses(&mut self, index: u32, condition: Val, to: u32) -> bool {
-        if !self.is_choice(index, to) {
-            return false;
-        }
+        let Some(from) = self.choice_of(index, to) else { return false };
         let (value, negated) = self.condition(condition);
         let is_flag = !matches!(self.force(condition), Val::At { at: 1.., .. });
         let (bit, _) = self.without_not(condition);
-        self.choice = Some(Choice { value, negated, is_flag, bit });
+        self.choice = Some(Choice { from, first: None, value, negated, is_flag, bit });
         true
     }
 
-    /// Whether a branch jumps over one statement that is written out as a choice.
+    /// Whether what a branch jumps over is written out as a choice.
     pub(super) fn is_choice(&self, index: u32, to: u32) -> bool {
+        self.choice_of(index, to).is_some()
+    }
+
+    fn choice_of(&self, index: u32, to: u32) -> Option<Chosen> {
         let next = self.statement + 1;
         let code = &self.native().code;
         let is_last = code.statements.get(next as usize) == Some(&(index + 1));
-        if !self.options.optimize || to != next + 1 || !is_last || self.arrivals.contains_key(&next) || !self.is_plain(next) {
-            return false;
+        if !self.options.optimize || !is_last {
+            return None;
         }
-        !matches!(code.statement(next as usize).last(), Some(&Inst::Store { place, .. })
-            if leads_to_address(code.statement(self.statement as usize), place))
+        let variable = self.written_by_plain(next)?;
+        if leads_to_address(code.statement(self.statement as usize), variable.0) {
+            return None;
+        }
+        if to == next + 1 {
+            return Some(Chosen::OrNone);
+        }
+        let jumps = to == next + 2 && matches!(*code.statement(next as usize + 1), [Inst::Jump { to: Target(end) }] if end == to + 1);
+        let is_other = jumps && !self.is_entered(next + 1) && self.written_by_plain(to) == Some(variable);
+        is_other.then_some(Chosen::OrOther)
+    }
+
+    /// What a statement writes that is plain and that nobody enters but from the one in front of it, or the branch that is looked at.
+    fn written_by_plain(&self, statement: u32) -> Option<(Place, Width)> {
+        if self.is_entered(statement) || !self.is_plain(statement) {
+            return None;
+        }
+        match self.native().code.statement(statement as usize).last() {
+            Some(&Inst::Store { place, width, .. }) => Some((place, width)),
+            _ => None,
+        }
+    }
+
+    /// Whether somebody comes to a statement from elsewhere, or a turn of a loop begins there.
+    fn is_entered(&self, statement: u32) -> bool {
+        let written_out = self.native().written_out.as_ref();
+        self.arrivals.contains_key(&statement) || written_out.is_some_and(|it| it.next_turn(statement).or(it.more(statement)).is_some())
     }
 
     /// Whether a statement computes one value and writes it, and can neither fail nor be entered elsewhere.
@@ -129,25 +170,36 @@ impl Translator<'_> {
             })
     }
 
-    /// What a statement that is not jumped over writes: what is there already if the condition holds.
-    pub(super) fn chosen(&mut self, choice: Choice, (place, width): (Place, Width), index: u32, value: Val) -> Val {
+    /// What is written where a statement that may be jumped over writes a value: what is there already if the condition holds, or what the
+    /// other statement writes. `None` if that is to come.
+    pub(super) fn chosen(&mut self, choice: Choice, (place, width): (Place, Width), index: u32, value: Val) -> Option<Val> {
         let Choice { value: condition, negated, .. } = choice;
-        let free = Var::temporary(self.temporaries.len()).unwrap_or_default();
-        self.load(index, free, place, width, OnFault::SkipWrite);
-        let (old, new) = (self.get(free), self.force(value));
-        let old = self.force(old);
+        let value = self.force(value);
+        let (old, new) = match (choice.from, choice.first) {
+            (Chosen::OrOther, None) => {
+                self.choice = Some(Choice { first: Some(value), ..choice });
+                return None;
+            }
+            (Chosen::OrOther, Some(first)) => (value, first),
+            (Chosen::OrNone, _) => {
+                let free = Var::temporary(self.temporaries.len()).unwrap_or_default();
+                self.load(index, free, place, width, OnFault::SkipWrite);
+                let old = self.get(free);
+                (self.force(old), value)
+            }
+        };
         if width != Width::Bit
             && let Some(number) = self.chosen_bit(choice, old, new)
         {
-            return number;
+            return Some(number);
         }
         if width == Width::DoubleWord
             && let Some(sum) = self.chosen_sum(choice, old, new)
         {
-            return Val::Int(sum);
+            return Some(Val::Int(sum));
         }
         let (old, new) = if negated { (new, old) } else { (old, new) };
-        match width {
+        Some(match width {
             Width::Bit => {
                 let [old, new] = [old, new].map(|value| self.bit(value));
                 Val::Bit { value: self.b.ins().select(condition, old, new), clean: false }
@@ -172,7 +224,7 @@ impl Translator<'_> {
                 let [old, new] = [old, new].map(|value| self.int(value));
                 Val::Int(self.b.ins().select(condition, old, new))
             }
-        }
+        })
     }
 
     /// A variable to which something is added if the condition holds that was not negated, or does not hold that was: a sum in any case,
