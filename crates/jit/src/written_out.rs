@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use sieben_engine::interpreter::weight;
 use sieben_engine::ir::{Code, Inst, Op, Place, Target, Var};
+use sieben_engine::machine::Register;
 use sieben_model::address::Width;
 
 use crate::jit::jumps_back;
@@ -15,6 +16,11 @@ use crate::translate::{made_by, targets};
 
 /// Turns of a loop that is written out.
 const TURNS_MAX: u32 = 5;
+/// Turns of one that works with few variables, each at its own address, as those for the bits of a check sum: nothing of it is done side by
+/// side.
+const TURNS_MAX_OF_VARIABLES: u32 = 8;
+/// IR instructions of such a turn.
+const VARIABLES_INSTRUCTIONS_MAX: usize = 40;
 /// IR instructions of all turns of a loop.
 const INSTRUCTIONS_MAX: usize = 4_000;
 /// IR instructions by which a block may grow.
@@ -215,8 +221,10 @@ fn loops_of_few_turns(code: &Code) -> Vec<Loop> {
         let inside = |statement: u32| statements.contains(&statement);
         // It is the only one with these statements, is entered at its first one, and has no loop in it.
         let alone = back.iter().filter(|&&(from, to)| inside(from as u32) || inside(to)).count() == 1;
-        let Some(count) = alone.then(|| turns_of(code, &statements)).flatten() else { continue };
         let size: usize = statements.clone().map(|statement| code.statement(statement as usize).len()).sum();
+        let of_variables = size <= VARIABLES_INSTRUCTIONS_MAX && works_with_variables(code, &statements);
+        let most = if of_variables { TURNS_MAX_OF_VARIABLES } else { TURNS_MAX };
+        let Some(count) = alone.then(|| turns_of(code, &statements, most)).flatten() else { continue };
         let all = size * count as usize;
         if all > INSTRUCTIONS_MAX || grown + all > GROWTH_MAX || !is_entered_at_its_beginning(code, &statements) {
             continue;
@@ -230,6 +238,21 @@ fn loops_of_few_turns(code: &Code) -> Vec<Loop> {
         it.growth
     });
     loops
+}
+
+/// Whether a loop reaches no place whose address is computed.
+fn works_with_variables(code: &Code, statements: &Range<u32>) -> bool {
+    let instance = Var::from(Register::Ar2);
+    let is_variable = |inst: &Inst| match *inst {
+        Inst::Load { place, .. } | Inst::Store { place, .. } => match place {
+            Place::Fixed { .. } => true,
+            Place::Indirect { pointer, .. } => pointer == instance,
+            Place::Crossing { .. } => false,
+        },
+        Inst::JumpTable { .. } => false,
+        _ => true,
+    };
+    statements.clone().all(|statement| code.statement(statement as usize).iter().all(is_variable))
 }
 
 /// Whether nobody jumps into a loop, and it calls nobody. What pointers in memory lead to is found once for all turns of a loop that is
@@ -250,7 +273,7 @@ fn is_entered_at_its_beginning(code: &Code, statements: &Range<u32>) -> bool {
 }
 
 /// How many turns a loop has, if it counts from a constant to a constant and nothing else is seen.
-fn turns_of(code: &Code, statements: &Range<u32>) -> Option<u32> {
+fn turns_of(code: &Code, statements: &Range<u32>, most: u32) -> Option<u32> {
     let [.., Inst::Branch { condition, to }] = *code.statement(statements.end as usize - 1) else { return None };
     if to != Target(statements.start) || condition.register().is_some() || statements.start == 0 {
         return None;
@@ -266,7 +289,7 @@ fn turns_of(code: &Code, statements: &Range<u32>) -> Option<u32> {
         _ => false,
     };
     let mut value = signed(from);
-    for count in 1..=TURNS_MAX {
+    for count in 1..=most {
         value += signed(step);
         if !goes_on(value) {
             return (count > 1).then_some(count);

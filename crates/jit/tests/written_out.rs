@@ -1,4 +1,4 @@
-//! Loops of two to six turns, which are written out one turn behind the other: with ways out and ways to the next turn in the middle,
+//! Loops of two to nine turns, which are written out one turn behind the other: with ways out and ways to the next turn in the middle,
 //! statements that fail, counters that turns change or that somebody else changes, in a block and in one that it calls, in a loop around them
 //! or behind one another. Whatever the Host makes of memory and budget, they do on all engines what the interpreter does.
 
@@ -140,7 +140,7 @@ impl Maker<'_> {
 
     /// A loop of few turns.
     fn few_turns(&mut self) {
-        let (from, turns) = (self.dice.of(&[0, 1, 1, 2]), self.dice.of(&[2, 3, 4, 5, 5, 6]));
+        let (from, turns) = (self.dice.of(&[0, 1, 1, 2]), self.dice.of(&[2, 3, 4, 5, 5, 6, 7, 8, 9]));
         let step = self.dice.of(&[1, 1, 2]);
         let down = self.dice.roll(4) == 0;
         let last = from + step * (turns - 1);
@@ -307,4 +307,39 @@ fn turns_that_are_written_out_do_what_the_interpreter_does() {
         asked > 5_000 && finished > 500 && written_out > 300,
         "{asked} questions, {finished} runs to the end, {written_out} written out"
     );
+}
+
+/// Statements of the code of a loop that counts turns; each adds the counter to a variable, or to an element of an array.
+fn statements_of(turns: u64, of_array: bool) -> usize {
+    let write = |b: &mut Builder| {
+        let counter = (fixed(COUNTERS[0]), Width::DoubleWord);
+        let mut maker = Maker { b, dice: Dice(0), statements: 0, counter };
+        maker.begin();
+        let zero = maker.b.constant(0);
+        maker.b.store(counter.0, counter.1, zero);
+        maker.begin();
+        let place = if of_array { maker.field(0) } else { fixed(SUM) };
+        let (old, number) = (maker.load(place, Width::DoubleWord), maker.count());
+        let sum = maker.b.compute(Op::AddU32, &[old, number]);
+        maker.b.store(place, Width::DoubleWord, sum);
+        maker.begin();
+        let (old, one, last) = (maker.load(counter.0, counter.1), maker.b.constant(1), maker.b.constant(turns - 1));
+        let next = maker.b.compute(Op::AddU32, &[old, one]);
+        maker.b.store(counter.0, counter.1, next);
+        let goes_on = maker.b.compute(Op::LeI32, &[next, last]);
+        maker.b.push(Inst::Branch { condition: goes_on, to: Target(1) });
+    };
+    let program = program(&[(BlockId::ob(1), LOCAL_BYTES, &write)]);
+    let listing = Jit::listing(&program, &noting::layout(&program)).expect("machine code");
+    let ir = listing.split("\nfunction ").next().unwrap_or_default();
+    ir.lines().filter(|line| line.strip_suffix(':').is_some_and(|it| it.parse::<u32>().is_ok())).count()
+}
+
+#[test]
+fn more_turns_are_written_out_of_a_loop_that_works_with_variables() {
+    let is_written_out = |turns: u64, of_array: bool| statements_of(turns, of_array) > 4;
+    for turns in 2..12 {
+        assert_eq!(is_written_out(turns, true), turns <= 5, "{turns} turns over an array");
+        assert_eq!(is_written_out(turns, false), turns <= 8, "{turns} turns");
+    }
 }
