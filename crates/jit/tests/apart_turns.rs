@@ -94,7 +94,7 @@ impl Kind {
             Bit => &[Op::And, Op::Or, Op::Xor, Op::AndNot],
             Byte => &[Op::AndU32, Op::OrU32],
             Half => &[Op::AddU16, Op::SubU16, Op::MulU16, Op::DivI16, Op::RemI16],
-            Double => &[Op::AddU32, Op::SubU32, Op::MulU32, Op::XorU32, Op::MinI32, Op::DivI32, Op::RemI32],
+            Double => &[Op::AddU32, Op::SubU32, Op::MulU32, Op::XorU32, Op::MinI32, Op::DivI32, Op::RemI32, Op::DivU64, Op::RemU64],
             Real => &[Op::AddF32, Op::SubF32, Op::MulF32, Op::DivF32, Op::MinF32, Op::MaxF32],
             Quad => &[Op::AddU64, Op::SubU64, Op::XorU64],
             Lreal => &[Op::AddF64, Op::SubF64, Op::MulF64, Op::DivF64, Op::MaxF64],
@@ -104,7 +104,9 @@ impl Kind {
     fn comparisons(self) -> &'static [Op] {
         match self {
             Bit => &[Op::Xor],
-            Byte | Double => &[Op::LtI32, Op::GeI32, Op::LeI32, Op::Equal, Op::Differ, Op::DivFailsI32],
+            Byte | Double => {
+                &[Op::LtI32, Op::GeI32, Op::LeI32, Op::LeU64, Op::GtU64, Op::GeU64, Op::Equal, Op::Differ, Op::DivFailsI32]
+            }
             Half => &[Op::LtI16, Op::GeI16, Op::LeI16, Op::NeI16, Op::EqI16],
             Real => &[Op::LtF32, Op::GeF32, Op::DifferF32, Op::NeF32],
             Quad => &[Op::LtI64, Op::Equal],

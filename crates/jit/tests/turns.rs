@@ -503,6 +503,8 @@ impl Elements {
                 Op::NegI32,
                 Op::DivI32,
                 Op::RemI32,
+                Op::DivU64,
+                Op::RemU64,
                 Op::Shl32,
                 Op::Sar32,
                 Op::Select,
@@ -516,7 +518,9 @@ impl Elements {
     fn comparisons(self) -> &'static [Op] {
         match self {
             Self::Halves => &[Op::LtI16, Op::GeI16, Op::EqI16, Op::NeI16, Op::LeI16, Op::GtI16],
-            Self::Words => &[Op::LtI32, Op::LeI32, Op::GtI32, Op::GeI32, Op::EqI32, Op::Differ, Op::Below],
+            Self::Words => {
+                &[Op::LtI32, Op::LeI32, Op::GtI32, Op::GeI32, Op::EqI32, Op::Differ, Op::Below, Op::LeU64, Op::GtU64, Op::GeU64]
+            }
             Self::Reals => &[Op::LtF32, Op::LeF32, Op::GtF32, Op::GeF32, Op::EqF32, Op::NeF32, Op::DifferF32],
         }
     }
@@ -670,7 +674,7 @@ impl Maker<'_> {
         let args = [self.smooth_operand(elements, index, other), self.smooth_operand(elements, index, other)];
         let op = self.dice.of(elements.operations());
         let value = match op {
-            Op::DivI32 | Op::RemI32 | Op::Shl32 | Op::Sar32 => {
+            Op::DivI32 | Op::RemI32 | Op::DivU64 | Op::RemU64 | Op::Shl32 | Op::Sar32 => {
                 let number = self.dice.of(&[1, 2, 3, 8, 31, 64, 0x4000_0000, 0x8000_0000]);
                 let number = self.b.constant(number);
                 self.b.compute(op, &[args[0], number])

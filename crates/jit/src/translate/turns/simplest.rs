@@ -168,6 +168,13 @@ impl Reader<'_, '_> {
                 let added = self.constant(u64::from(added.wrapping_sub(taken)));
                 self.kernel.is_32_bits(of).then(|| self.compute(Op::AddU32, [of, added, of, of]))
             }
+            // UDINT and UINT are divided as numbers of 64 bits, of which there are no vectors.
+            Op::DivU64 | Op::RemU64 => {
+                let is_small = |number: Node| self.kernel.is_32_bits(number) && self.range(number, DEPTH_MAX).unsigned(32).1 < 1 << 31;
+                self.kernel.constant(b).filter(|&divisor| divisor > 0)?;
+                let op = if op == Op::DivU64 { Op::DivI32 } else { Op::RemI32 };
+                (is_small(a) && is_small(b)).then(|| self.compute(op, [a, b, a, a]))
+            }
             // What is never negative is divided by a power of two as if it had no sign.
             Op::DivI32 | Op::RemI32 => {
                 let divisor = self.kernel.constant(b).filter(|&divisor| divisor < 1 << 31)?;
