@@ -341,6 +341,11 @@ pub(in crate::translate) fn result(op: Op, [a, b, c]: [Interval; 3]) -> Interval
         Op::MergeLow16 => Interval { zeros: b.zeros.min(16), ..Interval::any(32) },
         Op::Decrement16 => computed(|a, b| a - b, a.modulo(16), (1, 1), 0, 16),
         Op::Shl32 | Op::Shr32 | Op::Sar32 => shifted(op, a, b),
+        // Above a pointer there is the number of a data block.
+        Op::Shr64 if let Some(count) = b.exact().map(|count| count as u32 & 0xFF).filter(|&count| count < 64) => {
+            let (least, most) = a.unsigned(64);
+            Interval::of((least >> count, most >> count), a.zeros.saturating_sub(count), 64)
+        }
         Op::AndU32 | Op::AndU64 => masked(a, b),
         Op::MinI16 | Op::MaxI16 => extreme(op == Op::MaxI16, Number::Signed(16), a, b),
         Op::MinI32 | Op::MaxI32 => extreme(op == Op::MaxI32, Number::Signed(32), a, b),
@@ -561,6 +566,10 @@ mod tests {
         let by = Interval { least: 0, most: 448, zeros: 5, bits: 32 };
         let sum = result(Op::AddU32, [pointer, by, by]);
         assert_eq!((sum.unsigned(32), sum.bits), ((0x8400_0020, 0x8400_0020 + 448), 32));
+        // Nor does where the pointer leads change the number.
+        let pointer = Interval { least: 0x3E80_8400_0020, most: 0x3E80_8400_4000, zeros: 5, bits: 64 };
+        let bits = Interval::constant(32);
+        assert_eq!(result(Op::Shr64, [pointer, bits, bits]).exact(), Some(0x3E80));
     }
 
     #[test]
