@@ -104,9 +104,7 @@ impl Kind {
     fn comparisons(self) -> &'static [Op] {
         match self {
             Bit => &[Op::Xor],
-            Byte | Double => {
-                &[Op::LtI32, Op::GeI32, Op::LeI32, Op::LeU64, Op::GtU64, Op::GeU64, Op::Equal, Op::Differ, Op::DivFailsI32]
-            }
+            Byte | Double => &[Op::LtI32, Op::GeI32, Op::LeI32, Op::LeU64, Op::GtU64, Op::GeU64, Op::Equal, Op::Differ, Op::DivFailsI32],
             Half => &[Op::LtI16, Op::GeI16, Op::LeI16, Op::NeI16, Op::EqI16],
             Real => &[Op::LtF32, Op::GeF32, Op::DifferF32, Op::NeF32],
             Quad => &[Op::LtI64, Op::Equal],

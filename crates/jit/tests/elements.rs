@@ -133,6 +133,26 @@ fn loads(looked_at: bool) -> usize {
 }
 
 #[test]
+fn an_element_at_a_known_index_is_a_variable_like_others() {
+    let build = |b: &mut Builder| {
+        looping(b, 12, 1, &mut |b, _| {
+            let (three, bits) = (b.constant(3), b.constant(8 * ELEMENT));
+            let pointer = b.compute(Op::MulU32, &[three, bits]);
+            let place = Place::Indirect { area: Area::SharedData, pointer, offset: 16 };
+            let value = b.load(place, Width::Word, OnFault::SkipStatement);
+            let counter = b.load(index(0), Width::Word, OnFault::SkipStatement);
+            let sum = b.compute(Op::AddU16, &[value, counter]);
+            b.store(place, Width::Word, sum);
+        });
+    };
+    let program = program(&[(BlockId::ob(1), 16, &build)]);
+    let listing = Jit::listing(&program, &layout_with(&program, DATA_BYTES)).expect("machine code");
+    // Both are kept in registers: a turn begins with the jump table behind the sum, and touches no memory.
+    let turn = listing.split("\nblock").find(|block| block.contains("br_table")).expect("a turn");
+    assert!(!turn.contains("load") && !turn.contains("store"), "{turn}");
+}
+
+#[test]
 fn an_element_that_is_written_is_not_read_if_its_index_is_known_to_be_inside() {
     assert_eq!(loads(true), loads(false));
 }

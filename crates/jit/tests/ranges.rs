@@ -67,7 +67,8 @@ fn get(b: &mut Builder, variable: Variable) -> Var {
 
 /// The index as an address would be computed from it, and whether it passed a gate.
 fn element(b: &mut Builder, dice: &mut Dice, array: Array, index: Variable) -> (Place, Option<Var>) {
-    let mut number = get(b, index);
+    // Now and then the same element all the time.
+    let mut number = if dice.roll(10) == 0 { b.constant(dice.roll(8)) } else { get(b, index) };
     if index.width == Width::Word && dice.roll(2) == 0 {
         number = b.compute(Op::Extend16, &[number]);
     }

@@ -518,9 +518,7 @@ impl Elements {
     fn comparisons(self) -> &'static [Op] {
         match self {
             Self::Halves => &[Op::LtI16, Op::GeI16, Op::EqI16, Op::NeI16, Op::LeI16, Op::GtI16],
-            Self::Words => {
-                &[Op::LtI32, Op::LeI32, Op::GtI32, Op::GeI32, Op::EqI32, Op::Differ, Op::Below, Op::LeU64, Op::GtU64, Op::GeU64]
-            }
+            Self::Words => &[Op::LtI32, Op::LeI32, Op::GtI32, Op::GeI32, Op::EqI32, Op::Differ, Op::Below, Op::LeU64, Op::GtU64, Op::GeU64],
             Self::Reals => &[Op::LtF32, Op::LeF32, Op::GtF32, Op::GeF32, Op::EqF32, Op::NeF32, Op::DifferF32],
         }
     }

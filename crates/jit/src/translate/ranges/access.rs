@@ -92,7 +92,12 @@ impl Analysis<'_> {
         }
         match i32::try_from(start + first) {
             Ok(offset) if least == most => {
-                if let (Some((index, _)), Place::Crossing { .. }) = (notes, place) {
+                let is_computed = match place {
+                    Place::Crossing { .. } => true,
+                    Place::Indirect { pointer, .. } => pointer.register().is_none(),
+                    Place::Fixed { .. } => false,
+                };
+                if let Some((index, _)) = notes.filter(|_| is_computed) {
                     self.found.pointed.insert(index, (base, offset));
                 }
                 Reach::Cell(base, offset)
