@@ -33,6 +33,7 @@ mod branches;
 mod budget;
 mod bytes;
 mod calls;
+mod case_tables;
 mod choices;
 mod decided;
 mod decimal;
@@ -938,7 +939,12 @@ impl<'a> Translator<'a> {
                 }
                 self.branch(condition, to);
             }
-            Inst::JumpTable { index, first, count, otherwise } => self.jump_table(index, first, count, otherwise),
+            Inst::JumpTable { index: selector, first, count, otherwise } => {
+                let targets = self.native().code.tables[first as usize..(first + count) as usize].to_vec();
+                if !self.assigns_by_table(index, selector, &targets, otherwise) {
+                    self.jump_table(selector, first, count, otherwise);
+                }
+            }
             Inst::Call { callee, parameters } => self.call_block(index, callee, parameters),
             Inst::Return if !self.outer.is_empty() => {
                 if let Some(end) = end(&self.native().code).filter(|&end| end != self.statement) {

@@ -1,5 +1,5 @@
-//! One assignment under a condition, or one of two to the same variable, of every width: whatever is written, whether it is entered from
-//! elsewhere, and in whatever loop it stands, it does on all engines what the interpreter does.
+//! One assignment under a condition, or one of two to the same variable, or constants in the branches of a CASE, of every width: whatever is
+//! written, whether it is entered from elsewhere, and in whatever loop it stands, it does on all engines what the interpreter does.
 
 use dice::Dice;
 use noting::{all_engines_agree_from, counted, fixed, get, program};
@@ -104,9 +104,47 @@ fn condition(b: &mut Builder, dice: &mut Dice) -> Var {
     if dice.roll(3) == 0 { b.compute(Op::Not, &[condition]) } else { condition }
 }
 
+/// A CASE with constants in its branches, some of them in a wrong place now and then; the number of the statement behind it.
+fn constants(b: &mut Builder, dice: &mut Dice, first: u32) -> u32 {
+    let width = dice.of(&WIDTHS);
+    let place = variable(width, dice.roll(VARIABLES.into()) as u32);
+    let (branches, otherwise) = (1 + dice.roll(5) as u32, dice.roll(3) > 0);
+    let statements = 2 * branches - 1 + if otherwise { 2 } else { 0 };
+    let end = first + 2 + statements;
+    b.begin_statement();
+    let selector = get_from(b, (variable(Width::Word, dice.roll(VARIABLES.into()) as u32), Width::Word));
+    let mask = b.constant(dice.of(&[3, 7, 15, 0xFFFF]));
+    let selector = b.compute(Op::AndU64, &[selector, mask]);
+    let cases = 1 + dice.roll(14);
+    let of_branch = |branch: u32| Target(first + 2 + 2 * branch);
+    let targets: Vec<Target> = (0..cases).map(|_| of_branch(dice.roll(branches.into()) as u32)).collect();
+    let table = b.table(&targets);
+    let behind = if otherwise { of_branch(branches) } else { Target(end) };
+    b.push(Inst::JumpTable { index: selector, first: table, count: cases as u32, otherwise: behind });
+    b.begin_statement();
+    b.push(Inst::Jump { to: Target(end) });
+    let most = dice.of(&[2, 200, 30_000, 1 << 31]);
+    for statement in 0..statements {
+        b.begin_statement();
+        if statement % 2 == 1 {
+            b.push(Inst::Jump { to: Target(end) });
+            continue;
+        }
+        let constant = if width == Width::Bit { dice.roll(2) } else { dice.roll(most) & (u64::MAX >> (64 - width.bits())) };
+        let value = b.constant(constant);
+        let elsewhere = dice.roll(20) == 0;
+        b.store(if elsewhere { variable(width, dice.roll(VARIABLES.into()) as u32) } else { place }, width, value);
+    }
+    end
+}
+
 /// Assignments under conditions, one behind the other, from a statement on; the number of the one behind them.
 fn choices(b: &mut Builder, dice: &mut Dice, mut first: u32) -> u32 {
     for _ in 0..1 + dice.roll(4) {
+        if dice.roll(4) == 0 {
+            first = constants(b, dice, first);
+            continue;
+        }
         let width = dice.of(&WIDTHS);
         let place = variable(width, dice.roll(VARIABLES.into()) as u32);
         let [yes, no] = [0; 2].map(|_| Assigned { seed: dice.roll(1 << 30) });
@@ -205,4 +243,38 @@ fn one_of_two_assignments_to_a_variable_is_chosen_without_a_jump() {
     assert!(!is_chosen([44, 48], false, false), "they write two variables");
     assert!(!is_chosen([44, 44], true, false), "the second one is entered from elsewhere");
     assert!(!is_chosen([44, 44], false, true), "there is more than one assignment");
+}
+
+/// Whether a CASE with so many branches, each for one value, that assigns constants below a limit is written without a jump.
+fn is_table(branches: u32, most: u64, other: u32) -> bool {
+    let write = |b: &mut Builder| {
+        let end = 1 + 2 * branches;
+        b.begin_statement();
+        let selector = get(b, 40, Width::Byte);
+        let targets: Vec<Target> = (0..branches).map(|branch| Target(1 + 2 * branch)).collect();
+        let table = b.table(&targets);
+        b.push(Inst::JumpTable { index: selector, first: table, count: branches, otherwise: Target(end) });
+        for branch in 0..branches {
+            b.begin_statement();
+            let value = b.constant(most - u64::from(branch));
+            b.store(fixed(if branch == 1 { other } else { 44 }), Width::DoubleWord, value);
+            b.begin_statement();
+            b.push(Inst::Jump { to: Target(end) });
+        }
+        b.begin_statement();
+        b.push(Inst::Return);
+    };
+    let program = program(&[(BlockId::ob(1), 16, &write)]);
+    let listing = Jit::listing(&program, &noting::layout(&program)).expect("machine code");
+    !listing.contains("br_table")
+}
+
+#[test]
+fn constants_in_the_branches_of_a_case_are_found_without_a_jump() {
+    assert!(is_table(8, 255, 44));
+    assert!(is_table(32, 255, 44));
+    assert!(!is_table(33, 255, 44), "they take more than four words");
+    assert!(is_table(16, 65_535, 44) && !is_table(17, 65_535, 44));
+    assert!(is_table(8, 1 << 20, 44) && !is_table(9, 1 << 20, 44));
+    assert!(!is_table(8, 255, 48), "one of the branches writes another variable");
 }

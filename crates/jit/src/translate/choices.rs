@@ -144,7 +144,7 @@ impl Translator<'_> {
     }
 
     /// Whether somebody comes to a statement from elsewhere, or a turn of a loop begins there.
-    fn is_entered(&self, statement: u32) -> bool {
+    pub(super) fn is_entered(&self, statement: u32) -> bool {
         let written_out = self.native().written_out.as_ref();
         self.arrivals.contains_key(&statement) || written_out.is_some_and(|it| it.next_turn(statement).or(it.more(statement)).is_some())
     }
