@@ -104,12 +104,21 @@ fn condition(b: &mut Builder, dice: &mut Dice) -> Var {
     if dice.roll(3) == 0 { b.compute(Op::Not, &[condition]) } else { condition }
 }
 
+/// A statement from which somebody may jump into one of so many behind it; the number of the first of these.
+fn enters(b: &mut Builder, dice: &mut Dice, first: u32, statements: u32) -> u32 {
+    b.begin_statement();
+    let condition = condition(b, dice);
+    b.push(Inst::Branch { condition, to: Target(first + 1 + dice.roll(statements.into()) as u32) });
+    first + 1
+}
+
 /// A CASE with constants in its branches, some of them in a wrong place now and then; the number of the statement behind it.
 fn constants(b: &mut Builder, dice: &mut Dice, first: u32) -> u32 {
     let width = dice.of(&WIDTHS);
     let place = variable(width, dice.roll(VARIABLES.into()) as u32);
     let (branches, otherwise) = (1 + dice.roll(5) as u32, dice.roll(3) > 0);
     let statements = 2 * branches - 1 + if otherwise { 2 } else { 0 };
+    let first = if dice.roll(6) == 0 { enters(b, dice, first, 2 + statements) } else { first };
     let end = first + 2 + statements;
     b.begin_statement();
     let selector = get_from(b, (variable(Width::Word, dice.roll(VARIABLES.into()) as u32), Width::Word));
@@ -123,10 +132,11 @@ fn constants(b: &mut Builder, dice: &mut Dice, first: u32) -> u32 {
     b.push(Inst::JumpTable { index: selector, first: table, count: cases as u32, otherwise: behind });
     b.begin_statement();
     b.push(Inst::Jump { to: Target(end) });
-    let most = dice.of(&[2, 200, 30_000, 1 << 31]);
+    let most = dice.of(&[2, 4, 200, 400, 30_000, 100_000, 1 << 31]);
     for statement in 0..statements {
         b.begin_statement();
-        if statement % 2 == 1 {
+        // Now and then a branch goes on with the next one.
+        if statement % 2 == 1 && dice.roll(24) > 0 {
             b.push(Inst::Jump { to: Target(end) });
             continue;
         }
@@ -150,21 +160,18 @@ fn choices(b: &mut Builder, dice: &mut Dice, mut first: u32) -> u32 {
         let [yes, no] = [0; 2].map(|_| Assigned { seed: dice.roll(1 << 30) });
         let two = dice.roll(3) > 0;
         let other = if dice.roll(8) == 0 { variable(width, dice.roll(VARIABLES.into()) as u32) } else { place };
-        // Somebody comes to the second assignment without a look at the condition.
-        let entered = two && dice.roll(8) == 0;
-        if entered {
-            b.begin_statement();
-            let condition = condition(b, dice);
-            b.push(Inst::Branch { condition, to: Target(first + 4) });
-            first += 1;
+        // Somebody comes to one of the assignments, or to the jump between them, without a look at the condition.
+        if two && dice.roll(6) == 0 {
+            first = enters(b, dice, first, 4);
         }
+        let behind = if dice.roll(16) == 0 { 5 } else { 4 };
         b.begin_statement();
         let condition = condition(b, dice);
         b.push(Inst::Branch { condition, to: Target(first + if two { 3 } else { 2 }) });
         yes.write(b, (place, width));
         if two {
             b.begin_statement();
-            b.push(Inst::Jump { to: Target(first + 4) });
+            b.push(Inst::Jump { to: Target(first + behind) });
             no.write(b, (other, width));
         }
         first += if two { 4 } else { 2 };
