@@ -285,3 +285,19 @@ fn constants_in_the_branches_of_a_case_are_found_without_a_jump() {
     assert!(is_table(8, 1 << 20, 44) && !is_table(9, 1 << 20, 44));
     assert!(!is_table(8, 255, 48), "one of the branches writes another variable");
 }
+
+#[test]
+fn a_table_may_lead_to_the_end_of_a_block() {
+    let write = |b: &mut Builder| {
+        b.begin_statement();
+        let selector = get(b, 40, Width::Byte);
+        let table = b.table(&[Target(2), Target(1)]);
+        b.push(Inst::JumpTable { index: selector, first: table, count: 2, otherwise: Target(2) });
+        b.begin_statement();
+        let value = b.constant(7);
+        b.store(fixed(44), Width::Byte, value);
+    };
+    let program = program(&[(BlockId::ob(1), 16, &write)]);
+    let prepare = |machine: &mut Machine, memory: u64| machine.memory.area_mut(Area::BitMemory)[40] = memory as u8;
+    all_engines_agree_from((&program, &noting::layout(&program)), 4, &prepare, "the end");
+}

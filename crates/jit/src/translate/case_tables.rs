@@ -78,18 +78,22 @@ impl Translator<'_> {
         chosen
     }
 
-    /// What statements behind the running one assign to which its jump by a table leads, if they do nothing else and nobody else comes there.
+    /// What statements behind the running one assign to which its jump by a table leads, if they do nothing else.
     fn constants_of_case(&self, targets: &[Target], otherwise: Target) -> Option<Constants> {
         if !self.options.optimize || targets.is_empty() {
             return None;
         }
         let code = &self.native().code;
+        let count = code.statement_count() as u32;
         let first = targets[0].0;
+        // A way out of the block leads to its last statement.
+        if first + 1 >= count {
+            return None;
+        }
         let end = match *code.statement(first as usize + 1) {
             [Inst::Jump { to: Target(end) }] => end,
             _ => first + 1,
         };
-        let count = code.statement_count() as u32;
         let is_between = |to: u32| to > self.statement && to < end && end < count;
         let assigned = |Target(to): Target| match *code.statement(to as usize) {
             [Inst::Constant { dst, value }, Inst::Store { place, width, src }] if is_between(to) && src == dst => {
