@@ -940,8 +940,8 @@ impl<'a> Translator<'a> {
                 self.branch(condition, to);
             }
             Inst::JumpTable { index: selector, first, count, otherwise } => {
-                let targets = self.native().code.tables[first as usize..(first + count) as usize].to_vec();
-                if !self.assigns_by_table(index, selector, &targets, otherwise) {
+                let targets = &self.native().code.tables[first as usize..(first + count) as usize];
+                if !self.assigns_by_table(index, selector, targets, otherwise) {
                     self.jump_table(selector, first, count, otherwise);
                 }
             }

@@ -5,7 +5,7 @@
 use dice::Dice;
 use noting::{all_engines_agree_beside, program};
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, Target, Var};
-use sieben_engine::{Exit, FaultPlace, Machine, Program, Reaction, StopReason};
+use sieben_engine::{Exit, FaultPlace, Layout, Machine, Program, Reaction, StopReason};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
@@ -276,6 +276,13 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
     Reaction::Continue
 }
 
+/// Statements of the code that is compiled.
+fn statements_written(program: &Program, layout: &Layout) -> usize {
+    let listing = Jit::listing(program, layout).expect("machine code");
+    let ir = listing.split("\nfunction ").next().unwrap_or_default();
+    ir.lines().filter(|line| line.strip_suffix(':').is_some_and(|it| it.parse::<u32>().is_ok())).count()
+}
+
 #[test]
 fn turns_that_are_written_out_do_what_the_interpreter_does() {
     let (mut asked, mut finished, mut written_out) = (0, 0, 0);
@@ -283,10 +290,7 @@ fn turns_that_are_written_out_do_what_the_interpreter_does() {
         let program = random_program(seed);
         let layout = noting::layout(&program);
         let statements: usize = program.code.values().map(|block| block.code.statement_count()).sum();
-        let listing = Jit::listing(&program, &layout).expect("machine code");
-        let ir = listing.split("\nfunction ").next().unwrap_or_default();
-        written_out +=
-            usize::from(ir.lines().filter(|line| line.strip_suffix(':').is_some_and(|it| it.parse::<u32>().is_ok())).count() > statements);
+        written_out += usize::from(statements_written(&program, &layout) > statements);
         for round in 0..3 {
             let prepare = |machine: &mut Machine| {
                 let mut dice = Dice(seed + 1_000_000 + round);
@@ -330,9 +334,7 @@ fn statements_of(turns: u64, of_array: bool) -> usize {
         maker.b.push(Inst::Branch { condition: goes_on, to: Target(1) });
     };
     let program = program(&[(BlockId::ob(1), LOCAL_BYTES, &write)]);
-    let listing = Jit::listing(&program, &noting::layout(&program)).expect("machine code");
-    let ir = listing.split("\nfunction ").next().unwrap_or_default();
-    ir.lines().filter(|line| line.strip_suffix(':').is_some_and(|it| it.parse::<u32>().is_ok())).count()
+    statements_written(&program, &noting::layout(&program))
 }
 
 #[test]

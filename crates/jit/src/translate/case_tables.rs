@@ -33,7 +33,7 @@ impl Translator<'_> {
         let Some(constants) = self.constants_of_case(targets, otherwise) else { return false };
         let Constants { place, width, of_cases, .. } = &constants;
         let most = of_cases.iter().copied().max().unwrap_or(0);
-        let bits = [1, 8, 16, 32].into_iter().find(|&bits| most >> bits == 0).unwrap_or(64);
+        let bits = [1, 8, 16].into_iter().find(|&bits| most >> bits == 0).unwrap_or(32);
         let in_word = 64 / bits;
         if (of_cases.len() as u32).div_ceil(in_word) > WORDS_MAX {
             return false;
@@ -101,20 +101,17 @@ impl Translator<'_> {
             }
             _ => None,
         };
-        let (place, width, _) = assigned(targets[0])?;
+        let (place, width, _) = assigned(targets[0]).filter(|&(_, width, _)| width != Width::QuadWord)?;
         let constant = |target: Target| {
             let (to, wide, value) = assigned(target)?;
-            let value = if width == Width::QuadWord { value } else { value & ((1 << width.bits()) - 1) };
-            (to == place && wide == width).then_some(value)
+            (to == place && wide == width).then_some(value & ((1 << width.bits()) - 1))
         };
         // All that lies between are these statements and jumps to the end.
-        let mut others = (self.statement + 1..end).filter(|&between| constant(Target(between)).is_none());
         let is_jump = |between: u32| matches!(*code.statement(between as usize), [Inst::Jump { to: Target(to) }] if to == end);
         let ends = |between: u32| between + 1 == end || is_jump(between + 1);
-        let is_whole = others.all(is_jump)
-            && (self.statement + 1..end).all(|between| !self.is_entered(between) && (is_jump(between) || ends(between)));
-        let is_there = self.constant_address(place, width).is_some() && !self.is_protected(place);
-        if !is_whole || !is_there || width == Width::QuadWord {
+        let assigns = |between: u32| constant(Target(between)).is_some() && ends(between);
+        let is_whole = (self.statement + 1..end).all(|between| !self.is_entered(between) && (is_jump(between) || assigns(between)));
+        if !is_whole || self.constant_address(place, width).is_none() || self.is_protected(place) {
             return None;
         }
         let of_cases = targets.iter().map(|&target| constant(target)).collect::<Option<Vec<u64>>>()?;

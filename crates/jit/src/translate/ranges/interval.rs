@@ -340,12 +340,7 @@ pub(in crate::translate) fn result(op: Op, [a, b, c]: [Interval; 3]) -> Interval
         Op::MergeLow8 if a.unsigned(32).1 <= 0xFF => Interval::of(b.unsigned(8), b.zeros.min(8), 32),
         Op::MergeLow16 => Interval { zeros: b.zeros.min(16), ..Interval::any(32) },
         Op::Decrement16 => computed(|a, b| a - b, a.modulo(16), (1, 1), 0, 16),
-        Op::Shl32 | Op::Shr32 | Op::Sar32 => shifted(op, a, b),
-        // Above a pointer there is the number of a data block.
-        Op::Shr64 if let Some(count) = b.exact().map(|count| count as u32 & 0xFF).filter(|&count| count < 64) => {
-            let (least, most) = a.unsigned(64);
-            Interval::of((least >> count, most >> count), a.zeros.saturating_sub(count), 64)
-        }
+        Op::Shl32 | Op::Shr32 | Op::Sar32 | Op::Shr64 => shifted(op, a, b),
         Op::AndU32 | Op::AndU64 => masked(a, b),
         Op::MinI16 | Op::MaxI16 => extreme(op == Op::MaxI16, Number::Signed(16), a, b),
         Op::MinI32 | Op::MaxI32 => extreme(op == Op::MaxI32, Number::Signed(32), a, b),
@@ -469,14 +464,17 @@ fn low(a: Interval, bits: u32) -> Interval {
 }
 
 fn shifted(op: Op, a: Interval, count: Interval) -> Interval {
-    let Some(count) = count.exact().map(|count| count as u32 & 0xFF).filter(|&count| count < 32) else { return Interval::any(32) };
-    let right = |(least, most): (i128, i128)| Interval::of((least >> count, most >> count), a.zeros.saturating_sub(count), 32);
+    let bits = if op == Op::Shr64 { 64 } else { 32 };
+    let Some(count) = count.exact().map(|count| count as u32 & 0xFF).filter(|&count| count < bits) else { return Interval::any(bits) };
+    let right = |(least, most): (i128, i128)| Interval::of((least >> count, most >> count), a.zeros.saturating_sub(count), bits);
     match op {
         Op::Shl32 => {
             let (least, most) = a.modulo(32);
             Interval::of((least << count, most << count), a.zeros + count, 32)
         }
         Op::Shr32 => right(a.unsigned(32)),
+        // Above a pointer there is the number of a data block.
+        Op::Shr64 => right(a.unsigned(64)),
         _ => right(a.signed(32)),
     }
 }
