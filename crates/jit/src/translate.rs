@@ -70,6 +70,7 @@ mod reals_as_read;
 mod series;
 mod shifts;
 mod sized;
+mod spacing;
 mod tested_bits;
 mod text_bytes;
 mod text_numbers;
@@ -905,7 +906,11 @@ impl<'a> Translator<'a> {
             Inst::Parameter { dst, index } => self.parameter(dst, index),
             Inst::PassParameter { src } => self.pass_parameter(src),
             Inst::Intrinsic { dst, intrinsic, args } => self.intrinsic(index, dst, intrinsic, args),
-            Inst::Require { .. } if self.ranges.is_met(index) => {}
+            Inst::Require { condition, .. } if self.ranges.is_met(index) => {
+                if condition.register().is_none() {
+                    self.set(condition, Val::Const(1));
+                }
+            }
             Inst::Require { condition, code, register } if code & NOTED != 0 && self.look_and_part(index, condition, register) => {}
             Inst::Require { condition, code, register } if code & NOTED != 0 => {
                 let go_on = self.b.create_block();
@@ -928,6 +933,9 @@ impl<'a> Translator<'a> {
             Inst::Branch { condition, to } => {
                 let condition = self.get(condition);
                 let condition = self.force(condition);
+                if self.leave_for_meeting(index, condition) {
+                    return;
+                }
                 if let Val::Const(value) = condition {
                     if value & 1 != 0 {
                         self.inst(index, &Inst::Jump { to });

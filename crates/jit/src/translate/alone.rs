@@ -204,7 +204,7 @@ impl<'a> Look<'a> {
     }
 
     fn classify(&self, (base, bytes): ranges::Bytes) -> Option<Reached> {
-        match base {
+        match base.area() {
             Base::Local if bytes.start >= 0 => Some(Reached::Own),
             Base::Arena => {
                 let block = usize::try_from((bytes.start - self.world.first(0)).div_euclid(BLOCK_BYTES as i64)).ok()?;

@@ -375,7 +375,7 @@ impl Translator<'_> {
         match base {
             Base::Local => self.local,
             Base::Computed(computed) => computed.address,
-            Base::Arena | Base::Run => self.arena,
+            Base::Arena | Base::Spaced(_) | Base::Run => self.arena,
         }
     }
 

@@ -182,13 +182,13 @@ impl Numbers {
             }
             // An index that is outside of its array counts as the first one.
             (Op::Gate, &[number, Number { below: Some((id, limit)), .. }]) if number.id == id => {
-                let range = Interval { least: 0, most: i64::try_from(limit - 1).unwrap_or(i64::MAX), zeros: 0, bits: 32 };
+                let range = Interval { least: 0, most: i64::try_from(limit - 1).unwrap_or(i64::MAX), ..Interval::any(32) };
                 self.number(if limit > 1 << 31 { any } else { range }, false)
             }
             (Op::AddU32, &[a, b]) if a.from_instance != b.from_instance => {
                 let (least, most) = ranges::result(op, [a.range, b.range, a.range]).unsigned(32);
                 let fits = [a, b].iter().all(|number| number.range.unsigned(64).1 < i128::from(POSITIONS));
-                let range = Interval { least: least as i64, most: most as i64, zeros: 0, bits: 32 };
+                let range = Interval { least: least as i64, most: most as i64, ..Interval::any(32) };
                 self.number(if fits { range } else { any }, fits)
             }
             _ if args.iter().any(|number| number.from_instance) => self.number(any, false),

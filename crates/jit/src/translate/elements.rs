@@ -13,6 +13,7 @@ use super::Translator;
 use super::inside::Sum;
 use super::memory::{Address, Bit};
 use super::promote::{Base, Computed};
+use super::spacing::Spacing;
 use super::value::Val;
 
 /// Elements that are remembered, the newest ones.
@@ -87,11 +88,12 @@ impl Translator<'_> {
             let (element, offset_of_byte, _) = self.part_of_sum(&sum).filter(|&(.., left)| left >= u64::from(count))?;
             return Some(Address { base: element.address, offset: offset_of_byte, bit: Bit::Number((offset % 8) as u8) });
         }
-        if *touched != Base::Arena || area.0 != self.arena || self.known_element(area.1, pointer).is_none() && !pays(self) {
+        if touched.area() != Base::Arena || area.0 != self.arena || self.known_element(area.1, pointer).is_none() && !pays(self) {
             return None;
         }
         let there = bytes.start - byte..bytes.end - i64::from(count) - byte;
-        let (computed, first) = self.element(area, pointer, there)?;
+        let spacing = touched.begin().moved(-byte);
+        let (computed, first) = self.element(area, pointer, (there, spacing))?;
         let offset_of_byte = first.checked_add(byte as i32)?;
         Some(Address { base: computed.address, offset: offset_of_byte, bit: Bit::Number((offset % 8) as u8) })
     }
@@ -108,13 +110,18 @@ impl Translator<'_> {
     }
 
     /// The first byte of an element to which a pointer goes that is known to lie there: an address, and how many bytes behind that.
-    pub(super) fn element(&mut self, area: (Value, i32, u64), pointer: Value, there: Range<i64>) -> Option<(Computed, i32)> {
+    pub(super) fn element(
+        &mut self,
+        area: (Value, i32, u64),
+        pointer: Value,
+        (there, spacing): (Range<i64>, Spacing),
+    ) -> Option<(Computed, i32)> {
         if let Some(known) = self.known_element(area.1, pointer) {
             return Some(known);
         }
         let made = self.made_of(area.1, pointer)?;
         let address = self.byte_address(area, pointer)?;
-        let computed = Computed { address, least: there.start, most: there.end, part_of: None };
+        let computed = Computed { address, least: there.start, most: there.end, spacing, part_of: None };
         self.remember_element(made, computed);
         Some((computed, 0))
     }

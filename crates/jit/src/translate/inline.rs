@@ -188,7 +188,7 @@ impl Translator<'_> {
             }
             Op::NegF32 => { let bits = self.int(a); let bits = self.b.ins().bxor_imm_u(bits, 0x8000_0000); self.with_real(a, bits, |b, real| b.ins().fneg(real)) }
             Op::AbsF32 => { let bits = self.int(a); let bits = self.b.ins().band_imm_u(bits, 0x7FFF_FFFF); self.with_real(a, bits, |b, real| b.ins().fabs(real)) }
-            Op::I32ToF32 => { let a = self.int(a); let real = self.b.ins().fcvt_from_sint(F32, a); Val::Real { real, bits: self.b.ins().bitcast(I32, MemFlagsData::new(), real) } }
+            Op::I32ToF32 => { let a = self.int(a); let real = self.b.ins().fcvt_from_sint(F32, a); self.bits_f32(real) }
             Op::Swap16 => {
                 let a = self.int(a);
                 let low = self.b.ins().ireduce(I16, a);

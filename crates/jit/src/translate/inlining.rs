@@ -20,7 +20,7 @@ use super::budget::WEIGHT_MAX;
 use super::instance::Instance;
 use super::loops::{self, Loop};
 use super::promote::Promoted;
-use super::ranges::{Fact, Ranges};
+use super::ranges::{Fact, Interval, Ranges};
 use super::value::Val;
 use super::versions::callees;
 use super::{AFTER_CALL, AT_CALL, After, Arrival, Find, OPEN_BLOCKS, TRUSTED, Translator, bit_of};
@@ -237,6 +237,11 @@ impl Outer {
     /// What is known in front of the call.
     pub(super) fn facts_at_call(&self) -> impl Iterator<Item = &Fact> {
         self.ranges.facts_at_call(self.inst).iter().chain(&self.elements)
+    }
+
+    /// What AR2 holds in the call.
+    pub(super) fn instance(&self) -> Option<Interval> {
+        self.ranges.instance(self.inst)
     }
 
     /// The block, the statement that calls, the call, and where its local data begin.

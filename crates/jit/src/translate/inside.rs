@@ -270,7 +270,7 @@ impl Translator<'_> {
         }
         if self.bounds.contains_key(&value)
             && let InstructionData::Binary { opcode: Opcode::Iadd | Opcode::Isub | Opcode::Imul, args } = dfg.insts[inst]
-            && args.iter().any(|&arg| self.is_unknown(arg))
+            && args.iter().any(|&arg| self.is_unknown(arg, DEPTH_MAX))
         {
             return self.term(value, times, sum);
         }
@@ -300,10 +300,16 @@ impl Translator<'_> {
         }
     }
 
-    /// Whether nothing is known of the range of a value, nor of what it is made of.
-    fn is_unknown(&self, value: Value) -> bool {
-        let is_made = self.definition(value).is_some_and(|(_, data)| SUMS.contains(&data.opcode()));
-        self.range_of(Val::Int(self.b.func.dfg.resolve_aliases(value))).is_none() && !is_made
+    /// Whether nothing is known of the range of a value, nor of all that it is made of.
+    fn is_unknown(&self, value: Value, depth: usize) -> bool {
+        let dfg = &self.b.func.dfg;
+        let is_made = || match self.definition(value) {
+            Some((_, data)) if depth > 0 && SUMS.contains(&data.opcode()) => {
+                data.arguments(&dfg.value_lists).iter().all(|&arg| !self.is_unknown(arg, depth - 1))
+            }
+            _ => false,
+        };
+        self.range_of(Val::Int(dfg.resolve_aliases(value))).is_none() && !is_made()
     }
 
     fn term(&self, value: Value, times: u32, sum: &mut Sum) -> bool {
@@ -581,7 +587,7 @@ impl Translator<'_> {
         // Other ways come here, too.
         let base = if base == Base::Arena { self.first_arena } else { self.address_of_base(base) };
         let value = self.read(Address { base, offset, bit: Bit::Number(0) }, width);
-        let Interval { least, most, zeros, bits } = range;
+        let Interval { least, most, zeros, bits, spacing } = range;
         let (value, less) = match width {
             Width::QuadWord => (self.word(value), least.wrapping_neg()),
             _ => (self.int(value), i64::from((least as i32).wrapping_neg())),
@@ -607,6 +613,12 @@ impl Translator<'_> {
             let low = self.b.ins().band_imm_u(value, (1_i64 << zeros.min(31)) - 1);
             let none = self.b.ins().icmp_imm_u(IntCC::Equal, low, 0);
             holds = self.b.ins().band(holds, none);
+        }
+        if let (step @ 2.., rest) = spacing.parts() {
+            let left = self.b.ins().urem_imm_u(distance, step);
+            let first = (i128::from(rest) - i128::from(least)).rem_euclid(step.into());
+            let whole = self.b.ins().icmp_imm_u(IntCC::Equal, left, first as i64);
+            holds = self.b.ins().band(holds, whole);
         }
         holds
     }

@@ -10,10 +10,12 @@ use sieben_engine::ir::{Callee, Inst, OnFault, Place};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
+use super::inlining::Outer;
 use super::inside::Sum;
 use super::memory::{Address, Bit};
 use super::promote::{Base, Computed, Part};
 use super::ranges::{self, Interval, Relative};
+use super::spacing::Spacing;
 use super::value::Val;
 use super::{OPEN_BLOCKS, Translator};
 
@@ -85,6 +87,7 @@ impl Translator<'_> {
         }
         let [number, base, length] = block;
         let computed = self.bounds(value, DEPTH_MAX);
+        let spacing = at_call.map_or(Spacing::ANY, |range| range.distances_unsigned(24)).in_bytes().moved(base as i64);
         let Bounds { least, most, zeros } = at_call.map(Bounds::of).into_iter().chain(computed).min_by_key(Bounds::reach)?;
         // The area in the pointer does not count.
         if zeros < 3 || least >> 24 != most >> 24 {
@@ -95,7 +98,7 @@ impl Translator<'_> {
         let narrow = self.int(pointer);
         let byte = |bits: u64| base as i64 + (bits as i64 & 0x00FF_FFFF) / 8;
         let area = (self.arena, i32::try_from(base).ok()?, length);
-        let (address, first) = match self.element(area, narrow, byte(least)..byte(most)) {
+        let (address, first) = match self.element(area, narrow, (byte(least)..byte(most), spacing)) {
             Some((computed, first)) => (computed.address, first),
             None => {
                 let position = self.word(pointer);
@@ -103,7 +106,7 @@ impl Translator<'_> {
                 let position = self.b.ins().ushr_imm_u(position, 3);
                 let start = self.b.ins().iadd_imm_u(self.arena, i64::try_from(base).ok()?);
                 let address = self.b.ins().iadd(start, position);
-                self.computed.insert(address, Computed { address, least: byte(least), most: byte(most), part_of: None });
+                self.computed.insert(address, Computed { address, least: byte(least), most: byte(most), spacing, part_of: None });
                 (address, 0)
             }
         };
@@ -173,8 +176,11 @@ impl Translator<'_> {
             address = self.b.ins().isub(address, part);
         }
         let (least, most) = ((least / 8) as i64, (most / 8) as i64);
-        let part_of = Some(Part { of: instance.address, least, most });
-        let element = Computed { address, least: instance.least + least, most: instance.most + most, part_of };
+        let part = |&(_, times): &(Value, u32)| Spacing::ANY.times(i64::from(times / 8));
+        let spacing = sum.terms.iter().map(part).fold(Spacing::exactly(0), Spacing::plus);
+        let part_of = Some(Part { of: instance.address, least, most, spacing });
+        let spacing = instance.spacing.plus(spacing);
+        let element = Computed { address, least: instance.least + least, most: instance.most + most, spacing, part_of };
         self.remember_part(instance.address, sum, element);
         Some((element, first, left))
     }
@@ -203,8 +209,9 @@ impl Translator<'_> {
             _ => false,
         };
         let is_taken_back = |inst| self.pointers[self.index].after(inst).is_some();
-        let pointers = ranges::pointers(&self.native().code, &is_bounded, &is_taken_back)?;
-        Some(Relative { instance, first: i64::from(it.first), bytes: it.bytes as i64, protected: !it.written, pointers })
+        let uses = ranges::uses(&self.native().code, &is_bounded, &is_taken_back)?;
+        let real = self.outer.last().and_then(Outer::instance).unwrap_or(Interval::any(32));
+        Some(Relative { instance, first: i64::from(it.first), bytes: it.bytes as i64, protected: !it.written, real, uses })
     }
 
     /// AR2, as a block began with it whose instance is in range.
@@ -238,7 +245,7 @@ impl Translator<'_> {
         let byte = self.b.ins().ushr_imm_u(position, 3);
         let start = self.b.ins().iadd(self.arena, start);
         let address = self.b.ins().iadd(start, byte);
-        let computed = Computed { address, least: 0, most: self.layout.size as i64, part_of: None };
+        let computed = Computed { address, least: 0, most: self.layout.size as i64, spacing: Spacing::ANY, part_of: None };
         self.computed.insert(address, computed);
         (Base::Computed(computed), 0)
     }
@@ -309,7 +316,8 @@ impl Translator<'_> {
 
     /// Whether a pointer leads to no local data of a caller, so that it is the same for blocks that are called.
     pub(super) fn leads_elsewhere(&self, pointer: Value) -> bool {
-        let interval = |Bounds { least, most, zeros }: Bounds| Interval { least: least as i64, most: most as i64, zeros, bits: 32 };
+        let interval =
+            |Bounds { least, most, zeros }: Bounds| Interval { least: least as i64, most: most as i64, zeros, ..Interval::any(32) };
         self.bounds(pointer, DEPTH_MAX).is_some_and(|bounds| interval(bounds).leads_elsewhere())
     }
 

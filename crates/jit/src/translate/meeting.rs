@@ -2,6 +2,8 @@
 //! twice, for an index that is inside and, in cold code, for one that is not. Both ways meet at its end, where the hot one has neither
 //! chosen an index nor an element.
 
+use std::ops::Range;
+
 use cranelift_codegen::ir::types::I32;
 use cranelift_codegen::ir::{self as clif, BlockArg, InstBuilder, Value};
 use cranelift_frontend::Variable;
@@ -82,7 +84,9 @@ impl Translator<'_> {
             self.b.def_var(variable, value);
         }
         self.set(condition, Val::Const(0));
-        let rest = if branch.is_some() { index + 1..last } else { index + 1..end };
+        // A copy is left out.
+        let left = self.leaving_branch(index + 1..last, condition).flatten();
+        let rest = index + 1..left.unwrap_or(if branch.is_some() { last } else { end });
         for index in rest {
             self.inst(index, &code.insts[index as usize]);
         }
@@ -106,22 +110,43 @@ impl Translator<'_> {
         let rest = &statement[(index + 1 - first) as usize..statement.len() - usize::from(jumps)];
         let is_own = |dst: Var| dst.register().is_none();
         let Some((last, between)) = rest.split_last() else { return false };
-        let ends = match *last {
-            Inst::Store { width, .. } => width != Width::QuadWord,
-            Inst::Branch { .. } => true,
-            _ => false,
+        let (ends, copies) = match *last {
+            Inst::Store { width, .. } => (width != Width::QuadWord, false),
+            Inst::Move { .. } => (true, true),
+            Inst::Branch { .. } => (true, false),
+            _ => (false, false),
         };
+        let end_of_between = index + 1 + between.len() as u32;
         ends && rest.len() <= REST_MAX
             && is_own(condition)
             && self.choice.is_none()
+            && self.leaving_branch(index + 1..end_of_between, condition).is_some_and(|left| left.is_some() == copies)
             && between.iter().all(|inst| match *inst {
                 Inst::Constant { dst, .. } | Inst::Compute { dst, .. } | Inst::Load { dst, .. } | Inst::Parameter { dst, .. } => {
                     is_own(dst)
                 }
                 Inst::Require { code, .. } => code & NOTED != 0,
-                Inst::Open { .. } => true,
+                Inst::Open { .. } | Inst::Branch { .. } => true,
                 _ => false,
             })
+    }
+
+    /// The first of some instructions that is a branch, if there is one. `None` = it does something else than to leave the statement where
+    /// a condition does not hold that is looked at in front of them.
+    fn leaving_branch(&self, mut between: Range<u32>, condition: Var) -> Option<Option<u32>> {
+        let insts = &self.native().code.insts;
+        let is_branch = |index: &u32| matches!(insts[*index as usize], Inst::Branch { .. });
+        let Some(branch) = between.clone().find(is_branch) else { return Some(None) };
+        let negates = |inst: &Inst, by: Var| matches!(*inst, Inst::Compute { op: Op::Not, dst, args } if dst == by && args[0] == condition);
+        let leaves = match insts[branch as usize - 1..=branch as usize] {
+            [ref before, Inst::Branch { condition: by, to }] => {
+                between.contains(&(branch - 1)) && negates(before, by) && to.0 == self.statement + 1
+            }
+            _ => false,
+        };
+        between.end = branch.saturating_sub(1);
+        let stays = || between.clone().all(|index| sieben_engine::ir::verify::writes(&insts[index as usize]) != Some(condition));
+        (leaves && stays()).then_some(Some(branch))
     }
 
     /// Whether the last instruction of a statement, in front of `end`, jumps where the branch in front of it does not.
@@ -159,6 +184,30 @@ impl Translator<'_> {
             // Each way writes where its own index leads.
             meeting.memory.keep_common(&memory);
         }
+    }
+
+    /// Leaves a statement in front of its end where a condition holds, if its ways have parted; whether they have.
+    pub(super) fn leave_for_meeting(&mut self, index: u32, condition: Val) -> bool {
+        if self.meeting.as_ref().is_none_or(|it| index >= it.last) {
+            return false;
+        }
+        if condition.constant().is_some_and(|value| value & 1 == 0) {
+            return true;
+        }
+        let condition = self.flag(condition);
+        let [leaving, staying] = [self.b.create_block(), self.b.create_block()];
+        self.b.ins().brif(condition, leaving, &[], staying, &[]);
+        self.b.switch_to_block(leaving);
+        self.b.seal_block(leaving);
+        let (temporaries, dirty, memory) = (self.temporaries.clone(), self.dirty, self.known_memory());
+        let (current, changed) = (self.current, self.changed);
+        self.go_to_meeting();
+        (self.temporaries, self.dirty) = (temporaries, dirty);
+        (self.current, self.changed) = (current, changed);
+        self.know_memory(memory);
+        self.b.switch_to_block(staying);
+        self.b.seal_block(staying);
+        true
     }
 
     /// Lets the ways of the statement meet, in front of its branch.

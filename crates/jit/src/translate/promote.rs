@@ -21,6 +21,7 @@ use sieben_model::block::BlockId;
 use super::loops::Loop;
 use super::memory::{Address, Bit, moved};
 use super::ranges;
+use super::spacing::{Spaced, Spacing};
 use super::value::Val;
 use super::{TRUSTED, Translator};
 use crate::jit::loop_heads;
@@ -47,6 +48,8 @@ pub(super) const CALLS_MAX: u32 = 3;
 pub(super) enum Base {
     /// The first byte of the arena.
     Arena,
+    /// The same, of some element of an array.
+    Spaced(Spaced),
     /// The first byte of the local data of the function's outermost block.
     Local,
     /// The run: its budget.
@@ -61,6 +64,7 @@ pub(super) struct Computed {
     pub(super) address: Value,
     pub(super) least: i64,
     pub(super) most: i64,
+    pub(super) spacing: Spacing,
     /// Another such address from which it is counted, if it is.
     pub(super) part_of: Option<Part>,
 }
@@ -71,6 +75,7 @@ pub(super) struct Part {
     pub(super) of: Value,
     pub(super) least: i64,
     pub(super) most: i64,
+    pub(super) spacing: Spacing,
 }
 
 impl Base {
@@ -83,18 +88,38 @@ impl Base {
         if let (Self::Computed(own), Self::Computed(other)) = (self, other)
             && let Some((own, other)) = own.counted_from_one(&other)
         {
-            return share(&own.reach(bytes), &other.reach(others));
+            let is_apart = || Spaced::of(own.spacing, bytes).is_apart(&Spaced::of(other.spacing, others));
+            return share(&own.reach(bytes), &other.reach(others)) && !is_apart();
         }
         match (self.in_arena(bytes), other.in_arena(others)) {
-            (Some(bytes), Some(others)) => share(&bytes, &others),
+            (Some(own), Some(theirs)) => share(&own, &theirs) && !self.spaced(bytes).is_apart(&other.spaced(others)),
             _ => false,
+        }
+    }
+
+    /// The area, whichever element of an array there it is.
+    pub(super) fn area(self) -> Self {
+        if let Self::Spaced(_) = self { Self::Arena } else { self }
+    }
+
+    /// Where the bytes begin, whichever element of an array they are in.
+    pub(super) fn begin(self) -> Spacing {
+        if let Self::Spaced(Spaced { begin, .. }) = self { begin } else { Spacing::ANY }
+    }
+
+    /// Which bytes of each element of an array in the arena it may be.
+    fn spaced(self, bytes: &Range<i64>) -> Spaced {
+        match self {
+            Self::Spaced(spaced) => spaced,
+            Self::Computed(Computed { spacing, .. }) => Spaced::of(spacing, bytes),
+            Self::Arena | Self::Local | Self::Run => Spaced::of(Spacing::exactly(0), bytes),
         }
     }
 
     /// Where bytes behind it may lie in the arena.
     fn in_arena(self, bytes: &Range<i64>) -> Option<Range<i64>> {
         match self {
-            Self::Arena => Some(bytes.clone()),
+            Self::Arena | Self::Spaced(_) => Some(bytes.clone()),
             Self::Computed(Computed { least, most, .. }) => Some(least + bytes.start..most + bytes.end),
             Self::Local | Self::Run => None,
         }
@@ -104,7 +129,7 @@ impl Base {
 impl Computed {
     /// How far it and another address lie behind one from which both are counted.
     fn counted_from_one(&self, other: &Self) -> Option<(Part, Part)> {
-        let itself = |it: &Self| Part { of: it.address, least: 0, most: 0 };
+        let itself = |it: &Self| Part { of: it.address, least: 0, most: 0, spacing: Spacing::exactly(0) };
         let [own, others] = [self, other].map(|it| [Some(itself(it)), it.part_of]);
         let mut pairs = own.into_iter().flatten().flat_map(|own| others.into_iter().flatten().map(move |other| (own, other)));
         pairs.find(|(own, other)| own.of == other.of)
@@ -296,7 +321,7 @@ impl Translator<'_> {
                 Inst::Call { callee: Callee::Block(id), .. } => (self.find)(id).is_some_and(|called| {
                     let block = &self.blocks[called as usize].code;
                     let statements = || (0..block.statement_count()).map(|statement| block.statement(statement));
-                    let by_pointers = ranges::pointers(block, &|_| false, &|_| false).is_some();
+                    let by_pointers = ranges::uses(block, &|_| false, &|_| false).is_some();
                     let written = if by_pointers { Written::BlockByPointers } else { Written::Block };
                     // What texts may reach is stored for each of them: that is not worth while in an inner loop.
                     let repeats_texts = block.insts.iter().any(|inst| matches!(inst, Inst::Text { .. })) && !loop_heads(block).is_empty();

@@ -29,7 +29,7 @@ mod statements;
 
 pub(super) use interval::{Interval, result};
 use interval::{Number, Relation};
-pub(super) use relative::{Relative, pointers};
+pub(super) use relative::{Relative, uses};
 pub(super) use statements::step_of;
 
 /// Blocks with more instructions in loops are not looked at: it takes time that grows faster than they do …
@@ -475,9 +475,8 @@ pub(super) fn find(block: &Native, around: &Surroundings<'_>) -> Ranges {
     if let Some(relative) = around.relative {
         found.relative = true;
         // What AR2 is said to hold is no number that anybody calculates with.
-        found.results.retain(|index, _| !relative.pointers.contains(index));
-        found.steps.retain(|index| !relative.pointers.contains(index));
-        found.instances.clear();
+        found.results.retain(|index, _| !relative.uses.pointers.contains(index));
+        found.steps.retain(|index| !relative.uses.pointers.contains(index));
         found.instances_at.clear();
     }
     found
@@ -899,6 +898,7 @@ fn widen(now: &mut State, before: &State, stops: &BTreeSet<i64>) {
         if range.bits < 64 && range.most.saturating_sub(range.least) >= 1 << range.bits {
             *range = Interval { zeros: range.zeros, ..Interval::any(range.bits) };
         }
+        *range = range.spaced(range.spacing);
     };
     for (register, known) in &mut now.registers {
         before.registers.get(register).into_iter().for_each(|before| all(known, before));

@@ -211,7 +211,7 @@ impl Translator<'_> {
             Op::ExtendI32I64 => Val::Word(self.i64(a)),
             Op::I32ToF64 => { let a = self.int(a); let real = self.b.ins().fcvt_from_sint(F64, a); self.bits_f64(real) }
             Op::I64ToF64 => { let a = self.word(a); let real = self.b.ins().fcvt_from_sint(F64, a); self.bits_f64(real) }
-            Op::I64ToF32 => { let a = self.word(a); let real = self.b.ins().fcvt_from_sint(F32, a); Val::Int(self.b.ins().bitcast(I32, MemFlagsData::new(), real)) }
+            Op::I64ToF32 => { let a = self.word(a); let real = self.b.ins().fcvt_from_sint(F32, a); self.bits_f32(real) }
             Op::F32ToF64 => { let a = self.f32(a); let real = self.b.ins().fpromote(F64, a); self.quiet_f64(real) }
             Op::F64ToF32 => { let a = self.f64(a); let real = self.b.ins().fdemote(F32, a); self.quiet(real) }
             Op::F64ToI32 => { let a = self.f64(a); let a = self.to_be_cut(a); Val::Int(self.b.ins().fcvt_to_sint_sat(I32, a)) }
@@ -559,7 +559,7 @@ impl Translator<'_> {
         Val::Lreal { real, bits: self.b.ins().bitcast(I64, MemFlagsData::new(), real) }
     }
 
-    fn bits_f32(&mut self, real: Value) -> Val {
+    pub(super) fn bits_f32(&mut self, real: Value) -> Val {
         Val::Real { real, bits: self.b.ins().bitcast(I32, MemFlagsData::new(), real) }
     }
 

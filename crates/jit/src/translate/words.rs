@@ -184,7 +184,7 @@ impl Translator<'_> {
         let waits = match base {
             Base::Local => true,
             Base::Arena => self.cold.is_none() && self.bytes.is_written_again(address.offset),
-            Base::Run | Base::Computed(_) => false,
+            Base::Run | Base::Spaced(_) | Base::Computed(_) => false,
         };
         if !self.options.optimize || !waits {
             self.forget_bits_in(address, width);

@@ -13,10 +13,17 @@ use super::{Analysis, Bytes, Element, Known, Origin, Reach, Same, Span, State, T
 use crate::translate::inlining::way_into;
 use crate::translate::memory::moved;
 use crate::translate::promote::Base;
+use crate::translate::spacing::Spaced;
 use crate::translate::texts::NUMBER_SHIFT;
 
 /// Constants that one after the other are added to a pointer, and that are followed.
 const SUMS_MAX: usize = 4;
+
+/// The base of some bytes to which a position behind the start of an area goes: the same ones of each element of an array, if it goes there.
+pub(super) fn of_each_element(base: Base, position: &Interval, start: i64, bytes: u32) -> Base {
+    let begin = position.distances_unsigned(24).in_bytes().moved(start);
+    if base == Base::Arena && begin.is_wider_than(bytes.into()) { Base::Spaced(Spaced { begin, bytes }) } else { base }
+}
 
 impl Analysis<'_> {
     /// What an access to a place reaches.
@@ -46,9 +53,7 @@ impl Analysis<'_> {
                 }
                 if let (true, Span::Bytes(bytes), 1..) = (least >> 24 == most >> 24, span, least >> 32) {
                     // The number of the data block is no part of the sum.
-                    let zeros = self.get(state, temporaries, pointer).range.zeros;
-                    let low = |pointer: i128| i64::from(pointer as u32);
-                    let own = Interval { least: low(least), most: low(most), zeros, bits: 32 };
+                    let own = self.get(state, temporaries, pointer).range.without_number();
                     let position = interval::result(Op::AddU32, [own, Interval::constant(u64::from(offset)), own]);
                     let Some(reach) = self.far_bytes(least as u64, position, bytes, write) else { return Reach::Anything };
                     if let Some(role) = notes {
@@ -102,7 +107,7 @@ impl Analysis<'_> {
                 }
                 Reach::Cell(base, offset)
             }
-            _ => Reach::Inside(base, start + first..start + end),
+            _ => Reach::Inside(of_each_element(base, &position, start, span.bytes()), start + first..start + end),
         }
     }
 
@@ -148,7 +153,8 @@ impl Analysis<'_> {
             return None;
         }
         let offset = i32::try_from(first).ok()?;
-        Some(if least == most { Reach::Cell(Base::Arena, offset) } else { Reach::Inside(Base::Arena, first..end) })
+        let bytes_of_each = || of_each_element(Base::Arena, &position, range.start as i64, bytes);
+        Some(if least == most { Reach::Cell(Base::Arena, offset) } else { Reach::Inside(bytes_of_each(), first..end) })
     }
 
     /// Where the data block lies that a pointer names, which is taken to be as it was loaded.
@@ -183,7 +189,7 @@ impl Analysis<'_> {
         let begins = block.is_some() || !room.is_unknown();
         let mut begin = |there: u32| match self.reach(state, temporaries, place, Span::Bytes(there), write, None) {
             Reach::Inside(..) if !begins => None,
-            reach => reach.bytes(there),
+            reach => reach.bytes(there).map(|(base, bytes)| (base.area(), bytes)),
         };
         let (mut there, mut most) = (if room.is_unknown() { room.head() } else { room.bytes() }, room.bytes());
         let mut bytes = begin(there)?;

@@ -3,13 +3,15 @@
 use std::ops::Range;
 
 use sieben_engine::access::pointed_area;
-use sieben_engine::ir::Inst;
+use sieben_engine::ir::{Inst, Op};
 use sieben_engine::machine::{CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 
-use super::{Analysis, Bytes, Element, Interval, Known, State};
+use super::access::of_each_element;
+use super::{Analysis, Bytes, Element, Interval, Known, State, interval};
 use crate::translate::alone::Alone;
 use crate::translate::effects::{Effects, Given, POSITIONS, Pointed, Source, WrittenText, own_local};
+use crate::translate::inside::FIRST_BYTE;
 use crate::translate::promote::Base;
 
 /// Bytes that lie in front of a bit, if only in part.
@@ -37,6 +39,15 @@ impl Pointee {
         (end <= self.positions).then(|| self.start + (position(least) + bits.start) / 8..self.start + bytes_before(end))
     }
 
+    /// Its base, for those of the bytes that lie behind a pointer.
+    fn of_each_element(&self, pointer: &Interval, bits: &Range<i64>) -> Base {
+        let first = bits.start.div_euclid(8);
+        match u32::try_from(bytes_before(bits.end) - first) {
+            Ok(bytes) if pointer.zeros >= 3 => of_each_element(self.base, pointer, self.start + first, bytes),
+            _ => self.base,
+        }
+    }
+
     /// Those of some bytes that are there: what lies behind them cannot be written.
     fn there(&self, bytes: &Range<i64>) -> Range<i64> {
         bytes.start..bytes.end.min(self.start + self.length)
@@ -51,7 +62,7 @@ impl Analysis<'_> {
         let given = passed.split_off(passed.len().saturating_sub(usize::from(parameters)));
         let ar2 = state.registers.get(&(Register::Ar2 as u8)).copied();
         if notes && let Some(ar2) = ar2 {
-            self.found.instances.insert(index, ar2.range);
+            self.found.instances.insert(index, self.really(ar2.range));
         }
         if notes {
             self.found.at_calls.insert(index, state.facts());
@@ -79,17 +90,27 @@ impl Analysis<'_> {
         kept
     }
 
+    /// What AR2 really holds where it is said to hold something.
+    pub(super) fn really(&self, said: Interval) -> Interval {
+        match self.around.relative {
+            Some(relative) => {
+                let distance = interval::result(Op::SubU32, [said, Interval::constant(FIRST_BYTE), said]);
+                interval::result(Op::AddU32, [relative.real, distance, said])
+            }
+            None => said,
+        }
+    }
+
     /// Whether a statement calls a block that reads pointers in its instance.
     pub(super) fn passes_elements(&self, insts: &[Inst]) -> bool {
         let reads_pointers = |effects: &Effects| {
             let pointers = effects.pointed.iter().map(|pointed| pointed.pointer);
             { pointers }.chain(effects.texts.iter().map(|text| text.pointer)).any(|pointer| matches!(pointer, Source::Instance(_)))
         };
-        self.around.relative.is_none()
-            && insts.iter().any(|inst| {
-                let called = if matches!(inst, Inst::Call { .. }) { (self.around.called)(inst) } else { None };
-                called.and_then(|code| self.around.effects[code].as_ref()).is_some_and(reads_pointers)
-            })
+        insts.iter().any(|inst| {
+            let called = if matches!(inst, Inst::Call { .. }) { (self.around.called)(inst) } else { None };
+            called.and_then(|code| self.around.effects[code].as_ref()).is_some_and(reads_pointers)
+        })
     }
 
     /// Forgets what a called block may write; `None` = it may be anything. What is known of the pointers in its instance by which it does.
@@ -198,29 +219,33 @@ impl Analysis<'_> {
         }
     }
 
-    /// The bytes of the arena that a block looks at which was looked at alone, beside those to which pointers lead; `None` = it is not as if
+    /// The bytes in the arena that a block looks at which was looked at alone, beside those to which pointers lead; `None` = it is not as if
     /// it were alone.
-    fn bytes_alone(&self, alone: &Alone, state: &State, ar2: Option<Known>) -> Option<Vec<Range<i64>>> {
+    fn bytes_alone(&self, alone: &Alone, state: &State, ar2: Option<Known>) -> Option<Vec<Bytes>> {
         let mut all = Vec::new();
         if !alone.instance.is_empty() {
-            let (_, start, length, _) = self.area(state, Area::InstanceData)?;
+            let (base, start, length, _) = self.area(state, Area::InstanceData)?;
+            let (base, start, length) = match self.around.relative {
+                Some(it) => (Base::Computed(it.instance), it.first, it.bytes),
+                None => (base, start, length),
+            };
             let number = state.registers.get(&(Register::DiNumber as u8)).and_then(|known| known.range.exact())?;
-            let pointer = ar2.filter(|_| self.around.relative.is_none())?.range;
+            let pointer = ar2?.range;
             let (least, most) = pointer.unsigned(24);
             let (first, end) = (least as i64 + alone.instance.start, most as i64 + alone.instance.end);
             let inside = pointer.zeros >= 3 && first >= 0 && bytes_before(end) <= length;
             if !inside || alone.blocks.iter().any(|&block| u64::from(block) == number) {
                 return None;
             }
-            all.push(start + first / 8..start + bytes_before(end));
+            all.push((base, start + first / 8..start + bytes_before(end)));
         }
         for &area in &alone.areas {
             let range = self.around.layout.area(area)?;
-            all.push(range.start as i64..range.end as i64);
+            all.push((Base::Arena, range.start as i64..range.end as i64));
         }
         for number in alone.blocks.iter().filter(|&&number| number != 0) {
             let range = self.around.layout.data_blocks.get(number)?;
-            all.push(range.start as i64..range.end as i64);
+            all.push((Base::Arena, range.start as i64..range.end as i64));
         }
         Some(all)
     }
@@ -232,12 +257,13 @@ impl Analysis<'_> {
         access: &Pointed,
         state: &mut State,
         (number, pointer): (Option<u64>, Interval),
-        own: &[Range<i64>],
+        own: &[Bytes],
     ) -> Option<Bytes> {
         let pointee = self.pointee(number, pointer, access.writes)?;
         let bytes = pointee.reached(pointer.unsigned(64), &access.bits)?;
         let there = pointee.there(&bytes);
-        if access.writes && own.iter().any(|other| pointee.base.may_share(&there, Base::Arena, other)) {
+        let pointee = Pointee { base: pointee.of_each_element(&pointer, &access.bits), ..pointee };
+        if access.writes && own.iter().any(|&(base, ref other)| pointee.base.may_share(&there, base, other)) {
             return None;
         }
         if access.writes {

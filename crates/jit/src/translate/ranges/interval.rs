@@ -4,6 +4,7 @@ use sieben_engine::ir::Op;
 use sieben_engine::machine::CALLS_SHIFT;
 
 use crate::translate::memory::LOCAL_OF_CALLER;
+use crate::translate::spacing::Spacing;
 
 /// What is known of a value: it is `x` modulo 2 to the power of its bits, for some `x` from `least` to `most`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,7 +15,12 @@ pub(in crate::translate) struct Interval {
     pub(in crate::translate) zeros: u32,
     /// 8, 16, 32 or 64; the bits of the value above these are 0.
     pub(in crate::translate) bits: u32,
+    /// How far the `x` lie from one another, if they are more than one and fewer than all.
+    pub(in crate::translate) spacing: Spacing,
 }
+
+/// Positions that lie no farther than this from one another are those of small numbers: what is known of their lowest bits is enough.
+const SPACING_MIN: i64 = 8;
 
 /// Beyond this nothing is worth knowing of a value of up to 32 bits.
 const FAR: i128 = 1 << 40;
@@ -26,27 +32,27 @@ impl Interval {
     /// Any value of so many bits.
     pub(in crate::translate) fn any(bits: u32) -> Self {
         match bits {
-            64 => Self { least: i64::MIN, most: i64::MAX, zeros: 0, bits },
-            _ => Self { least: 0, most: (1 << bits) - 1, zeros: 0, bits },
+            64 => Self { least: i64::MIN, most: i64::MAX, zeros: 0, bits, spacing: Spacing::ANY },
+            _ => Self { least: 0, most: (1 << bits) - 1, zeros: 0, bits, spacing: Spacing::ANY },
         }
     }
 
     /// Positions of bytes up to one, counted in bits.
     pub(in crate::translate) fn bytes_up_to(last: u32) -> Self {
-        Self { least: 0, most: 8 * i64::from(last), zeros: 3, bits: 32 }
+        Self { least: 0, most: 8 * i64::from(last), zeros: 3, ..Self::any(32) }
     }
 
     /// A constant.
     pub(in crate::translate) fn constant(value: u64) -> Self {
         match u32::try_from(value) {
-            Ok(value) => Self { least: i64::from(value), most: i64::from(value), zeros: value.trailing_zeros(), bits: 32 },
-            Err(_) => Self { least: value as i64, most: value as i64, zeros: value.trailing_zeros().min(32), bits: 64 },
+            Ok(value) => Self { least: i64::from(value), most: i64::from(value), zeros: value.trailing_zeros(), ..Self::any(32) },
+            Err(_) => Self { least: value as i64, most: value as i64, zeros: value.trailing_zeros().min(32), ..Self::any(64) },
         }
     }
 
     /// Whether nothing is known but the number of bits.
     pub(super) fn is_any(&self) -> bool {
-        self.is_everywhere() && self.zeros == 0
+        self.is_everywhere() && self.zeros == 0 && self.spacing == Spacing::ANY
     }
 
     /// Whether its numbers are as many as there are values of so many bits, wherever they begin.
@@ -79,6 +85,11 @@ impl Interval {
         if is_negative { Self { least: self.least - size, most: self.most - size, ..self } } else { self }
     }
 
+    /// The numbers of a range of which this was made, if they are still the same ones, and lie so far from one another.
+    fn spaced_in(self, range: (i128, i128), spacing: Spacing) -> Self {
+        if range == (self.least.into(), self.most.into()) { self.spaced(spacing) } else { self }
+    }
+
     fn of((least, most): (i128, i128), zeros: u32, bits: u32) -> Self {
         let any = Self { zeros: zeros.min(32), ..Self::any(bits) };
         // Of the numbers that are the same value, those near 0: what is computed further does not get too far then.
@@ -91,6 +102,34 @@ impl Interval {
             (Ok(least), Ok(most)) => Self { least, most, ..any },
             _ => any,
         }
+    }
+
+    /// How far its numbers lie from one another, also if there is one.
+    fn distances(&self) -> Spacing {
+        if self.least == self.most { Spacing::exactly(self.least) } else { self.spacing }
+    }
+
+    /// The same numbers, which are known to lie so far from one another.
+    pub(super) fn spaced(self, spacing: Spacing) -> Self {
+        let tells = self.least != self.most && !self.is_everywhere() && spacing.is_wider_than(SPACING_MIN);
+        Self { spacing: if tells { spacing } else { Spacing::ANY }, ..self }
+    }
+
+    /// The distances between its lowest bits as numbers without sign.
+    pub(in crate::translate) fn distances_unsigned(&self, bits: u32) -> Spacing {
+        let ((least, most), (first, last)) = (self.modulo(bits), self.unsigned(bits));
+        let moved = first - least;
+        match i64::try_from(moved) {
+            Ok(by) if self.bits >= bits && most + moved == last => self.distances().moved(by),
+            _ => Spacing::ANY,
+        }
+    }
+
+    /// A pointer to a data block without the number above it, which is the same for all.
+    pub(super) fn without_number(self) -> Self {
+        let low = |pointer: i64| i64::from(pointer as u32);
+        let (least, most) = (low(self.least), low(self.most));
+        Self { least, most, zeros: self.zeros, ..Self::any(32) }.spaced(self.distances().moved(least.wrapping_sub(self.least)))
     }
 
     /// A representative modulo 2 to the power of `bits`.
@@ -118,7 +157,8 @@ impl Interval {
     pub(super) fn joined(&self, other: &Self) -> Self {
         let zeros = self.zeros.min(other.zeros);
         if self.bits == other.bits {
-            return Self::of((i128::from(self.least.min(other.least)), i128::from(self.most.max(other.most))), zeros, self.bits);
+            let range = (i128::from(self.least.min(other.least)), i128::from(self.most.max(other.most)));
+            return Self::of(range, zeros, self.bits).spaced_in(range, self.distances().joined(other.distances()));
         }
         // The narrower one is a number without sign in the wider form.
         let bits = self.bits.max(other.bits);
@@ -132,7 +172,10 @@ impl Interval {
             return false;
         }
         let (least, most) = self.modulo(other.bits);
-        self.zeros >= other.zeros && (other.is_everywhere() || least >= i128::from(other.least) && most <= i128::from(other.most))
+        let is_spaced = other.spacing == Spacing::ANY || self.bits == other.bits && self.distances().is_within(other.spacing);
+        is_spaced
+            && self.zeros >= other.zeros
+            && (other.is_everywhere() || least >= i128::from(other.least) && most <= i128::from(other.most))
     }
 
     /// The same value, where it is known to lie in a range as a number with or without sign.
@@ -144,6 +187,8 @@ impl Interval {
             return *self;
         }
         let limited = Self::of(range, self.zeros, self.bits);
+        let is_part = limited.least >= self.least && limited.most <= self.most;
+        let limited = if is_part { limited.spaced(self.spacing) } else { limited };
         if limited.most.saturating_sub(limited.least) <= self.most.saturating_sub(self.least) { limited } else { *self }
     }
 }
@@ -294,7 +339,9 @@ fn wrapping(op: Op) -> Option<(Compute, u32)> {
 /// What an operation computes from values of which this is known.
 pub(in crate::translate) fn result(op: Op, [a, b, c]: [Interval; 3]) -> Interval {
     if let Some((compute, bits)) = wrapping(op) {
-        return computed(compute, a.modulo(bits), b.modulo(bits), zeros_of(op, a, b), bits);
+        let (first, second) = (a.modulo(bits), b.modulo(bits));
+        let spacing = sums(op, a, b).filter(|_| a.bits >= bits && b.bits >= bits).unwrap_or(Spacing::ANY);
+        return computed(compute, first, second, zeros_of(op, a, b), bits).spaced_in(corners(compute, first, second), spacing);
     }
     if let Some((number, relation)) = comparison(op) {
         let ranges = (number.of(&a), number.of(&b));
@@ -398,6 +445,20 @@ fn flag() -> Interval {
     Interval { most: 1, ..Interval::any(32) }
 }
 
+/// How far results lie from one another: of sums, differences, and products with a constant.
+fn sums(op: Op, a: Interval, b: Interval) -> Option<Spacing> {
+    let constant = |it: Interval| (it.least == it.most).then_some(it.least);
+    match op {
+        Op::AddU32 => Some(a.distances().plus(b.distances())),
+        Op::SubU32 => Some(a.distances().plus(b.distances().times(-1))),
+        Op::MulU32 => match (constant(a), constant(b)) {
+            (Some(a), _) => Some(b.distances().times(a)),
+            (None, b) => Some(a.distances().times(b?)),
+        },
+        _ => None,
+    }
+}
+
 fn zeros_of(op: Op, a: Interval, b: Interval) -> u32 {
     match op {
         Op::MulU8 | Op::MulU16 | Op::MulU32 | Op::MulU64 => a.zeros + b.zeros,
@@ -460,7 +521,7 @@ fn overflow(op: Op) -> Option<(Compute, Number)> {
 }
 
 fn low(a: Interval, bits: u32) -> Interval {
-    if a.bits <= bits { a } else { Interval::of(a.modulo(bits), a.zeros.min(bits), bits) }
+    if a.bits <= bits { a } else { Interval::of(a.modulo(bits), a.zeros.min(bits), bits).spaced_in(a.modulo(bits), a.spacing) }
 }
 
 fn shifted(op: Op, a: Interval, count: Interval) -> Interval {
@@ -481,6 +542,20 @@ fn shifted(op: Op, a: Interval, count: Interval) -> Interval {
 
 fn masked(a: Interval, b: Interval) -> Interval {
     let bits = a.bits.max(b.bits).max(32);
+    // Lowest bits whose carry is the same for all numbers: the position in a pointer.
+    for (pointer, mask) in [(a, b), (b, a)] {
+        let (Some(mask), (least, most)) = (mask.exact().filter(|mask| (1..u64::from(u32::MAX)).contains(mask)), pointer.modulo(bits))
+        else {
+            continue;
+        };
+        let size = i128::from(mask) + 1;
+        if mask & (mask + 1) == 0 && pointer.bits == bits && least.div_euclid(size) == most.div_euclid(size) {
+            let away = least.div_euclid(size) * size;
+            let range = (least - away, most - away);
+            let spacing = i64::try_from(-away).map_or(Spacing::ANY, |by| pointer.distances().moved(by));
+            return Interval::of(range, pointer.zeros, bits).spaced_in(range, spacing);
+        }
+    }
     let most = a.unsigned(64).1.min(b.unsigned(64).1);
     Interval::of((0, most), a.zeros.max(b.zeros), bits)
 }
@@ -535,13 +610,22 @@ mod tests {
             let step = 1_i64 << zeros;
             let least = if self.roll().is_multiple_of(3) { -edge } else { edge } / step * step;
             let most = least + (self.roll() % 40) as i64 / step * step;
-            if self.roll().is_multiple_of(8) { Interval::any(bits) } else { Interval { least, most, zeros, bits } }
+            let range = Interval { least, most, zeros, ..Interval::any(bits) };
+            match self.roll() % 8 {
+                0 => Interval::any(bits),
+                1..4 => {
+                    let step = step * [9, 12, 86][(self.roll() % 3) as usize];
+                    let most = least + (self.roll() % 5) as i64 * step + (self.roll() % 3) as i64;
+                    Interval { most, ..range }.spaced(Spacing::ANY.times(step).moved(least))
+                }
+                _ => range,
+            }
         }
 
         /// A value of a range.
         fn value(&mut self, range: &Interval) -> u64 {
             let span = range.most.wrapping_sub(range.least) as u64;
-            let step = 1_u64 << range.zeros;
+            let step = (1_u64 << range.zeros).max(range.spacing.parts().0 as u64);
             let distance = if span == u64::MAX { self.roll() } else { self.roll() % (span + 1) } / step * step;
             let value = (range.least as u64).wrapping_add(distance);
             if range.bits == 64 { value } else { value & ((1 << range.bits) - 1) }
@@ -555,17 +639,20 @@ mod tests {
         let mask = if range.bits == 64 { u64::MAX } else { (1 << range.bits) - 1 };
         let distance = value.wrapping_sub(range.least as u64) & mask;
         let zeros = (1_u64 << range.zeros.min(range.bits - 1)) - 1;
-        i128::from(distance) <= i128::from(range.most) - i128::from(range.least) && value & zeros == 0
+        let number = range.least.wrapping_add(distance as i64);
+        i128::from(distance) <= i128::from(range.most) - i128::from(range.least)
+            && value & zeros == 0
+            && Spacing::exactly(number).is_within(range.spacing)
     }
 
     #[test]
     fn the_number_above_a_pointer_is_no_part_of_its_sum() {
         let pointer = Interval::constant(0x3E80_8400_0020);
-        let by = Interval { least: 0, most: 448, zeros: 5, bits: 32 };
+        let by = Interval { least: 0, most: 448, zeros: 5, ..Interval::any(32) };
         let sum = result(Op::AddU32, [pointer, by, by]);
         assert_eq!((sum.unsigned(32), sum.bits), ((0x8400_0020, 0x8400_0020 + 448), 32));
         // Nor does where the pointer leads change the number.
-        let pointer = Interval { least: 0x3E80_8400_0020, most: 0x3E80_8400_4000, zeros: 5, bits: 64 };
+        let pointer = Interval { least: 0x3E80_8400_0020, most: 0x3E80_8400_4000, zeros: 5, ..Interval::any(64) };
         let bits = Interval::constant(32);
         assert_eq!(result(Op::Shr64, [pointer, bits, bits]).exact(), Some(0x3E80));
     }
@@ -573,7 +660,7 @@ mod tests {
     #[test]
     fn results_of_all_operations_lie_in_their_ranges() {
         let mut dice = Dice(7);
-        let mut told_something = 0;
+        let (mut told_something, mut told_distances) = (0, 0);
         for &op in Op::ALL {
             for _ in 0..4_000 {
                 let ranges = [(); 3].map(|()| dice.interval());
@@ -583,9 +670,10 @@ mod tests {
                 let value = op.eval([values[0], values[1], values[2], 0]);
                 assert!(allows(&range, value), "{} {values:X?} = {value:X}: {ranges:X?} -> {range:X?}", op.name());
                 told_something += usize::from(!range.is_any());
+                told_distances += usize::from(range.spacing != Spacing::ANY);
             }
         }
-        assert!(told_something > 100_000, "{told_something}");
+        assert!(told_something > 100_000 && told_distances > 5_000, "{told_something} {told_distances}");
     }
 
     #[test]
@@ -612,7 +700,7 @@ mod tests {
             let size = 1_i64 << bits;
             for _ in 0..2_000 {
                 let (least, lacks) = ((dice.roll() % 400) as i64 - 200, (dice.roll() % 3) as i64);
-                let range = Interval { least, most: least + size - 1 - lacks, zeros: 0, bits };
+                let range = Interval { least, most: least + size - 1 - lacks, ..Interval::any(bits) };
                 // What it lacks lies just below where it begins.
                 let is_all = (least - 4..least + 4).all(|value| allows(&range, (value & (size - 1)) as u64));
                 assert_eq!(is_all, lacks == 0);

@@ -1,6 +1,7 @@
 //! Blocks that reach their instance by AR2 and nothing else: what is found with AR2 at the first byte of the instance holds wherever that
 //! lies, if all pointers are AR2 and something more, and if nothing is made of them but access to the instance. For a call AR2 is moved to
-//! a part of the instance, and taken back behind it from the local data, where it counts as any number.
+//! a part of the instance, and taken back behind it from the local data, where it counts as any number. A pointer that is handed on is made
+//! of its position, which is a number as any other.
 
 use std::collections::BTreeSet;
 
@@ -9,6 +10,7 @@ use sieben_engine::ir::{Code, DataRegister, Inst, Op, Place, Var, verify};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 
+use super::Interval;
 use crate::translate::promote::Computed;
 
 /// The instance of a block, wherever it lies.
@@ -21,19 +23,24 @@ pub(in crate::translate) struct Relative {
     pub(in crate::translate) bytes: i64,
     /// Whether it may not be written.
     pub(in crate::translate) protected: bool,
-    /// Instructions that calculate pointers into it, keep AR2, or take it back.
-    pub(in crate::translate) pointers: FxHashSet<u32>,
+    /// What AR2 really holds.
+    pub(in crate::translate) real: Interval,
+    pub(in crate::translate) uses: Uses,
 }
 
-/// The instructions of a block that calculate pointers into its instance, keep AR2, or take it back, if the block reaches its instance in
-/// no other way. `is_bounded` tells whether it is known what a call writes, and that it leaves AR2 as it is; `is_taken_back` whether AR2
+/// What the instructions of a block do with AR2 and what is calculated from it.
+#[derive(Clone, Debug, Default)]
+pub(in crate::translate) struct Uses {
+    /// Those that calculate pointers into the instance, keep AR2, or take it back.
+    pub(in crate::translate) pointers: FxHashSet<u32>,
+    /// Those that take the position from AR2.
+    pub(in crate::translate) positions: FxHashSet<u32>,
+}
+
+/// What a block does with AR2, if it reaches its instance in no other way. `is_bounded` tells whether it is known what a call writes, and that it leaves AR2 as it is; `is_taken_back` whether AR2
 /// is known behind an instruction that writes it.
-pub(in crate::translate) fn pointers(
-    code: &Code,
-    is_bounded: &dyn Fn(&Inst) -> bool,
-    is_taken_back: &dyn Fn(u32) -> bool,
-) -> Option<FxHashSet<u32>> {
-    let mut found = FxHashSet::default();
+pub(in crate::translate) fn uses(code: &Code, is_bounded: &dyn Fn(&Inst) -> bool, is_taken_back: &dyn Fn(u32) -> bool) -> Option<Uses> {
+    let mut found = Uses::default();
     for statement in 0..code.statement_count() {
         let mut pointers: BTreeSet<u8> = BTreeSet::new();
         for (index, inst) in (code.statements[statement]..).zip(code.statement(statement)) {
@@ -57,9 +64,15 @@ pub(in crate::translate) fn pointers(
                         first || op == Op::AddU32
                     }
                 },
+                Inst::Compute { op: Op::AndU32, args: [position, mask, ..], .. }
+                    if position.register() == Some(Register::Ar2) && !is_pointer(mask) =>
+                {
+                    found.positions.insert(index);
+                    true
+                }
                 Inst::Load { place, .. } => is_apart_there(place),
                 Inst::Store { place: Place::Fixed { area: Area::Local, .. }, width: Width::DoubleWord, src } if is_pointer(src) => {
-                    found.insert(index);
+                    found.pointers.insert(index);
                     true
                 }
                 Inst::Store { place, src, .. } => is_apart_there(place) && !is_pointer(src),
@@ -74,7 +87,7 @@ pub(in crate::translate) fn pointers(
             if let Some(dst) = verify::writes(inst) {
                 match dst.register() {
                     Some(Register::Ar2) if calculated || is_taken_back(index) => {
-                        found.insert(index);
+                        found.pointers.insert(index);
                         continue;
                     }
                     Some(register) if calculated || register == Register::Ar2 => return None,
@@ -82,7 +95,7 @@ pub(in crate::translate) fn pointers(
                 }
                 if calculated {
                     pointers.insert(dst.0);
-                    found.insert(index);
+                    found.pointers.insert(index);
                 } else {
                     pointers.remove(&dst.0);
                 }

@@ -36,7 +36,10 @@ impl Analysis<'_> {
                     put(&mut state, &mut temporaries, dst, known);
                 }
                 Inst::Compute { op, dst, args } => {
-                    let args = args.map(|arg| self.get(&state, &temporaries, arg));
+                    let mut args = args.map(|arg| self.get(&state, &temporaries, arg));
+                    if self.around.relative.is_some_and(|relative| relative.uses.positions.contains(&index)) {
+                        args[0] = self.value(self.really(args[0].range));
+                    }
                     let pointer = args[0].range;
                     if notes && op == Op::PassOnPointer && pointer.bits <= 32 && pointer.leads_elsewhere() {
                         self.found.passed_on.insert(index);
@@ -54,7 +57,7 @@ impl Analysis<'_> {
                 Inst::Store { place, width, src } => {
                     let value = match self.around.relative {
                         // AR2 is somewhere else than what is said of it.
-                        Some(relative) if relative.pointers.contains(&index) => self.value(Interval::any(32)),
+                        Some(relative) if relative.uses.pointers.contains(&index) => self.value(Interval::any(32)),
                         _ => self.get(&state, &temporaries, src),
                     };
                     let role = notes.then_some((index, true));
@@ -385,7 +388,7 @@ impl Analysis<'_> {
             (inner, number, range) = match self.origins[of.number as usize] {
                 Origin::Extended(bits, inner) if inner.range.bits <= bits => (inner, Number::Signed(bits), limited.signed(limited.bits)),
                 Origin::Sum(bits, inner, added) if inner.range.bits <= bits && limited.bits == bits => {
-                    let summand = Interval { least: limited.least - added, most: limited.most - added, zeros: 0, bits };
+                    let summand = Interval { least: limited.least - added, most: limited.most - added, ..Interval::any(bits) };
                     let signed = summand.signed(bits);
                     if signed.1 - signed.0 < (1 << bits) - 1 {
                         (inner, Number::Signed(bits), signed)

@@ -679,7 +679,7 @@ impl Reader<'_, '_> {
 
     /// The bytes that a copy reads and writes, if they are known to lie inside their areas where it is reached.
     pub(super) fn moved(&self, index: u32) -> Option<[Bytes; 2]> {
-        self.translator.ranges.moved(index)
+        Some(self.translator.ranges.moved(index)?.map(|(base, bytes)| (base.area(), bytes)))
     }
 
     /// Writes a cell on the ways that led here.
@@ -958,7 +958,7 @@ impl Reader<'_, '_> {
             self.kernel.required_inside.push((number, limit));
         }
         self.met.insert(condition);
-        let range = Interval { least: 0, most: i64::from(limit) - 1, zeros: 0, bits: 32 };
+        let range = Interval { least: 0, most: i64::from(limit) - 1, ..Interval::any(32) };
         self.ranges.insert(number, range);
         Some(())
     }
@@ -984,7 +984,7 @@ impl Reader<'_, '_> {
     }
 
     fn place(&mut self, index: u32, place: Place, width: Width, write: bool) -> Option<Reached> {
-        let inside = self.translator.ranges.inside(index);
+        let inside = self.translator.ranges.inside(index).map(|(base, bytes)| (base.area(), bytes));
         self.reach((place, width), inside, write)
     }
 
@@ -994,7 +994,7 @@ impl Reader<'_, '_> {
             && self.ways.is_always()
             && self.kernel.constant(node).is_none()
         {
-            let range = Interval { least: i64::from(least), most: i64::from(most), zeros: 0, bits: 32 };
+            let range = Interval { least: i64::from(least), most: i64::from(most), ..Interval::any(32) };
             self.ranges.entry(node).or_insert(range);
         }
     }

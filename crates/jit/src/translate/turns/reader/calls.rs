@@ -17,7 +17,7 @@ impl Reader<'_, '_> {
         let cell = self.cell(kept);
         let start = self.node(What::Start(Level::Outer, cell));
         let last = first + step * (count - 1);
-        let range = Interval { least: first.into(), most: last.into(), zeros: (first | step).trailing_zeros(), bits: 32 };
+        let range = Interval { least: first.into(), most: last.into(), zeros: (first | step).trailing_zeros(), ..Interval::any(32) };
         self.ranges.insert(start, range);
         let mut steps = Vec::new();
         self.call(called, 0, &mut steps).or_else(|| {
