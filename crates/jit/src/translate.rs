@@ -1027,6 +1027,9 @@ impl<'a> Translator<'a> {
             words[..constants.len()].copy_from_slice(&constants);
             return Val::Const(op.eval(words));
         }
+        if op == Op::Copy {
+            return args[0];
+        }
         if self.options.inline
             && let Some(value) = self.inline(op, args)
         {

@@ -42,6 +42,7 @@ mod looked_at;
 mod masks;
 mod near_bits;
 mod nested;
+mod parted;
 mod pieces;
 mod quads;
 mod reader;
@@ -67,6 +68,7 @@ pub(super) use idle::Idle;
 use kernel::{Access, Cell, Kernel, Level, Node, What};
 use line::{Carried, Shape};
 use nested::Nested;
+use parted::Parted;
 use pieces::Gathered;
 use write::Writing;
 
@@ -97,6 +99,8 @@ struct Writes<'k> {
     nested: Option<&'k Nested>,
     /// How turns side by side are done that all go the same way.
     alike: Option<&'k Alike>,
+    /// How single turns part.
+    parted: Option<&'k Parted>,
 }
 
 impl InnerTurns {
@@ -111,7 +115,7 @@ impl InnerTurns {
 
 impl Writes<'_> {
     fn lanes(lanes: u32) -> Self {
-        Self { lanes, gathered: None, up_to: None, nested: None, alike: None }
+        Self { lanes, gathered: None, up_to: None, nested: None, alike: None, parted: None }
     }
 }
 
@@ -286,10 +290,10 @@ impl Translator<'_> {
                 Writing::write(self, &in_pieces, it, Writes { gathered: Some(gathered), ..Writes::lanes(1) });
             }
         }
-        if let Some(unsigned) = &unsigned {
-            Writing::write(self, unsigned, it, Writes::lanes(1));
+        for plan in unsigned.iter().chain([&plan]) {
+            let parted = if one_by_one { plan.parted() } else { None };
+            Writing::write(self, plan, it, Writes { parted: parted.as_ref(), ..Writes::lanes(1) });
         }
-        Writing::write(self, &plan, it, Writes::lanes(1));
         if let Some(few) = few {
             self.b.ins().jump(few, &[]);
             self.b.switch_to_block(few);

@@ -27,7 +27,7 @@ const COST_MAX: u32 = 500;
 /// Conditions that are tried, those first on which most rests.
 const CONDITIONS_MAX: usize = 4;
 /// How far conditions made of others are followed.
-const DEPTH_MAX: usize = 6;
+pub(super) const DEPTH_MAX: usize = 6;
 /// Turns after which a condition at the least is as it was, for several ones to share it.
 const PERIOD_MIN: u64 = 8;
 /// Instructions that a shorter version has to save, for the look to be worth it: one that was not foreseen costs about as much as 60.
@@ -159,7 +159,7 @@ impl Kernel {
     }
 
     /// All values on which rests what a turn writes and leaves.
-    fn reached(&self) -> BTreeSet<Node> {
+    pub(super) fn reached(&self) -> BTreeSet<Node> {
         let mut reached = BTreeSet::new();
         let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
         self.all_ends().chain(of_accesses).for_each(|node| self.rests(node, &mut reached));
@@ -167,7 +167,7 @@ impl Kernel {
     }
 
     /// What is read for a condition, if it can be read in front of all that turns write.
-    fn first_for(&self, condition: Node) -> Option<Vec<usize>> {
+    pub(super) fn first_for(&self, condition: Node) -> Option<Vec<usize>> {
         let mut needed = BTreeSet::new();
         self.reads_behind(condition, &mut BTreeSet::new(), &mut needed);
         let mut written: Vec<usize> = Vec::new();
@@ -199,7 +199,7 @@ impl Kernel {
     }
 
     /// Makes a condition a constant, with all that is known then.
-    fn assume(&mut self, condition: Node, holds: bool, depth: usize) {
+    pub(super) fn assume(&mut self, condition: Node, holds: bool, depth: usize) {
         if depth > 0
             && let What::Compute(op, [a, b, ..]) = self.what(condition)
         {
@@ -273,7 +273,7 @@ impl Kernel {
 
 /// What is known where ways part.
 #[derive(Clone)]
-struct Moment {
+pub(super) struct Moment {
     outer: Scope,
     records: Records,
     opposites: FxHashMap<Value, Value>,
@@ -286,12 +286,7 @@ impl<'k> Writing<'_, '_, 'k> {
         alike.first.iter().for_each(|&number| self.access(number, Level::Outer));
         let condition = self.value(alike.condition, Level::Outer);
         let mask = self.t.masks(&condition, self.lanes)[0];
-        let moment = Moment {
-            outer: self.outer.clone(),
-            records: self.records.clone(),
-            opposites: self.t.opposites.clone(),
-            in_words: self.t.in_words.clone(),
-        };
+        let moment = self.moment();
         let meeting = self.t.b.create_block();
         let whole = &self.plan.kernel;
         for side in &alike.sides {
@@ -342,14 +337,24 @@ impl<'k> Writing<'_, '_, 'k> {
         next
     }
 
+    /// How it is where ways part.
+    pub(super) fn moment(&self) -> Moment {
+        Moment {
+            outer: self.outer.clone(),
+            records: self.records.clone(),
+            opposites: self.t.opposites.clone(),
+            in_words: self.t.in_words.clone(),
+        }
+    }
+
     /// Whether an access reads what was read to look where the turns go.
     pub(super) fn was_read_first(&self, number: usize) -> bool {
         let is_read = self.kernel.accesses[number].value.is_none();
-        self.alike.is_some() && is_read && self.outer.values.contains_key(&self.kernel.read_of(number))
+        (self.alike.is_some() || self.parted.is_some()) && is_read && self.outer.values.contains_key(&self.kernel.read_of(number))
     }
 
     /// Goes on as it was where the ways parted.
-    fn take_up(&mut self, Moment { outer, records, opposites, in_words }: Moment) {
+    pub(super) fn take_up(&mut self, Moment { outer, records, opposites, in_words }: Moment) {
         (self.outer, self.records) = (outer, records);
         (self.t.opposites, self.t.in_words) = (opposites, in_words);
         self.written.clear();

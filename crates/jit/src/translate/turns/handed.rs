@@ -187,7 +187,7 @@ impl Writing<'_, '_, '_> {
         (counted.len() <= cells + COUNTED_MORE).then_some(counted)
     }
 
-    fn form(&self, level: Level, cell: Cell, end: Node, needed: &BTreeSet<Node>) -> Form {
+    pub(super) fn form(&self, level: Level, cell: Cell, end: Node, needed: &BTreeSet<Node>) -> Form {
         if self.lanes > 1 {
             return self.kernel.shape(self.kernel.turn(level).ends[&cell]).map_or(Form::Int, Form::Lanes);
         }
@@ -346,33 +346,38 @@ impl Writing<'_, '_, '_> {
                 }
                 Handed::Sum(..) | Handed::Extreme(..) | Handed::Mark(_) | Handed::Left(..) => {}
                 Handed::Chain(cell, _, form) => {
-                    let value = match form {
-                        Form::Bit => Lanes::One(Val::Bit { value: own[0], clean: true }),
-                        Form::LooseBit => Lanes::One(Val::Bit { value: own[0], clean: false }),
-                        Form::Int => {
-                            // A word that turns hand on is cut to its bits where it is written.
-                            let bits = if self.kernel.is_word(cell) { 16 } else { 32 };
-                            Lanes::One(self.t.know_bits(own[0], bits))
-                        }
-                        Form::Quad => Lanes::One(Val::Word(own[0])),
-                        Form::Lreal => {
-                            debug_assert_eq!(self.t.b.func.dfg.value_type(own[0]), F64);
-                            Lanes::One(self.t.quiet_f64(own[0]))
-                        }
-                        Form::Real => {
-                            let bits = self.t.b.ins().bitcast(I32, MemFlagsData::new(), own[0]);
-                            debug_assert_eq!(self.t.b.func.dfg.value_type(own[0]), F32);
-                            Lanes::One(Val::Real { real: own[0], bits })
-                        }
-                        Form::Exact(_) => Lanes::One(self.t.with_all_bits(own[0])),
-                        Form::Lanes(shape) => shape.of(own),
-                    };
+                    let value = self.taken(cell, form, own);
                     self.scope(level).starts.insert(cell, value);
                 }
                 Handed::Address(base, pointer, offset, _) => {
                     self.scope(level).addresses.insert((base, pointer, offset), own[0]);
                 }
             }
+        }
+    }
+
+    /// What was handed on of a cell.
+    pub(super) fn taken(&mut self, cell: Cell, form: Form, own: Vec<Value>) -> Lanes {
+        match form {
+            Form::Bit => Lanes::One(Val::Bit { value: own[0], clean: true }),
+            Form::LooseBit => Lanes::One(Val::Bit { value: own[0], clean: false }),
+            Form::Int => {
+                // A word that turns hand on is cut to its bits where it is written.
+                let bits = if self.kernel.is_word(cell) { 16 } else { 32 };
+                Lanes::One(self.t.know_bits(own[0], bits))
+            }
+            Form::Quad => Lanes::One(Val::Word(own[0])),
+            Form::Lreal => {
+                debug_assert_eq!(self.t.b.func.dfg.value_type(own[0]), F64);
+                Lanes::One(self.t.quiet_f64(own[0]))
+            }
+            Form::Real => {
+                let bits = self.t.b.ins().bitcast(I32, MemFlagsData::new(), own[0]);
+                debug_assert_eq!(self.t.b.func.dfg.value_type(own[0]), F32);
+                Lanes::One(Val::Real { real: own[0], bits })
+            }
+            Form::Exact(_) => Lanes::One(self.t.with_all_bits(own[0])),
+            Form::Lanes(shape) => shape.of(own),
         }
     }
 

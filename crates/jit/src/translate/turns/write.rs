@@ -21,6 +21,7 @@ use super::left_beside::LeftBeside;
 use super::line::{Carried, Line, Shape, Sum};
 use super::near_bits::NearBits;
 use super::nested::Nested;
+use super::parted::{HandedOn, Parted};
 use super::pieces::{self, Gathered, Piece, Place};
 use super::records::Records;
 use super::vector::Lanes;
@@ -57,6 +58,8 @@ pub(super) struct Writing<'t, 'a, 'k> {
     nested: Option<&'k Nested>,
     /// How turns side by side are done that all go the same way.
     pub(super) alike: Option<&'k Alike>,
+    /// How single turns part.
+    pub(super) parted: Option<&'k Parted>,
     /// Turns that are written behind one another instead of as a loop.
     pub(super) unrolled: u32,
     /// Which of these turns is written, and their bytes so far.
@@ -81,7 +84,7 @@ pub(super) struct Writing<'t, 'a, 'k> {
     /// Choices that leave the less or greater of two REALs or LREALs for the next turn.
     pub(super) extremes: BTreeSet<Node>,
     /// Choices that lead to addresses of the next turn.
-    chased: BTreeSet<Node>,
+    pub(super) chased: BTreeSet<Node>,
     /// What blocks have taken from the budget that not all turns enter.
     pub(super) taken: Option<Val>,
     /// Values that wait on the stack for what the last turn that wrote them leaves.
@@ -99,7 +102,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         Self::new(t, plan, writes).version(it);
     }
 
-    pub(super) fn new(t: &'t mut Translator<'a>, plan: &'k Plan, Writes { lanes, gathered, up_to, nested, alike }: Writes<'k>) -> Self {
+    pub(super) fn new(
+        t: &'t mut Translator<'a>,
+        plan: &'k Plan,
+        Writes { lanes, gathered, up_to, nested, alike, parted }: Writes<'k>,
+    ) -> Self {
         let kernel = &plan.kernel;
         Writing {
             t,
@@ -111,6 +118,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             near_bits: if lanes == 1 { kernel.near_bits() } else { NearBits::new() },
             nested,
             alike,
+            parted,
             unrolled: 1,
             turn: 0,
             pieces: BTreeMap::new(),
@@ -389,6 +397,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             self.begin(level, &handed, &now[others..]);
             let next_of_turn = match self.alike {
                 Some(alike) if level == Level::Outer => Some(self.turns_alike(alike, &handed, &now, progress)),
+                None if level == Level::Outer
+                    && let Some(parted) = self.parted =>
+                {
+                    Some(self.turn_parted(parted, HandedOn { handed: &handed, now: &now, others }, progress))
+                }
                 _ => {
                     self.steps_of_turn(level, progress);
                     None
@@ -503,6 +516,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             let conditions = one.left.conditions.iter().map(|&(condition, _)| condition);
             let known = |node: Node| self.kernel.constant(node).is_some() || self.outer.values.contains_key(&node);
             if !at_end && !conditions.clone().chain(one.left.waiting.iter().copied()).all(known) {
+                continue;
+            }
+            let fails = |&(condition, holds): &(Node, bool)| self.kernel.constant(condition).is_some_and(|value| (value & 1 != 0) != holds);
+            if one.left.conditions.iter().any(fails) {
+                one.written = true;
                 continue;
             }
             let conditions: Vec<Val> = conditions.map(|condition| self.first(condition, level)).collect();

@@ -57,6 +57,12 @@ impl Hidden {
         self.shown.iter().map(|(&start, &end)| start..end).collect()
     }
 
+    /// The piece to which pointers lead and to which a position belongs.
+    pub(super) fn shown_at(&self, position: u32) -> Option<Range<u32>> {
+        let (&start, &end) = self.shown.range(..=position).next_back()?;
+        (position < end).then_some(start..end)
+    }
+
     fn take(&mut self, kind: Kind, bytes: u32) -> u32 {
         let position = self.free.get_mut(&kind).and_then(Vec::pop).unwrap_or_else(|| {
             let position = self.end.saturating_mul(8);

@@ -85,14 +85,14 @@ impl Lowering<'_> {
         if outward { self.compute(Op::PassOnPointer, &[pointer]) } else { pointer }
     }
 
-    /// A pointer may lead to the variable in the local data to which this place belongs.
+    /// A pointer may lead to the variable in the local data to which this place belongs, or to the piece of hidden local data.
     fn show_variable(&mut self, place: &Place) {
         let position = place.offset;
         let variable = self.body.locals.iter().find_map(|local| {
             let end = local.position.saturating_add(u32::try_from(local.data_type.bits()).unwrap_or(u32::MAX));
             (local.position..end).contains(&position).then_some(local.position..end)
         });
-        match variable {
+        match variable.or_else(|| self.hidden.shown_at(position)) {
             Some(bits) => self.seen.show(bits),
             None => self.seen.show_all(),
         }
