@@ -1,5 +1,7 @@
 //! Pointers to places, and what is reached by them as a whole: arrays, structures, POINTER and ANY.
 
+use std::ops::Range;
+
 use sieben_engine::ir::{Inst, Op, Place as Address, Target, Var};
 use sieben_engine::machine::{CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
@@ -8,7 +10,7 @@ use sieben_model::types::{DataType, ReferenceKind};
 use super::places::Located;
 use super::{Lowering, bytes, width_of_bits};
 use crate::st::check::places::element_step;
-use crate::st::tree::{Base, Place, Value, ValueKind};
+use crate::st::tree::{Base, Local, Place, Value, ValueKind};
 use crate::stl::meaning::logic_control::CALLER_LOCAL;
 
 /// The area of shared data blocks in a pointer.
@@ -25,6 +27,11 @@ const ANY_BYTES: u32 = 10;
 const POINTER_PARTS: [(u32, Width); 2] = [(0, Width::Word), (16, Width::DoubleWord)];
 /// Parts of an ANY as it is copied: offset in bits and width.
 const ANY_PARTS: [(u32, Width); 3] = [(0, Width::DoubleWord), (32, Width::Word), (48, Width::DoubleWord)];
+
+/// The bit behind a variable in the local data.
+fn end_of(local: &Local) -> u32 {
+    local.position.saturating_add(u32::try_from(local.data_type.bits()).unwrap_or(u32::MAX))
+}
 
 impl Lowering<'_> {
     /// The data block number and the area-crossing pointer of a place. `outward` is for a block that is called, which sees the local
@@ -85,14 +92,19 @@ impl Lowering<'_> {
         if outward { self.compute(Op::PassOnPointer, &[pointer]) } else { pointer }
     }
 
+    /// All values that the checker keeps, if a position belongs to one of them.
+    fn kept_at(&self, position: u32) -> Option<Range<u32>> {
+        let first = self.body.locals.iter().map(end_of).max().unwrap_or(0);
+        let kept = first..self.body.local_size.saturating_mul(8);
+        kept.contains(&position).then_some(kept)
+    }
+
     /// A pointer may lead to the variable in the local data to which this place belongs, or to the piece of hidden local data.
     fn show_variable(&mut self, place: &Place) {
         let position = place.offset;
-        let variable = self.body.locals.iter().find_map(|local| {
-            let end = local.position.saturating_add(u32::try_from(local.data_type.bits()).unwrap_or(u32::MAX));
-            (local.position..end).contains(&position).then_some(local.position..end)
-        });
-        match variable.or_else(|| self.hidden.shown_at(position)) {
+        let mut variables = self.body.locals.iter().map(|local| local.position..end_of(local));
+        let variable = variables.find(|bits| bits.contains(&position));
+        match variable.or_else(|| self.kept_at(position)).or_else(|| self.hidden.shown_at(position)) {
             Some(bits) => self.seen.show(bits),
             None => self.seen.show_all(),
         }
