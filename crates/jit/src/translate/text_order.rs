@@ -105,6 +105,13 @@ impl Translator<'_> {
             let is_long = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThan, length, i64::from(CHARACTERS_MAX));
             self.b.ins().brif(is_long, compared, &[], short, &[]);
             self.go_on_in(compared);
+            // Most texts differ at their beginning.
+            let [beginning, other] = [a, b].map(|address| self.b.ins().load(I8X16, data(), address.base, address.offset));
+            let bits = self.b.ins().bxor(beginning, other);
+            let differ = self.b.ins().vany_true(bits);
+            let (differ, same) = (self.b.ins().uextend(I32, differ), self.b.create_block());
+            self.b.ins().brif(differ, done, &[BlockArg::Value(differ)], same, &[]);
+            self.go_on_in(same);
             let [first, second] = [a, b].map(|address| self.arena_byte(address));
             let function = self.functions.get(self.module, Outside::Question(Question::BytesDiffer));
             let answer = self.call(function, &[self.run, first, second, bytes]);
@@ -188,16 +195,6 @@ impl Translator<'_> {
         let [by_length, by_word, done] = [(); 3].map(|()| self.b.create_block());
         let words = [(); 2].map(|()| self.b.append_block_param(by_word, I64));
         let result = self.b.append_block_param(done, I32);
-        if most > CHARACTERS_MAX {
-            let [long, short] = [(); 2].map(|()| self.b.create_block());
-            let is_long = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThan, both, i64::from(CHARACTERS_MAX));
-            self.b.ins().brif(is_long, long, &[], short, &[]);
-            self.go_on_in(long);
-            let nothing = self.b.ins().iconst(I64, 0);
-            let order = self.call_for_texts(TextAction::Compare, a, b, nothing);
-            self.b.ins().jump(done, &[BlockArg::Value(order)]);
-            self.go_on_in(short);
-        }
         for first in (0..most.min(CHARACTERS_MAX)).step_by(WORD as usize) {
             let some = self.b.create_block();
             let more = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThan, both, i64::from(first));
@@ -220,7 +217,18 @@ impl Translator<'_> {
             self.b.ins().brif(same, next, &[], by_word, &arguments.map(BlockArg::Value));
             self.go_on_in(next);
         }
-        self.b.ins().jump(by_length, &[]);
+        // Most texts differ before.
+        if most > CHARACTERS_MAX {
+            let long = self.b.create_block();
+            let is_long = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThan, both, i64::from(CHARACTERS_MAX));
+            self.b.ins().brif(is_long, long, &[], by_length, &[]);
+            self.go_on_in(long);
+            let nothing = self.b.ins().iconst(I64, 0);
+            let order = self.call_for_texts(TextAction::Compare, a, b, nothing);
+            self.b.ins().jump(done, &[BlockArg::Value(order)]);
+        } else {
+            self.b.ins().jump(by_length, &[]);
+        }
         self.go_on_in(by_word);
         let order = self.order_of(words);
         self.b.ins().jump(done, &[BlockArg::Value(order)]);

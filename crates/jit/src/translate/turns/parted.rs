@@ -9,15 +9,17 @@ use sieben_engine::ir::Op;
 
 use super::Plan;
 use super::alike::DEPTH_MAX;
-use super::handed::Handed;
+use super::handed::{Form, Handed};
 use super::kernel::{Kernel, Level, Node, Step, What};
 use super::left::Progress;
 use super::line::{Carried, Line};
+use super::vector::Lanes;
 use super::write::Writing;
 
 /// Larger turns are not looked at, and not written twice.
 const NODES_MAX: usize = 400;
-/// Instructions that one of the sides has to save: where jumps are likely to be faster than choices, and in any turn.
+/// Instructions that one of the sides has to save where jumps are likely to be faster than choices; in other turns so many, which are half
+/// of all.
 const SAVED_MIN: u32 = 6;
 const SAVED_MIN_OF_ANY: u32 = 10;
 
@@ -48,8 +50,8 @@ impl Plan {
         if !is_simple || !only_accesses() {
             return None;
         }
-        let saved_min = if kernel.is_for_jumps() { SAVED_MIN } else { SAVED_MIN_OF_ANY };
         let cost = kernel.cost_alone();
+        let saved_min = if kernel.is_for_jumps() { SAVED_MIN } else { SAVED_MIN_OF_ANY.max(cost.div_ceil(2)) };
         let found = kernel.chosen_by().into_iter().filter_map(|condition| {
             let first = kernel.first_for(condition)?;
             let sides = [true, false].map(|holds| kernel.side_alone(condition, holds));
@@ -144,7 +146,8 @@ impl<'k> Writing<'_, '_, 'k> {
         let own = self.owned(on.handed, &next[on.others..]);
         for (one, value) in on.handed.iter().zip(own).chain(left.iter().zip(of_left.into_iter().map(|value| vec![value]))) {
             if let Handed::Chain(cell, end, form) = *one {
-                let value = self.taken(cell, form, value);
+                // What a turn computes is the one NaN that the project shows, if it is none.
+                let value = if form == Form::Real { Lanes::One(self.t.quiet(value[0])) } else { self.taken(cell, form, value) };
                 self.outer.values.insert(end, value);
             }
         }
