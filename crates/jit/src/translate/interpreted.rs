@@ -64,7 +64,7 @@ impl Translator<'_> {
     /// Looks at the budget in front of a statement that enters blocks, if no look before is for them: for all statements from there up to one
     /// to which each way through them comes.
     pub(super) fn look_at_statements(&mut self) {
-        if self.look.is_some() || !self.options.optimize || self.cold.is_some() || !self.outer.is_empty() {
+        if self.look.is_some() || !self.options.optimize || self.cold.is_some() {
             return;
         }
         if let Some(last) = self.last_of_piece() {
