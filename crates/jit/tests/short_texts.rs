@@ -414,3 +414,54 @@ fn a_single_character_that_is_written_over_is_read_again() {
         }
     }
 }
+
+/// Two texts of up to so many characters, the same up to a place, in their order and as far as they are equal.
+#[test]
+fn long_texts_that_differ_somewhere_have_the_same_order_on_all_engines() {
+    const MOST: usize = 60;
+    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+    let room = TextRoom::narrow(MOST as u8);
+    let body = |b: &mut Builder| {
+        let [from, to] = [0, 100].map(|byte| at(Area::BitMemory, TEXTS + byte));
+        for (number, op) in (0..).zip([None, Some(Op::Equal), Some(Op::LtI32), Some(Op::GeI32)]) {
+            b.begin_statement();
+            let [piece, mut result] = [b.constant(0), b.temporary()];
+            let action = TextAction::Compare;
+            b.push(Inst::Text { action, dst: result, to, to_room: room, from, from_room: room, piece: [piece; 2] });
+            if let Some(op) = op {
+                let zero = b.constant(0);
+                result = b.compute(op, &[result, zero]);
+            }
+            b.store(at(Area::BitMemory, RESULTS + 4 * number), Width::DoubleWord, result);
+        }
+        b.begin_statement();
+        b.push(Inst::Return);
+    };
+    let program = program(&[(BlockId::ob(1), LOCAL, &body)]);
+    let layout = layout(&program);
+    let engines = [StatusBits::All, StatusBits::Needed].map(|status| Jit::compiled(&program, &layout, status).expect("machine code"));
+    let reference = Interpreter::load(&program, &layout);
+    let mut dice = Dice(5);
+    for place in 0..4000 {
+        let lengths = [(); 2].map(|()| dice.roll(MOST as u64 + 1) as usize);
+        let other = if dice.roll(3) == 0 { lengths[0] } else { lengths[1] };
+        let lengths = [lengths[0], other];
+        let prepare = |machine: &mut Machine| {
+            machine.budget = 100;
+            let memory = machine.memory.area_mut(Area::BitMemory);
+            for (byte, length) in [0, 100].into_iter().zip(lengths) {
+                memory[TEXTS as usize + byte..][..2].copy_from_slice(&[MOST as u8, length as u8]);
+                for (at, character) in memory[TEXTS as usize + byte + 2..][..MOST].iter_mut().enumerate() {
+                    *character = b'a' + (at % 20) as u8;
+                }
+            }
+            // Behind the last place they are the same.
+            if place % 80 < MOST {
+                memory[TEXTS as usize + 102 + place % 80] = [b'Z', 0xFF][place % 2];
+            }
+        };
+        let of = |engine: &dyn Engine| run(engine, &layout, &entry, &prepare, &|_, _, _| Reaction::Continue);
+        let expected = of(reference.as_ref());
+        engines.iter().for_each(|engine| of(engine.as_ref()).assert_ends_as(&expected, &|| format!("{lengths:?}, {place}")));
+    }
+}
