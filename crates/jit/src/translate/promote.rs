@@ -176,6 +176,14 @@ impl Promoted {
         (self.first..=self.last).contains(&statement)
     }
 
+    /// Which bit of the number the bit of a byte is; `None` = it is none of it.
+    fn bit_behind(&self, byte: i32, number: u8) -> Option<u8> {
+        let behind = byte.checked_sub(self.offset)?;
+        let last = self.width.bytes() as i32 - 1;
+        let is_here = (0..=last).contains(&behind) && holds_bits(self.width) && self.real.is_none();
+        (is_here && (last == 0 || !self.own)).then(|| 8 * (last - behind) as u8 + number)
+    }
+
     fn overlaps(&self, touched: &Touched) -> bool {
         match touched {
             _ if self.base == Base::Run => false,
@@ -219,6 +227,18 @@ struct Candidate {
     weight: u64,
     /// Whether the loop computes with it as a REAL or LREAL.
     real: bool,
+}
+
+impl Candidate {
+    /// Whether bits may be read and written in it, too.
+    fn may_hold_bits(&self) -> bool {
+        holds_bits(self.width) && !self.real
+    }
+}
+
+/// Whether bits are found in a register that stands for a number.
+fn holds_bits(width: Width) -> bool {
+    matches!(width, Width::Byte | Width::Word | Width::DoubleWord)
 }
 
 /// Whether an operation works on REALs or LREALs as such; only the cost depends on it.
@@ -397,7 +417,7 @@ impl Translator<'_> {
     /// Bytes that all accesses of a loop that touch them name in the same way; and how many variables it uses that are kept already.
     fn candidates(&mut self, it: &Loop) -> (BTreeMap<(Base, i32), Candidate>, usize) {
         let code = &self.native().code;
-        let mut candidates: BTreeMap<(Base, i32), Candidate> = BTreeMap::new();
+        let [mut candidates, mut bits]: [BTreeMap<(Base, i32), Candidate>; 2] = Default::default();
         let mut others = Vec::new();
         self.temporaries.clear();
         for statement in it.first..=it.last {
@@ -450,9 +470,12 @@ impl Translator<'_> {
                     });
                     continue;
                 };
-                let width = if width == Width::Bit { Width::Byte } else { width };
+                let (of_width, width) = match width {
+                    Width::Bit => (&mut bits, Width::Byte),
+                    width => (&mut candidates, width),
+                };
                 let in_data_block = self.in_data_block(place);
-                let known = candidates.entry((base, offset)).or_insert(Candidate {
+                let known = of_width.entry((base, offset)).or_insert(Candidate {
                     width,
                     in_data_block,
                     written,
@@ -463,6 +486,7 @@ impl Translator<'_> {
                 known.written |= written;
                 known.weight += weight;
                 match *inst {
+                    Inst::Load { width: Width::Bit, .. } => {}
                     Inst::Load { dst, .. } => drop(loaded.insert(dst.0, (base, offset))),
                     Inst::Store { src, .. } => known.real |= results.contains(&src.0),
                     _ => {}
@@ -473,12 +497,27 @@ impl Translator<'_> {
                 }
             }
         }
-        let spans: Vec<_> = candidates.iter().map(|(&(base, offset), it)| (base, i64::from(offset), i64::from(it.width.bytes()))).collect();
-        for pair in spans.windows(2) {
-            let [(base, start, length), (next_base, next, next_length)] = [pair[0], pair[1]];
-            if base == next_base && start + length > next {
-                others.push(Touched::Bytes(base, start..next + next_length));
+        for ((base, byte), of_bits) in bits {
+            let numbers = candidates.range_mut((base, byte.saturating_sub(7))..=(base, byte)).rev();
+            let mut around = numbers.filter(|((_, offset), it)| byte < offset.saturating_add(it.width.bytes() as i32));
+            match around.next() {
+                Some((_, number)) if number.may_hold_bits() => {
+                    number.written |= of_bits.written;
+                    number.weight += of_bits.weight;
+                }
+                Some(_) => others.push(Touched::Bytes(base, byte.into()..i64::from(byte) + 1)),
+                None => drop(candidates.insert((base, byte), of_bits)),
             }
+        }
+        let spans: Vec<_> = candidates.iter().map(|(&(base, offset), it)| (base, i64::from(offset), i64::from(it.width.bytes()))).collect();
+        let mut before: Option<(Base, Range<i64>)> = None;
+        for &(base, start, length) in &spans {
+            let mut bytes = start..start + length;
+            if let Some((other, known)) = before.filter(|(other, known)| *other == base && known.end > start) {
+                bytes = known.start..known.end.max(bytes.end);
+                others.push(Touched::Bytes(other, bytes.clone()));
+            }
+            before = Some((base, bytes));
         }
         for &(base, start, length) in spans.iter().filter(|(base, ..)| matches!(base, Base::Computed(_))) {
             let bytes = start..start + length;
@@ -593,11 +632,14 @@ impl Translator<'_> {
         }
     }
 
-    /// What stands for exactly these bytes, or for the byte of a bit.
+    /// What stands for exactly these bytes, or for the number to which a bit belongs.
     fn promoted_at(&self, address: Address, width: Width) -> Option<Promoted> {
         let base = self.base_of(address)?;
-        let width = if width == Width::Bit { Width::Byte } else { width };
-        self.promoted.iter().copied().find(|it| it.is_in(self.statement) && (it.base, it.offset, it.width) == (base, address.offset, width))
+        let here = self.promoted.iter().copied().filter(|it| it.is_in(self.statement) && it.base == base);
+        { here }.find(|it| match width {
+            Width::Bit => it.bit_behind(address.offset, 0).is_some(),
+            width => (it.offset, it.width) == (address.offset, width),
+        })
     }
 
     fn base_of(&self, Address { base, .. }: Address) -> Option<Base> {
@@ -628,9 +670,13 @@ impl Translator<'_> {
                 _ => Val::Real { real, bits: value },
             });
         }
+        let first = promoted.bit_behind(address.offset, 0).unwrap_or(0);
         Some(match (width, address.bit) {
-            (Width::Bit, Bit::Number(number)) => Self::bit_value(value, number, false),
-            (Width::Bit, Bit::Computed(number)) => Val::Bit { value: self.b.ins().ushr(value, number), clean: false },
+            (Width::Bit, Bit::Number(number)) => Self::bit_value(value, first + number, false),
+            (Width::Bit, Bit::Computed(number)) => {
+                let byte = if first == 0 { value } else { self.b.ins().ushr_imm_u(value, i64::from(first)) };
+                Val::Bit { value: self.b.ins().ushr(byte, number), clean: false }
+            }
             (Width::QuadWord, _) => Val::Word(value),
             (width, _) => {
                 self.narrow.insert(value, width.bytes() * 8);
@@ -659,8 +705,10 @@ impl Translator<'_> {
         }
         let value = match (width, address.bit) {
             (Width::Bit, Bit::Number(number)) => {
+                let number = promoted.bit_behind(address.offset, number).unwrap_or(number);
                 let old = self.b.use_var(promoted.variable);
-                let cleared = self.b.ins().band_imm_u(old, i64::from(!(1u8 << number)));
+                let all = u32::MAX >> (32 - promoted.width.bits());
+                let cleared = self.b.ins().band_imm_u(old, i64::from(all & !(1 << number)));
                 let bit = self.bit_at(value, number);
                 self.b.ins().bor(cleared, bit)
             }
