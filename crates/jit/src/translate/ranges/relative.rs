@@ -37,8 +37,8 @@ pub(in crate::translate) struct Uses {
     pub(in crate::translate) positions: FxHashSet<u32>,
 }
 
-/// What a block does with AR2, if it reaches its instance in no other way. `is_bounded` tells whether it is known what a call writes, and that it leaves AR2 as it is; `is_taken_back` whether AR2
-/// is known behind an instruction that writes it.
+/// What a block does with AR2, if it reaches its instance in no other way. `is_bounded` tells whether it is known what a call writes, and that
+/// it leaves AR2 as it is; `is_taken_back` whether AR2 is known behind an instruction that writes it.
 pub(in crate::translate) fn uses(code: &Code, is_bounded: &dyn Fn(&Inst) -> bool, is_taken_back: &dyn Fn(u32) -> bool) -> Option<Uses> {
     let mut found = Uses::default();
     for statement in 0..code.statement_count() {

@@ -383,13 +383,18 @@ impl<'k> Writing<'_, '_, 'k> {
                 shape => self.in_form(&value, Form::Lanes(shape), &mut all),
             }
         }
+        self.go_where_ways_meet(meeting, &all);
+    }
+
+    /// Goes to a block with values, which take its parameters on each way there.
+    pub(super) fn go_where_ways_meet(&mut self, meeting: Block, values: &[Value]) {
         if self.t.b.block_params(meeting).is_empty() {
-            for &value in &all {
+            for &value in values {
                 let ty = self.t.b.func.dfg.value_type(value);
                 self.t.b.append_block_param(meeting, ty);
             }
         }
-        let arguments: Vec<BlockArg> = all.into_iter().map(BlockArg::Value).collect();
+        let arguments: Vec<BlockArg> = values.iter().map(|&value| BlockArg::Value(value)).collect();
         self.t.b.ins().jump(meeting, &arguments);
     }
 }

@@ -4,7 +4,7 @@
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
-use cranelift_codegen::ir::{Block, BlockArg, InstBuilder, Value};
+use cranelift_codegen::ir::{Block, InstBuilder, Value};
 use sieben_engine::ir::Op;
 
 use super::Plan;
@@ -94,14 +94,14 @@ impl Kernel {
 
     /// About how many instructions a turn takes.
     fn cost_alone(&self) -> u32 {
-        let of_nodes = self.reached().into_iter().map(|node| match self.what(node) {
+        let needed = self.reached();
+        let of_nodes = needed.iter().map(|&node| match self.what(node) {
             What::Compute(..) if self.line(node, Level::Outer).is_some() => 0,
             What::Compute(Op::Copy, _) => 0,
             What::Compute(Op::Select, _) => 2,
             What::Compute(..) => 1,
             _ => 0,
         });
-        let needed = self.reached();
         let is_made = |step: &&Step| match **step {
             Step::Access(number) => self.accesses[number].value.is_some() || needed.contains(&self.read_of(number)),
             _ => true,
@@ -138,7 +138,6 @@ impl<'k> Writing<'_, '_, 'k> {
             self.waiting.iter_mut().for_each(|one| one.written = false);
         }
         self.turn_as(whole);
-        self.waiting.iter_mut().for_each(|one| one.written = true);
         self.t.b.switch_to_block(meeting);
         self.t.b.seal_block(meeting);
         let mut next = self.t.b.block_params(meeting).to_vec();
@@ -185,13 +184,6 @@ impl<'k> Writing<'_, '_, 'k> {
                 self.in_form(&value, form, &mut all);
             }
         }
-        if self.t.b.block_params(meeting).is_empty() {
-            for &value in &all {
-                let ty = self.t.b.func.dfg.value_type(value);
-                self.t.b.append_block_param(meeting, ty);
-            }
-        }
-        let arguments: Vec<BlockArg> = all.into_iter().map(BlockArg::Value).collect();
-        self.t.b.ins().jump(meeting, &arguments);
+        self.go_where_ways_meet(meeting, &all);
     }
 }

@@ -1,7 +1,7 @@
 //! What conditions cost that become choices: both sides are computed then, and a choice waits for the longer one, also where few turns take
 //! it.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
 use sieben_engine::ir::Op;
 
@@ -42,16 +42,13 @@ impl Kernel {
     /// Whether turns that are done one by one are likely to be faster with jumps than with choices because there are so many, or because they
     /// are seldom made.
     pub(super) fn is_for_jumps(&self) -> bool {
-        let mut all = BTreeSet::new();
-        let of_accesses = self.accesses.iter().flat_map(|access| [Some(access.pointer), access.value]).flatten();
-        self.all_ends().chain(of_accesses).for_each(|node| self.rests(node, &mut all));
         let is_choice = |node: Node| matches!(self.what(node), What::Compute(Op::Select, _));
         let written = self.accesses.iter().filter(|access| access.value.is_some_and(is_choice)).count();
         let waits: Vec<Wait> = (self.carried(Level::Outer).into_iter())
             .filter(|(.., carried)| *carried == Carried::Chain)
             .filter_map(|(cell, end, _)| self.wait(end, cell, &mut HashMap::new()))
             .collect();
-        let choices = all.iter().filter(|&&node| is_choice(node)).count();
+        let choices = self.reached().into_iter().filter(|&node| is_choice(node)).count();
         let waits_for_none = waits.iter().all(|wait| wait.least == 0);
         let has_place = waits.iter().any(|wait| wait.least == 0 && wait.most > 0);
         let has_extreme = waits.iter().any(|wait| wait.least >= EXTREME_MIN && wait.least == wait.most);
