@@ -5,10 +5,10 @@
 //! The same programs in Structured Text and, by hand, in C, compiled by the system's `cc -O3`, take turns in one run. Both run the same
 //! number of scans, 10 ms of their clock apart, and have to end with the same value of `check`. A figure is the best of all turns, as CPU
 //! time of the thread, because other work on the machine only ever adds time.
-#![allow(clippy::print_stdout)] // A measurement prints its figures.
+#![allow(clippy::print_stdout, clippy::print_stderr)] // A measurement prints its figures.
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, ExitCode};
 use std::sync::Arc;
 use std::{env, fs};
 
@@ -44,6 +44,19 @@ fn turn(program: &Program, engine: impl FnOnce(&Program, &Layout) -> Arc<dyn Eng
     ((now_ns() - start) / scans as f64, check(program, &loaded))
 }
 
+/// The first scan behind which `check` differs, in words.
+fn first_difference(program: &Program, engine: &Arc<dyn Engine>, c: &CProgram) -> String {
+    let mut loaded = load(program, |_, _| engine.clone());
+    let mut checks = (1..=SCANS).map(|scan| {
+        loaded.scan(None);
+        (scan, check(program, &loaded), c_turn(c, scan).1)
+    });
+    match checks.find(|(_, machine, c)| machine != c) {
+        Some((scan, machine, c)) => format!("`check` behind scan {scan} is {machine} in machine code and {c} in C"),
+        None => "`check` differs from turn to turn".to_owned(),
+    }
+}
+
 /// Programs in Structured Text that somebody wrote, each with a file in C beside it.
 fn programs_at(path: &Path) -> Vec<Case> {
     let mut files: Vec<PathBuf> = match fs::read_dir(path) {
@@ -60,16 +73,20 @@ fn programs_at(path: &Path) -> Vec<Case> {
     files.into_iter().map(case).collect()
 }
 
-fn main() {
-    println!("{:<12} {:>11} {:>11} {:>11} {:>7} {:>11} {:>9}", "ns a scan", "interp.", "machine", "cc -O3", "ratio", "compile ms", "bytes");
+fn main() -> ExitCode {
     let wanted = env::args().nth(1).filter(|word| !word.starts_with('-')).unwrap_or_default();
     let mut ratios = Vec::new();
     let cases = match wanted.contains('/') {
         true => programs_at(&side_by_side::root().join(&wanted)),
         false => programs::all().into_iter().filter(|case| case.name.contains(&wanted)).collect(),
     };
+    if cases.is_empty() {
+        eprintln!("no program: `{wanted}` is part of no name, and no file `.st`, or folder of such files, of the project");
+        return ExitCode::from(2);
+    }
+    println!("{:<12} {:>11} {:>11} {:>11} {:>7} {:>11} {:>9}", "ns a scan", "interp.", "machine", "cc -O3", "ratio", "compile ms", "bytes");
     for (index, case) in cases.iter().enumerate() {
-        let program = compiled("bench.st", &case.st);
+        let program = compiled(&format!("{}.st", case.name), &case.st);
         if env::args().nth(2).is_some_and(|word| word == "listing") {
             println!("{}", Jit::listing(&program, &load(&program, Interpreter::load).machine.memory.layout).expect("machine code"));
             continue;
@@ -92,7 +109,9 @@ fn main() {
         for _ in 0..TURNS {
             let (machine_ns, machine_check) = turn(&program, |_, _| engine.clone(), SCANS);
             let (c_ns, c_check) = c_turn(&c, SCANS);
-            assert_eq!(machine_check, c_check, "{}: `check` of machine code and of C", case.name);
+            if machine_check != c_check {
+                panic!("{}: {}", case.name, first_difference(&program, &engine, &c));
+            }
             machine_best = machine_best.min(machine_ns);
             c_best = c_best.min(c_ns);
         }
@@ -107,4 +126,5 @@ fn main() {
     }
     let mean = ratios.iter().product::<f64>().powf(1.0 / ratios.len() as f64);
     println!("geometric mean of the ratios: {mean:.2}");
+    ExitCode::SUCCESS
 }

@@ -12,7 +12,7 @@ use sieben_lang::{Options, compile};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
-use sieben_model::diagnostic::Severity;
+use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
 
@@ -146,8 +146,11 @@ pub(crate) fn compiled(name: &str, text: &str) -> Program {
     sources.add(name, text);
     let options = Options { cpu: Some(cpu_type()), system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
     let compiled = compile(&sources, &SymbolTable::default(), &options);
-    let errors: Vec<_> =
-        compiled.diagnostics.iter().filter(|found| found.severity() == Severity::Error).map(|found| &found.message).collect();
-    assert!(errors.is_empty(), "{errors:?}");
+    let error = |found: &Diagnostic| {
+        let (line, column) = sources.line_column(found.span);
+        format!("{name}:{line}:{column}: {}; {}", found.message, found.help.as_deref().unwrap_or(found.problem.help()))
+    };
+    let errors: Vec<_> = compiled.diagnostics.iter().filter(|found| found.severity() == Severity::Error).map(error).collect();
+    assert!(errors.is_empty(), "{}", errors.join("\n"));
     compiled.program
 }
