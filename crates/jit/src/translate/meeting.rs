@@ -39,7 +39,28 @@ pub(super) struct Meeting {
     known: Option<Vec<(Register, Val)>>,
 }
 
+/// What is known where ways part in a statement.
+struct Parting {
+    temporaries: Vec<Option<Val>>,
+    current: [Option<Val>; Register::COUNT],
+    changed: u32,
+    dirty: u32,
+    memory: KnownMemory,
+}
+
 impl Translator<'_> {
+    fn parting(&self) -> Parting {
+        let (current, changed, dirty) = (self.current, self.changed, self.dirty);
+        Parting { temporaries: self.temporaries.clone(), current, changed, dirty, memory: self.known_memory() }
+    }
+
+    /// Goes on with the other way.
+    fn go_back_to(&mut self, Parting { temporaries, current, changed, dirty, memory }: Parting) {
+        (self.temporaries, self.current) = (temporaries, current);
+        (self.changed, self.dirty) = (changed, dirty);
+        self.know_memory(memory);
+    }
+
     /// Looks at an index that is noted, if the rest of its statement can be written twice; whether it was.
     pub(super) fn look_and_part(&mut self, index: u32, condition: Var, shown: Var) -> bool {
         let look = self.get(condition);
@@ -73,8 +94,7 @@ impl Translator<'_> {
         let [inside, outside] = [self.b.create_block(), self.b.create_block()];
         self.b.set_cold_block(outside);
         self.b.ins().brif(holds, inside, &[], cold, &[]);
-        let (temporaries, dirty, memory) = (self.temporaries.clone(), self.dirty, self.known_memory());
-        let (current, changed) = (self.current, self.changed);
+        let parting = self.parting();
         self.cold_path(cold, Question::Unmet, &[self.link, site, shown], After::At(outside));
         self.b.switch_to_block(outside);
         self.b.seal_block(outside);
@@ -92,9 +112,7 @@ impl Translator<'_> {
         }
         self.go_to_meeting();
         self.cold = None;
-        (self.temporaries, self.dirty) = (temporaries, dirty);
-        (self.current, self.changed) = (current, changed);
-        self.know_memory(memory);
+        self.go_back_to(parting);
         self.b.switch_to_block(inside);
         self.b.seal_block(inside);
         self.set(condition, Val::Const(1));
@@ -199,12 +217,9 @@ impl Translator<'_> {
         self.b.ins().brif(condition, leaving, &[], staying, &[]);
         self.b.switch_to_block(leaving);
         self.b.seal_block(leaving);
-        let (temporaries, dirty, memory) = (self.temporaries.clone(), self.dirty, self.known_memory());
-        let (current, changed) = (self.current, self.changed);
+        let parting = self.parting();
         self.go_to_meeting();
-        (self.temporaries, self.dirty) = (temporaries, dirty);
-        (self.current, self.changed) = (current, changed);
-        self.know_memory(memory);
+        self.go_back_to(parting);
         self.b.switch_to_block(staying);
         self.b.seal_block(staying);
         true

@@ -58,8 +58,7 @@ impl Plan {
     /// The condition whose sides are the shortest if it is the same in all turns, if that is worth it.
     pub(super) fn alike(&self) -> Option<Alike> {
         let kernel = &self.kernel;
-        let is_simple = kernel.inner.is_none() && kernel.copies.is_empty() && kernel.nodes.len() <= NODES_MAX;
-        if !is_simple || !kernel.outer.steps.iter().all(|step| matches!(step, Step::Access(_))) {
+        if !kernel.only_accesses(NODES_MAX) {
             return None;
         }
         let left = kernel.left_as_vectors()?;
@@ -98,6 +97,22 @@ impl Plan {
 }
 
 impl Kernel {
+    /// Whether turns do nothing but read and write single places, and compute no more values than so many.
+    pub(super) fn only_accesses(&self, nodes_max: usize) -> bool {
+        self.inner.is_none()
+            && self.copies.is_empty()
+            && self.nodes.len() <= nodes_max
+            && self.outer.steps.iter().all(|step| matches!(step, Step::Access(_)))
+    }
+
+    /// The condition of a choice.
+    pub(super) fn asked_by(&self, node: Node) -> Option<Node> {
+        match self.what(node) {
+            What::Compute(Op::Select, [condition, ..]) | What::Compute(Op::Gate, [_, condition, ..]) => Some(condition),
+            _ => None,
+        }
+    }
+
     /// What the last turn leaves in cells that are not handed on, as far as turns side by side have it in vectors; `None` if turns hand on
     /// something for which there is no place.
     fn left_as_vectors(&self) -> Option<Vec<(Cell, Node, Shape)>> {
@@ -124,11 +139,7 @@ impl Kernel {
     fn conditions(&self) -> Vec<Node> {
         let mut asked: BTreeMap<Node, usize> = BTreeMap::new();
         for node in self.reached() {
-            let condition = match self.what(node) {
-                What::Compute(Op::Select, [condition, ..]) => condition,
-                What::Compute(Op::Gate, [_, condition, ..]) => condition,
-                _ => continue,
-            };
+            let Some(condition) = self.asked_by(node) else { continue };
             let is_mask = self.shape(condition) == Some(Shape::Mask) && self.is_bit(condition);
             if is_mask && !self.in_order.nodes.contains(&condition) && self.is_foreseen(condition) {
                 *asked.entry(condition).or_default() += 1;

@@ -45,9 +45,7 @@ impl Plan {
     /// The condition on which turns part, if that is likely to be faster than choices.
     pub(super) fn parted(&self) -> Option<Parted> {
         let kernel = &self.kernel;
-        let is_simple = kernel.inner.is_none() && kernel.copies.is_empty() && kernel.nodes.len() <= NODES_MAX;
-        let only_accesses = || kernel.outer.steps.iter().all(|step| matches!(step, Step::Access(_)));
-        if !is_simple || !only_accesses() {
+        if !kernel.only_accesses(NODES_MAX) {
             return None;
         }
         let cost = kernel.cost_alone();
@@ -68,11 +66,7 @@ impl Kernel {
     fn chosen_by(&self) -> BTreeSet<Node> {
         let mut all = BTreeSet::new();
         for node in self.reached() {
-            let mut condition = match self.what(node) {
-                What::Compute(Op::Select, [condition, ..]) => condition,
-                What::Compute(Op::Gate, [_, condition, ..]) => condition,
-                _ => continue,
-            };
+            let Some(mut condition) = self.asked_by(node) else { continue };
             while let What::Compute(Op::Not, [of, ..]) = self.what(condition) {
                 condition = of;
             }
