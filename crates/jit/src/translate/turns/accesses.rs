@@ -209,7 +209,9 @@ impl Writing<'_, '_, '_> {
                     }
                 }
             };
-            self.scope(level).values.insert(node, value);
+            let scope = self.scope(level);
+            scope.values.insert(node, value);
+            scope.sources.push((number, apart));
             return;
         };
         let new = match bit {

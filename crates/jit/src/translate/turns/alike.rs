@@ -315,6 +315,7 @@ impl<'k> Writing<'_, '_, 'k> {
             self.records = side.kernel.records(self.lanes);
             // Accesses have other numbers here, and some values are known.
             self.outer.bytes.clear();
+            self.outer.sources.clear();
             let is_read = |kernel: &Kernel, node: Node| matches!(kernel.what(node), What::Read(_));
             self.outer.values.retain(|&node, _| is_read(whole, node) && is_read(&side.kernel, node));
             self.steps_of_turn(Level::Outer, progress);

@@ -14,7 +14,7 @@ use super::super::memory::data;
 use super::super::promote::Base;
 use super::super::value::Val;
 use super::around::Within;
-use super::kernel::{Kernel, Node, Step};
+use super::kernel::{Kernel, Node, Step, What};
 use super::line::Shape;
 use super::spread::{Apart, FIRST_WORDS_TURNED};
 use super::vector::{Lanes, little};
@@ -29,6 +29,10 @@ const GAP_MAX: i32 = 3;
 const FIELD_COST: u32 = 8;
 const ROWS: [(i32, u32); 2] = [(8, 8), (16, 12)];
 const PARTS_COST: u32 = 3;
+
+const COPY_COST: u32 = 12;
+const SAME_COST: u32 = 8;
+const ROWS_COST: u32 = 24;
 
 /// Rows of so many bytes, with such a step from turn to turn, lie beside each other: two are read or written at once.
 const SIDE_BY_SIDE: (i32, i32) = (8, 8);
@@ -54,6 +58,8 @@ struct Part {
     bytes: i32,
     known: i32,
     column: Column,
+    /// The access that read these bytes, if they are just as it found them.
+    source: Option<usize>,
 }
 
 impl Part {
@@ -64,6 +70,19 @@ impl Part {
     fn meets(&self, bytes: &Range<i32>) -> bool {
         self.at < bytes.end && bytes.start < self.range().end
     }
+}
+
+/// Bytes that are written as they lie elsewhere, and where the first of them is there.
+struct Copied {
+    bytes: Range<i32>,
+    apart: Apart,
+}
+
+/// What is written to some bytes of each turn.
+enum Piece {
+    Columns(Vec<Column>),
+    /// What was read of each turn.
+    Copy(Vec<Value>),
 }
 
 /// The structure or instance of each turn to whose fields accesses go.
@@ -270,6 +289,64 @@ impl Record {
         }
         runs
     }
+
+    /// The pieces in which these bytes are written in the fewest steps.
+    fn cheapest(&self, run: Range<i32>, step: i32, copies: &[Copied]) -> Vec<Range<i32>> {
+        let length = (run.end - run.start) as usize;
+        let mut best: Vec<Option<(u32, Range<i32>, usize)>> = vec![None; length + 1];
+        best[0] = Some((0, run.start..run.start, 0));
+        for end in 1..=length {
+            for bytes in [16, 8, 4, 2, 1].into_iter().filter(|&bytes| bytes <= end) {
+                let range = run.start + (end - bytes) as i32..run.start + end as i32;
+                let cost = self.cost(&range, step, copies);
+                // Some of it may have been written before.
+                for before in end - bytes..end {
+                    let Some((known, ..)) = best[before] else { continue };
+                    if best[end].as_ref().is_none_or(|&(other, ..)| known + cost < other) {
+                        best[end] = Some((known + cost, range.clone(), before));
+                    }
+                }
+            }
+        }
+        let mut pieces = Vec::new();
+        let mut at = length;
+        while at > 0 {
+            let (_, range, before) = best[at].clone().expect("each byte can be written by itself");
+            pieces.push(range);
+            at = before;
+        }
+        pieces.reverse();
+        pieces
+    }
+
+    /// What it costs to write these bytes at once.
+    fn cost(&self, range: &Range<i32>, step: i32, copies: &[Copied]) -> u32 {
+        if copied(copies, range).is_some() {
+            return COPY_COST;
+        }
+        let mut all_same = true;
+        let mut cost = 0;
+        for at in range.clone().step_by(4) {
+            let parts = self.parts(at..(at + 4).min(range.end)).expect("the bytes of a run are known");
+            if parts.iter().all(|(part, _)| matches!(part.column, Column::Same(_))) {
+                continue;
+            }
+            all_same = false;
+            cost += match &parts[..] {
+                [(part, _)] if part.at == at => 0,
+                [_] => 2,
+                parts => 3 * parts.len() as u32,
+            };
+        }
+        cost + match range.len() {
+            _ if all_same => SAME_COST,
+            16 => ROWS_COST,
+            8 if (range.len() as i32, step) == SIDE_BY_SIDE => SAME_COST,
+            8 => 16,
+            4 => 14,
+            _ => 16,
+        }
+    }
 }
 
 impl Writing<'_, '_, '_> {
@@ -289,7 +366,7 @@ impl Writing<'_, '_, '_> {
             accesses.iter().for_each(|&access| self.settle_records(access, true));
             let columns = self.t.read_rows(apart, row);
             let parts =
-                (row.0..).step_by(4).zip(columns).map(|(at, column)| Part { at, bytes: 0, known: 4, column: Column::Lanes(column) });
+                (row.0..).step_by(4).zip(columns).map(|(at, column)| Part { at, bytes: 0, known: 4, column: Column::Lanes(column), source: None });
             self.records.0[at].old.extend(parts);
         }
         let parts = self.records.0[at].parts(field.clone())?;
@@ -297,7 +374,7 @@ impl Writing<'_, '_, '_> {
         // What follows it in the same column is known, too.
         if let [(part, _)] = &parts[..] {
             let known = part.at + part.known - field.start;
-            self.records.0[at].old.push(Part { at: field.start, bytes: 0, known, column });
+            self.records.0[at].old.push(Part { at: field.start, bytes: 0, known, column, source: None });
         }
         Some(self.t.lanes_of_column(column))
     }
@@ -306,7 +383,7 @@ impl Writing<'_, '_, '_> {
     pub(super) fn note_old(&mut self, number: usize, vector: Value) {
         let (at, _) = self.kernel.field(number);
         if let Some(record) = self.records.of(number) {
-            self.records.0[record].old.push(Part { at, bytes: 0, known: 4, column: Column::Lanes(vector) });
+            self.records.0[record].old.push(Part { at, bytes: 0, known: 4, column: Column::Lanes(vector), source: None });
         }
     }
 
@@ -339,12 +416,13 @@ impl Writing<'_, '_, '_> {
             }
             _ => Column::Lanes(self.t.column_of(value, bytes)),
         };
+        let source = self.source_of(number).filter(|_| !with_others);
         let record = &mut self.records.0[at];
         // The other bits of a byte, and the bytes behind it, are those that were read.
         let whole = matches!(column, Column::Lanes(_)) && with_others;
         let known = record.old.iter().filter(|part| whole && part.at == start).map(|part| part.known).max().unwrap_or(bytes);
         record.new.retain(|part| part.at != start);
-        record.new.push(Part { at: start, bytes, known, column });
+        record.new.push(Part { at: start, bytes, known, column, source });
         record.place = Some(apart);
         if record.last == Some(number) {
             self.write_record(at);
@@ -389,29 +467,33 @@ impl Writing<'_, '_, '_> {
     fn write_record(&mut self, at: usize) {
         let record = &self.records.0[at];
         if let Some(place) = record.place {
-            let mut pieces: Vec<(Range<i32>, Vec<Column>)> = Vec::new();
-            for run in record.runs() {
-                let mut start = run.start;
-                while start < run.end {
-                    let left = run.end - start;
-                    let bytes = [16, 8, 4, 2, 1].into_iter().find(|&bytes| bytes <= left).unwrap_or(1);
-                    // Rather a little of what was written before once more than several short pieces.
-                    let more = match left {
-                        5..=7 | 13..=15 if run.end - 8 >= run.start => 8,
-                        2 | 3 if run.end - 4 >= run.start => 4,
-                        _ => bytes,
-                    };
-                    let (from, bytes) = if more > left { (run.end - more, more) } else { (start, bytes) };
-                    let columns = (from..from + bytes).step_by(4).map(|at| {
-                        let parts = record.parts(at..(at + 4).min(from + bytes)).expect("the bytes of a run are known");
-                        self.t.put_in_column(at, &parts)
-                    });
-                    pieces.push((from..from + bytes, columns.collect()));
-                    start = from + bytes;
-                }
+            let copies = self.copies(record);
+            let mut pieces: Vec<(Range<i32>, Piece)> = Vec::new();
+            for range in record.runs().into_iter().flat_map(|run| record.cheapest(run, place.step, &copies)) {
+                let piece = match copied(&copies, &range) {
+                    Some((apart, from)) => Piece::Copy(self.t.read_as_it_is(apart, from, range.len())),
+                    None => Piece::Columns(
+                        range
+                            .clone()
+                            .step_by(4)
+                            .map(|at| {
+                                let parts = record.parts(at..(at + 4).min(range.end)).expect("the bytes of a run are known");
+                                self.t.put_in_column(at, &parts)
+                            })
+                            .collect(),
+                    ),
+                };
+                pieces.push((range, piece));
             }
-            for (range, columns) in pieces {
-                self.t.write_rows(place, range, &columns);
+            for (range, piece) in pieces {
+                match piece {
+                    Piece::Columns(columns) => self.t.write_rows(place, range, &columns),
+                    Piece::Copy(numbers) => {
+                        for (lane, number) in (0..).zip(numbers) {
+                            self.t.b.ins().store(data(), number, place.first.base, range.start + place.step * lane);
+                        }
+                    }
+                }
             }
         }
         let record = &mut self.records.0[at];
@@ -419,6 +501,43 @@ impl Writing<'_, '_, '_> {
         record.new.clear();
         record.old.clear();
     }
+
+    /// The access that read what another one writes, if it is written as it was read.
+    fn source_of(&self, number: usize) -> Option<usize> {
+        let written = &self.kernel.accesses[number];
+        let What::Read(source) = self.kernel.what(written.value?) else { return None };
+        let read = &self.kernel.accesses[source];
+        (read.width == written.width && read.width != Width::Bit).then_some(source)
+    }
+
+    /// What is written as it was read, if it is still there.
+    fn copies(&self, record: &Record) -> Vec<Copied> {
+        let written = |&&own: &&usize| self.kernel.accesses[own].value.is_some();
+        let copied = |part: &Part| {
+            let source = part.source?;
+            let &(_, apart) = self.outer.sources.iter().find(|(number, _)| *number == source)?;
+            let mut others = self.written.iter().chain(record.accesses.iter().filter(written));
+            (!others.any(|&other| self.kernel.touches(source, false, other))).then(|| Copied { bytes: part.range(), apart })
+        };
+        record.new.iter().filter_map(copied).collect()
+    }
+}
+
+/// Where these bytes of each turn lie as they are.
+fn copied(copies: &[Copied], range: &Range<i32>) -> Option<(Apart, i32)> {
+    let mut found: Option<(Apart, i32)> = None;
+    let mut at = range.start;
+    while at < range.end {
+        let Copied { bytes, apart } = copies.iter().find(|copied| copied.bytes.contains(&at))?;
+        let place = apart.first.offset - bytes.start + range.start;
+        match found {
+            None => found = Some((*apart, place)),
+            Some((known, at)) if (known.first.base, known.step, at) == (apart.first.base, apart.step, place) => {}
+            Some(_) => return None,
+        }
+        at = bytes.end;
+    }
+    found
 }
 
 impl Translator<'_> {
@@ -554,6 +673,12 @@ impl Translator<'_> {
             1.. => self.b.ins().ishl_imm_u(vector, i64::from(8 * by)),
             _ => self.b.ins().ushr_imm_u(vector, i64::from(-8 * by)),
         }
+    }
+
+    /// Reads bytes of each turn that are written as they are.
+    fn read_as_it_is(&mut self, apart: Apart, from: i32, bytes: usize) -> Vec<Value> {
+        let ty = [I8, I16, I32, I64, I8X16].into_iter().find(|ty| ty.bytes() as usize == bytes).expect("so many bytes at once");
+        (0..TURNS as i32).map(|lane| self.b.ins().load(ty, data(), apart.first.base, from + apart.step * lane)).collect()
     }
 
     /// Reads rows, as columns.

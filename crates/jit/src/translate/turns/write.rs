@@ -24,6 +24,7 @@ use super::nested::Nested;
 use super::parted::{HandedOn, Parted};
 use super::pieces::{self, Gathered, Piece, Place};
 use super::records::Records;
+use super::spread::Apart;
 use super::vector::Lanes;
 use super::{Plan, Writes};
 
@@ -39,6 +40,8 @@ pub(super) struct Scope {
     pub(super) bytes: Vec<(Value, i32, usize, Vec<Value>)>,
     /// Pieces with bits that are read together, by the accesses to the first ones.
     pub(super) near_bits: HashMap<usize, Value>,
+    /// Where turns side by side have read what lies apart, by the accesses.
+    pub(super) sources: Vec<(usize, Apart)>,
 }
 
 /// Writes one version of the turns of a loop.
