@@ -343,6 +343,8 @@ impl Translator<'_> {
         let at_call = self.ranges.instance(index);
         let inside = self.find_loops(code);
         let loops = std::mem::replace(&mut self.loops, inside);
+        // The same loops in another place are others.
+        let at_once = std::mem::take(&mut self.at_once);
         self.outer.push(Outer {
             index: self.index,
             statement: self.statement,
@@ -382,6 +384,7 @@ impl Translator<'_> {
         let written = self.summaries[code].written;
         (self.index, self.statement, self.arrivals) = (outer.index, outer.statement, outer.arrivals);
         (self.loops, self.promoted, self.ranges) = (outer.loops, outer.promoted, outer.ranges);
+        self.at_once = at_once;
         (self.passed, self.given) = (outer.passed, outer.given);
         (self.instance, self.in_range, self.written) = (outer.instance, outer.in_range, outer.written);
         self.reliance = outer.reliance;
