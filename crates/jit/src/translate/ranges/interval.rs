@@ -531,7 +531,9 @@ fn shifted(op: Op, a: Interval, count: Interval) -> Interval {
     match op {
         Op::Shl32 => {
             let (least, most) = a.modulo(32);
-            Interval::of((least << count, most << count), a.zeros + count, 32)
+            let range = (least << count, most << count);
+            let spacing = if a.bits >= 32 { a.distances().times(1 << count) } else { Spacing::ANY };
+            Interval::of(range, a.zeros + count, 32).spaced_in(range, spacing)
         }
         Op::Shr32 => right(a.unsigned(32)),
         // Above a pointer there is the number of a data block.
