@@ -54,9 +54,9 @@ impl Translator<'_> {
     }
 
     /// The same for a block whose callers are not those of the running code: what is known where it is called, and where the local data of
-    /// its callers lie, the nearest first.
-    pub(super) fn find_ranges_of_called(&mut self, facts: Vec<Fact>, callers: &[(i32, usize)]) -> Ranges {
-        let ranges = self.ranges_of(Vec::new(), facts, &|calls| callers.get(calls).copied(), None);
+    /// its callers lie, the nearest first; and where places in its instance are counted from, if not from the data block.
+    pub(super) fn find_ranges_of_called(&mut self, facts: Vec<Fact>, callers: &[(i32, usize)], relative: Option<&Relative>) -> Ranges {
+        let ranges = self.ranges_of(Vec::new(), facts, &|calls| callers.get(calls).copied(), relative);
         self.pinned.extend(ranges.opened());
         ranges
     }
@@ -83,7 +83,8 @@ impl Translator<'_> {
             Inst::Call { callee: Callee::Block(id), .. } if becomes_part => (self.find)(*id).map(|code| code as usize),
             _ => None,
         };
-        let instance = if relative.is_some() { Some(FIRST_BYTE) } else { self.instance.constant() };
+        // That of a block that a loop calls is counted from there, too.
+        let instance = self.instance.constant().or(relative.map(|_| FIRST_BYTE));
         if relative.is_some() {
             registers[Register::Ar2 as usize] = instance;
         }

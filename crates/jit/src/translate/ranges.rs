@@ -126,6 +126,8 @@ pub(super) struct Ranges {
     by_pointers: FxHashMap<u32, Vec<(Bytes, bool)>>,
     /// Whether places in the instance are counted from where it begins.
     relative: bool,
+    /// Instructions that take the position from AR2, which is somewhere else then than it is said to be.
+    positions: FxHashSet<u32>,
     /// Data blocks that are opened by a number in a variable, which are taken to be as they were loaded.
     opened: BTreeSet<u16>,
 }
@@ -144,6 +146,11 @@ impl Ranges {
     /// Whether places in the instance are counted from where it begins.
     pub(super) fn is_relative(&self) -> bool {
         self.relative
+    }
+
+    /// Whether an instruction takes the position from AR2 where places in the instance are counted from where it begins.
+    pub(super) fn takes_position(&self, inst: u32) -> bool {
+        self.positions.contains(&inst)
     }
 
     /// The bytes that an access by a computed address may touch, if they are known to lie inside its area.
@@ -474,6 +481,7 @@ pub(super) fn find(block: &Native, around: &Surroundings<'_>) -> Ranges {
     let mut found = analysis.run().unwrap_or_default();
     if let Some(relative) = around.relative {
         found.relative = true;
+        found.positions.clone_from(&relative.uses.positions);
         // What AR2 is said to hold is no number that anybody calculates with.
         found.results.retain(|index, _| !relative.uses.pointers.contains(index));
         found.steps.retain(|index| !relative.uses.pointers.contains(index));

@@ -840,6 +840,8 @@ impl Reader<'_, '_> {
                 let node = self.constant(value);
                 self.set(dst, node)
             }
+            // It is not where it is said to be.
+            Inst::Compute { .. } if self.translator.ranges.takes_position(index) => None,
             Inst::Compute { op, dst, args } => {
                 let node = match self.translator.ranges.result(index) {
                     Some((least, most)) if least == most => self.constant(u64::from(least)),
