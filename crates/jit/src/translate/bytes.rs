@@ -168,8 +168,13 @@ impl Translator<'_> {
             if let Some(value) = self.word_at(address, width).or_else(|| self.known_number(address, width)) {
                 return value;
             }
-            self.store_waiting_in(base, offset, width);
-            let value = self.read(address, width);
+            let value = match self.number_of_bytes(address, width) {
+                Some(value) => value,
+                None => {
+                    self.store_waiting_in(base, offset, width);
+                    self.read(address, width)
+                }
+            };
             self.remember_word(address, width, value);
             self.remember_number(address, width, value);
             return value;
@@ -216,6 +221,7 @@ impl Translator<'_> {
             self.write_number(address, width, value);
             return;
         };
+        self.know_bytes_around(address);
         self.forget_word(address, width);
         let value = match self.force(value) {
             Val::Const(value) => Val::Const(value & 1),
@@ -435,7 +441,87 @@ impl Translator<'_> {
         }
     }
 
+    /// A number some of whose bytes are known because bits were written there: a processor waits for the memory where a number is read that
+    /// was stored in several pieces.
+    fn number_of_bytes(&mut self, address: Address, width: Width) -> Option<Val> {
+        if !self.options.optimize || self.cold.is_some() || !matches!(width, Width::Word | Width::DoubleWord) {
+            return None;
+        }
+        let base = self.known_base(address.base);
+        let bytes = address.offset..address.offset + width.bytes() as i32;
+        let is_byte = |piece: &Piece| piece.base == base && piece.bytes == 1;
+        let mut waits = false;
+        for waiting in self.bytes.waiting.iter().filter(|waiting| waiting.piece.meets(base, &bytes)) {
+            if !is_byte(&waiting.piece) || waiting.apart.1 != 0 {
+                return None;
+            }
+            waits = true;
+        }
+        let known = |at: i32| self.bytes.known.iter().any(|(piece, _)| is_byte(piece) && piece.start == at);
+        if !waits && !bytes.clone().all(known) {
+            return None;
+        }
+        self.store_waiting_words_in(base, &bytes);
+        let mut number: Option<Value> = None;
+        for start in bytes {
+            let piece = Piece { base, start, bytes: 1 };
+            let byte = match self.bytes.waiting.iter().find(|waiting| waiting.piece == piece).copied() {
+                Some(waiting) => self.with_waiting_bits(waiting),
+                None => self.bits_at(piece),
+            };
+            number = Some(match number {
+                Some(before) => {
+                    let before = self.b.ins().ishl_imm_u(before, 8);
+                    self.b.ins().bor(before, byte)
+                }
+                None => byte,
+            });
+        }
+        let number = number?;
+        self.narrow.insert(number, width.bytes() * 8);
+        Some(Val::Int(number))
+    }
+
+    /// Knows the bytes of a number that is known, in which a bit is written.
+    fn know_bytes_around(&mut self, address: Address) {
+        if !self.options.optimize || self.cold.is_some() {
+            return;
+        }
+        let Some((first, width, value)) = self.number_around(address) else { return };
+        let base = self.known_base(address.base);
+        let count = width.bytes() as i32;
+        for start in first..first + count {
+            let (piece, _) = self.piece_at(base, start, 0);
+            let is_known = self.bytes.known.iter().any(|(known, _)| *known == piece);
+            if piece.bytes != 1 || is_known || self.bytes.waiting.iter().any(|waiting| waiting.piece == piece) {
+                continue;
+            }
+            let behind = 8 * (first + count - 1 - start);
+            let byte = match value {
+                Val::Const(value) => self.constant((value >> behind) as u32 & 0xFF),
+                value => {
+                    let value = self.int(value);
+                    let moved = if behind == 0 { value } else { self.b.ins().ushr_imm_u(value, i64::from(behind)) };
+                    self.b.ins().band_imm_u(moved, 0xFF)
+                }
+            };
+            self.remember(piece, byte);
+        }
+    }
+
     fn store_bits(&mut self, waiting: Waiting) {
+        let new = self.with_waiting_bits(waiting);
+        let piece = waiting.piece;
+        let base = self.address_of_base(piece.base);
+        match piece.bytes {
+            LONG => self.b.ins().store(little(), new, base, piece.start),
+            _ => self.b.ins().istore8(data(), new, base, piece.start),
+        };
+        self.remember(piece, new);
+    }
+
+    /// A piece with the bits that wait for their store.
+    fn with_waiting_bits(&mut self, waiting: Waiting) -> Value {
         let Waiting { piece, mask, ones, bits, apart, .. } = waiting;
         let bits = match apart {
             (Some(slot), apart @ 1..) => {
@@ -457,13 +543,7 @@ impl Translator<'_> {
             (Some(value), None) | (None, Some(value)) => value,
             (None, None) => self.constant(0),
         };
-        let new = if ones == 0 { new } else { self.b.ins().bor_imm_u(new, i64::from(ones)) };
-        let base = self.address_of_base(piece.base);
-        match piece.bytes {
-            LONG => self.b.ins().store(little(), new, base, piece.start),
-            _ => self.b.ins().istore8(data(), new, base, piece.start),
-        };
-        self.remember(piece, new);
+        if ones == 0 { new } else { self.b.ins().bor_imm_u(new, i64::from(ones)) }
     }
 
     /// The bits of a piece that nobody needs: those beside one in local data that stands alone in its byte and that nobody sees.

@@ -119,6 +119,16 @@ impl Translator<'_> {
         self.bytes.numbers.0.iter().find(is_it).map(|known| known.3)
     }
 
+    /// The number of which a byte is part, if one of 16 or 32 bits is known there: where it begins, its width, and itself.
+    pub(super) fn number_around(&self, address: Address) -> Option<(i32, Width, Val)> {
+        let is_around = |at: i32, width: Width| {
+            matches!(width, Width::Word | Width::DoubleWord) && (at..at + width.bytes() as i32).contains(&address.offset)
+        };
+        let Some(base) = self.base_of_number(address) else { return self.word_around(is_around) };
+        let numbers = self.bytes.numbers.0.iter().rev();
+        { numbers }.find(|&&(own, at, width, _)| own == base && is_around(at, width)).map(|&(_, at, width, value)| (at, width, value))
+    }
+
     /// Remembers what was read or written at a computed address. What shares bytes with it is forgotten already if it was written.
     pub(super) fn remember_number(&mut self, address: Address, width: Width, value: Val) {
         if width == Width::Bit || !self.options.optimize || self.cold.is_some() {

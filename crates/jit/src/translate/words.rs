@@ -69,6 +69,11 @@ impl Translator<'_> {
         self.words.known[self.place_of_word(address, width)?].2
     }
 
+    /// The number in local data that lies around a place, if one is known.
+    pub(super) fn word_around(&self, is_around: impl Fn(i32, Width) -> bool) -> Option<(i32, Width, Val)> {
+        self.words.known.iter().find_map(|&(at, width, value)| Some((at, width, value.filter(|_| is_around(at, width))?)))
+    }
+
     /// Where the number at an address is noted.
     fn place_of_word(&self, address: Address, width: Width) -> Option<usize> {
         let is_it = |&(offset, other, _): &(i32, Width, Option<Val>)| (offset, other) == (address.offset, width);
