@@ -19,6 +19,7 @@ use super::held::Held;
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Step, Turn, What};
 use super::ways::{Way, Ways};
 
+mod bits;
 mod called;
 mod calls;
 mod cases;
@@ -666,6 +667,9 @@ impl Reader<'_, '_> {
 
     /// What a cell holds on the ways that led here.
     pub(super) fn read_here(&mut self, cell: Cell) -> Option<Node> {
+        if let Some(bit) = self.bit_of_number(cell) {
+            return Some(self.known_here(bit));
+        }
         self.read_in_local(cell)?;
         let node = self.read_cell(cell);
         Some(self.known_here(node))
@@ -673,6 +677,9 @@ impl Reader<'_, '_> {
 
     /// Writes a variable.
     pub(super) fn write_here(&mut self, cell: Cell, value: Node) {
+        if self.write_bit_of_number(cell, value) {
+            return;
+        }
         self.written_in_local(cell);
         self.put(cell, value);
     }

@@ -365,8 +365,13 @@ impl Writing<'_, '_, '_> {
             let accesses = record.accesses.clone();
             accesses.iter().for_each(|&access| self.settle_records(access, true));
             let columns = self.t.read_rows(apart, row);
-            let parts =
-                (row.0..).step_by(4).zip(columns).map(|(at, column)| Part { at, bytes: 0, known: 4, column: Column::Lanes(column), source: None });
+            let parts = (row.0..).step_by(4).zip(columns).map(|(at, column)| Part {
+                at,
+                bytes: 0,
+                known: 4,
+                column: Column::Lanes(column),
+                source: None,
+            });
             self.records.0[at].old.extend(parts);
         }
         let parts = self.records.0[at].parts(field.clone())?;
