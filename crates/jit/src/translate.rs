@@ -911,6 +911,7 @@ impl<'a> Translator<'a> {
                     self.set(condition, Val::Const(1));
                 }
             }
+            Inst::Require { condition, .. } if self.ranges.is_interpreted(index) => self.require_or_interpret(condition),
             Inst::Require { condition, code, register } if code & NOTED != 0 && self.look_and_part(index, condition, register) => {}
             Inst::Require { condition, code, register } if code & NOTED != 0 => {
                 let go_on = self.b.create_block();

@@ -6,13 +6,13 @@
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{self as clif, InstBuilder, Value};
-use sieben_engine::ir::{Callee, Inst};
+use sieben_engine::ir::{Callee, Inst, Var};
 use sieben_engine::machine::Register;
 
 use super::budget::{Look, WEIGHT_MAX};
 use super::loops::{self, Loop, targets};
 use super::value::Val;
-use super::{Translator, bit_of};
+use super::{After, Translator, bit_of};
 use crate::ask::Question;
 use crate::run::Link;
 use crate::turn::span;
@@ -100,20 +100,27 @@ impl Translator<'_> {
         self.look = Some(look);
     }
 
-    /// Whether a loop enters blocks that become part of it, and nothing in it could take long.
+    /// Whether a loop enters blocks that become part of it, or has indexes that are looked at, and nothing in it could take long.
     fn enters_small_blocks(&self, it: &Loop) -> bool {
         let code = &self.native().code;
         let (mut entered, mut size) = (false, 0_usize);
         for statement in it.first..=it.last {
             let Some(Entered { instructions, weight }) = self.entered(statement) else { return false };
             size = size.saturating_add(instructions);
-            entered |= weight > 0;
+            entered |= weight > 0 || self.may_be_interpreted(statement);
             let targets = code.statement(statement as usize).iter().flat_map(|inst| targets(code, inst));
             if size > INSTRUCTIONS_MAX || targets.into_iter().any(|to| to <= statement && to != it.first) {
                 return false;
             }
         }
         entered
+    }
+
+    /// Whether the interpreter does a statement where an index is outside its array.
+    fn may_be_interpreted(&self, statement: u32) -> bool {
+        let code = &self.native().code;
+        let first = code.statements[statement as usize];
+        (first..).zip(code.statement(statement as usize)).any(|(index, _)| self.ranges.is_interpreted(index))
     }
 
     /// The last statement of a piece that begins with the present one: behind it all ways through the piece meet.
@@ -263,9 +270,38 @@ impl Translator<'_> {
         self.cold = before;
     }
 
-    /// Behind a statement of a piece that failed: lets the interpreter do the rest, unless the run is left; whether it does. That costs the
-    /// statements that follow nothing of what they know.
-    pub(super) fn rest_is_interpreted(&mut self, left: Value) -> bool {
+    /// Lets the interpreter do the running statement, of which nothing is done that it could not do again, and the rest of the piece where a
+    /// condition does not hold; all that follows takes it to hold.
+    pub(super) fn require_or_interpret(&mut self, condition: Var) {
+        let holds = self.get(condition);
+        let holds = self.flag(holds);
+        let code = self.b.ins().iconst(I64, self.index as i64);
+        let statement = self.first_named(self.statement);
+        let statement = self.b.ins().iconst(I64, i64::from(statement));
+        let (cold, go_on) = (self.cold_block(), self.b.create_block());
+        self.b.ins().brif(holds, go_on, &[], cold, &[]);
+        match self.piece_around() {
+            Some(piece) => {
+                self.b.switch_to_block(cold);
+                self.b.seal_block(cold);
+                let before = self.cold.replace(cold);
+                self.spill(self.dirty);
+                self.store_promoted();
+                let link = self.shown_link();
+                self.hand_over(piece, self.statement, link);
+                self.cold = before;
+            }
+            None => self.cold_path(cold, Question::Interpret, &[self.link, code, statement], After::Never),
+        }
+        self.b.switch_to_block(go_on);
+        self.b.seal_block(go_on);
+        if condition.register().is_none() {
+            self.set(condition, Val::Const(1));
+        }
+    }
+
+    /// The innermost piece with the running statement.
+    fn piece_around(&self) -> Option<Interpreted> {
         let contains = |piece: &&Interpreted| {
             let (index, statement) = match self.outer.get(piece.level) {
                 Some(outer) => outer.place(),
@@ -273,7 +309,13 @@ impl Translator<'_> {
             };
             piece.index == index && (piece.first..=piece.last).contains(&statement)
         };
-        let Some(piece) = self.interpreted.iter().rev().find(contains).copied() else { return false };
+        self.interpreted.iter().rev().find(contains).copied()
+    }
+
+    /// Behind a statement of a piece that failed: lets the interpreter do the rest, unless the run is left; whether it does. That costs the
+    /// statements that follow nothing of what they know.
+    pub(super) fn rest_is_interpreted(&mut self, left: Value) -> bool {
+        let Some(piece) = self.piece_around() else { return false };
         let rest = self.cold_block();
         self.b.ins().brif(left, self.leave, &[], rest, &[]);
         self.b.switch_to_block(rest);

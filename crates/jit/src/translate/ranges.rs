@@ -94,6 +94,9 @@ pub(super) struct Ranges {
     texts: FxHashMap<u32, [Option<TextPlace>; 2]>,
     /// Conditions that always hold.
     met: FxHashSet<u32>,
+    /// Those that are noted where they fail, of which all that follows takes them to hold: the interpreter does the statement where they do
+    /// not, and what follows it.
+    interpreted: FxHashSet<u32>,
     /// Pointers that are the same one call further in.
     passed_on: FxHashSet<u32>,
     /// Ranges of results, of numbers without sign.
@@ -186,6 +189,11 @@ impl Ranges {
     /// Whether the condition of an instruction always holds.
     pub(super) fn is_met(&self, inst: u32) -> bool {
         self.met.contains(&inst)
+    }
+
+    /// Whether the interpreter goes on with the statement where the condition of an instruction does not hold.
+    pub(super) fn is_interpreted(&self, inst: u32) -> bool {
+        self.interpreted.contains(&inst)
     }
 
     /// Whether a pointer that an instruction passes on leads nowhere near the local data of the caller, and so stays as it is.

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use sieben_engine::fault::NOTED;
 use sieben_engine::intrinsics::Intrinsic;
-use sieben_engine::ir::{Inst, Op, Place, Target, TextAction, TextRoom, Var};
+use sieben_engine::ir::{DataRegister, Inst, OnFault, Op, Place, Target, TextAction, TextRoom, Var};
 use sieben_engine::machine::Register;
-use sieben_model::address::Width;
+use sieben_model::address::{Area, Width};
 
 use super::interval::{self, Interval, Number, Relation, comparison};
 use super::{Analysis, Known, Origin, Reach, Same, Span, State, TextPlace};
@@ -15,6 +15,42 @@ use crate::translate::promote::Base;
 
 /// How many origins of a value are looked at when something is found out about it.
 const ORIGINS_MAX: usize = 6;
+
+/// Whether a statement that has done so much can begin anew, as if it had done nothing: it has read what did not fail, and written nothing but
+/// its own local data, which it did not read before. A data block that it has opened it opens again, in front of what it reads there.
+fn can_begin_again(done: &[Inst]) -> bool {
+    let (mut read, mut reads_shared, mut opened) = (Vec::new(), false, false);
+    done.iter().all(|inst| match *inst {
+        Inst::Constant { dst, .. } | Inst::Compute { dst, .. } | Inst::Parameter { dst, .. } => dst.register().is_none(),
+        Inst::Load { dst, place, on_fault: OnFault::SkipStatement, .. } => {
+            let is_known = match place {
+                Place::Fixed { area: Area::Local, position } => {
+                    read.push(position);
+                    true
+                }
+                Place::Fixed { area, .. } | Place::Indirect { area, .. } => {
+                    reads_shared |= area == Area::SharedData && !opened;
+                    !matches!(area, Area::Local | Area::PeripheralInput | Area::PeripheralOutput)
+                }
+                Place::Crossing { .. } => {
+                    reads_shared |= !opened;
+                    true
+                }
+            };
+            is_known && dst.register().is_none()
+        }
+        Inst::Store { place: Place::Fixed { area: Area::Local, position }, width, .. } => {
+            let end = position + width.bits();
+            !read.iter().any(|&at| position < at + 64 && at < end)
+        }
+        Inst::Open { register: DataRegister::Shared, .. } => {
+            opened = true;
+            !reads_shared
+        }
+        Inst::Require { .. } => true,
+        _ => false,
+    })
+}
 
 impl Analysis<'_> {
     /// Follows the instructions of a statement.
@@ -139,10 +175,19 @@ impl Analysis<'_> {
                     let known = self.value(Interval::any(64));
                     put(&mut state, &mut temporaries, dst, known);
                 }
-                Inst::Require { condition, code, .. } if code & NOTED != 0 => {
-                    let condition = self.get(&state, &temporaries, condition);
-                    if notes && condition.range.exact().is_some_and(|value| value & 1 != 0) {
-                        self.found.met.insert(index);
+                Inst::Require { condition: var, code: noted, .. } if noted & NOTED != 0 => {
+                    let condition = self.get(&state, &temporaries, var);
+                    if condition.range.exact().is_some_and(|value| value & 1 != 0) {
+                        if notes {
+                            self.found.met.insert(index);
+                        }
+                    } else if can_begin_again(&code.insts[first as usize..index as usize]) {
+                        if notes {
+                            self.found.interpreted.insert(index);
+                        }
+                        self.refine(&mut state, &mut temporaries, condition.number, true);
+                        let holds = self.value(Interval::constant(1));
+                        put(&mut state, &mut temporaries, var, holds);
                     }
                 }
                 Inst::Require { condition, .. } => {
