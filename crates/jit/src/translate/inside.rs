@@ -54,9 +54,9 @@ impl Translator<'_> {
     }
 
     /// The same for a block whose callers are not those of the running code: what is known where it is called, and where the local data of
-    /// its callers lie, the nearest first; and where places in its instance are counted from, if not from the data block.
-    pub(super) fn find_ranges_of_called(&mut self, facts: Vec<Fact>, callers: &[(i32, usize)], relative: Option<&Relative>) -> Ranges {
-        let ranges = self.ranges_of(Vec::new(), facts, &|calls| callers.get(calls).copied(), relative);
+    /// its callers lie, the nearest first.
+    pub(super) fn find_ranges_of_called(&mut self, facts: Vec<Fact>, callers: &[(i32, usize)]) -> Ranges {
+        let ranges = self.ranges_of(Vec::new(), facts, &|calls| callers.get(calls).copied(), None);
         self.pinned.extend(ranges.opened());
         ranges
     }
@@ -83,8 +83,7 @@ impl Translator<'_> {
             Inst::Call { callee: Callee::Block(id), .. } if becomes_part => (self.find)(*id).map(|code| code as usize),
             _ => None,
         };
-        // That of a block that a loop calls is counted from there, too.
-        let instance = self.instance.constant().or(relative.map(|_| FIRST_BYTE));
+        let instance = if relative.is_some() { Some(FIRST_BYTE) } else { self.instance.constant() };
         if relative.is_some() {
             registers[Register::Ar2 as usize] = instance;
         }
@@ -515,7 +514,8 @@ impl Translator<'_> {
     /// What the code relies on from a statement on, if that can have changed while somebody was asked.
     pub(super) fn relies_on_memory(&self, statement: u32) -> bool {
         let over_calls = |outer: &Outer| outer.facts_over_call().next().is_some();
-        !self.ranges.facts(statement).is_empty() || self.look.is_some() || self.outer.iter().any(over_calls) || self.needs_silence()
+        let knows = !self.ranges.facts(statement).is_empty() || self.ranges.is_unreached(statement);
+        knows || self.look.is_some() || self.outer.iter().any(over_calls) || self.needs_silence()
     }
 
     /// Whether nobody may be asked here if machine code is to go on.
@@ -546,7 +546,7 @@ impl Translator<'_> {
             let before = self.cold.replace(verify);
             let over_calls = self.outer.iter().flat_map(Outer::facts_over_call);
             let facts: Vec<Fact> = self.ranges.facts(statement).iter().chain(over_calls).copied().collect();
-            if self.needs_silence() {
+            if self.needs_silence() || self.ranges.is_unreached(statement) {
                 self.give_up_at(statement);
                 self.cold = before;
                 continue;

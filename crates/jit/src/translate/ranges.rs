@@ -97,6 +97,8 @@ pub(super) struct Ranges {
     /// Those that are noted where they fail, of which all that follows takes them to hold: the interpreter does the statement where they do
     /// not, and what follows it.
     interpreted: FxHashSet<u32>,
+    /// Statements that are reached only behind one that the interpreter has done: nothing was found out about them.
+    unreached: FxHashSet<u32>,
     /// Pointers that are the same one call further in.
     passed_on: FxHashSet<u32>,
     /// Ranges of results, of numbers without sign.
@@ -189,6 +191,11 @@ impl Ranges {
     /// Whether the condition of an instruction always holds.
     pub(super) fn is_met(&self, inst: u32) -> bool {
         self.met.contains(&inst)
+    }
+
+    /// Whether only the interpreter comes to a statement.
+    pub(super) fn is_unreached(&self, statement: u32) -> bool {
+        self.unreached.contains(&statement)
     }
 
     /// Whether the interpreter goes on with the statement where the condition of an instruction does not hold.
@@ -722,6 +729,9 @@ impl<'a> Analysis<'a> {
         for (statement, state) in states.iter().enumerate() {
             let facts = state.as_ref().map_or(Vec::new(), State::facts);
             self.found.facts.push(facts);
+            if state.is_none() {
+                self.found.unreached.insert(statement as u32);
+            }
             if let Some(state) = state
                 && statement < self.code.statement_count()
             {

@@ -63,7 +63,7 @@ impl Reader<'_, '_> {
             read & others != 0 || written & (others | open_blocks()) != 0
         };
         // What a call restores stays as it is.
-        if !t.inlines(code) || block.insts.iter().any(touches) {
+        if t.ranges.is_relative() || !t.inlines(code) || block.insts.iter().any(touches) {
             return None;
         }
         let given = self.passed.split_off(self.passed.len().checked_sub(parameters)?);
@@ -87,10 +87,6 @@ impl Reader<'_, '_> {
             *value = known(self, node);
         }
         let t = &mut *self.translator;
-        let is_relative = t.ranges.is_relative();
-        if is_relative && instance.constant().is_none() {
-            return None;
-        }
         self.frames.push(Frame {
             index: std::mem::replace(&mut t.index, code),
             local_offset: std::mem::replace(&mut t.local_offset, behind),
@@ -108,11 +104,7 @@ impl Reader<'_, '_> {
         let t = &mut *self.translator;
         let before = OPEN_BLOCKS.map(|register| t.current[register as usize]);
         OPEN_BLOCKS.iter().zip(open).for_each(|(&register, value)| t.current[register as usize] = value);
-        let relative = if is_relative { t.relative_instance() } else { None };
-        if is_relative && relative.is_none() {
-            return None;
-        }
-        let ranges = t.find_ranges_of_called(known_facts, &callers, relative.as_ref());
+        let ranges = t.find_ranges_of_called(known_facts, &callers);
         t.ranges = ranges;
         OPEN_BLOCKS.iter().zip(before).for_each(|(&register, value)| t.current[register as usize] = value);
         let ways = self.ways.clone();
