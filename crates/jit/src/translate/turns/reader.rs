@@ -667,8 +667,8 @@ impl Reader<'_, '_> {
 
     /// What a cell holds on the ways that led here.
     pub(super) fn read_here(&mut self, cell: Cell) -> Option<Node> {
-        if let Some(bit) = self.bit_of_number(cell) {
-            return Some(self.known_here(bit));
+        if let Some(node) = self.bit_of_number(cell).or_else(|| self.number_with_bits(cell)) {
+            return Some(self.known_here(node));
         }
         self.read_in_local(cell)?;
         let node = self.read_cell(cell);
@@ -677,8 +677,11 @@ impl Reader<'_, '_> {
 
     /// Writes a variable.
     pub(super) fn write_here(&mut self, cell: Cell, value: Node) {
-        if self.write_bit_of_number(cell, value) {
-            return;
+        // Where it is not written it stays what the number says.
+        if !self.ways.is_always()
+            && let Some(bit) = self.bit_of_number(cell)
+        {
+            self.now.insert(cell, bit);
         }
         self.written_in_local(cell);
         self.put(cell, value);
