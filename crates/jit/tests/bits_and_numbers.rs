@@ -2,7 +2,7 @@
 //! code, in turns that are done at once and in others, and whoever changes memory, the code does what the interpreter does.
 
 use dice::Dice;
-use noting::{all_engines_agree_beside, fixed, get, layout_with, next_turn, program};
+use noting::{all_engines_agree_beside, all_engines_agree_from, fixed, get, layout_with, next_turn, program};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Exit, Machine, Reaction, StopReason};
 use sieben_jit::Jit;
@@ -91,6 +91,56 @@ fn some_statement(b: &mut Builder, dice: &mut Dice, home: Home, (statement, behi
     }
 }
 
+/// A loop whose turns are done at once: numbers and bits of them in local data, some under a condition, and what becomes of a number goes to an
+/// array.
+fn in_turns(b: &mut Builder, dice: &mut Dice) {
+    let statements = 3 + dice.roll(5) as u32;
+    b.begin_statement();
+    let zero = b.constant(0);
+    b.store(fixed(COUNTER), Width::Word, zero);
+    for statement in 1..=statements {
+        b.begin_statement();
+        let in_memory = |b: &mut Builder| {
+            let counter = get(b, COUNTER, Width::Word);
+            let step = b.constant(16);
+            let pointer = b.compute(Op::MulU32, &[counter, step]);
+            Place::Indirect { area: Area::BitMemory, pointer, offset: 8 * FIRST }
+        };
+        let read = in_memory(b);
+        let element = b.load(read, Width::Word, OnFault::SkipStatement);
+        let limit = b.constant(dice.of(&[0x1000, 0x7000]));
+        let small = b.compute(Op::LtI16, &[element, limit]);
+        let (byte, width) = if statement == 1 { NUMBERS[0] } else { dice.of(&NUMBERS) };
+        let number = place(b, Home::Local, 8 * byte);
+        match if statement == 1 { 0 } else { dice.roll(7) } {
+            0 => {
+                let value = if dice.roll(2) == 0 { b.constant(0) } else { element };
+                b.store(number, width, value);
+            }
+            1 if statement < statements => b.push(Inst::Branch { condition: small, to: Target(statement + 2) }),
+            1 | 2 => {
+                let place = bit(b, dice, Home::Local);
+                let value = b.load(place, Width::Bit, OnFault::SkipStatement);
+                let place = bit(b, dice, Home::Local);
+                b.store(place, Width::Bit, value);
+            }
+            3 | 4 => {
+                let value = b.load(number, width, OnFault::SkipStatement);
+                let to = in_memory(b);
+                b.store(to, Width::Word, value);
+            }
+            _ => {
+                let place = bit(b, dice, Home::Local);
+                b.store(place, Width::Bit, small);
+            }
+        }
+    }
+    b.begin_statement();
+    next_turn(b, fixed(COUNTER), (Op::LeI16, dice.of(&[7, 30])), Target(1));
+    b.begin_statement();
+    b.push(Inst::Return);
+}
+
 /// `FOR counter := 0 TO last DO … END_FOR`, or what is in it by itself.
 fn build(b: &mut Builder, dice: &mut Dice) {
     let home = dice.of(&[Home::Local, Home::Local, Home::Memory, Home::Elements]);
@@ -130,6 +180,20 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
         machine.memory.area_mut(Area::BitMemory)[dice.roll(90) as usize] = dice.roll(256) as u8;
     }
     Reaction::Continue
+}
+
+#[test]
+fn numbers_and_their_bits_in_turns_are_what_the_interpreter_makes_of_them() {
+    for seed in 0..PROGRAMS {
+        let program = program(&[(BlockId::ob(1), 48, &|b| in_turns(b, &mut Dice(seed)))]);
+        let prepare = |machine: &mut Machine, memory: u64| {
+            let mut dice = Dice(seed + 1_000_000 * memory);
+            machine.budget = 1000;
+            machine.memory.area_mut(Area::BitMemory)[..90].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
+        };
+        let silent = all_engines_agree_from((&program, &layout_with(&program, 16)), 3, &prepare, &seed.to_string());
+        assert_eq!(silent, 3, "nobody is asked");
+    }
 }
 
 #[test]

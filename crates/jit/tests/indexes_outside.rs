@@ -98,8 +98,9 @@ fn some_statement(b: &mut Builder, dice: &mut Dice, (statement, behind): (u32, u
         4 => b.push(Inst::Call { callee: Callee::Block(BlockId::fc(1)), parameters: 0 }),
         // Something is written in front of a look: the statement cannot begin anew.
         5 => {
-            let number = value(b, dice, data);
             let byte = dice.of(&NUMBERS);
+            let (before, one) = (get(b, byte, Width::Word), b.constant(1));
+            let number = b.compute(Op::AddU16, &[before, one]);
             b.store(fixed(byte), Width::Word, number);
             let (place, inside) = element(b, dice, data);
             let (new, old) = (get(b, byte, Width::Word), b.load(place, Width::Word, OnFault::SkipWrite));
