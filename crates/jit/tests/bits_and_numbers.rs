@@ -3,7 +3,7 @@
 
 use dice::Dice;
 use noting::{all_engines_agree_beside, all_engines_agree_from, fixed, get, layout_with, next_turn, program};
-use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Exit, Machine, Reaction, StopReason};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
@@ -91,14 +91,18 @@ fn some_statement(b: &mut Builder, dice: &mut Dice, home: Home, (statement, behi
     }
 }
 
-/// A loop whose turns are done at once: numbers and bits of them in local data, some under a condition, and what becomes of a number goes to an
-/// array.
-fn in_turns(b: &mut Builder, dice: &mut Dice) {
-    let statements = 3 + dice.roll(5) as u32;
-    b.begin_statement();
-    let zero = b.constant(0);
-    b.store(fixed(COUNTER), Width::Word, zero);
-    for statement in 1..=statements {
+/// A function that a loop calls in turns that are done at once: numbers and bits of them in its local data, some under a condition, and what
+/// becomes of a number goes to an array.
+fn function(b: &mut Builder, dice: &mut Dice) {
+    let statements = 4 + dice.roll(6) as u32;
+    let numbers = [(0, Width::Word), (2, Width::DoubleWord), (6, Width::Byte)];
+    for (byte, width) in numbers {
+        b.begin_statement();
+        let zero = b.constant(0);
+        let number = place(b, Home::Local, 8 * byte);
+        b.store(number, width, zero);
+    }
+    for statement in 3..3 + statements {
         b.begin_statement();
         let in_memory = |b: &mut Builder| {
             let counter = get(b, COUNTER, Width::Word);
@@ -110,14 +114,11 @@ fn in_turns(b: &mut Builder, dice: &mut Dice) {
         let element = b.load(read, Width::Word, OnFault::SkipStatement);
         let limit = b.constant(dice.of(&[0x1000, 0x7000]));
         let small = b.compute(Op::LtI16, &[element, limit]);
-        let (byte, width) = if statement == 1 { NUMBERS[0] } else { dice.of(&NUMBERS) };
+        let (byte, width) = dice.of(&numbers);
         let number = place(b, Home::Local, 8 * byte);
-        match if statement == 1 { 0 } else { dice.roll(7) } {
-            0 => {
-                let value = if dice.roll(2) == 0 { b.constant(0) } else { element };
-                b.store(number, width, value);
-            }
-            1 if statement < statements => b.push(Inst::Branch { condition: small, to: Target(statement + 2) }),
+        match dice.roll(7) {
+            0 => b.store(number, width, element),
+            1 if statement + 1 < 3 + statements => b.push(Inst::Branch { condition: small, to: Target(statement + 2) }),
             1 | 2 => {
                 let place = bit(b, dice, Home::Local);
                 let value = b.load(place, Width::Bit, OnFault::SkipStatement);
@@ -135,8 +136,6 @@ fn in_turns(b: &mut Builder, dice: &mut Dice) {
             }
         }
     }
-    b.begin_statement();
-    next_turn(b, fixed(COUNTER), (Op::LeI16, dice.of(&[7, 30])), Target(1));
     b.begin_statement();
     b.push(Inst::Return);
 }
@@ -185,7 +184,22 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 #[test]
 fn numbers_and_their_bits_in_turns_are_what_the_interpreter_makes_of_them() {
     for seed in 0..PROGRAMS {
-        let program = program(&[(BlockId::ob(1), 48, &|b| in_turns(b, &mut Dice(seed)))]);
+        let mut dice = Dice(seed);
+        let last = dice.of(&[7, 30]);
+        let calls = |b: &mut Builder| {
+            b.begin_statement();
+            let zero = b.constant(0);
+            b.store(fixed(COUNTER), Width::Word, zero);
+            b.begin_statement();
+            b.push(Inst::Call { callee: Callee::Block(BlockId::fc(1)), parameters: 0 });
+            b.begin_statement();
+            next_turn(b, fixed(COUNTER), (Op::LeI16, last), Target(1));
+            b.begin_statement();
+            b.push(Inst::Return);
+        };
+        let body = |b: &mut Builder| function(b, &mut Dice(seed + 1_000));
+        let mut program = program(&[(BlockId::ob(1), 48, &calls), (BlockId::fc(1), 48, &body)]);
+        program.code.values_mut().for_each(|block| block.reads_own_locals = true);
         let prepare = |machine: &mut Machine, memory: u64| {
             let mut dice = Dice(seed + 1_000_000 * memory);
             machine.budget = 1000;
