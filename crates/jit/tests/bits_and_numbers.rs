@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use dice::Dice;
 use noting::{all_engines_agree, all_engines_agree_beside, fixed, get, layout_with, next_turn, program, run};
-use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, Target, Var};
+use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Engine, Entry, Exit, Machine, Reaction, StopReason};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
@@ -106,13 +106,13 @@ fn function(b: &mut Builder, dice: &mut Dice) {
     }
     for statement in 3..3 + statements {
         b.begin_statement();
-        let in_memory = |b: &mut Builder| {
+        let in_array = |b: &mut Builder| {
             let counter = get(b, COUNTER, Width::Word);
             let step = b.constant(16);
             let pointer = b.compute(Op::MulU32, &[counter, step]);
-            Place::Indirect { area: Area::BitMemory, pointer, offset: 8 * FIRST }
+            Place::Indirect { area: Area::SharedData, pointer, offset: 0 }
         };
-        let read = in_memory(b);
+        let read = in_array(b);
         let element = b.load(read, Width::Word, OnFault::SkipStatement);
         let limit = b.constant(dice.of(&[0x1000, 0x7000]));
         let small = b.compute(Op::LtI16, &[element, limit]);
@@ -129,7 +129,7 @@ fn function(b: &mut Builder, dice: &mut Dice) {
             }
             3 | 4 => {
                 let value = b.load(number, width, OnFault::SkipStatement);
-                let to = in_memory(b);
+                let to = in_array(b);
                 b.store(to, Width::Word, value);
             }
             _ => {
@@ -188,6 +188,8 @@ fn numbers_and_their_bits_in_turns_are_what_the_interpreter_makes_of_them() {
         let last = dice.of(&[7, 30]);
         let calls = |b: &mut Builder| {
             b.begin_statement();
+            let number = b.constant(1);
+            b.push(Inst::Open { register: DataRegister::Shared, number });
             let zero = b.constant(0);
             b.store(fixed(COUNTER), Width::Word, zero);
             b.begin_statement();
@@ -200,13 +202,14 @@ fn numbers_and_their_bits_in_turns_are_what_the_interpreter_makes_of_them() {
         let body = |b: &mut Builder| function(b, &mut Dice(seed + 1_000));
         let mut program = program(&[(BlockId::ob(1), 48, &calls), (BlockId::fc(1), 48, &body)]);
         program.code.values_mut().for_each(|block| block.reads_own_locals = true);
-        let layout = layout_with(&program, 16);
+        let layout = layout_with(&program, 80);
         let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
         for memory in 0..3 {
             let prepare = |machine: &mut Machine| {
                 let mut dice = Dice(seed + 1_000_000 * memory);
                 machine.budget = 1000;
-                machine.memory.area_mut(Area::BitMemory)[..90].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
+                let range = machine.memory.layout.data_blocks[&1].clone();
+                machine.memory.arena[range].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
             };
             let outcome = |engine: Arc<dyn Engine>| {
                 let mut outcome = run(engine.as_ref(), &layout, &entry, &prepare, &|_, _, _| Reaction::Continue);

@@ -40,7 +40,7 @@ impl Reader<'_, '_> {
         for (&(first, width), value) in pieces.iter().zip(values) {
             let known = part(true, first, width);
             match self.reach((behind(to, first), width), known, true)? {
-                Reached::Cell(cell) => self.write_here(cell, value),
+                Reached::Cell(cell) => self.write_here(cell, value)?,
                 Reached::Access(access) => self.write_at(access, value, steps),
             }
         }

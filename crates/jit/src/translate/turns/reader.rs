@@ -675,16 +675,18 @@ impl Reader<'_, '_> {
         Some(self.known_here(node))
     }
 
-    /// Writes a variable.
-    pub(super) fn write_here(&mut self, cell: Cell, value: Node) {
-        // Where it is not written it stays what the number says.
-        if !self.ways.is_always()
-            && let Some(bit) = self.bit_of_number(cell)
-        {
-            self.now.insert(cell, bit);
+    /// Writes a variable; `None` if it lies in local data and where it is not written nobody knows what it is.
+    pub(super) fn write_here(&mut self, cell: Cell, value: Node) -> Option<()> {
+        if !self.ways.is_always() {
+            // Where it is not written it stays what others made of its bits.
+            match self.bit_of_number(cell).or_else(|| self.number_with_bits(cell)) {
+                Some(before) => drop(self.now.insert(cell, before)),
+                None => self.read_in_local(cell)?,
+            }
         }
         self.written_in_local(cell);
         self.put(cell, value);
+        Some(())
     }
 
     /// The bytes that a copy reads and writes, if they are known to lie inside their areas where it is reached.
@@ -899,7 +901,7 @@ impl Reader<'_, '_> {
                 let value = self.get(src)?;
                 let value = self.cut(width, value);
                 match self.place(index, place, width, true)? {
-                    Reached::Cell(cell) => self.write_here(cell, value),
+                    Reached::Cell(cell) => self.write_here(cell, value)?,
                     Reached::Access(access) => self.write_at(access, value, steps),
                 }
                 Some(())
