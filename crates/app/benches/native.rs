@@ -218,12 +218,13 @@ fn main() {
         if !case.name.contains(&wanted) {
             continue;
         }
-        let program = compiled("bench.awl", &case.stl);
+        let program = compiled("bench.awl", &case.stl).expect("it compiles");
         if env::args().nth(2).is_some_and(|word| word == "listing") {
             println!("{}", Jit::listing(&program, &load(&program, Interpreter::load).machine.memory.layout).expect("machine code"));
             continue;
         }
-        let [c, tuned] = [&[][..], &["-march=native"]].map(|flags: &[&str]| c_program(&case.name, &case.c, "main.c", flags, index));
+        let [c, tuned] = [&[][..], &["-march=native"]]
+            .map(|flags: &[&str]| c_program(&case.name, &case.c, "main.c", flags, index).expect("it compiles"));
         let mut interpreted = load(&program, Interpreter::load);
         let mut count = Count::default();
         interpreted.scan(Some(&mut count));

@@ -57,74 +57,98 @@ fn first_difference(program: &Program, engine: &Arc<dyn Engine>, c: &CProgram) -
     }
 }
 
-/// Programs in Structured Text that somebody wrote, each with a file in C beside it.
-fn programs_at(path: &Path) -> Vec<Case> {
+/// Programs in Structured Text that somebody wrote, each with a file in C beside it; `Err` = a file that cannot be read.
+fn programs_at(path: &Path) -> Result<Vec<Case>, String> {
     let mut files: Vec<PathBuf> = match fs::read_dir(path) {
         Ok(entries) => entries.map(|entry| entry.expect("an entry of the folder").path()).collect(),
         Err(_) => vec![path.to_owned()],
     };
     files.retain(|file| file.extension().is_some_and(|extension| extension == "st"));
     files.sort();
-    let text = |file: &Path| fs::read_to_string(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    let text = |file: &Path| fs::read_to_string(file).map_err(|error| format!("{}: {error}", file.display()));
     let case = |file: PathBuf| {
         let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        Case { name: name.leak(), st: text(&file), c: text(&file.with_extension("c")), check: None }
+        Ok(Case { name: name.leak(), st: text(&file)?, c: text(&file.with_extension("c"))?, check: None })
     };
     files.into_iter().map(case).collect()
 }
 
+/// Measures a program beside its twin in C and prints a line; the ratio of both, or what is wrong.
+fn measure(index: usize, case: &Case) -> Result<f64, String> {
+    let program = compiled(&format!("{}.st", case.name), &case.st)?;
+    let c = c_program(case.name, &case.c, "st/main.c", C_FLAGS, index)?;
+    if let Some(check) = case.check {
+        assert_eq!(c_turn(&c, CHECKED_SCANS).1, check, "{}: what the test of the programs compares with", case.name);
+    }
+    let mut engine = None;
+    let start = now_ns();
+    let first = turn(
+        &program,
+        |program, layout| engine.insert(Jit::compiled(program, layout, StatusBits::Needed).expect("machine code")).clone(),
+        0,
+    );
+    let compile_ms = (now_ns() - start) / 1e6;
+    if first.1 != 0 {
+        return Err(format!("{}: `check` begins with {}, not with 0", case.name, first.1));
+    }
+    let engine = engine.expect("an engine was loaded");
+    let (mut machine_best, mut c_best) = (f64::INFINITY, f64::INFINITY);
+    for _ in 0..TURNS {
+        let (machine_ns, machine_check) = turn(&program, |_, _| engine.clone(), SCANS);
+        let (c_ns, c_check) = c_turn(&c, SCANS);
+        if machine_check != c_check {
+            return Err(format!("{}: {}", case.name, first_difference(&program, &engine, &c)));
+        }
+        machine_best = machine_best.min(machine_ns);
+        c_best = c_best.min(c_ns);
+    }
+    let interpreted = turn(&program, Interpreter::load, INTERPRETED_SCANS).0;
+    let ratio = machine_best / c_best;
+    println!(
+        "{:<12} {interpreted:>11.0} {machine_best:>11.0} {c_best:>11.0} {ratio:>7.2} {compile_ms:>11.1} {:>9}",
+        case.name,
+        engine.code_bytes()
+    );
+    Ok(ratio)
+}
+
+/// The machine code of a program.
+fn listing(case: &Case) -> Result<String, String> {
+    let program = compiled(&format!("{}.st", case.name), &case.st)?;
+    Ok(Jit::listing(&program, &load(&program, Interpreter::load).machine.memory.layout).expect("machine code"))
+}
+
 fn main() -> ExitCode {
     let wanted = env::args().nth(1).filter(|word| !word.starts_with('-')).unwrap_or_default();
-    let mut ratios = Vec::new();
+    let lists = env::args().nth(2).is_some_and(|word| word == "listing");
     let cases = match wanted.contains('/') {
         true => programs_at(&side_by_side::root().join(&wanted)),
-        false => programs::all().into_iter().filter(|case| case.name.contains(&wanted)).collect(),
+        false => Ok(programs::all().into_iter().filter(|case| case.name.contains(&wanted)).collect()),
+    };
+    let cases: Vec<Case> = match cases {
+        Ok(cases) => cases,
+        Err(error) => {
+            eprintln!("{error}");
+            return ExitCode::from(2);
+        }
     };
     if cases.is_empty() {
         eprintln!("no program: `{wanted}` is part of no name, and no file `.st`, or folder of such files, of the project");
         return ExitCode::from(2);
     }
     println!("{:<12} {:>11} {:>11} {:>11} {:>7} {:>11} {:>9}", "ns a scan", "interp.", "machine", "cc -O3", "ratio", "compile ms", "bytes");
+    let (mut ratios, mut failed) = (Vec::new(), false);
     for (index, case) in cases.iter().enumerate() {
-        let program = compiled(&format!("{}.st", case.name), &case.st);
-        if env::args().nth(2).is_some_and(|word| word == "listing") {
-            println!("{}", Jit::listing(&program, &load(&program, Interpreter::load).machine.memory.layout).expect("machine code"));
-            continue;
+        let result =
+            if lists { listing(case).map(|listing| println!("{listing}")) } else { measure(index, case).map(|ratio| ratios.push(ratio)) };
+        if let Err(error) = result {
+            eprintln!("{error}");
+            failed = true;
         }
-        let c = c_program(case.name, &case.c, "st/main.c", C_FLAGS, index);
-        if let Some(check) = case.check {
-            assert_eq!(c_turn(&c, CHECKED_SCANS).1, check, "{}: what the test of the programs compares with", case.name);
-        }
-        let mut engine = None;
-        let start = now_ns();
-        let first = turn(
-            &program,
-            |program, layout| engine.insert(Jit::compiled(program, layout, StatusBits::Needed).expect("machine code")).clone(),
-            0,
-        );
-        let compile_ms = (now_ns() - start) / 1e6;
-        assert_eq!(first.1, 0, "{}: `check` begins with 0", case.name);
-        let engine = engine.expect("an engine was loaded");
-        let (mut machine_best, mut c_best) = (f64::INFINITY, f64::INFINITY);
-        for _ in 0..TURNS {
-            let (machine_ns, machine_check) = turn(&program, |_, _| engine.clone(), SCANS);
-            let (c_ns, c_check) = c_turn(&c, SCANS);
-            if machine_check != c_check {
-                panic!("{}: {}", case.name, first_difference(&program, &engine, &c));
-            }
-            machine_best = machine_best.min(machine_ns);
-            c_best = c_best.min(c_ns);
-        }
-        let interpreted = turn(&program, Interpreter::load, INTERPRETED_SCANS).0;
-        ratios.push(machine_best / c_best);
-        println!(
-            "{:<12} {interpreted:>11.0} {machine_best:>11.0} {c_best:>11.0} {:>7.2} {compile_ms:>11.1} {:>9}",
-            case.name,
-            machine_best / c_best,
-            engine.code_bytes()
-        );
     }
-    let mean = ratios.iter().product::<f64>().powf(1.0 / ratios.len() as f64);
-    println!("geometric mean of the ratios: {mean:.2}");
-    ExitCode::SUCCESS
+    if !ratios.is_empty() {
+        let mean = ratios.iter().product::<f64>().powf(1.0 / ratios.len() as f64);
+        println!("geometric mean of the ratios: {mean:.2}");
+    }
+    if failed { ExitCode::FAILURE } else { ExitCode::SUCCESS }
 }

@@ -82,8 +82,8 @@ impl Drop for CProgram {
     }
 }
 
-/// Compiles a C program together with a `main` and its header, both in a folder below `benches`.
-pub(crate) fn c_program(name: &str, text: &str, main: &str, flags: &[&str], index: usize) -> CProgram {
+/// Compiles a C program together with a `main` and its header, both in a folder below `benches`; `Err` = what is wrong with it.
+pub(crate) fn c_program(name: &str, text: &str, main: &str, flags: &[&str], index: usize) -> Result<CProgram, String> {
     let compiled = CProgram(env::temp_dir().join(format!("sieben-bench-{}-{index}-{}", std::process::id(), flags.len())));
     fs::create_dir_all(&compiled.0).expect("a temporary folder");
     let source = compiled.0.join("program.c");
@@ -100,8 +100,13 @@ pub(crate) fn c_program(name: &str, text: &str, main: &str, flags: &[&str], inde
         .arg(compiled.path())
         .arg("-lm")
         .status();
-    assert!(status.is_ok_and(|status| status.success()), "the system's C compiler compiles {name}");
-    compiled
+    match status {
+        Ok(status) if status.success() => Ok(compiled),
+        Ok(_) => Err(format!(
+            "{name}: the C compiler says above what is wrong with the program in C, which has `scan` and neither `main`, `check` nor `now_us`"
+        )),
+        Err(error) => Err(format!("{name}: `cc` does not start: {error}")),
+    }
 }
 
 /// A program in an engine, and the memory that it works on.
@@ -141,7 +146,7 @@ impl Loaded {
 }
 
 /// Compiles one source; its name says the language.
-pub(crate) fn compiled(name: &str, text: &str) -> Program {
+pub(crate) fn compiled(name: &str, text: &str) -> Result<Program, String> {
     let mut sources = Sources::default();
     sources.add(name, text);
     let options = Options { cpu: Some(cpu_type()), system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
@@ -151,6 +156,5 @@ pub(crate) fn compiled(name: &str, text: &str) -> Program {
         format!("{name}:{line}:{column}: {}; {}", found.message, found.help.as_deref().unwrap_or(found.problem.help()))
     };
     let errors: Vec<_> = compiled.diagnostics.iter().filter(|found| found.severity() == Severity::Error).map(error).collect();
-    assert!(errors.is_empty(), "{}", errors.join("\n"));
-    compiled.program
+    if errors.is_empty() { Ok(compiled.program) } else { Err(errors.join("\n")) }
 }
