@@ -80,7 +80,7 @@ pub(crate) fn print() {
 }
 
 fn row(name: &str, text: &str) {
-    let program = compiled("bench.awl", text);
+    let program = compiled("bench.awl", text).expect("it compiles");
     let layout = Layout::new(cpu_type(), &program);
     let statements: usize = program.code.values().map(|block| block.code.statement_count()).sum();
     let mut times: Vec<f64> = (0..TIMES)
