@@ -134,7 +134,7 @@ fn instances_choose_their_methods() {
         let nothing = dice.roll(2) == 0;
         let of = [(); PARTS].map(|()| (!nothing || dice.roll(8) != 0).then(|| dice.roll(classes.len() as u64) as usize));
         let text = text(&classes, &of);
-        let program = side_by_side::compiled("chosen.st", &text);
+        let program = side_by_side::compiled("chosen.st", &text).expect("it compiles");
         let mut model = Model { classes, values: vec![0; PARTS] };
         let checks = expected(&mut model, &of);
         let first = asked::run(&program, Interpreter::load, (SCANS, seed));

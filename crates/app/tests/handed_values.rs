@@ -185,7 +185,7 @@ fn what_is_handed_to_blocks_is_there() {
         let mut dice = Dice(seed);
         let statements = statements(&mut dice, 0);
         let text = text(&statements);
-        let program = side_by_side::compiled("handed.st", &text);
+        let program = side_by_side::compiled("handed.st", &text).expect("it compiles");
         let (mut model, mut check) = (Model::default(), 0);
         let scan = |scans: i32| {
             model.v[1] += scans;

@@ -17,7 +17,7 @@ mod side_by_side;
 #[test]
 fn all_engines_count_what_c_counts() {
     for case in programs::all() {
-        let compiled = side_by_side::compiled("bench.st", &case.st);
+        let compiled = side_by_side::compiled("bench.st", &case.st).expect("it compiles");
         for (engine, load) in program::ENGINES {
             let mut loaded = side_by_side::load(&compiled, load);
             (0..programs::CHECKED_SCANS).for_each(|_| loaded.scan(None));
@@ -29,7 +29,7 @@ fn all_engines_count_what_c_counts() {
 /// Runs a program on all engines; memory is the same behind each scan. Optimized machine code does not write what finished blocks leave in
 /// their local data, and nobody may see it: it finds something else there in front of each scan, and so does the interpreter.
 fn same_on_all_engines(name: &str, text: &str, scans: usize) {
-    let compiled = side_by_side::compiled("bench.st", text);
+    let compiled = side_by_side::compiled("bench.st", text).expect("it compiles");
     let mut expected = side_by_side::load(&compiled, Interpreter::load);
     let local = expected.machine.memory.layout.local.clone();
     let exact = program::ENGINES.iter().map(|(engine, load)| (*engine, side_by_side::load(&compiled, load), false));
