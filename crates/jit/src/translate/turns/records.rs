@@ -290,32 +290,26 @@ impl Record {
         runs
     }
 
-    /// The pieces in which these bytes are written in the fewest steps.
+    /// The pieces in which these bytes are written in the fewest steps; of several ways the one whose first pieces are the longest. What a
+    /// piece begins with may have been written by the one before.
     fn cheapest(&self, run: Range<i32>, step: i32, copies: &[Copied]) -> Vec<Range<i32>> {
-        let length = (run.end - run.start) as usize;
-        let mut best: Vec<Option<(u32, Range<i32>, usize)>> = vec![None; length + 1];
-        best[0] = Some((0, run.start..run.start, 0));
-        for end in 1..=length {
-            for bytes in [16, 8, 4, 2, 1].into_iter().filter(|&bytes| bytes <= end) {
-                let range = run.start + (end - bytes) as i32..run.start + end as i32;
-                let cost = self.cost(&range, step, copies);
-                // Some of it may have been written before.
-                for before in end - bytes..end {
-                    let Some((known, ..)) = best[before] else { continue };
-                    if best[end].as_ref().is_none_or(|&(other, ..)| known + cost < other) {
-                        best[end] = Some((known + cost, range.clone(), before));
-                    }
+        let mut best: BTreeMap<i32, (u32, Range<i32>)> = BTreeMap::from([(run.end, (0, run.end..run.end))]);
+        for at in run.clone().rev() {
+            let pieces = [16, 8, 4, 2, 1].into_iter().flat_map(|bytes| (0..bytes).map(move |before| at - before..at - before + bytes));
+            for range in pieces.filter(|range| run.start <= range.start && range.end <= run.end) {
+                let cost = self.cost(&range, step, copies) + best[&range.end].0;
+                if best.get(&at).is_none_or(|&(known, _)| cost < known) {
+                    best.insert(at, (cost, range));
                 }
             }
         }
         let mut pieces = Vec::new();
-        let mut at = length;
-        while at > 0 {
-            let (_, range, before) = best[at].clone().expect("each byte can be written by itself");
+        let mut at = run.start;
+        while at < run.end {
+            let (_, range) = best[&at].clone();
+            at = range.end;
             pieces.push(range);
-            at = before;
         }
-        pieces.reverse();
         pieces
     }
 
