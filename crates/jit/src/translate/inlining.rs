@@ -345,6 +345,7 @@ impl Translator<'_> {
         let loops = std::mem::replace(&mut self.loops, inside);
         // The same loops in another place are others.
         let at_once = std::mem::take(&mut self.at_once);
+        self.at_once_elsewhere += at_once.len();
         self.outer.push(Outer {
             index: self.index,
             statement: self.statement,
@@ -384,6 +385,7 @@ impl Translator<'_> {
         let written = self.summaries[code].written;
         (self.index, self.statement, self.arrivals) = (outer.index, outer.statement, outer.arrivals);
         (self.loops, self.promoted, self.ranges) = (outer.loops, outer.promoted, outer.ranges);
+        self.at_once_elsewhere = self.at_once_elsewhere + self.at_once.len() - at_once.len();
         self.at_once = at_once;
         (self.passed, self.given) = (outer.passed, outer.given);
         (self.instance, self.in_range, self.written) = (outer.instance, outer.in_range, outer.written);

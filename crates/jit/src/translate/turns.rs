@@ -156,6 +156,11 @@ impl Translator<'_> {
         self.at_once.iter().any(around)
     }
 
+    /// Whether the function has as many loops with such versions as it may have.
+    fn has_enough_at_once(&self) -> bool {
+        self.at_once.len() + self.at_once_elsewhere >= LOOPS_MAX
+    }
+
     /// Writes versions of a loop whose turns nobody looks at, in front of it. What is given back are turns that do nothing, if the loop as it
     /// stands passes them: where most of them do nothing, that is faster.
     pub(super) fn turns_at_once(&mut self, it: &Loop) -> Option<Idle> {
@@ -167,7 +172,7 @@ impl Translator<'_> {
 
     /// Writes a loop that copies structures as a whole.
     fn write_with_copies(&mut self, it: &Loop) {
-        if !self.options.optimize || self.at_once.len() >= LOOPS_MAX || self.is_at_once(it) {
+        if !self.options.optimize || self.has_enough_at_once() || self.is_at_once(it) {
             return;
         }
         let Some(plan) = self.one_by_one(it).filter(|plan| !plan.kernel.copies.is_empty()) else { return };
@@ -217,7 +222,7 @@ impl Translator<'_> {
     }
 
     fn write_at_once(&mut self, it: &Loop) -> Option<Idle> {
-        if !self.options.optimize || self.at_once.len() >= LOOPS_MAX || self.is_at_once(it) {
+        if !self.options.optimize || self.has_enough_at_once() || self.is_at_once(it) {
             return None;
         }
         let kernel = reader::read(self, it).filter(Kernel::goes_on);
