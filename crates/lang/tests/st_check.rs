@@ -354,3 +354,23 @@ fn a_call_by_position_gives_every_input() {
         }
     }
 }
+
+#[test]
+fn a_call_gives_each_in_out_a_variable_unless_it_is_a_value_of_the_instance() {
+    let block =
+        "FUNCTION_BLOCK Adder\nVAR_IN_OUT sum : INT; END_VAR\nVAR_INPUT more : INT; END_VAR\nsum := sum + more;\nEND_FUNCTION_BLOCK\n";
+    let main = |head: &str, end: &str| {
+        format!("{block}{head}\nVAR adder : Adder; n : INT; END_VAR\nadder(sum := n, more := 1);\nadder(more := 2);\n{end}\n")
+    };
+    for dialect in [Dialect::Iec, Dialect::Codesys] {
+        let said = said(dialect, &main("PROGRAM Main", "END_PROGRAM"));
+        assert!(
+            matches!(&said[..], [(Severity::Error, "P3010", message)] if message.contains("the call of `Adder` leaves out `sum`")),
+            "{said:?}"
+        );
+    }
+    for dialect in [Dialect::Scl, Dialect::Tia] {
+        let said = said(dialect, &main("FUNCTION_BLOCK Main", "END_FUNCTION_BLOCK"));
+        assert!(said.iter().all(|(severity, ..)| *severity != Severity::Error), "{said:?}");
+    }
+}

@@ -110,6 +110,7 @@ const IN_TESTS: &[Construct] = &[
     Construct::NumberToBool,
     Construct::PositionalFbCall,
     Construct::OmittedInput,
+    Construct::OmittedInOut,
 ];
 
 /// What a dialect does with a construct.
@@ -191,6 +192,7 @@ constructs! {
     AssignmentExpression "an assignment inside an expression"      Reject Accept Reject Reject "assign before the statement";
     PositionalFbCall "parameters of a function block by position"  Note   Note   Reject Reject "write `name := value`";
     OmittedInput "a call of a function without all inputs"         Accept Accept Reject Reject "give every parameter a value";
+    OmittedInOut "a call of a function block without all of its VAR_IN_OUT" Reject Reject Accept Accept "give each of them a variable";
     MixedArguments "parameters by position and by name in one call" Reject Note  Reject Reject "name all of them";
     AssignedOutput "an output of a call with `:=`"                 Reject Reject Accept Reject "write `=>`";
     EnEno "EN and ENO in a call"                                   Accept Note   Accept Accept "write IF around the call";

@@ -1054,6 +1054,8 @@ impl Checker<'_> {
     fn omitted(&mut self, callee: &Callee, call: &ast::Call, all: &mut Arguments<'_>, span: Span) -> bool {
         let function = callee.is_function();
         let needs_all = self.dialect.judge(Construct::OmittedInput) != crate::st::dialect::Judgement::Accept;
+        // In an instance of S7 an in-out parameter of an elementary type is a value, which stays there.
+        let needs_in_outs = function || self.dialect.judge(Construct::OmittedInOut) != crate::st::dialect::Judgement::Accept;
         // A standard function has no input that could be left out, however it is built.
         let needs_inputs = needs_all || matches!(callee, Callee::Function(block) if self.names.is_of_library(*block));
         // A call by position gives every input, as the standard has it: who leaves one out counts wrong. What is declared with a value of
@@ -1068,7 +1070,7 @@ impl Checker<'_> {
             }
             match formal.section {
                 Section::Input if is_open(&formal.data_type) => missing.push(format!("`{}`", formal.name)),
-                Section::InOut if function || Kind::of(&formal.data_type).is_none() => {
+                Section::InOut if needs_in_outs || Kind::of(&formal.data_type).is_none() => {
                     missing.push(format!("`{}`", formal.name));
                     inputs = false;
                 }
