@@ -269,10 +269,10 @@ struct Translator<'a> {
     verifying: FxHashMap<clif::Block, clif::Block>,
     /// Those that are still to be written, and for which statement.
     verify_later: Vec<(clif::Block, u32, clif::Block, Option<usize>)>,
-    /// Loops in front of which turns are written that nobody looks at: the block, first and last statement.
-    at_once: Vec<(usize, u32, u32)>,
-    /// How many others there are, in blocks around the one that is written and in those that became part of the function before.
-    at_once_elsewhere: usize,
+    /// Loops of the present block in front of which turns are written that nobody looks at: first and last statement.
+    at_once: Vec<(u32, u32)>,
+    /// How many there are in the function, with those of all blocks that became part of it.
+    loops_at_once: usize,
     /// Where vectors are written to so that they are put together at once, and the number of the next one there.
     together: Option<(clif::StackSlot, u32)>,
     /// Of masks, simpler ones that are their opposites.
@@ -407,7 +407,7 @@ impl<'a> Translator<'a> {
             verifying: FxHashMap::default(),
             verify_later: Vec::new(),
             at_once: Vec::new(),
-            at_once_elsewhere: 0,
+            loops_at_once: 0,
             together: None,
             opposites: FxHashMap::default(),
             in_words: FxHashMap::default(),

@@ -119,7 +119,7 @@ impl Translator<'_> {
 
     /// Where a loop goes on behind a safe point at which the Host was asked: with a new budget, turns can be done at once again.
     fn behind_question(&self, to: u32, arrival: clif::Block) -> clif::Block {
-        let begins = self.at_once.iter().any(|&(index, first, _)| (index, first) == (self.index, to));
+        let begins = self.at_once.iter().any(|&(first, _)| first == to);
         self.arrivals.get(&to).filter(|it| begins && it.again == Some(arrival)).map_or(arrival, |it| it.block)
     }
 

@@ -197,6 +197,8 @@ pub(super) struct Outer {
     arrivals: FxHashMap<u32, Arrival>,
     /// A loop that calls a block keeps nothing in registers for it but the budget.
     loops: Vec<Loop>,
+    /// Those of the called block are others in each place where it is called.
+    at_once: Vec<(u32, u32)>,
     promoted: Vec<Promoted>,
     ranges: Ranges,
     /// Pointers in the instance of the called block.
@@ -343,15 +345,13 @@ impl Translator<'_> {
         let at_call = self.ranges.instance(index);
         let inside = self.find_loops(code);
         let loops = std::mem::replace(&mut self.loops, inside);
-        // The same loops in another place are others.
-        let at_once = std::mem::take(&mut self.at_once);
-        self.at_once_elsewhere += at_once.len();
         self.outer.push(Outer {
             index: self.index,
             statement: self.statement,
             inst: index,
             arrivals: std::mem::take(&mut self.arrivals),
             loops,
+            at_once: std::mem::take(&mut self.at_once),
             promoted,
             ranges: std::mem::take(&mut self.ranges),
             elements: Vec::new(),
@@ -385,8 +385,7 @@ impl Translator<'_> {
         let written = self.summaries[code].written;
         (self.index, self.statement, self.arrivals) = (outer.index, outer.statement, outer.arrivals);
         (self.loops, self.promoted, self.ranges) = (outer.loops, outer.promoted, outer.ranges);
-        self.at_once_elsewhere = self.at_once_elsewhere + self.at_once.len() - at_once.len();
-        self.at_once = at_once;
+        self.at_once = outer.at_once;
         (self.passed, self.given) = (outer.passed, outer.given);
         (self.instance, self.in_range, self.written) = (outer.instance, outer.in_range, outer.written);
         self.reliance = outer.reliance;

@@ -514,13 +514,18 @@ impl Translator<'_> {
     /// What the code relies on from a statement on, if that can have changed while somebody was asked.
     pub(super) fn relies_on_memory(&self, statement: u32) -> bool {
         let over_calls = |outer: &Outer| outer.facts_over_call().next().is_some();
-        let knows = !self.ranges.facts(statement).is_empty() || self.ranges.is_unreached(statement);
-        knows || self.look.is_some() || self.outer.iter().any(over_calls) || self.needs_silence()
+        let knows = !self.ranges.facts(statement).is_empty() || self.outer.iter().any(over_calls);
+        knows || self.look.is_some() || self.is_given_up(statement)
     }
 
     /// Whether nobody may be asked here if machine code is to go on.
     fn needs_silence(&self) -> bool {
         self.reliance == Reliance::OnSilence || self.outer.iter().any(Outer::needs_silence)
+    }
+
+    /// Whether machine code does not go on at a statement, whatever memory holds.
+    fn is_given_up(&self, statement: u32) -> bool {
+        self.needs_silence() || self.ranges.is_unreached(statement)
     }
 
     /// A block in which memory is compared with what the code relies on from a statement on, in front of the block where it begins. The
@@ -546,7 +551,7 @@ impl Translator<'_> {
             let before = self.cold.replace(verify);
             let over_calls = self.outer.iter().flat_map(Outer::facts_over_call);
             let facts: Vec<Fact> = self.ranges.facts(statement).iter().chain(over_calls).copied().collect();
-            if self.needs_silence() || self.ranges.is_unreached(statement) {
+            if self.is_given_up(statement) {
                 self.give_up_at(statement);
                 self.cold = before;
                 continue;

@@ -12,7 +12,7 @@ use sieben_engine::machine::Register;
 use super::budget::{Look, WEIGHT_MAX};
 use super::loops::{self, Loop, targets};
 use super::value::Val;
-use super::{After, Translator, bit_of};
+use super::{Translator, bit_of};
 use crate::ask::Question;
 use crate::run::Link;
 use crate::turn::span;
@@ -93,7 +93,7 @@ impl Translator<'_> {
         // Those that have ended contain no statement that follows.
         self.interpreted.retain(|other| other.level < piece.level || first <= other.last);
         self.interpreted.push(piece);
-        self.hand_over_whole(piece);
+        self.interpret_from(whole, Some(piece), first);
         self.go_on_behind(piece, changed);
         self.b.switch_to_block(head);
         self.b.seal_block(head);
@@ -190,14 +190,19 @@ impl Translator<'_> {
         self.ask_at_safe_point(ask, turn.first, turn.front.unwrap_or(head));
     }
 
-    /// Fills the block that hands over a whole piece.
-    fn hand_over_whole(&mut self, piece: Interpreted) {
-        self.b.switch_to_block(piece.whole);
-        let before = self.cold.replace(piece.whole);
+    /// Fills a cold block from which the interpreter goes on with a statement of the present block: up to the end of a piece, or for good.
+    fn interpret_from(&mut self, cold: clif::Block, piece: Option<Interpreted>, statement: u32) {
+        self.b.switch_to_block(cold);
+        let before = self.cold.replace(cold);
         self.spill(self.dirty);
         self.store_promoted();
-        let link = self.shown_link();
-        self.hand_over(piece, piece.first, link);
+        match piece {
+            Some(piece) => {
+                let link = self.shown_link();
+                self.hand_over(piece, statement, link);
+            }
+            None => self.give_up_at(statement),
+        }
         self.cold = before;
     }
 
@@ -275,24 +280,10 @@ impl Translator<'_> {
     pub(super) fn require_or_interpret(&mut self, condition: Var) {
         let holds = self.get(condition);
         let holds = self.flag(holds);
-        let code = self.b.ins().iconst(I64, self.index as i64);
-        let statement = self.first_named(self.statement);
-        let statement = self.b.ins().iconst(I64, i64::from(statement));
         let (cold, go_on) = (self.cold_block(), self.b.create_block());
         self.b.ins().brif(holds, go_on, &[], cold, &[]);
-        match self.piece_around() {
-            Some(piece) => {
-                self.b.switch_to_block(cold);
-                self.b.seal_block(cold);
-                let before = self.cold.replace(cold);
-                self.spill(self.dirty);
-                self.store_promoted();
-                let link = self.shown_link();
-                self.hand_over(piece, self.statement, link);
-                self.cold = before;
-            }
-            None => self.cold_path(cold, Question::Interpret, &[self.link, code, statement], After::Never),
-        }
+        self.interpret_from(cold, self.piece_around(), self.statement);
+        self.b.seal_block(cold);
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
         if condition.register().is_none() {

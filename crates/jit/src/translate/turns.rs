@@ -152,13 +152,17 @@ impl Plan {
 impl Translator<'_> {
     /// Whether a loop, or one around it, is done at once.
     pub(super) fn is_at_once(&self, it: &Loop) -> bool {
-        let around = |&(index, first, last): &(usize, u32, u32)| index == self.index && first <= it.first && it.last <= last;
-        self.at_once.iter().any(around)
+        self.at_once.iter().any(|&(first, last)| first <= it.first && it.last <= last)
     }
 
     /// Whether the function has as many loops with such versions as it may have.
     fn has_enough_at_once(&self) -> bool {
-        self.at_once.len() + self.at_once_elsewhere >= LOOPS_MAX
+        self.loops_at_once >= LOOPS_MAX
+    }
+
+    fn note_at_once(&mut self, it: &Loop) {
+        self.at_once.push((it.first, it.last));
+        self.loops_at_once += 1;
     }
 
     /// Writes versions of a loop whose turns nobody looks at, in front of it. What is given back are turns that do nothing, if the loop as it
@@ -176,7 +180,7 @@ impl Translator<'_> {
             return;
         }
         let Some(plan) = self.one_by_one(it).filter(|plan| !plan.kernel.copies.is_empty()) else { return };
-        self.at_once.push((self.index, it.first, it.last));
+        self.note_at_once(it);
         Writing::write(self, &plan, it, Writes::lanes(1));
     }
 
@@ -230,7 +234,7 @@ impl Translator<'_> {
             && let Some(plan) = self.unrolled(it)
             && let Some(beside) = plan.side_by_side_or_in_order()
         {
-            self.at_once.push((self.index, it.first, it.last));
+            self.note_at_once(it);
             self.write_beside(&beside, it);
             return None;
         }
@@ -241,7 +245,7 @@ impl Translator<'_> {
         self.pinned.extend(&kernel.opened);
         let filled = if kernel.looked_at.is_empty() { bits::read(&kernel) } else { None };
         if let Some(bits) = &filled {
-            self.at_once.push((self.index, it.first, it.last));
+            self.note_at_once(it);
             self.bits_at_once(&kernel, bits, it);
         }
         let plan = Plan::of(kernel)?;
@@ -249,7 +253,7 @@ impl Translator<'_> {
             if plan.kernel.inner.is_none()
                 && let Some(beside) = plan.side_by_side_or_in_order()
             {
-                self.at_once.push((self.index, it.first, it.last));
+                self.note_at_once(it);
                 self.write_beside(&beside, it);
             }
             return None;
@@ -260,7 +264,7 @@ impl Translator<'_> {
                 Writing::new(self, &plan, Writes::lanes(1)).swapped(swapped, it);
             }
             if let Some(nested) = plan.nested() {
-                self.at_once.push((self.index, it.first, it.last));
+                self.note_at_once(it);
                 Writing::write(self, &plan, it, Writes { nested: Some(&nested), ..Writes::lanes(1) });
                 return None;
             }
@@ -272,7 +276,7 @@ impl Translator<'_> {
         let one_by_one = sums.is_none() && plan.kernel.inner.is_none() && plan.side_by_side_or_in_order().is_none();
         let idle = if one_by_one { self.idle_turns(it) } else { None };
         let few = idle.as_ref().map(|idle| self.look_for_idle_turns(idle));
-        self.at_once.push((self.index, it.first, it.last));
+        self.note_at_once(it);
         if let Some(sums) = sums {
             self.bit_sums_at_once(&plan, &sums, it);
         }

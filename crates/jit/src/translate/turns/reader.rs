@@ -667,7 +667,7 @@ impl Reader<'_, '_> {
 
     /// What a cell holds on the ways that led here.
     pub(super) fn read_here(&mut self, cell: Cell) -> Option<Node> {
-        if let Some(node) = self.bit_of_number(cell).or_else(|| self.number_with_bits(cell)) {
+        if let Some(node) = self.made_otherwise(cell) {
             return Some(self.known_here(node));
         }
         self.read_in_local(cell)?;
@@ -679,7 +679,7 @@ impl Reader<'_, '_> {
     pub(super) fn write_here(&mut self, cell: Cell, value: Node) -> Option<()> {
         if !self.ways.is_always() {
             // Where it is not written it stays what others made of its bits.
-            match self.bit_of_number(cell).or_else(|| self.number_with_bits(cell)) {
+            match self.made_otherwise(cell) {
                 Some(before) => drop(self.now.insert(cell, before)),
                 None => self.read_in_local(cell)?,
             }

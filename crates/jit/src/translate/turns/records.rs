@@ -30,9 +30,16 @@ const FIELD_COST: u32 = 8;
 const ROWS: [(i32, u32); 2] = [(8, 8), (16, 12)];
 const PARTS_COST: u32 = 3;
 
+/// What it costs to write a piece of four turns: as it was read elsewhere, the same bytes of each, rows of sixteen or eight bytes made of
+/// columns, four bytes out of a column, and one or two.
 const COPY_COST: u32 = 12;
 const SAME_COST: u32 = 8;
 const ROWS_COST: u32 = 24;
+const SHORT_ROWS_COST: u32 = 16;
+const WORDS_COST: u32 = 14;
+const BYTES_COST: u32 = 16;
+/// What it costs to move a column by some bytes.
+const MOVE_COST: u32 = 2;
 
 /// Rows of so many bytes, with such a step from turn to turn, lie beside each other: two are read or written at once.
 const SIDE_BY_SIDE: (i32, i32) = (8, 8);
@@ -63,6 +70,11 @@ struct Part {
 }
 
 impl Part {
+    /// So many bytes that were read there.
+    fn as_found(at: i32, known: i32, column: Column) -> Self {
+        Self { at, bytes: 0, known, column, source: None }
+    }
+
     fn range(&self) -> Range<i32> {
         self.at..self.at + self.bytes
     }
@@ -73,16 +85,16 @@ impl Part {
 }
 
 /// Bytes that are written as they lie elsewhere, and where the first of them is there.
-struct Copied {
+struct AsRead {
     bytes: Range<i32>,
     apart: Apart,
 }
 
 /// What is written to some bytes of each turn.
-enum Piece {
+enum Written {
     Columns(Vec<Column>),
     /// What was read of each turn.
-    Copy(Vec<Value>),
+    AsRead(Vec<Value>),
 }
 
 /// The structure or instance of each turn to whose fields accesses go.
@@ -290,18 +302,24 @@ impl Record {
         runs
     }
 
+    /// The columns of bytes of a run, each with the place of its first byte and its parts.
+    fn columns(&self, range: &Range<i32>) -> impl Iterator<Item = (i32, Vec<(Part, Vec<i32>)>)> {
+        let end = range.end;
+        range.clone().step_by(4).map(move |at| (at, self.parts(at..(at + 4).min(end)).expect("the bytes of a run are known")))
+    }
+
     /// The pieces in which these bytes are written in the fewest steps; of several ways the one whose first pieces are the longest. What a
     /// piece begins with may have been written by the one before.
-    fn cheapest(&self, run: Range<i32>, step: i32, copies: &[Copied]) -> Vec<Range<i32>> {
+    fn cheapest(&self, run: Range<i32>, step: i32, copies: &[AsRead]) -> Vec<Range<i32>> {
+        let places = |bytes: i32| (run.start..=run.end - bytes).rev().map(move |start| start..start + bytes);
+        let all = [16, 8, 4, 2, 1].into_iter().flat_map(places).map(|range| (self.cost(&range, step, copies), range));
+        let all: Vec<(u32, Range<i32>)> = all.collect();
         let mut best: BTreeMap<i32, (u32, Range<i32>)> = BTreeMap::from([(run.end, (0, run.end..run.end))]);
         for at in run.clone().rev() {
-            let pieces = [16, 8, 4, 2, 1].into_iter().flat_map(|bytes| (0..bytes).map(move |before| at - before..at - before + bytes));
-            for range in pieces.filter(|range| run.start <= range.start && range.end <= run.end) {
-                let cost = self.cost(&range, step, copies) + best[&range.end].0;
-                if best.get(&at).is_none_or(|&(known, _)| cost < known) {
-                    best.insert(at, (cost, range));
-                }
-            }
+            let own = all.iter().filter(|(_, range)| range.contains(&at));
+            let ways = own.map(|(cost, range)| (cost + best[&range.end].0, range.clone()));
+            let cheapest = ways.min_by_key(|&(cost, _)| cost).expect("each byte can be written by itself");
+            best.insert(at, cheapest);
         }
         let mut pieces = Vec::new();
         let mut at = run.start;
@@ -314,31 +332,30 @@ impl Record {
     }
 
     /// What it costs to write these bytes at once.
-    fn cost(&self, range: &Range<i32>, step: i32, copies: &[Copied]) -> u32 {
-        if copied(copies, range).is_some() {
+    fn cost(&self, range: &Range<i32>, step: i32, copies: &[AsRead]) -> u32 {
+        if as_read(copies, range).is_some() {
             return COPY_COST;
         }
         let mut all_same = true;
         let mut cost = 0;
-        for at in range.clone().step_by(4) {
-            let parts = self.parts(at..(at + 4).min(range.end)).expect("the bytes of a run are known");
+        for (at, parts) in self.columns(range) {
             if parts.iter().all(|(part, _)| matches!(part.column, Column::Same(_))) {
                 continue;
             }
             all_same = false;
             cost += match &parts[..] {
                 [(part, _)] if part.at == at => 0,
-                [_] => 2,
-                parts => 3 * parts.len() as u32,
+                [_] => MOVE_COST,
+                parts => PARTS_COST * parts.len() as u32,
             };
         }
         cost + match range.len() {
             _ if all_same => SAME_COST,
             16 => ROWS_COST,
             8 if (range.len() as i32, step) == SIDE_BY_SIDE => SAME_COST,
-            8 => 16,
-            4 => 14,
-            _ => 16,
+            8 => SHORT_ROWS_COST,
+            4 => WORDS_COST,
+            _ => BYTES_COST,
         }
     }
 }
@@ -359,13 +376,7 @@ impl Writing<'_, '_, '_> {
             let accesses = record.accesses.clone();
             accesses.iter().for_each(|&access| self.settle_records(access, true));
             let columns = self.t.read_rows(apart, row);
-            let parts = (row.0..).step_by(4).zip(columns).map(|(at, column)| Part {
-                at,
-                bytes: 0,
-                known: 4,
-                column: Column::Lanes(column),
-                source: None,
-            });
+            let parts = (row.0..).step_by(4).zip(columns).map(|(at, column)| Part::as_found(at, 4, Column::Lanes(column)));
             self.records.0[at].old.extend(parts);
         }
         let parts = self.records.0[at].parts(field.clone())?;
@@ -373,7 +384,7 @@ impl Writing<'_, '_, '_> {
         // What follows it in the same column is known, too.
         if let [(part, _)] = &parts[..] {
             let known = part.at + part.known - field.start;
-            self.records.0[at].old.push(Part { at: field.start, bytes: 0, known, column, source: None });
+            self.records.0[at].old.push(Part::as_found(field.start, known, column));
         }
         Some(self.t.lanes_of_column(column))
     }
@@ -382,7 +393,7 @@ impl Writing<'_, '_, '_> {
     pub(super) fn note_old(&mut self, number: usize, vector: Value) {
         let (at, _) = self.kernel.field(number);
         if let Some(record) = self.records.of(number) {
-            self.records.0[record].old.push(Part { at, bytes: 0, known: 4, column: Column::Lanes(vector), source: None });
+            self.records.0[record].old.push(Part::as_found(at, 4, Column::Lanes(vector)));
         }
     }
 
@@ -467,27 +478,18 @@ impl Writing<'_, '_, '_> {
         let record = &self.records.0[at];
         if let Some(place) = record.place {
             let copies = self.copies(record);
-            let mut pieces: Vec<(Range<i32>, Piece)> = Vec::new();
+            let mut pieces: Vec<(Range<i32>, Written)> = Vec::new();
             for range in record.runs().into_iter().flat_map(|run| record.cheapest(run, place.step, &copies)) {
-                let piece = match copied(&copies, &range) {
-                    Some((apart, from)) => Piece::Copy(self.t.read_as_it_is(apart, from, range.len())),
-                    None => Piece::Columns(
-                        range
-                            .clone()
-                            .step_by(4)
-                            .map(|at| {
-                                let parts = record.parts(at..(at + 4).min(range.end)).expect("the bytes of a run are known");
-                                self.t.put_in_column(at, &parts)
-                            })
-                            .collect(),
-                    ),
+                let piece = match as_read(&copies, &range) {
+                    Some((apart, from)) => Written::AsRead(self.t.read_as_it_is(apart, from, range.len())),
+                    None => Written::Columns(record.columns(&range).map(|(at, parts)| self.t.put_in_column(at, &parts)).collect()),
                 };
                 pieces.push((range, piece));
             }
             for (range, piece) in pieces {
                 match piece {
-                    Piece::Columns(columns) => self.t.write_rows(place, range, &columns),
-                    Piece::Copy(numbers) => {
+                    Written::Columns(columns) => self.t.write_rows(place, range, &columns),
+                    Written::AsRead(numbers) => {
                         for (lane, number) in (0..).zip(numbers) {
                             self.t.b.ins().store(data(), number, place.first.base, range.start + place.step * lane);
                         }
@@ -510,24 +512,24 @@ impl Writing<'_, '_, '_> {
     }
 
     /// What is written as it was read, if it is still there.
-    fn copies(&self, record: &Record) -> Vec<Copied> {
+    fn copies(&self, record: &Record) -> Vec<AsRead> {
         let written = |&&own: &&usize| self.kernel.accesses[own].value.is_some();
         let copied = |part: &Part| {
             let source = part.source?;
             let &(_, apart) = self.outer.sources.iter().find(|(number, _)| *number == source)?;
             let mut others = self.written.iter().chain(record.accesses.iter().filter(written));
-            (!others.any(|&other| self.kernel.touches(source, false, other))).then(|| Copied { bytes: part.range(), apart })
+            (!others.any(|&other| self.kernel.touches(source, false, other))).then(|| AsRead { bytes: part.range(), apart })
         };
         record.new.iter().filter_map(copied).collect()
     }
 }
 
 /// Where these bytes of each turn lie as they are.
-fn copied(copies: &[Copied], range: &Range<i32>) -> Option<(Apart, i32)> {
+fn as_read(copies: &[AsRead], range: &Range<i32>) -> Option<(Apart, i32)> {
     let mut found: Option<(Apart, i32)> = None;
     let mut at = range.start;
     while at < range.end {
-        let Copied { bytes, apart } = copies.iter().find(|copied| copied.bytes.contains(&at))?;
+        let AsRead { bytes, apart } = copies.iter().find(|copied| copied.bytes.contains(&at))?;
         let place = apart.first.offset - bytes.start + range.start;
         match found {
             None => found = Some((*apart, place)),

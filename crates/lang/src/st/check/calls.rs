@@ -1053,9 +1053,10 @@ impl Checker<'_> {
     /// What a call leaves out: an initial value, nothing, or an error.
     fn omitted(&mut self, callee: &Callee, call: &ast::Call, all: &mut Arguments<'_>, span: Span) -> bool {
         let function = callee.is_function();
-        let needs_all = self.dialect.judge(Construct::OmittedInput) != crate::st::dialect::Judgement::Accept;
+        let accepts = |construct| self.dialect.judge(construct) == crate::st::dialect::Judgement::Accept;
+        let needs_all = !accepts(Construct::OmittedInput);
         // In an instance of S7 an in-out parameter of an elementary type is a value, which stays there.
-        let needs_in_outs = function || self.dialect.judge(Construct::OmittedInOut) != crate::st::dialect::Judgement::Accept;
+        let needs_in_outs = function || !accepts(Construct::OmittedInOut);
         // A standard function has no input that could be left out, however it is built.
         let needs_inputs = needs_all || matches!(callee, Callee::Function(block) if self.names.is_of_library(*block));
         // A call by position gives every input, as the standard has it: who leaves one out counts wrong. What is declared with a value of

@@ -8,12 +8,6 @@ use super::super::super::promote::Base;
 use super::super::kernel::{Cell, Kept, Node};
 use super::Reader;
 
-/// A number, and which of its bits another cell is.
-struct Around {
-    number: Node,
-    at: u32,
-}
-
 impl Reader<'_, '_> {
     /// Which bit of a number in local data a cell is, if it is one.
     fn place_in_number(&self, bit: Cell, number: Cell) -> Option<u32> {
@@ -30,28 +24,33 @@ impl Reader<'_, '_> {
         is_part.then(|| 8 * behind as u32 + u32::from(at))
     }
 
-    /// The number in local data of which a bit is part, if all of it was written since the bit was written by itself.
-    fn number_around(&self, bit: Cell) -> Option<Around> {
+    /// What a cell in local data holds if its bits were written otherwise since it was written itself, and what they are is known.
+    pub(super) fn made_otherwise(&mut self, cell: Cell) -> Option<Node> {
+        self.bit_of_number(cell).or_else(|| self.number_with_bits(cell))
+    }
+
+    /// The number in local data of which a bit is part, if all of it was written since the bit was written by itself, and which one it is.
+    fn number_around(&self, bit: Cell) -> Option<(Node, u32)> {
         let own = self.touched.get(&bit).copied().unwrap_or(0);
         self.touched.iter().find_map(|(&cell, &written)| {
             let at = self.place_in_number(bit, cell).filter(|_| written > own)?;
             let number = self.now.get(&cell).copied()?;
             let shares_bit = |other: Cell| other != bit && self.shares_local(bit, other);
             let is_whole = !self.touched.iter().any(|(&other, &later)| later > written && shares_bit(other));
-            is_whole.then_some(Around { number, at })
+            is_whole.then_some((number, at))
         })
     }
 
     /// A bit of a number that was written since the bit was written by itself.
-    pub(super) fn bit_of_number(&mut self, bit: Cell) -> Option<Node> {
-        let Around { number, at } = self.number_around(bit)?;
+    fn bit_of_number(&mut self, bit: Cell) -> Option<Node> {
+        let (number, at) = self.number_around(bit)?;
         let [one, by] = [1, u64::from(at)].map(|number| self.constant(number));
         let moved = if at == 0 { number } else { self.compute(Op::Shr32, [number, by, by, by]) };
         Some(self.compute(Op::AndU32, [moved, one, one, one]))
     }
 
     /// A number in local data of which bits were written since it was written itself.
-    pub(super) fn number_with_bits(&mut self, cell: Cell) -> Option<Node> {
+    fn number_with_bits(&mut self, cell: Cell) -> Option<Node> {
         let Kept::Memory { base: Base::Local, width, .. } = self.kernel.kept(cell) else { return None };
         let written = *self.touched.get(&cell)?;
         let later = |(&other, &later): (&Cell, &usize)| (later > written && self.shares_local(cell, other)).then_some(other);
@@ -65,8 +64,7 @@ impl Reader<'_, '_> {
         number = self.compute(Op::AndU32, [number, cleared, cleared, cleared]);
         for (at, value) in bits {
             let [one, by] = [1, u64::from(at)].map(|number| self.constant(number));
-            let is_bit = self.kernel.is_bit(value) || self.kernel.constant(value).is_some_and(|value| value <= 1);
-            let set = if is_bit { value } else { self.compute(Op::AndU32, [value, one, one, one]) };
+            let set = if self.kernel.is_bit(value) { value } else { self.compute(Op::AndU32, [value, one, one, one]) };
             let moved = if at == 0 { set } else { self.compute(Op::Shl32, [set, by, by, by]) };
             number = self.compute(Op::OrU32, [number, moved, moved, moved]);
         }
