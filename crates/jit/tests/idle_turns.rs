@@ -1,11 +1,10 @@
 //! Loops that do something in few of their turns, as a bit or a byte of an array tells: whatever these turns do, whoever looks between them
 //! and wherever the arrays end, memory, registers and questions are those of the interpreter.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, layout_with, program, run};
+use noting::{all_engines_agree, layout_with, program, run, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
@@ -486,11 +485,8 @@ fn loops_that_seldom_do_something_do_the_same_on_all_engines() {
                 machine.memory.arena[start] = dice.roll(2) as u8;
             };
             let entry = Entry { block, start_information: [7; 20], registers: None };
-            let outcome = |engine: Arc<dyn Engine>| {
-                let dice = RefCell::new(Dice(3 * seed + memory));
-                let answer = |machine: &mut Machine, what: &str, asked: usize| meddle(machine, what, &mut dice.borrow_mut(), asked);
-                run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-            };
+            let outcome =
+                |engine: Arc<dyn Engine>| run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(3 * seed + memory), &meddle);
             let what = || format!("program {seed}, memory {memory}\n{}", program.code[&block].code);
             let outcome = all_engines_agree((&program, &layout), true, &outcome, &what);
             ended += usize::from(outcome.asked.len() < QUESTIONS_MAX);

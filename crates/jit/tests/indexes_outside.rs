@@ -2,11 +2,10 @@
 //! rest of its turn, and machine code goes on behind it. Whatever the indexes are, whatever the program does otherwise there and whoever changes
 //! memory, the code does what the interpreter does.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, fixed, get, layout_with, program, run};
+use noting::{all_engines_agree, fixed, get, layout_with, program, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Engine, Entry, Exit, Machine, Reaction, StopReason};
@@ -40,19 +39,24 @@ fn number_of_index(b: &mut Builder, dice: &mut Dice) -> Var {
     number
 }
 
-/// A pointer to an element behind a look at its index, and whether that is inside.
+/// Looks at an index: a pointer to its element, and whether it is inside.
+fn looked_at(b: &mut Builder, number: Var, elements: u64) -> (Var, Var) {
+    let count = b.constant(elements);
+    let inside = b.compute(Op::Below, &[number, count]);
+    b.push(Inst::Require { condition: inside, code: NOTED | 0x22, register: number });
+    let number = b.compute(Op::Gate, &[number, inside]);
+    let bits = b.constant(8 * ELEMENT);
+    (b.compute(Op::MulU32, &[number, bits]), inside)
+}
+
+/// A place in an element behind a look at its index, and whether that is inside.
 fn element(b: &mut Builder, dice: &mut Dice, data: bool) -> (Place, Var) {
     if data && dice.roll(2) == 0 {
         let number = b.constant(1);
         b.push(Inst::Open { register: DataRegister::Shared, number });
     }
     let number = number_of_index(b, dice);
-    let count = b.constant(dice.of(&[ELEMENTS, ELEMENTS, 5]));
-    let inside = b.compute(Op::Below, &[number, count]);
-    b.push(Inst::Require { condition: inside, code: NOTED | 0x22, register: number });
-    let number = b.compute(Op::Gate, &[number, inside]);
-    let bits = b.constant(8 * ELEMENT);
-    let pointer = b.compute(Op::MulU32, &[number, bits]);
+    let (pointer, inside) = looked_at(b, number, dice.of(&[ELEMENTS, ELEMENTS, 5]));
     let area = if data { Area::SharedData } else { Area::BitMemory };
     (Place::Indirect { area, pointer, offset: 8 * dice.of(&[0, 0, 2, 4]) }, inside)
 }
@@ -153,7 +157,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
     if asked >= QUESTIONS_MAX {
         return Reaction::Stop(StopReason { event: 0x4562, place: None });
     }
-    if what.contains(&format!("code: {}", NOTED | 0x22)) {
+    if noting::is_noted(what) {
         return Reaction::Continue;
     }
     machine.budget = dice.of(&[0, 1, 2, 3, 8, 50]);
@@ -186,11 +190,7 @@ fn where_an_index_is_outside_the_rest_is_what_the_interpreter_makes_of_it() {
             let memory = machine.memory.area_mut(Area::BitMemory);
             memory[..120].iter_mut().for_each(|byte| *byte = dice.of(&[0, 0, 1, 2, 5, 7, 8, 200]));
         };
-        let outcome = |engine: Arc<dyn Engine>| {
-            let dice = RefCell::new(Dice(seed + 2_000_000));
-            let answer = |machine: &mut Machine, what: &str, asked: usize| meddle(machine, what, &mut dice.borrow_mut(), asked);
-            run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-        };
+        let outcome = |engine: Arc<dyn Engine>| run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(seed + 2_000_000), &meddle);
         let expected = all_engines_agree((&program, &layout), false, &outcome, &|| format!("{seed}\n{}", program.code[&entry.block].code));
         asked += expected.asked.len();
         silent += usize::from(expected.asked.is_empty());
@@ -207,12 +207,7 @@ fn an_index_is_looked_at_once_in_a_turn() {
                 b.begin_statement();
                 let index = get(b, INDEXES[1], Width::Word);
                 let number = b.compute(Op::Extend16, &[index]);
-                let count = b.constant(ELEMENTS);
-                let inside = b.compute(Op::Below, &[number, count]);
-                b.push(Inst::Require { condition: inside, code: NOTED | 0x22, register: number });
-                let number = b.compute(Op::Gate, &[number, inside]);
-                let bits = b.constant(8 * ELEMENT);
-                let pointer = b.compute(Op::MulU32, &[number, bits]);
+                let (pointer, inside) = looked_at(b, number, ELEMENTS);
                 let place = Place::Indirect { area: Area::BitMemory, pointer, offset: 0 };
                 let (old, one) = (b.load(place, Width::Word, OnFault::SkipStatement), b.constant(3));
                 let new = b.compute(Op::MulU16, &[old, one]);

@@ -434,7 +434,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
     if asked >= QUESTIONS_MAX {
         return Reaction::Stop(StopReason { event: 0x4562, place: None::<FaultPlace> });
     }
-    if what.contains(&format!("code: {}", NOTED | 0x22)) {
+    if noting::is_noted(what) {
         return Reaction::Continue;
     }
     machine.budget = dice.of(&[0, 1, 2, 5, 10, 40]);

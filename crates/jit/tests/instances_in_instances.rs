@@ -1,11 +1,10 @@
 //! Loops over arrays of function blocks with other function blocks in them, whose inputs are written and whose outputs are read by the same index:
 //! what machine code counts from one element is what the interpreter finds, wherever instances and copies lie and whatever a Host does.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, begin_with_instance, layout_with, next_turn, program, run};
+use noting::{all_engines_agree, begin_with_instance, layout_with, next_turn, program, run, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
@@ -307,7 +306,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
     if asked >= QUESTIONS_MAX {
         return Reaction::Stop(StopReason { event: 0x4562, place: None::<FaultPlace> });
     }
-    if what.contains(&format!("code: {}", NOTED | 0x22)) {
+    if noting::is_noted(what) {
         return Reaction::Continue;
     }
     machine.budget = dice.of(&[0, 1, 2, 5, 10, 40]);
@@ -354,11 +353,7 @@ fn instances_in_elements_are_the_same_on_all_engines() {
                 machine.memory.arena[range].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
             }
         };
-        let outcome = |engine: Arc<dyn Engine>| {
-            let dice = RefCell::new(Dice(seed + 2_000_000));
-            let answer = |machine: &mut Machine, what: &str, asked: usize| meddle(machine, what, &mut dice.borrow_mut(), asked);
-            run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-        };
+        let outcome = |engine: Arc<dyn Engine>| run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(seed + 2_000_000), &meddle);
         let listing = || program.code.iter().map(|(id, block)| format!("{id}\n{}", block.code)).collect::<String>();
         let questions = all_engines_agree((&program, &layout), false, &outcome, &|| format!("{seed}\n{}", listing())).asked.len();
         asked += questions;

@@ -1,11 +1,10 @@
 //! Loops that call a function with a loop in it, which reaches elements behind pointers that it is given: turns of both together do on all
 //! engines what the interpreter does, wherever the pointers lead and whatever a Host does that is asked.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, layout_with, run};
+use noting::{all_engines_agree, layout_with, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{CodeBlock, Engine, Entry, FaultPlace, Layout, Machine, Program, Reaction, StopReason};
@@ -316,7 +315,7 @@ fn agree(seed: u64, (program, layout): (&Program, &Layout), forgets: bool, what:
         if asked >= QUESTIONS_MAX {
             return Reaction::Stop(StopReason { event: 0x4562, place: None::<FaultPlace> });
         }
-        if what.contains(&format!("code: {}", NOTED | 0x22)) {
+        if noting::is_noted(what) {
             return Reaction::Continue;
         }
         machine.budget = dice.of(&[0, 3, 17, 100, 1_000, 100_000]);
@@ -327,9 +326,7 @@ fn agree(seed: u64, (program, layout): (&Program, &Layout), forgets: bool, what:
     };
     let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
     let outcome = |engine: Arc<dyn Engine>| {
-        let dice = RefCell::new(Dice(seed + 2_000_000));
-        let answer = |machine: &mut Machine, what: &str, asked: usize| meddle(machine, what, &mut dice.borrow_mut(), asked);
-        let mut outcome = run(engine.as_ref(), layout, &entry, &prepare, &answer);
+        let mut outcome = run_beside(engine.as_ref(), layout, &entry, &prepare, Dice(seed + 2_000_000), &meddle);
         if forgets {
             outcome.arena[layout.local.clone()].fill(0);
         }

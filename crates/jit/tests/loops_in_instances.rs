@@ -2,11 +2,10 @@
 //! such a block, wherever its instance lies, is what the interpreter finds, whatever a Host does. Some blocks are too long to become part of
 //! their callers: those are functions that know that their instance is there.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, begin_with_instance, layout_with, next_turn, program, run};
+use noting::{all_engines_agree, begin_with_instance, layout_with, next_turn, program, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
@@ -210,7 +209,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
     if asked >= QUESTIONS_MAX {
         return Reaction::Stop(StopReason { event: 0x4562, place: None::<FaultPlace> });
     }
-    if what.contains(&format!("code: {}", NOTED | 0x22)) {
+    if noting::is_noted(what) {
         return Reaction::Continue;
     }
     machine.budget = dice.of(&[0, 1, 2, 5, 10, 40]);
@@ -255,9 +254,7 @@ fn blocks_that_loop_over_instances_in_their_own_are_the_same_on_all_engines() {
             machine.memory.arena[range].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
         };
         let outcome = |engine: Arc<dyn Engine>| {
-            let dice = RefCell::new(Dice(seed + 2_000_000));
-            let answer = |machine: &mut Machine, what: &str, asked: usize| meddle(machine, what, &mut dice.borrow_mut(), asked);
-            let mut outcome = run(engine.as_ref(), &layout, &entry, &prepare, &answer);
+            let mut outcome = run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(seed + 2_000_000), &meddle);
             // What was in local data of blocks that have ended.
             outcome.arena[layout.local.clone()].fill(0);
             outcome

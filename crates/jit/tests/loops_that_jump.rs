@@ -2,11 +2,10 @@
 //! out in the middle, records that are compared, copied and handed to a function, a place that is chosen by what lies there. Whatever the Host
 //! makes of memory and budget, they do on all engines what the interpreter does.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, program, run};
+use noting::{all_engines_agree, program, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Engine, Entry, Exit, FaultPlace, Machine, Program, Reaction, StopReason};
@@ -409,7 +408,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
         return Reaction::Stop(StopReason { event: 0x4562, place: None::<FaultPlace> });
     }
     // A fault that is noted changes nothing.
-    if what.contains(&format!("code: {}", NOTED | 0x22)) {
+    if noting::is_noted(what) {
         return Reaction::Continue;
     }
     machine.budget = dice.of(&[0, 1, 3, 8, 30, 200]);
@@ -439,11 +438,7 @@ fn loops_that_jump_out_and_choose_do_what_the_interpreter_does() {
                 let memory = machine.memory.area_mut(Area::BitMemory);
                 memory.iter_mut().take(190).for_each(|byte| *byte = dice.roll(4) as u8);
             };
-            let outcome = |engine: Arc<dyn Engine>| {
-                let dice = RefCell::new(Dice(seed + 2_000_000));
-                let answer = |machine: &mut Machine, what: &str, asked: usize| meddle(machine, what, &mut dice.borrow_mut(), asked);
-                run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-            };
+            let outcome = |engine: Arc<dyn Engine>| run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(seed + 2_000_000), &meddle);
             let listing = || program.code.iter().map(|(id, block)| format!("{id}\n{}", block.code)).collect::<String>();
             let what = || format!("{seed} in round {round}\n{}", listing());
             let expected = all_engines_agree((&program, &layout), false, &outcome, &what);
@@ -542,11 +537,7 @@ fn a_function_finds_what_it_is_handed_in_each_of_its_statements() {
         let layout = noting::layout(&program);
         let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
         let prepare = |machine: &mut Machine| machine.budget = Dice(seed + 100).of(&[1, 5, 400]);
-        let outcome = |engine: Arc<dyn Engine>| {
-            let dice = RefCell::new(Dice(seed + 200));
-            let answer = |machine: &mut Machine, what: &str, asked: usize| meddle(machine, what, &mut dice.borrow_mut(), asked);
-            run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-        };
+        let outcome = |engine: Arc<dyn Engine>| run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(seed + 200), &meddle);
         all_engines_agree((&program, &layout), false, &outcome, &|| seed.to_string());
     }
 }

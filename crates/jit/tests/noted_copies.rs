@@ -1,11 +1,10 @@
 //! Copies between elements whose indexes are looked at and noted if they are outside: nothing is copied then, and the next statement follows.
 //! Whatever the indexes are and whoever changes memory, the code does what the interpreter does.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, fixed, get, layout_with, program, run};
+use noting::{all_engines_agree, fixed, get, layout_with, program, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Inst, Op, Place, Target, Var};
 use sieben_engine::{Engine, Entry, Exit, Machine, Reaction, StopReason};
@@ -118,7 +117,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
     if asked >= QUESTIONS_MAX {
         return Reaction::Stop(StopReason { event: 0x4562, place: None });
     }
-    if what.contains(&format!("code: {}", NOTED | 0x22)) {
+    if noting::is_noted(what) {
         return Reaction::Continue;
     }
     machine.budget = dice.of(&[0, 1, 2, 3, 8, 50]);
@@ -149,11 +148,7 @@ fn copies_with_indexes_that_are_looked_at_do_what_the_interpreter_does() {
             memory[..180].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
             INDEXES.iter().for_each(|&at| memory[at as usize + 1] = dice.roll(14) as u8);
         };
-        let outcome = |engine: Arc<dyn Engine>| {
-            let dice = RefCell::new(Dice(seed + 2_000_000));
-            let answer = |machine: &mut Machine, what: &str, asked: usize| meddle(machine, what, &mut dice.borrow_mut(), asked);
-            run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-        };
+        let outcome = |engine: Arc<dyn Engine>| run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(seed + 2_000_000), &meddle);
         let what = || format!("{seed}\n{}", program.code[&BlockId::ob(1)].code);
         let expected = all_engines_agree((&program, &layout), true, &outcome, &what);
         asked += expected.asked.len();

@@ -2,11 +2,10 @@
 //! function blocks do: wherever that index leads, and whatever the Host makes of memory and budget, they do on all engines what the
 //! interpreter does.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, program, run};
+use noting::{all_engines_agree, program, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Engine, Entry, Exit, FaultPlace, Machine, Reaction, StopReason};
@@ -300,7 +299,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
         return Reaction::Stop(StopReason { event: 0x4562, place: None::<FaultPlace> });
     }
     // What is only told changes nothing.
-    if what.contains(&format!("code: {}", NOTED | 0x22)) {
+    if noting::is_noted(what) {
         return Reaction::Continue;
     }
     machine.budget = dice.of(&[0, 1, 3, 8, 30, 60, 100_000]);
@@ -340,11 +339,7 @@ fn agree(seed: u64, looping: &dyn Fn(&mut Builder)) -> (usize, usize, bool) {
             memory[SHARED as usize..SHARED as usize + 2].copy_from_slice(&[0, dice.roll(4) as u8]);
         };
         let entry = Entry { block, start_information: [7; 20], registers: None };
-        let outcome = |engine: Arc<dyn Engine>| {
-            let dice = RefCell::new(Dice(seed + 2_000_000));
-            let answer = |machine: &mut Machine, what: &str, asked: usize| meddle(machine, what, &mut dice.borrow_mut(), asked);
-            run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-        };
+        let outcome = |engine: Arc<dyn Engine>| run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(seed + 2_000_000), &meddle);
         let what = || format!("{seed} in round {round}\n{}", program.code[&block].code);
         let expected = all_engines_agree((&program, &layout), true, &outcome, &what);
         asked += expected.asked.len();

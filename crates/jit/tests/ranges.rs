@@ -1,11 +1,10 @@
 //! Loops over arrays, under a Host that changes their variables while they run: machine code that looks at no index any more does what
 //! the interpreter does.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, layout, program, run};
+use noting::{all_engines_agree, layout, program, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, TextAction, TextRoom, Var};
 use sieben_engine::{Entry, Exit, FaultPlace, Machine, Reaction, StopReason};
@@ -298,7 +297,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
     if asked >= QUESTIONS_MAX {
         return Reaction::Stop(StopReason { event: 0x4562, place: None::<FaultPlace> });
     }
-    if what.contains(&format!("code: {}", NOTED | 0x22)) {
+    if noting::is_noted(what) {
         return Reaction::Continue;
     }
     machine.budget = dice.of(&[0, 1, 1, 2, 5]);
@@ -327,9 +326,7 @@ fn loops_whose_variables_somebody_changes_do_the_same_on_all_engines() {
             machine.memory.area_mut(Area::BitMemory)[..48].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
         };
         let outcome = |engine: Arc<dyn sieben_engine::Engine>| {
-            let dice = RefCell::new(Dice(seed + 2_000_000));
-            let answer = |machine: &mut Machine, what: &str, asked: usize| meddle(machine, what, &mut dice.borrow_mut(), asked);
-            run(engine.as_ref(), &layout, &entry, &prepare, &answer)
+            run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(seed + 2_000_000), &meddle)
         };
         let expected = all_engines_agree((&program, &layout), false, &outcome, &|| format!("{seed}\n{}", program.code[&block].code));
         asked += expected.asked.len();

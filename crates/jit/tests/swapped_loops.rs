@@ -2,11 +2,10 @@
 //! over, and turns of the outer one add to the same elements. Whatever the variables are and whoever writes them, memory, registers and
 //! questions are those of the interpreter.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, layout_with, program, run};
+use noting::{all_engines_agree, layout_with, program, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Engine, Entry, Exit, FaultPlace, Machine, Reaction, StopReason};
@@ -441,7 +440,7 @@ fn prepare(machine: &mut Machine, seed: u64, short: bool) {
 
 fn answer(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> Reaction {
     // Who is told of what is noted changes nothing.
-    if what.contains(&format!("code: {}", NOTED | 0x22)) && asked < 10 * QUESTIONS_MAX {
+    if noting::is_noted(what) && asked < 10 * QUESTIONS_MAX {
         return Reaction::Continue;
     }
     if asked >= QUESTIONS_MAX {
@@ -468,9 +467,7 @@ fn loops_that_multiply_matrices_do_what_the_interpreter_does() {
         for memory in 0..MEMORIES {
             let prepare = |machine: &mut Machine| prepare(machine, MEMORIES * seed + memory + 1_000_000, short);
             let outcome = |engine: Arc<dyn Engine>| {
-                let dice = RefCell::new(Dice(MEMORIES * seed + memory + 2_000_000));
-                let answer = |machine: &mut Machine, what: &str, asked: usize| answer(machine, what, &mut dice.borrow_mut(), asked);
-                run(engine.as_ref(), &layout, &entry, &prepare, &answer)
+                run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(MEMORIES * seed + memory + 2_000_000), &answer)
             };
             let what = || format!("{seed}, memory {memory}\n{}", program.code[&block].code);
             let expected = all_engines_agree((&program, &layout), true, &outcome, &what);

@@ -2,11 +2,10 @@
 //! choices, with ends before the last turn, in one another and under conditions, or such that end when the data say so. Beside them turns hand on numbers in order. On all engines
 //! they do what the interpreter does, whatever a Host makes of memory and budget.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, fixed, get, layout_with, next_turn, program, run};
+use noting::{all_engines_agree, fixed, get, layout_with, next_turn, program, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
@@ -351,7 +350,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
     if asked >= QUESTIONS_MAX {
         return Reaction::Stop(StopReason { event: 0x4562, place: None::<FaultPlace> });
     }
-    if what.contains(&format!("code: {}", NOTED | 0x22)) {
+    if noting::is_noted(what) {
         return Reaction::Continue;
     }
     machine.budget = dice.of(&[0, 1, 3, 10, 40, 200]);
@@ -389,11 +388,7 @@ fn loops_of_few_turns_in_the_turns_of_others_do_what_the_interpreter_does() {
                 };
             }
         };
-        let outcome = |engine: Arc<dyn Engine>| {
-            let dice = RefCell::new(Dice(seed + 2_000_000));
-            let answer = |machine: &mut Machine, what: &str, asked: usize| meddle(machine, what, &mut dice.borrow_mut(), asked);
-            run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-        };
+        let outcome = |engine: Arc<dyn Engine>| run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(seed + 2_000_000), &meddle);
         let listing = || program.code.iter().map(|(id, block)| format!("{id}\n{}", block.code)).collect::<String>();
         let questions = all_engines_agree((&program, &layout), false, &outcome, &|| format!("{seed}\n{}", listing())).asked.len();
         asked += questions;

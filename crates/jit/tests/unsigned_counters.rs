@@ -1,11 +1,10 @@
 //! Loops over arrays that count in numbers without sign, up or down, from and to either end of their type, with limits that may be beyond it:
 //! whatever ends them, memory, registers and questions are those of the interpreter.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use dice::Dice;
-use noting::{all_engines_agree, layout_with, program, run};
+use noting::{all_engines_agree, layout_with, program, run, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Engine, Entry, FaultPlace, Machine, Reaction, StopReason};
@@ -186,7 +185,7 @@ fn loops(b: &mut Builder, dice: &mut Dice) {
 
 fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> Reaction {
     // Who is told of what is noted changes nothing.
-    if what.contains(&format!("code: {}", NOTED | 0x22)) {
+    if noting::is_noted(what) {
         return Reaction::Continue;
     }
     if asked >= QUESTIONS_MAX {
@@ -222,11 +221,8 @@ fn loops_that_count_without_sign_do_the_same_on_all_engines() {
                 write(BEYOND, dice.of(&[40, 64, 0x1_0000_0020, 0xFFFF_FFFF, u64::MAX]));
             };
             let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
-            let outcome = |engine: Arc<dyn Engine>| {
-                let dice = RefCell::new(Dice(3 * seed + memory));
-                let answer = |machine: &mut Machine, what: &str, asked: usize| meddle(machine, what, &mut dice.borrow_mut(), asked);
-                run(engine.as_ref(), &layout, &entry, &prepare, &answer)
-            };
+            let outcome =
+                |engine: Arc<dyn Engine>| run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(3 * seed + memory), &meddle);
             let what = || format!("program {seed}, memory {memory}\n{}", program.code[&BlockId::ob(1)].code);
             let outcome = all_engines_agree((&program, &layout), true, &outcome, &what);
             ended += usize::from(outcome.asked.len() < QUESTIONS_MAX);

@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::{Register, Registers};
 use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Interpreter, Layout, Machine, Program, Reaction};
@@ -65,6 +66,12 @@ impl Host for Noting<'_> {
     fn system_function(&mut self, machine: &mut Machine, block: BlockId, _: usize) -> Reaction {
         self.ask(machine, block.to_string())
     }
+}
+
+/// Whether a question tells of an index that is noted: who is told of that changes nothing.
+#[allow(dead_code)] // Not every test that shares this file notes indexes.
+pub(crate) fn is_noted(what: &str) -> bool {
+    what.contains(&format!("code: {}", NOTED | 0x22))
 }
 
 pub(crate) type Blocks<'a> = &'a [(BlockId, u32, &'a dyn Fn(&mut Builder))];
@@ -177,6 +184,20 @@ pub(crate) fn run(engine: &dyn Engine, layout: &Layout, entry: &Entry, prepare: 
     Outcome { asked: host.asked, exit, arena: machine.memory.arena, registers: machine.registers, budget: machine.budget }
 }
 
+/// The same beside somebody who meddles with the machine whenever it asks, as dice tell.
+#[allow(dead_code)] // Not every test that shares this file meddles.
+pub(crate) fn run_beside<D>(
+    engine: &dyn Engine,
+    layout: &Layout,
+    entry: &Entry,
+    prepare: &dyn Fn(&mut Machine),
+    dice: D,
+    meddle: &dyn Fn(&mut Machine, &str, &mut D, usize) -> Reaction,
+) -> Outcome {
+    let dice = RefCell::new(dice);
+    run(engine, layout, entry, prepare, &|machine, what, asked| meddle(machine, what, &mut dice.borrow_mut(), asked))
+}
+
 /// Runs a program in the interpreter and as machine code, with all status bits and with those that are needed: all have to end alike, with
 /// all status bits in their `registers` too if these count. What the interpreter left.
 #[allow(dead_code)] // Not every test that shares this file compares programs alone.
@@ -235,9 +256,7 @@ pub(crate) fn all_engines_agree_beside<D>(
     let block = BlockId::ob(1);
     let entry = Entry { block, start_information: [7; 20], registers: None };
     let outcome = |engine: Arc<dyn Engine>| {
-        let dice = RefCell::new(dice());
-        let answer = |machine: &mut Machine, _: &str, asked: usize| meddle(machine, &mut dice.borrow_mut(), asked);
-        run(engine.as_ref(), layout, &entry, prepare, &answer)
+        run_beside(engine.as_ref(), layout, &entry, prepare, dice(), &|machine, _, dice, asked| meddle(machine, dice, asked))
     };
     let what = || format!("{what}\n{}", program.code[&block].code);
     all_engines_agree((program, layout), true, &outcome, &what)
