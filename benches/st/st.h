@@ -1,4 +1,4 @@
-/* What the programs beside the ones in Structured Text share. */
+/* What the programs beside the ones in Structured Text share; main.c defines both variables. */
 #include <stdint.h>
 
 extern uint64_t now_us;

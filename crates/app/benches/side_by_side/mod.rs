@@ -102,9 +102,7 @@ pub(crate) fn c_program(name: &str, text: &str, main: &str, flags: &[&str], inde
         .status();
     match status {
         Ok(status) if status.success() => Ok(compiled),
-        Ok(_) => Err(format!(
-            "{name}: the C compiler says above what is wrong with the program in C, which has `scan` and neither `main`, `check` nor `now_us`"
-        )),
+        Ok(_) => Err(format!("{name}: the C compiler says above what is wrong with the program in C")),
         Err(error) => Err(format!("{name}: `cc` does not start: {error}")),
     }
 }
