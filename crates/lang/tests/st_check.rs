@@ -298,11 +298,24 @@ fn messages_name_what_was_meant() {
         ("codesys", "i := INT;", &["P6200", "not the type INT"]),
         ("codesys", "i := __NEW(INT);", &["P6323", "Declare an array"]),
         ("iec", "i := DAYS_OF_DATE(2024, 1, 1);", &["P3008", "there is no function"]),
+        ("iec", "t := 500;", &["P6200", "TIME is wanted here, not a number", "`T#500ms`"]),
+        ("scl", "t := 500;", &["P6200", "`T#500ms`"]),
+        ("iec", "IF t > 100 THEN i := 1; END_IF;", &["P6202", "`T#100ms`"]),
+        ("iec", "d := 5;", &["P6200", "DATE is wanted here, not a number", "`D#2026-01-31`"]),
+        ("iec", "w := w + 1;", &["P6202", "not with WORD", "`WORD_TO_UINT`", "`UINT_TO_WORD`"]),
+        ("scl", "w := w + 1;", &["P6202", "not with WORD", "`WORD_TO_INT`"]),
+        ("iec", "i := e;", &["P6200", "INT is wanted here", "`TO_INT`"]),
+        ("iec", "r := INT_TO_REAL(e);", &["P6200", "INT is wanted here", "`TO_INT`"]),
+        ("iec", "d := e;", &["P6200", "DATE is wanted here", "which `TO_INT` gives"]),
+        ("iec", "e := 1;", &["P6200", "a number is none", "Write one of its values: `RED`, `GREEN`."]),
+        ("iec", "e := i;", &["P6200", "and this is INT", "Write one of its values: `RED`, `GREEN`."]),
+        ("iec", "i := Other_TO_INT(e);", &["P3008", "there is no function `Other_TO_INT`"]),
     ];
     for (dialect, code, wanted) in rows {
         let dialect = Dialect::from_name(dialect).expect("a dialect");
-        let types = if matches!(dialect, Dialect::Scl | Dialect::Tia) { "d : DATE;" } else { "d : DATE; m : DT;" };
-        let text = program(dialect, &format!("i : INT; r : REAL; {types}"), code);
+        let of_siemens = matches!(dialect, Dialect::Scl | Dialect::Tia);
+        let types = if of_siemens { "d : DATE;" } else { "d : DATE; m : DT; e : (RED, GREEN);" };
+        let text = program(dialect, &format!("i : INT; r : REAL; t : TIME; w : WORD; {types}"), code);
         let mut sources = Sources::default();
         sources.add("test.st", text);
         let options = Options { dialect: Some(dialect), ..Options::default() };

@@ -19,6 +19,8 @@ use crate::st::tree::{Scalar, Text, Value, ValueKind};
 
 /// Characters of the longest WSTRING.
 const WIDE_LENGTH_MAX: usize = 16_382;
+/// Values of an enumeration that a message names.
+const NAMED_VALUES_MAX: usize = 6;
 /// What DATE of the S7 counts from.
 const DAYS_FROM_1970_TO_1990: u64 = 7_305;
 const MILLISECONDS_OF_DAY: u64 = 86_400_000;
@@ -257,7 +259,7 @@ impl Checker<'_> {
             && !(self.counts_with_pointers() && matches!(literal, LiteralKind::Integer { .. }))
         {
             let message = format!("a value of {} is wanted here, and a number is none", self.words(wanted));
-            self.report(Problem::P6200, span, message);
+            self.report(Problem::P6200, span, message).help = names_of_values(wanted);
             return None;
         }
         match literals::bits(&literal, kind, self.dialect) {
@@ -280,7 +282,11 @@ impl Checker<'_> {
                     LiteralKind::WideCharacters(_) => "a text between `\"`, which is a WSTRING",
                     _ => "a number",
                 };
-                self.report(Problem::P6200, span, format!("{} is wanted here, not {shown}", self.words(wanted)));
+                let help = self.as_written(&literal, wanted);
+                let diagnostic = self.report(Problem::P6200, span, format!("{} is wanted here, not {shown}", self.words(wanted)));
+                if help.is_some() {
+                    diagnostic.help = help;
+                }
                 None
             }
             Err(misfit) => {
@@ -288,6 +294,21 @@ impl Checker<'_> {
                 None
             }
         }
+    }
+
+    /// How a number without a type is written as a constant of a duration or a date.
+    fn as_written(&self, literal: &LiteralKind, wanted: &DataType) -> Option<String> {
+        let LiteralKind::Integer { value, radix: 10 } = *literal else { return None };
+        let prefix = match wanted.base() {
+            DataType::S5Time => "S5T",
+            DataType::LongTime => "LT",
+            DataType::Time => "T",
+            DataType::Date | DataType::LongDate => return Some("Write a date, such as `D#2026-01-31`.".to_owned()),
+            DataType::TimeOfDay | DataType::LongTimeOfDay => return Some("Write a time of day, such as `TOD#12:00:00`.".to_owned()),
+            DataType::DateAndTime | DataType::LongDateAndTime => return Some("Write a date with a time, such as `DT#2026-01-31-12:00:00`.".to_owned()),
+            _ => return None,
+        };
+        Some(format!("Write a duration with its unit, such as `{prefix}#{value}ms`."))
     }
 
     /// Whether a constant lies in the limits of a subrange.
@@ -370,7 +391,15 @@ impl Checker<'_> {
         let meant = part_of_time(from).zip(part_of_time(wanted)).is_none_or(|(a, b)| a == b);
         let function = function.filter(|_| meant);
         let mut help = function.filter(exists).map(|function| format!("Convert it with `{function}`."));
-        if is_pointer(from) && help.is_none() {
+        if let DataType::Enumeration(_) = wanted {
+            help = names_of_values(wanted);
+        } else if let DataType::Enumeration(_) = from {
+            let number = target.filter(|_| Kind::of(wanted).is_some_and(|kind| kind.is_number() || kind.class == Class::Bits));
+            help = Some(match number {
+                Some(target) => format!("Convert it with `TO_{target}`."),
+                None => "Convert its number, which `TO_INT` gives.".to_owned(),
+            });
+        } else if is_pointer(from) && help.is_none() {
             help = Some("An address has 64 bits here: keep it in a POINTER TO, or in a variable of type LWORD or __XWORD.".to_owned());
         }
         let diagnostic = self.report(Problem::P6200, span, message);
@@ -567,13 +596,16 @@ impl Checker<'_> {
         (a, left): (Typed, Span),
         (b, right): (Typed, Span),
     ) -> Option<(Kind, Value, Value)> {
+        let mut written = None;
         let (a, b) = match (generic(&a), generic(&b)) {
             (Some(literal), None) => {
                 let (b, other) = self.scalar(b, right)?;
+                written = self.as_written(&literal, &other);
                 (self.beside(literal, a, left, &other)?, (b, other))
             }
             (None, Some(literal)) => {
                 let (a, other) = self.scalar(a, left)?;
+                written = self.as_written(&literal, &other);
                 let b = self.beside(literal, b, right, &other)?;
                 ((a, other), b)
             }
@@ -587,7 +619,8 @@ impl Checker<'_> {
         };
         let Some(kind) = met else {
             let message = format!("`{}` does not take {} and {}", operator.sign(), self.words(&a.1), self.words(&b.1));
-            self.report(Problem::P6202, sign, message).help = Some("Convert one of the two to the type of the other.".to_owned());
+            let help = written.unwrap_or_else(|| "Convert one of the two to the type of the other.".to_owned());
+            self.report(Problem::P6202, sign, message).help = Some(help);
             return None;
         };
         let long = |(value, data_type): (Value, DataType)| match Kind::of(&data_type) {
@@ -782,11 +815,20 @@ impl Checker<'_> {
             && implicit(Kind { class: Class::Bits, bits: 16 }, Kind { class: Class::Unsigned, bits: 16 }, self.dialect) == Implicit::Yes;
         if !kind.is_number() && !bits {
             let message = format!("`{}` computes with numbers, not with {}", operator.sign(), self.words(&kind.data_type()));
-            let integer = Kind { class: Class::Signed, bits: kind.bits.max(16) }.data_type();
-            let help = format!("Convert it first with `{}_TO_{}`.", self.words(&kind.data_type()), self.words(&integer));
+            // A dialect without integers that have no sign takes those with one.
+            let of_bits = self.words(&kind.data_type());
+            let mut functions = [Class::Unsigned, Class::Signed].into_iter().map(|class| {
+                let integer = Kind { class, bits: kind.bits.max(16) }.data_type();
+                [format!("{of_bits}_TO_{}", self.words(&integer)), format!("{}_TO_{of_bits}", self.words(&integer))]
+            });
+            let given = [Given { name: None, kind: GivenKind::Typed(kind.data_type()) }];
+            let exists = |[function, _]: &[String; 2]| matches!(standard::resolve(function, self.dialect, &given), Some(Ok(_)));
+            let help = functions
+                .find(exists)
+                .map(|[there, back]| format!("Convert it first with `{there}`, and the result with `{back}` if it is bits again."));
             let diagnostic = self.report(Problem::P6202, sign, message);
             if kind.class == Class::Bits && kind.bits > 1 {
-                diagnostic.help = Some(help);
+                diagnostic.help = help;
             }
             return Typed::Poison;
         }
@@ -1061,4 +1103,13 @@ pub(super) fn same_type(a: &DataType, b: &DataType) -> bool {
         (DataType::Array { bounds: x, element: a }, DataType::Array { bounds: y, element: b }) => x == y && same_type(a, b),
         _ => a == b,
     }
+}
+
+/// Says which values an enumeration has.
+fn names_of_values(data_type: &DataType) -> Option<String> {
+    let DataType::Enumeration(enumeration) = data_type else { return None };
+    let named = enumeration.values.iter().take(NAMED_VALUES_MAX).map(|(name, _)| format!("`{name}`"));
+    let names: Vec<String> = named.collect();
+    let others = if enumeration.values.len() > names.len() { " and so on" } else { "" };
+    Some(format!("Write one of its values: {}{others}.", names.join(", ")))
 }

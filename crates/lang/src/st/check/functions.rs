@@ -11,6 +11,7 @@ use sieben_model::types::{DataType, Reference, ReferenceKind};
 
 use super::places::Reached;
 use super::typed::{Target, Typed};
+use super::types::{Class, Kind};
 use super::{Checker, literals, operators};
 use crate::scope::nearest;
 use crate::st::ast::{self, Direction, Expression, ExpressionKind, Name};
@@ -55,7 +56,7 @@ impl Checker<'_> {
                 None => Typed::Poison,
             };
         }
-        let arguments: Vec<(Typed, Span)> = call
+        let mut arguments: Vec<(Typed, Span)> = call
             .arguments
             .iter()
             .map(|argument| match &argument.value {
@@ -63,6 +64,8 @@ impl Checker<'_> {
                 None => (Typed::Poison, argument.span),
             })
             .collect();
+        let of_enumeration = self.number_of_enumeration(name, &mut arguments);
+        let name = of_enumeration.as_ref().unwrap_or(name);
         let given: Vec<Given<'_>> = call
             .arguments
             .iter()
@@ -115,6 +118,20 @@ impl Checker<'_> {
             Some(Err(refusal)) => self.refused(refusal, &arguments, span),
             Some(Ok(resolved)) => self.composed(&name.text, resolved, call, arguments, span),
         }
+    }
+
+    /// `TO_INT(color)` and `Color_TO_INT(color)`: the number of a value of an enumeration, as that of the type which holds it.
+    fn number_of_enumeration(&self, name: &Name, arguments: &mut [(Typed, Span)]) -> Option<Name> {
+        let [(Typed::Scalar { data_type, .. }, _)] = arguments else { return None };
+        let DataType::Enumeration(enumeration) = &*data_type else { return None };
+        let upper = name.text.to_ascii_uppercase();
+        let own = enumeration.name.as_ref().and_then(|own| upper.strip_prefix(&format!("{}_TO_", own.to_ascii_uppercase())));
+        let target = own.or_else(|| upper.strip_prefix("TO_"))?;
+        let is_number = |kind: Kind| kind.is_number() || kind.class == Class::Bits;
+        standard::type_of_word(target, self.dialect).and_then(|target| Kind::of(&target)).filter(|&kind| is_number(kind))?;
+        let general = format!("TO_{target}");
+        *data_type = enumeration.base.base().clone();
+        Some(Name { text: general, ..name.clone() })
     }
 
     /// `SIN(0.5)`: a number without a type as its argument is, so that an LREAL gets all its digits.

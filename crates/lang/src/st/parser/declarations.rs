@@ -201,7 +201,7 @@ impl Parser<'_> {
         }
         if let Some(keyword) = self.keyword() {
             // A keyword as a name is reported as such.
-            if matches!(self.next_raw(), Raw::Colon | Raw::Comma) && !keyword.is_end() {
+            if matches!(self.next_raw(), Raw::Colon | Raw::Comma) {
                 return false;
             }
             return keyword.is_end()

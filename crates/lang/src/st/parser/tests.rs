@@ -149,6 +149,7 @@ fn a_slip_gives_one_message_at_its_place() {
         ("f(a 1, b := 2);", "P2030 a ->  :="),
         ("f(:= 1, b := 2);", "P6055 :="),
         ("VAR if : INT; END_VAR x := 1;", "P6060 if"),
+        ("VAR end_if : INT; END_VAR x := 1;", "P6060 end_if"),
         ("VAR a b : INT; END_VAR x := 1;", "P2020 a -> ,"),
         ("VAR a, , b : INT; END_VAR x := 1;", "P2020 ,"),
         ("FUNCTION_BLOCK f METHOD m INT m := 1; END_METHOD END_FUNCTION_BLOCK", "P2020 m ->  :"),
