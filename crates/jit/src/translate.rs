@@ -73,6 +73,7 @@ mod sized;
 mod spacing;
 mod tested_bits;
 mod text_bytes;
+mod text_lengths;
 mod text_numbers;
 mod text_order;
 mod text_pointers;
@@ -107,6 +108,7 @@ pub(crate) use program::{Options, listing, program};
 use promote::{Base, Computed, Counted, Promoted};
 use ranges::Ranges;
 use series::Series;
+use text_lengths::KeptLength;
 use value::{Constants, Lazy, Val};
 use versions::{Known, Versions};
 use words::Words;
@@ -245,6 +247,8 @@ struct Translator<'a> {
     loops: Vec<Loop>,
     /// Memory for which registers stand, in the loops met so far.
     promoted: Vec<Promoted>,
+    /// Lengths of texts that loops keep.
+    kept_lengths: Vec<KeptLength>,
     /// What is known of the values of the present block.
     ranges: Ranges,
     /// Ranges of values in the running statement.
@@ -394,6 +398,7 @@ impl<'a> Translator<'a> {
             interpreted: Vec::new(),
             loops: Vec::new(),
             promoted: Vec::new(),
+            kept_lengths: Vec::new(),
             ranges: Ranges::default(),
             bounds: FxHashMap::default(),
             bounds_of_results: FxHashMap::default(),

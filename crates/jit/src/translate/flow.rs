@@ -208,6 +208,7 @@ impl Translator<'_> {
         self.dirty |= changed & !self.dead_at(statement);
         if let Some(head) = again {
             // Behind a safe point the loop may begin anew: see `behind_question`.
+            self.drop_kept_lengths(statement);
             let mut idle = None;
             if let Some(it) = smallest {
                 self.promote(&it);
@@ -220,6 +221,7 @@ impl Translator<'_> {
                 self.look_at_turn(&it);
                 if idle.is_none() && !self.is_at_once(&it) {
                     self.count_budget(&it);
+                    self.keep_lengths_in(&it);
                 }
             }
             self.b.ins().jump(head, &[]);
@@ -227,6 +229,7 @@ impl Translator<'_> {
             if let Some(idle) = idle {
                 self.pass_idle_turns(&idle);
             }
+            self.know_kept_lengths(statement);
         }
     }
 
@@ -244,6 +247,7 @@ impl Translator<'_> {
         let from_behind = statement <= self.statement && !self.arriving;
         let arrival = self.arrival(statement);
         if let (true, Some(head)) = (from_behind, arrival.again) {
+            self.tell_kept_lengths(statement);
             return head;
         }
         self.meet_budget(statement);

@@ -810,6 +810,7 @@ impl Translator<'_> {
     /// Takes all that is kept again: somebody may have changed it.
     pub(super) fn take_promoted(&mut self) {
         self.kept().into_iter().for_each(|it| self.take(it));
+        self.take_kept_lengths();
     }
 
     /// Whether a register stands for memory at the running statement.

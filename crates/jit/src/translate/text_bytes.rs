@@ -49,13 +49,20 @@ impl Written {
 impl Translator<'_> {
     /// How many characters of a text count.
     pub(super) fn text_length(&mut self, text: &Whole) -> Value {
-        let Address { base, offset, .. } = text.address;
         if let Some(&[_, length]) = self.constant_head(text).as_deref() {
             return self.constant(u32::from(length).min(text.room.characters_max.into()));
         }
         if let Some(Characters { length, .. }) = self.known_characters(text) {
             return length;
         }
+        let length = self.length_in_memory(text);
+        self.remember_characters(text, Characters::some(length));
+        length
+    }
+
+    /// The same as memory has it.
+    pub(super) fn length_in_memory(&mut self, text: &Whole) -> Value {
+        let Address { base, offset, .. } = text.address;
         let length = match text.room.wide {
             false => self.b.ins().uload8(I32, data(), base, offset + 1),
             true => {
@@ -65,9 +72,7 @@ impl Translator<'_> {
             }
         };
         let most = self.room(text);
-        let length = self.fewer(length, most);
-        self.remember_characters(text, Characters::some(length));
-        length
+        self.fewer(length, most)
     }
 
     /// The only character of a text that never has more than one, if it is known; anything if it has none.

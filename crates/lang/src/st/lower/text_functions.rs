@@ -13,8 +13,9 @@ use crate::st::tree::{Argument, Base, Bounds, Call, Place, Scalar, Text, TextRoo
 /// More characters than any text has.
 const ALL: u64 = i32::MAX as u64;
 
-/// Texts that are joined at once. More would take more temporaries than there are.
+/// Texts that are joined at once; one that is cut out of another one counts as two. More would take more temporaries than there are.
 const TEXTS_MAX: usize = 16;
+const WEIGHT_OF_A_CUT: usize = 2;
 
 /// A text that is there, and how many of its characters count.
 type Ready = (Place, TextRoom);
@@ -36,11 +37,15 @@ impl Lowering<'_> {
         let mut texts: Vec<Ready> = Vec::new();
         let mut numbers: Vec<(u32, Value)> = Vec::new();
         let joined = self.joined(function, call, TEXTS_MAX);
+        let mut cuts: Vec<(usize, TextFunction, Vec<Value>)> = Vec::new();
         if let Some(joined) = &joined {
             let all = joined.texts();
-            for (position, text) in all.iter().enumerate() {
-                let changes = all[position + 1..].iter().any(|later| self.text_changes(later));
+            for (position, (text, cut)) in all.iter().enumerate() {
+                let changes = all[position + 1..].iter().any(|(later, _)| self.text_changes(later));
                 texts.push(if changes { self.kept_text(text) } else { self.ready(text) });
+                if let Some(Cut { function, numbers, .. }) = cut {
+                    cuts.push((position, *function, numbers.iter().map(|number| self.keep(number)).collect()));
+                }
             }
         } else {
             let mut given: Vec<(u32, Ready)> = Vec::new();
@@ -70,7 +75,10 @@ impl Lowering<'_> {
             self.set_br(good);
             return Some(false);
         }
+        let first_is_cut = cuts.first().is_some_and(|&(position, ..)| position == 0);
         let begins = target.and_then(|target| begins_in(function, target, &texts));
+        // What the first text leaves out would stay.
+        let begins = begins.filter(|&begins| begins == Begins::Empty || !first_is_cut);
         let (to, room) = match (target, begins) {
             (Some((place, room)), Some(_)) => (self.freeze(place), room),
             _ => {
@@ -87,14 +95,12 @@ impl Lowering<'_> {
         let target = target.filter(|_| begins.is_some());
         let grows = begins == Some(Begins::ItsFirstText);
         let stays = begins == Some(Begins::ItsHead);
-        let numbers: Vec<Var> = numbers
-            .iter()
-            .map(|number| {
-                let number = self.value(number);
-                self.compute(Op::Extend16, &[number])
-            })
-            .collect();
-        let (parts, good) = self.parts(function, &texts, &numbers);
+        let numbers = self.numbers_of_characters(&numbers);
+        let (mut parts, good) = self.parts(function, &texts, &numbers);
+        for (position, function, numbers) in cuts {
+            let numbers = self.numbers_of_characters(&numbers);
+            parts[position] = Part { text: position, ..self.piece(function, &texts[position], &numbers) };
+        }
         if target.is_some() {
             // What lies outside its data block is found before anything is written.
             let written_first = parts.get(usize::from(grows)).map(|part| part.text);
@@ -107,7 +113,6 @@ impl Lowering<'_> {
             }
         }
         let mut lengths = Vec::with_capacity(parts.len());
-        let mut parts = parts;
         let tail = parts.pop_if(|_| stays).map(|Part { text, first, count }| {
             // What goes on behind the piece that stays is kept first: it may be written over.
             let (place, max) = &texts[text];
@@ -147,6 +152,15 @@ impl Lowering<'_> {
         Some(target.is_some())
     }
 
+    /// Numbers and positions of characters.
+    fn numbers_of_characters(&mut self, numbers: &[Value]) -> Vec<Var> {
+        let extended = |this: &mut Self, number: &Value| {
+            let number = this.value(number);
+            this.compute(Op::Extend16, &[number])
+        };
+        numbers.iter().map(|number| extended(self, number)).collect()
+    }
+
     /// A text whose place stays the same until the end of the source statement.
     fn ready(&mut self, text: &Text) -> Ready {
         let (place, room) = self.text(text);
@@ -182,11 +196,11 @@ impl Lowering<'_> {
         // The last text is computed before the first ones are looked at.
         let calm = [first, second].iter().all(|text| self.changes_nothing(text));
         let join = |text: &'c Text, most: usize| match inner(text, most) {
-            Some(joined) if calm && joined.texts().len() <= most => joined,
-            _ => Joined::Text(text),
+            Some(joined) if calm && joined.weight() <= most => joined,
+            _ => cut(text).filter(|_| calm && most >= WEIGHT_OF_A_CUT).map_or(Joined::Text(text), Joined::Cut),
         };
         let first = join(first, most.saturating_sub(1));
-        let left = most.saturating_sub(first.texts().len());
+        let left = most.saturating_sub(first.weight());
         Some(Joined::Both(Box::new([first, join(second, left)])))
     }
 
@@ -275,7 +289,7 @@ impl Lowering<'_> {
         let [first, second] = [&both[0], &both[1]].map(|part| {
             let length = self.whole_length(part, lengths);
             match part {
-                Joined::Text(_) => length,
+                Joined::Text(_) | Joined::Cut(_) => length,
                 Joined::Both(_) => self.compute_with(Op::MinI32, length, u64::from(STRING_LENGTH_MAX)),
             }
         });
@@ -341,42 +355,62 @@ impl Lowering<'_> {
         }
     }
 
+    /// The piece of a text that LEFT, MID or RIGHT gives.
+    fn piece(&mut self, TextFunction { action, manner, .. }: TextFunction, text: &Ready, numbers: &[Var]) -> Part {
+        let zero = self.constant(0);
+        match *numbers {
+            // A piece that begins behind the text, or has no characters, is empty of itself.
+            [wanted, position] => {
+                let one = self.constant(1);
+                let from = self.compute_from(Op::MaxI32, &[position, one]);
+                let first = self.compute_from(Op::SubU32, &[from, one]);
+                if manner == Manner::Codesys {
+                    return Part { text: 0, first, count: wanted };
+                }
+                let inside = self.compute_from(Op::LtI32, &[zero, position]);
+                let count = self.compute_from(Op::Gate, &[wanted, inside]);
+                Part { text: 0, first, count }
+            }
+            [wanted] if action == TextAction::Right => {
+                let length = self.length_of(text);
+                let count = self.compute_from(Op::MaxI32, &[wanted, zero]);
+                let count = self.compute_from(Op::MinI32, &[count, length]);
+                let first = self.compute_from(Op::SubU32, &[length, count]);
+                Part { text: 0, first, count }
+            }
+            _ => Part { text: 0, first: zero, count: numbers[0] },
+        }
+    }
+
+    /// How many characters a text has.
+    fn length_of(&mut self, (place, room): &Ready) -> Var {
+        self.text_instruction(Action::Length, (place, *room), (place, *room), None)
+    }
+
     /// The pieces of which the result consists, and whether the numbers name characters; `None` = nobody asks.
-    fn parts(&mut self, TextFunction { action, manner, .. }: TextFunction, texts: &[Ready], numbers: &[Var]) -> (Vec<Part>, Option<Var>) {
+    fn parts(&mut self, function: TextFunction, texts: &[Ready], numbers: &[Var]) -> (Vec<Part>, Option<Var>) {
+        let TextFunction { action, manner, .. } = function;
         let reports = manner != Manner::Codesys;
         let zero = self.constant(0);
         let one = self.constant(1);
         let all = self.constant(ALL);
         let whole = |text: usize| Part { text, first: zero, count: all };
         match action {
-            TextAction::Left => {
+            TextAction::Left | TextAction::Right => {
                 let good = self.compute_from(Op::GeI32, &[numbers[0], zero]);
-                (vec![Part { text: 0, first: zero, count: numbers[0] }], reports.then_some(good))
-            }
-            TextAction::Right => {
-                let good = self.compute_from(Op::GeI32, &[numbers[0], zero]);
-                let length = self.text_instruction(Action::Length, (&texts[0].0, texts[0].1), (&texts[0].0, texts[0].1), None);
-                let count = self.compute_from(Op::MaxI32, &[numbers[0], zero]);
-                let count = self.compute_from(Op::MinI32, &[count, length]);
-                let first = self.compute_from(Op::SubU32, &[length, count]);
-                (vec![Part { text: 0, first, count }], reports.then_some(good))
+                (vec![self.piece(function, &texts[0], numbers)], reports.then_some(good))
             }
             TextAction::Mid => {
-                let [wanted, position] = [numbers[0], numbers[1]];
-                let from = self.compute_from(Op::MaxI32, &[position, one]);
-                let first = self.compute_from(Op::SubU32, &[from, one]);
-                if !reports {
-                    return (vec![Part { text: 0, first, count: wanted }], None);
-                }
-                let length = self.text_instruction(Action::Length, (&texts[0].0, texts[0].1), (&texts[0].0, texts[0].1), None);
-                let some = self.compute_from(Op::LtI32, &[zero, wanted]);
-                let inside = self.compute_from(Op::LtI32, &[zero, position]);
-                let there = self.compute_from(Op::LeI32, &[position, length]);
-                let good = self.compute_from(Op::And, &[some, inside]);
-                let good = self.compute_from(Op::And, &[good, there]);
-                // A piece that begins behind the text, or has no characters, is empty of itself.
-                let count = self.compute_from(Op::Gate, &[wanted, inside]);
-                (vec![Part { text: 0, first, count }], Some(good))
+                let good = reports.then(|| {
+                    let [wanted, position] = [numbers[0], numbers[1]];
+                    let length = self.length_of(&texts[0]);
+                    let some = self.compute_from(Op::LtI32, &[zero, wanted]);
+                    let inside = self.compute_from(Op::LtI32, &[zero, position]);
+                    let there = self.compute_from(Op::LeI32, &[position, length]);
+                    let good = self.compute_from(Op::And, &[some, inside]);
+                    self.compute_from(Op::And, &[good, there])
+                });
+                (vec![self.piece(function, &texts[0], numbers)], good)
             }
             TextAction::Concat => ((0..texts.len()).map(whole).collect(), reports.then_some(one)),
             TextAction::Insert => {
@@ -480,17 +514,55 @@ enum Begins {
 /// Texts that are joined, and how.
 enum Joined<'c> {
     Text(&'c Text),
+    Cut(Cut<'c>),
     Both(Box<[Joined<'c>; 2]>),
 }
 
+/// A piece of a text, of which nobody sees the text that LEFT, MID or RIGHT makes of it.
+struct Cut<'c> {
+    function: TextFunction,
+    text: &'c Text,
+    numbers: Vec<&'c Value>,
+}
+
 impl<'c> Joined<'c> {
-    /// All of them, in their order.
-    fn texts(&self) -> Vec<&'c Text> {
+    /// All of them, in their order, with what is cut out of them.
+    fn texts(&self) -> Vec<(&'c Text, Option<&Cut<'c>>)> {
         match self {
-            Self::Text(text) => vec![text],
+            Self::Text(text) => vec![(text, None)],
+            Self::Cut(cut) => vec![(cut.text, Some(cut))],
             Self::Both(both) => both.iter().flat_map(Self::texts).collect(),
         }
     }
+
+    /// How much of `TEXTS_MAX` they take.
+    fn weight(&self) -> usize {
+        match self {
+            Self::Text(_) => 1,
+            Self::Cut(_) => WEIGHT_OF_A_CUT,
+            Self::Both(both) => both.iter().map(Self::weight).sum(),
+        }
+    }
+}
+
+/// The piece that a text is of another one.
+fn cut(text: &Text) -> Option<Cut<'_>> {
+    let Text::Call { call, .. } = text else { return None };
+    let function = call.written_out.filter(|function| function.cuts() && !function.wide)?;
+    if call.enable.is_some() || call.clears_ok || !is_usual(function, call) {
+        return None;
+    }
+    let mut whole = None;
+    let mut numbers: Vec<(u32, &Value)> = Vec::new();
+    for argument in &call.arguments {
+        match argument {
+            Argument::Text { text, .. } => whole = Some(text),
+            Argument::Value { parameter, value } => numbers.push((*parameter, value)),
+            _ => return None,
+        }
+    }
+    numbers.sort_by_key(|(parameter, _)| *parameter);
+    Some(Cut { function, text: whole?, numbers: numbers.into_iter().map(|(_, value)| value).collect() })
 }
 
 /// How the result of a function comes about in its target; `None` if somebody could tell the difference.

@@ -154,6 +154,11 @@ impl TextFunction {
 
     /// Whether it makes one piece of its text, or of a number: everything is read before anything is written.
     pub fn makes_one_piece(self) -> bool {
-        matches!(self.action, TextAction::Left | TextAction::Right | TextAction::Mid) || self.arity().0 == 0
+        self.cuts() || self.arity().0 == 0
+    }
+
+    /// Whether its result is a piece of its text.
+    pub fn cuts(self) -> bool {
+        matches!(self.action, TextAction::Left | TextAction::Right | TextAction::Mid)
     }
 }
