@@ -309,6 +309,8 @@ fn messages_name_what_was_meant() {
         ("iec", "d := e;", &["P6200", "DATE is wanted here", "which `TO_INT` gives"]),
         ("iec", "e := 1;", &["P6200", "a number is none", "Write one of its values: `RED`, `GREEN`."]),
         ("iec", "e := i;", &["P6200", "and this is INT", "Write one of its values: `RED`, `GREEN`."]),
+        ("iec", "r := '1.5';", &["P6200", "REAL is wanted here, not a text", "`STRING_TO_REAL`"]),
+        ("iec", "r := ii;", &["P3001", "`ii` is not declared", "write `i`", "Or declare it"]),
         ("iec", "i := Other_TO_INT(e);", &["P3008", "there is no function `Other_TO_INT`"]),
     ];
     for (dialect, code, wanted) in rows {

@@ -151,8 +151,8 @@ pub(crate) fn compiled(name: &str, text: &str) -> Result<Program, String> {
     let compiled = compile(&sources, &SymbolTable::default(), &options);
     let error = |found: &Diagnostic| {
         let (line, column) = sources.line_column(found.span);
-        let fix = found.fix.as_ref().map_or_else(String::new, |fix| format!("; {}", fix.title));
-        format!("{name}:{line}:{column}: {}{fix}; {}", found.message, found.help.as_deref().unwrap_or(found.problem.help()))
+        let fix = found.fix.as_ref().map_or_else(String::new, |fix| format!(" ({})", fix.title));
+        format!("{name}:{line}:{column}: {}{fix}. {}", found.message, found.help.as_deref().unwrap_or(found.problem.help()))
     };
     let errors: Vec<_> = compiled.diagnostics.iter().filter(|found| found.severity() == Severity::Error).map(error).collect();
     if errors.is_empty() { Ok(compiled.program) } else { Err(errors.join("\n")) }

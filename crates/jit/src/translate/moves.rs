@@ -4,7 +4,7 @@
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I8, I8X16, I16, I32, I64};
-use cranelift_codegen::ir::{InstBuilder, Value};
+use cranelift_codegen::ir::{InstBuilder, Type, Value};
 use sieben_engine::access;
 use sieben_engine::ir::Place;
 use sieben_model::address::{Area, Width};
@@ -67,10 +67,26 @@ impl Translator<'_> {
         while at < bytes as i32 {
             let left = bytes as i32 - at;
             let ty = [(16, I8X16), (8, I64), (4, I32), (2, I16)].into_iter().find(|&(size, _)| size <= left).map_or(I8, |(_, ty)| ty);
-            pieces.push(self.b.ins().load(ty, data(), from.base, from.offset + at));
+            let address = Address { offset: from.offset + at, ..from };
+            let piece = self.constant_piece(address, ty).unwrap_or_else(|| self.b.ins().load(ty, data(), address.base, address.offset));
+            pieces.push(piece);
             at += ty.bytes() as i32;
         }
         pieces
+    }
+
+    /// What is known to be in local data: to read it would wait for the stores of its parts.
+    fn constant_piece(&mut self, Address { base, offset, .. }: Address, ty: Type) -> Option<Value> {
+        if base != self.local || !self.options.optimize || self.cold.is_some() {
+            return None;
+        }
+        let bytes = self.constant_bytes(offset, ty.bytes())?;
+        if ty.is_vector() {
+            let constant = self.b.func.dfg.constants.insert(bytes.into());
+            return Some(self.b.ins().vconst(ty, constant));
+        }
+        let number = bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte));
+        Some(self.b.ins().iconst(ty, number as i64))
     }
 
     /// Writes pieces one behind the other.

@@ -3,7 +3,7 @@
 use sieben_engine::ir::Op;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
-use sieben_model::types::DataType;
+use sieben_model::types::{DataType, STRING_LENGTH_MAX};
 
 use super::literals::{self, Misfit};
 use super::places::Reached;
@@ -250,8 +250,11 @@ impl Checker<'_> {
             Typed::Null if kind.class == Class::Reference => LiteralKind::Null,
             Typed::Scalar { value, data_type } => return self.convert(value, &data_type, wanted, span),
             other => {
-                let what = self.what(&other);
-                self.report(Problem::P6200, span, format!("{} is wanted here, not {what}", self.words(wanted)));
+                let (what, help) = (self.what(&other), self.reader_of(&other, wanted));
+                let diagnostic = self.report(Problem::P6200, span, format!("{} is wanted here, not {what}", self.words(wanted)));
+                if help.is_some() {
+                    diagnostic.help = help;
+                }
                 return None;
             }
         };
@@ -294,6 +297,17 @@ impl Checker<'_> {
                 None
             }
         }
+    }
+
+    /// The function that reads a value from a text.
+    fn reader_of(&self, typed: &Typed, wanted: &DataType) -> Option<String> {
+        if !matches!(typed, Typed::Text(text) if !text.is_wide()) {
+            return None;
+        }
+        let function = format!("STRING_TO_{}", self.word_in_names(wanted.base())?);
+        let given = [Given { name: None, kind: GivenKind::Typed(DataType::String(STRING_LENGTH_MAX)) }];
+        let exists = matches!(standard::resolve(&function, self.dialect, &given), Some(Ok(_)));
+        exists.then(|| format!("Convert it with `{function}`."))
     }
 
     /// How a number without a type is written as a constant of a duration or a date.

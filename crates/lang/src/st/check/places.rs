@@ -170,6 +170,7 @@ impl Checker<'_> {
                 Quoting::Bare | Quoting::Backquoted => nearest.clone(),
             };
             *diagnostic = diagnostic.clone().guess(name.span, written, format!("write `{nearest}`"));
+            diagnostic.help = Some("Or declare it in the symbol table or in the VAR sections of the block.".to_owned());
         }
         POISON
     }
