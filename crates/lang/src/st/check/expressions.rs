@@ -319,7 +319,9 @@ impl Checker<'_> {
             DataType::Time => "T",
             DataType::Date | DataType::LongDate => return Some("Write a date, such as `D#2026-01-31`.".to_owned()),
             DataType::TimeOfDay | DataType::LongTimeOfDay => return Some("Write a time of day, such as `TOD#12:00:00`.".to_owned()),
-            DataType::DateAndTime | DataType::LongDateAndTime => return Some("Write a date with a time, such as `DT#2026-01-31-12:00:00`.".to_owned()),
+            DataType::DateAndTime | DataType::LongDateAndTime => {
+                return Some("Write a date with a time, such as `DT#2026-01-31-12:00:00`.".to_owned());
+            }
             _ => return None,
         };
         Some(format!("Write a duration with its unit, such as `{prefix}#{value}ms`."))
