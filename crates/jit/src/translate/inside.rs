@@ -413,7 +413,7 @@ impl Translator<'_> {
         self.store_promoted_in(&read);
         self.store_promoted_in(&write);
         self.settle_touched(&read, false);
-        let pieces = known.unwrap_or_else(|| self.pieces(from, bytes));
+        let pieces = known.unwrap_or_else(|| self.known_pieces(from, bytes));
         self.settle_touched(&write, true);
         self.write_pieces(to, &pieces);
         self.take_promoted_in(&write);

@@ -62,13 +62,22 @@ impl Translator<'_> {
 
     /// Reads bytes that are there, as few pieces as possible.
     pub(super) fn pieces(&mut self, from: Address, bytes: u32) -> Vec<Value> {
+        self.pieces_by(from, bytes, |_, _, _| None)
+    }
+
+    /// The same where everything that writes local data says so: what is known there is not read.
+    pub(super) fn known_pieces(&mut self, from: Address, bytes: u32) -> Vec<Value> {
+        self.pieces_by(from, bytes, Self::constant_piece)
+    }
+
+    fn pieces_by(&mut self, from: Address, bytes: u32, known: impl Fn(&mut Self, Address, Type) -> Option<Value>) -> Vec<Value> {
         let mut pieces = Vec::new();
         let mut at = 0;
         while at < bytes as i32 {
             let left = bytes as i32 - at;
             let ty = [(16, I8X16), (8, I64), (4, I32), (2, I16)].into_iter().find(|&(size, _)| size <= left).map_or(I8, |(_, ty)| ty);
             let address = Address { offset: from.offset + at, ..from };
-            let piece = self.constant_piece(address, ty).unwrap_or_else(|| self.b.ins().load(ty, data(), address.base, address.offset));
+            let piece = known(self, address, ty).unwrap_or_else(|| self.b.ins().load(ty, data(), address.base, address.offset));
             pieces.push(piece);
             at += ty.bytes() as i32;
         }
