@@ -47,15 +47,17 @@ fn turn(program: &Program, engine: impl FnOnce(&Program, &Layout) -> Arc<dyn Eng
 /// The first scan behind which `check` differs between machine code and C, in words.
 fn difference(program: &Program, engine: &Arc<dyn Engine>, c: &CProgram) -> Option<String> {
     let output = Command::new(c.path()).args([&SCANS.to_string(), "each"]).output().expect("the C program runs");
+    assert!(output.status.success(), "the C program ends with {}", output.status);
     let text = String::from_utf8_lossy(&output.stdout);
-    let of_c = text.lines().map(|line| line.parse::<i32>().expect("a number"));
+    let of_c: Vec<i32> = text.lines().map(|line| line.parse().expect("a number")).collect();
+    assert_eq!(of_c.len(), SCANS as usize, "the C program prints `check` after each scan");
     let mut loaded = load(program, |_, _| engine.clone());
     let of_machine = std::iter::repeat_with(|| {
         loaded.scan(None);
         check(program, &loaded)
     });
-    let (scan, (c, machine)) = (1_u64..).zip(of_c.zip(of_machine)).find(|(_, (c, machine))| c != machine)?;
-    Some(format!("`check` behind scan {scan} is {machine} ({machine:#010X}) in machine code and {c} ({c:#010X}) in C"))
+    let (scan, (c, machine)) = (1_u64..).zip(of_c.into_iter().zip(of_machine)).find(|(_, (c, machine))| c != machine)?;
+    Some(format!("`check` after scan {scan} is {machine} ({machine:#010X}) in machine code and {c} ({c:#010X}) in C"))
 }
 
 /// Programs in Structured Text that somebody wrote, each with a file in C beside it; `Err` = a file that cannot be read.

@@ -28,9 +28,17 @@ fn local(byte: u32) -> Place {
     Place::Fixed { area: Area::Local, position: 8 * byte }
 }
 
-fn text(dice: &mut Dice) -> (Place, TextRoom) {
+/// A text; its place is known, sometimes behind a pointer.
+fn text(b: &mut Builder, dice: &mut Dice) -> (Place, TextRoom) {
     let byte = FIRST + APART * dice.roll(TEXTS) as u32;
-    let place = if dice.roll(3) == 0 { local(byte) } else { memory(byte) };
+    let place = match dice.roll(4) {
+        0 => local(byte),
+        1 => {
+            let pointer = b.constant(u64::from(8 * byte));
+            Place::Indirect { area: Area::BitMemory, pointer, offset: 0 }
+        }
+        _ => memory(byte),
+    };
     (place, TextRoom::narrow(dice.of(&[10, 10, 10, 10, 4, 16])))
 }
 
@@ -65,7 +73,7 @@ fn statement(b: &mut Builder, dice: &mut Dice) {
                 5 => TextAction::Find,
                 _ => TextAction::Append,
             };
-            let ((to, to_room), (from, from_room)) = (text(dice), text(dice));
+            let ((to, to_room), (from, from_room)) = (text(b, dice), text(b, dice));
             let piece = [number(b, dice), number(b, dice)];
             let dst = b.temporary();
             b.push(Inst::Text { action, dst, to, to_room, from, from_room, piece });

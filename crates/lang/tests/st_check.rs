@@ -309,14 +309,18 @@ fn messages_name_what_was_meant() {
         ("iec", "d := e;", &["P6200", "DATE is wanted here", "which `TO_INT` gives"]),
         ("iec", "e := 1;", &["P6200", "a number is none", "Write one of its values: `RED`, `GREEN`."]),
         ("iec", "e := i;", &["P6200", "and this is INT", "Write one of its values: `RED`, `GREEN`."]),
+        ("iec", "t := -500;", &["P6200", "`T#500ms`"]),
+        ("scl", "s := 5;", &["P6200", "`S5T#500ms`"]),
+        ("iec", "i := t AND 5;", &["P6202", "Convert one of the two"]),
+        ("iec", "e := 'RED';", &["P6200", "not a text", "Write one of its values: `RED`, `GREEN`."]),
         ("iec", "r := '1.5';", &["P6200", "REAL is wanted here, not a text", "`STRING_TO_REAL`"]),
-        ("iec", "r := ii;", &["P3001", "`ii` is not declared", "write `i`", "Or declare it"]),
+        ("iec", "r := ii;", &["P3001", "`ii` is not declared", "write `i`", "If `i` is not meant, declare it"]),
         ("iec", "i := Other_TO_INT(e);", &["P3008", "there is no function `Other_TO_INT`"]),
     ];
     for (dialect, code, wanted) in rows {
         let dialect = Dialect::from_name(dialect).expect("a dialect");
         let of_siemens = matches!(dialect, Dialect::Scl | Dialect::Tia);
-        let types = if of_siemens { "d : DATE;" } else { "d : DATE; m : DT; e : (RED, GREEN);" };
+        let types = if of_siemens { "d : DATE; s : S5TIME;" } else { "d : DATE; m : DT; e : (RED, GREEN);" };
         let text = program(dialect, &format!("i : INT; r : REAL; t : TIME; w : WORD; {types}"), code);
         let mut sources = Sources::default();
         sources.add("test.st", text);

@@ -208,7 +208,8 @@ impl Translator<'_> {
         self.dirty |= changed & !self.dead_at(statement);
         if let Some(head) = again {
             // Behind a safe point the loop may begin anew: see `behind_question`.
-            self.drop_kept_lengths(statement);
+            // A loop that keeps lengths has no other one inside: it has ended.
+            self.kept_lengths.clear();
             let mut idle = None;
             if let Some(it) = smallest {
                 self.promote(&it);

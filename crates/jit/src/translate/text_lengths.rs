@@ -50,12 +50,6 @@ impl Translator<'_> {
         }
     }
 
-    /// Forgets those of loops that the one which begins at a statement is not part of: of blocks that were part of the code, too.
-    pub(super) fn drop_kept_lengths(&mut self, head: u32) {
-        let level = self.outer.len();
-        self.kept_lengths.retain(|kept| kept.level < level || kept.level == level && kept.first < head && head <= kept.last);
-    }
-
     /// Texts that begin at a known place, and behind which a loop puts something.
     fn grown_texts(&self, it: &Loop) -> Vec<(Base, i32, TextRoom)> {
         let code = &self.native().code;

@@ -126,6 +126,11 @@ pub enum BinaryOperator {
 }
 
 impl BinaryOperator {
+    /// Whether it compares its operands.
+    pub fn compares(self) -> bool {
+        matches!(self, Self::Less | Self::LessEqual | Self::Greater | Self::GreaterEqual | Self::Equal | Self::NotEqual)
+    }
+
     /// How it is written.
     pub fn sign(self) -> &'static str {
         match self {

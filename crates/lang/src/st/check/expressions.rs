@@ -299,8 +299,11 @@ impl Checker<'_> {
         }
     }
 
-    /// The function that reads a value from a text.
+    /// The function that reads a value from a text, or the values of which one is wanted.
     fn reader_of(&self, typed: &Typed, wanted: &DataType) -> Option<String> {
+        if let DataType::Enumeration(_) = wanted {
+            return names_of_values(wanted);
+        }
         if !matches!(typed, Typed::Text(text) if !text.is_wide()) {
             return None;
         }
@@ -313,10 +316,11 @@ impl Checker<'_> {
     /// How a number without a type is written as a constant of a duration or a date.
     fn as_written(&self, literal: &LiteralKind, wanted: &DataType) -> Option<String> {
         let LiteralKind::Integer { value, radix: 10 } = *literal else { return None };
-        let prefix = match wanted.base() {
-            DataType::S5Time => "S5T",
-            DataType::LongTime => "LT",
-            DataType::Time => "T",
+        // What its duration is written with, and milliseconds that it has at least and at most.
+        let (prefix, least, most) = match wanted.base() {
+            DataType::S5Time => ("S5T", 10, 9_990_000),
+            DataType::LongTime => ("LT", 1, i128::from(i64::MAX) / 1_000_000),
+            DataType::Time => ("T", 1, i128::from(i32::MAX)),
             DataType::Date | DataType::LongDate => return Some("Write a date, such as `D#2026-01-31`.".to_owned()),
             DataType::TimeOfDay | DataType::LongTimeOfDay => return Some("Write a time of day, such as `TOD#12:00:00`.".to_owned()),
             DataType::DateAndTime | DataType::LongDateAndTime => {
@@ -324,6 +328,7 @@ impl Checker<'_> {
             }
             _ => return None,
         };
+        let value = if (least..=most).contains(&value) { value } else { 500 };
         Some(format!("Write a duration with its unit, such as `{prefix}#{value}ms`."))
     }
 
@@ -635,7 +640,8 @@ impl Checker<'_> {
         };
         let Some(kind) = met else {
             let message = format!("`{}` does not take {} and {}", operator.sign(), self.words(&a.1), self.words(&b.1));
-            let help = written.unwrap_or_else(|| "Convert one of the two to the type of the other.".to_owned());
+            let help = written.filter(|_| operator.compares());
+            let help = help.unwrap_or_else(|| "Convert one of the two to the type of the other.".to_owned());
             self.report(Problem::P6202, sign, message).help = Some(help);
             return None;
         };

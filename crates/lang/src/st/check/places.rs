@@ -170,7 +170,12 @@ impl Checker<'_> {
                 Quoting::Bare | Quoting::Backquoted => nearest.clone(),
             };
             *diagnostic = diagnostic.clone().guess(name.span, written, format!("write `{nearest}`"));
-            diagnostic.help = Some("Or declare it in the symbol table or in the VAR sections of the block.".to_owned());
+            let place = match name.quoting {
+                Quoting::Local => "in the VAR sections of the block",
+                Quoting::Global => "in the symbol table",
+                Quoting::Bare | Quoting::Backquoted => "in the symbol table or in the VAR sections of the block",
+            };
+            diagnostic.help = Some(format!("If `{nearest}` is not meant, declare it {place}."));
         }
         POISON
     }

@@ -99,7 +99,7 @@ impl Lowering<'_> {
         let (mut parts, good) = self.parts(function, &texts, &numbers);
         for (position, function, numbers) in cuts {
             let numbers = self.numbers_of_characters(&numbers);
-            parts[position] = Part { text: position, ..self.piece(function, &texts[position], &numbers) };
+            parts[position] = self.piece(function, (position, &texts[position]), &numbers);
         }
         if target.is_some() {
             // What lies outside its data block is found before anything is written.
@@ -355,8 +355,9 @@ impl Lowering<'_> {
         }
     }
 
-    /// The piece of a text that LEFT, MID or RIGHT gives.
-    fn piece(&mut self, TextFunction { action, manner, .. }: TextFunction, text: &Ready, numbers: &[Var]) -> Part {
+    /// The piece of one of the texts that LEFT, MID or RIGHT gives.
+    fn piece(&mut self, function: TextFunction, (text, ready): (usize, &Ready), numbers: &[Var]) -> Part {
+        let TextFunction { action, manner, .. } = function;
         let zero = self.constant(0);
         match *numbers {
             // A piece that begins behind the text, or has no characters, is empty of itself.
@@ -365,20 +366,20 @@ impl Lowering<'_> {
                 let from = self.compute_from(Op::MaxI32, &[position, one]);
                 let first = self.compute_from(Op::SubU32, &[from, one]);
                 if manner == Manner::Codesys {
-                    return Part { text: 0, first, count: wanted };
+                    return Part { text, first, count: wanted };
                 }
                 let inside = self.compute_from(Op::LtI32, &[zero, position]);
                 let count = self.compute_from(Op::Gate, &[wanted, inside]);
-                Part { text: 0, first, count }
+                Part { text, first, count }
             }
             [wanted] if action == TextAction::Right => {
-                let length = self.length_of(text);
+                let length = self.length_of(ready);
                 let count = self.compute_from(Op::MaxI32, &[wanted, zero]);
                 let count = self.compute_from(Op::MinI32, &[count, length]);
                 let first = self.compute_from(Op::SubU32, &[length, count]);
-                Part { text: 0, first, count }
+                Part { text, first, count }
             }
-            _ => Part { text: 0, first: zero, count: numbers[0] },
+            _ => Part { text, first: zero, count: numbers[0] },
         }
     }
 
@@ -398,7 +399,7 @@ impl Lowering<'_> {
         match action {
             TextAction::Left | TextAction::Right => {
                 let good = self.compute_from(Op::GeI32, &[numbers[0], zero]);
-                (vec![self.piece(function, &texts[0], numbers)], reports.then_some(good))
+                (vec![self.piece(function, (0, &texts[0]), numbers)], reports.then_some(good))
             }
             TextAction::Mid => {
                 let good = reports.then(|| {
@@ -410,7 +411,7 @@ impl Lowering<'_> {
                     let good = self.compute_from(Op::And, &[some, inside]);
                     self.compute_from(Op::And, &[good, there])
                 });
-                (vec![self.piece(function, &texts[0], numbers)], good)
+                (vec![self.piece(function, (0, &texts[0]), numbers)], good)
             }
             TextAction::Concat => ((0..texts.len()).map(whole).collect(), reports.then_some(one)),
             TextAction::Insert => {
