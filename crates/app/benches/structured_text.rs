@@ -44,20 +44,25 @@ fn turn(program: &Program, engine: impl FnOnce(&Program, &Layout) -> Arc<dyn Eng
     ((now_ns() - start) / scans as f64, check(program, &loaded))
 }
 
-/// The first scan behind which `check` differs between machine code and C, in words.
-fn difference(program: &Program, engine: &Arc<dyn Engine>, c: &CProgram) -> Option<String> {
+/// Compares `check` in machine code and in C after each scan; `Err` = the first difference, in words.
+fn agree(program: &Program, engine: &Arc<dyn Engine>, c: &CProgram) -> Result<(), String> {
     let output = Command::new(c.path()).args([&SCANS.to_string(), "each"]).output().expect("the C program runs");
-    assert!(output.status.success(), "the C program ends with {}", output.status);
     let text = String::from_utf8_lossy(&output.stdout);
     let of_c: Vec<i32> = text.lines().map(|line| line.parse().expect("a number")).collect();
-    assert_eq!(of_c.len(), SCANS as usize, "the C program prints `check` after each scan");
+    if !output.status.success() || of_c.len() != SCANS as usize {
+        return Err(format!("the program in C ends after {} of {SCANS} scans with {}", of_c.len(), output.status));
+    }
     let mut loaded = load(program, |_, _| engine.clone());
     let of_machine = std::iter::repeat_with(|| {
         loaded.scan(None);
         check(program, &loaded)
     });
-    let (scan, (c, machine)) = (1_u64..).zip(of_c.into_iter().zip(of_machine)).find(|(_, (c, machine))| c != machine)?;
-    Some(format!("`check` after scan {scan} is {machine} ({machine:#010X}) in machine code and {c} ({c:#010X}) in C"))
+    match (1_u64..).zip(of_c.into_iter().zip(of_machine)).find(|(_, (c, machine))| c != machine) {
+        Some((scan, (c, machine))) => {
+            Err(format!("`check` after scan {scan} is {machine} ({machine:#010X}) in machine code and {c} ({c:#010X}) in C"))
+        }
+        None => Ok(()),
+    }
 }
 
 /// Programs in Structured Text that somebody wrote, each with a file in C beside it; `Err` = a file that cannot be read.
@@ -95,9 +100,7 @@ fn measure(index: usize, case: &Case) -> Result<f64, String> {
         return Err(format!("{}: `check` begins with {}, not with 0", case.name, first.1));
     }
     let engine = engine.expect("an engine was loaded");
-    if let Some(difference) = difference(&program, &engine, &c) {
-        return Err(format!("{}: {difference}", case.name));
-    }
+    agree(&program, &engine, &c).map_err(|error| format!("{}: {error}", case.name))?;
     let (mut machine_best, mut c_best) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..TURNS {
         let (machine_ns, machine_check) = turn(&program, |_, _| engine.clone(), SCANS);

@@ -207,9 +207,9 @@ impl Translator<'_> {
         };
         self.dirty |= changed & !self.dead_at(statement);
         if let Some(head) = again {
-            // Behind a safe point the loop may begin anew: see `behind_question`.
             // A loop that keeps lengths has no other one inside: it has ended.
             self.kept_lengths.clear();
+            // Behind a safe point the loop may begin anew: see `behind_question`.
             let mut idle = None;
             if let Some(it) = smallest {
                 self.promote(&it);

@@ -94,8 +94,13 @@ impl Translator<'_> {
             let constant = self.b.func.dfg.constants.insert(bytes.into());
             return Some(self.b.ins().vconst(ty, constant));
         }
+        Some(self.constant_of_bytes(&bytes, ty))
+    }
+
+    /// What a load of these bytes gives.
+    pub(super) fn constant_of_bytes(&mut self, bytes: &[u8], ty: Type) -> Value {
         let number = bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte));
-        Some(self.b.ins().iconst(ty, number as i64))
+        self.b.ins().iconst(ty, number as i64)
     }
 
     /// Writes pieces one behind the other.

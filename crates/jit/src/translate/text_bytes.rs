@@ -390,9 +390,7 @@ impl Translator<'_> {
             while at < characters.len() && characters.len() >= size {
                 // The last ones are written with some of those before.
                 let first = at.min(characters.len() - size);
-                let bytes = characters[first..first + size].iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte));
-                let number = self.b.ins().iconst(I64, bytes as i64);
-                let number = if ty == I64 { number } else { self.b.ins().ireduce(ty, number) };
+                let number = self.constant_of_bytes(&characters[first..first + size], ty);
                 self.b.ins().store(data(), number, to.base, to.offset + first as i32);
                 at = first + size;
             }

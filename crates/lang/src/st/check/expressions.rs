@@ -308,9 +308,13 @@ impl Checker<'_> {
             return None;
         }
         let function = format!("STRING_TO_{}", self.word_in_names(wanted.base())?);
-        let given = [Given { name: None, kind: GivenKind::Typed(DataType::String(STRING_LENGTH_MAX)) }];
-        let exists = matches!(standard::resolve(&function, self.dialect, &given), Some(Ok(_)));
-        exists.then(|| format!("Convert it with `{function}`."))
+        self.takes(&function, &DataType::String(STRING_LENGTH_MAX)).then(|| format!("Convert it with `{function}`."))
+    }
+
+    /// Whether there is a function that takes one value of a type.
+    fn takes(&self, function: &str, given: &DataType) -> bool {
+        let given = [Given { name: None, kind: GivenKind::Typed(given.clone()) }];
+        matches!(standard::resolve(function, self.dialect, &given), Some(Ok(_)))
     }
 
     /// How a number without a type is written as a constant of a duration or a date.
@@ -402,8 +406,6 @@ impl Checker<'_> {
         let (source, target) = (self.word_in_names(from.base()), self.word_in_names(wanted.base()));
         let function =
             source.zip(target).filter(|(source, target)| source != target).map(|(source, target)| format!("{source}_TO_{target}"));
-        let given = [Given { name: None, kind: GivenKind::Typed(from.base().clone()) }];
-        let exists = |function: &String| matches!(standard::resolve(function, self.dialect, &given), Some(Ok(_)));
         // A date made of a time of day is its bits, which nobody means.
         let part_of_time = |data_type: &DataType| match Kind::of(data_type).map(|kind| kind.class) {
             Some(class @ (Class::Date | Class::TimeOfDay | Class::Duration)) => Some(class),
@@ -411,7 +413,8 @@ impl Checker<'_> {
         };
         let meant = part_of_time(from).zip(part_of_time(wanted)).is_none_or(|(a, b)| a == b);
         let function = function.filter(|_| meant);
-        let mut help = function.filter(exists).map(|function| format!("Convert it with `{function}`."));
+        let mut help =
+            function.filter(|function| self.takes(function, from.base())).map(|function| format!("Convert it with `{function}`."));
         if let DataType::Enumeration(_) = wanted {
             help = names_of_values(wanted);
         } else if let DataType::Enumeration(_) = from {
@@ -521,12 +524,7 @@ impl Checker<'_> {
         let result = match operator {
             BinaryOperator::And | BinaryOperator::Or | BinaryOperator::Xor => self.logic(operator, sign, (a, left.span), (b, right.span)),
             BinaryOperator::AndThen | BinaryOperator::OrElse => self.short_circuit(operator, (a, left.span), (b, right.span)),
-            BinaryOperator::Equal
-            | BinaryOperator::NotEqual
-            | BinaryOperator::Less
-            | BinaryOperator::LessEqual
-            | BinaryOperator::Greater
-            | BinaryOperator::GreaterEqual => {
+            _ if operator.compares() => {
                 if let ExpressionKind::Binary(inner, ..) = &left.kind
                     && orders(*inner)
                     && orders(operator)
@@ -843,10 +841,8 @@ impl Checker<'_> {
                 let integer = Kind { class, bits: kind.bits.max(16) }.data_type();
                 [format!("{of_bits}_TO_{}", self.words(&integer)), format!("{}_TO_{of_bits}", self.words(&integer))]
             });
-            let given = [Given { name: None, kind: GivenKind::Typed(kind.data_type()) }];
-            let exists = |[function, _]: &[String; 2]| matches!(standard::resolve(function, self.dialect, &given), Some(Ok(_)));
             let help = functions
-                .find(exists)
+                .find(|[function, _]| self.takes(function, &kind.data_type()))
                 .map(|[there, back]| format!("Convert it first with `{there}`, and the result with `{back}` if it is bits again."));
             let diagnostic = self.report(Problem::P6202, sign, message);
             if kind.class == Class::Bits && kind.bits > 1 {

@@ -59,11 +59,9 @@ impl Lowering<'_> {
                     _ => {}
                 }
             }
-            given.sort_by_key(|(parameter, _)| *parameter);
-            texts.extend(given.into_iter().map(|(_, text)| text));
+            texts.extend(by_parameter(given));
         }
-        numbers.sort_by_key(|(parameter, _)| *parameter);
-        let numbers: Vec<Value> = numbers.into_iter().map(|(_, number)| number).collect();
+        let numbers = by_parameter(numbers);
         if function.action == TextAction::Find {
             let found = self.text_instruction(Action::Find, (&texts[0].0, texts[0].1), (&texts[1].0, texts[1].1), None);
             self.result = Some(self.spill(found, Width::Word));
@@ -97,9 +95,12 @@ impl Lowering<'_> {
         let stays = begins == Some(Begins::ItsHead);
         let numbers = self.numbers_of_characters(&numbers);
         let (mut parts, good) = self.parts(function, &texts, &numbers);
-        for (position, function, numbers) in cuts {
-            let numbers = self.numbers_of_characters(&numbers);
-            parts[position] = self.piece(function, (position, &texts[position]), &numbers);
+        if !cuts.is_empty() {
+            let zero_and_one = [0, 1].map(|number| self.constant(number));
+            for (position, function, numbers) in cuts {
+                let numbers = self.numbers_of_characters(&numbers);
+                parts[position] = self.piece(function, (position, &texts[position]), &numbers, zero_and_one);
+            }
         }
         if target.is_some() {
             // What lies outside its data block is found before anything is written.
@@ -188,9 +189,7 @@ impl Lowering<'_> {
             return None;
         }
         let inner = |text: &'c Text, most: usize| match text {
-            Text::Call { call, .. } if !function.wide && call.written_out == Some(function) && call.enable.is_none() && !call.clears_ok => {
-                is_usual(function, call).then(|| self.joined(function, call, most)).flatten()
-            }
+            Text::Call { call, .. } if call.written_out == Some(function) && is_unseen(function, call) => self.joined(function, call, most),
             _ => None,
         };
         // The last text is computed before the first ones are looked at.
@@ -356,13 +355,11 @@ impl Lowering<'_> {
     }
 
     /// The piece of one of the texts that LEFT, MID or RIGHT gives.
-    fn piece(&mut self, function: TextFunction, (text, ready): (usize, &Ready), numbers: &[Var]) -> Part {
+    fn piece(&mut self, function: TextFunction, (text, ready): (usize, &Ready), numbers: &[Var], [zero, one]: [Var; 2]) -> Part {
         let TextFunction { action, manner, .. } = function;
-        let zero = self.constant(0);
         match *numbers {
             // A piece that begins behind the text, or has no characters, is empty of itself.
             [wanted, position] => {
-                let one = self.constant(1);
                 let from = self.compute_from(Op::MaxI32, &[position, one]);
                 let first = self.compute_from(Op::SubU32, &[from, one]);
                 if manner == Manner::Codesys {
@@ -399,7 +396,7 @@ impl Lowering<'_> {
         match action {
             TextAction::Left | TextAction::Right => {
                 let good = self.compute_from(Op::GeI32, &[numbers[0], zero]);
-                (vec![self.piece(function, (0, &texts[0]), numbers)], reports.then_some(good))
+                (vec![self.piece(function, (0, &texts[0]), numbers, [zero, one])], reports.then_some(good))
             }
             TextAction::Mid => {
                 let good = reports.then(|| {
@@ -411,7 +408,7 @@ impl Lowering<'_> {
                     let good = self.compute_from(Op::And, &[some, inside]);
                     self.compute_from(Op::And, &[good, there])
                 });
-                (vec![self.piece(function, (0, &texts[0]), numbers)], good)
+                (vec![self.piece(function, (0, &texts[0]), numbers, [zero, one])], good)
             }
             TextAction::Concat => ((0..texts.len()).map(whole).collect(), reports.then_some(one)),
             TextAction::Insert => {
@@ -549,10 +546,7 @@ impl<'c> Joined<'c> {
 /// The piece that a text is of another one.
 fn cut(text: &Text) -> Option<Cut<'_>> {
     let Text::Call { call, .. } = text else { return None };
-    let function = call.written_out.filter(|function| function.cuts() && !function.wide)?;
-    if call.enable.is_some() || call.clears_ok || !is_usual(function, call) {
-        return None;
-    }
+    let function = call.written_out.filter(|&function| function.cuts() && is_unseen(function, call))?;
     let mut whole = None;
     let mut numbers: Vec<(u32, &Value)> = Vec::new();
     for argument in &call.arguments {
@@ -562,8 +556,18 @@ fn cut(text: &Text) -> Option<Cut<'_>> {
             _ => return None,
         }
     }
-    numbers.sort_by_key(|(parameter, _)| *parameter);
-    Some(Cut { function, text: whole?, numbers: numbers.into_iter().map(|(_, value)| value).collect() })
+    Some(Cut { function, text: whole?, numbers: by_parameter(numbers) })
+}
+
+/// What arguments are, in the order of the parameters.
+fn by_parameter<T>(mut given: Vec<(u32, T)>) -> Vec<T> {
+    given.sort_by_key(|(parameter, _)| *parameter);
+    given.into_iter().map(|(_, it)| it).collect()
+}
+
+/// Whether nobody sees what a function reports that makes one of the texts of a CONCAT, nor what has no room in its result.
+fn is_unseen(function: TextFunction, call: &Call) -> bool {
+    !function.wide && call.enable.is_none() && !call.clears_ok && is_usual(function, call)
 }
 
 /// How the result of a function comes about in its target; `None` if somebody could tell the difference.
