@@ -64,7 +64,7 @@ Examples:\n  \
   sieben trace lamp.awl --at 1s I0.0=1        what happens when, as a timing diagram\n  \
   sieben test pump                            its unit tests, in virtual time\n  \
   sieben explain SPB                          what an instruction does\n\n\
-Exit codes: 0 ok, 1 a check failed, 2 usage, 3 does not compile, 4 the CPU went to STOP, 5 time limit, 70 our own error."
+Exit codes: 0 ok, 1 a check failed, 2 usage, 3 does not compile, 4 the CPU went to STOP, 70 our own error."
 )]
 struct CommandLine {
     #[command(subcommand)]
