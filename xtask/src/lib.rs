@@ -7,6 +7,7 @@ mod compatibility;
 pub mod functions;
 pub mod fuzz;
 pub mod generate;
+mod limits;
 pub mod markdown;
 pub mod signal_diagrams;
 pub mod soak;

@@ -14,6 +14,7 @@ const NO_CONNECTION: u16 = 0x80A1;
 
 /// The MPI address of the CPU.
 pub(super) const OWN_ADDRESS: u32 = 2;
+/// The highest MPI address.
 const ADDRESS_MAX: u32 = 126;
 /// Bytes that one job moves at most.
 const BYTES_MAX: usize = 76;

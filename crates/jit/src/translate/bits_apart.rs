@@ -16,9 +16,10 @@ use super::value::Val;
 
 /// Bits that are put together by one instruction.
 const TOGETHER: u32 = 16;
-/// Bits of a long piece, and of a byte, from which on they wait apart: to put them together takes about as long as to add so many one
+/// Bits of a long piece from which on they wait apart: to put them together takes about as long as to add so many one
 /// after the other.
 const WRITTEN_MIN: u32 = 10;
+/// The same of a byte.
 const WRITTEN_MIN_OF_BYTE: u32 = 6;
 /// Statements that are looked at to see how many bits they write.
 const STATEMENTS_MAX: usize = 128;

@@ -36,15 +36,16 @@ const DEPTH_MAX: usize = 16;
 const INSTRUCTIONS_MAX: usize = 1_200;
 /// Jumps back of an inlined block: loops take the compiler long.
 const LOOPS_MAX: usize = 4;
-/// The same of blocks that are handed pointers: only their caller knows where these lead, and to look at it at each access takes longer and
-/// more code than anything else.
+/// IR instructions of an inlined block that is handed pointers: only their caller knows where these lead, and to look at it at each access
+/// takes longer and more code than anything else.
 const INSTRUCTIONS_MAX_WITH_POINTERS: usize = 40_000;
+/// Jumps back of an inlined block that is handed pointers.
 const LOOPS_MAX_WITH_POINTERS: usize = 64;
-/// How many IR instructions a function may grow by: so many for each of its own …
+/// IR instructions that a function may grow by, for each of its own.
 const GROWTH: usize = 8;
-/// … and these, for a block of few calls …
+/// IR instructions that any function may grow by besides those: one of few instructions may call much.
 const GROWTH_MIN: usize = 2_000;
-/// … but not more than this: the time to compile grows faster than a function.
+/// IR instructions that a function may grow by in all: the time to compile grows faster than a function.
 const GROWTH_MAX: usize = 100_000;
 /// IR instructions of a block beside its loops from which on Cranelift's optimizations cost more than they bring in the loops.
 const BESIDE_LOOPS_MAX: usize = 8_000;

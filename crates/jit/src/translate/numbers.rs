@@ -19,8 +19,9 @@ use super::value::Val;
 const KNOWN_MAX: usize = 24;
 /// The same of lengths.
 const LENGTHS_MAX: usize = 6;
-/// The same of copies, and how many bytes each has at most: a longer one and what is copied in between would not stay in registers.
+/// Copies that are remembered, the newest ones.
 const COPIES_MAX: usize = 2;
+/// Bytes of a copy that is remembered: a longer one and what is copied in between would not stay in registers.
 pub(super) const COPIED_BYTES_MAX: u32 = 96;
 
 /// What is known of numbers at computed addresses: base, offset, width, and the value as a load would have it. No two may share bytes

@@ -47,9 +47,10 @@ impl Default for Options {
     }
 }
 
-/// Address space reserved for the code of a program, per IR instruction and at least.
+/// Address space reserved for the code of a program, for each IR instruction.
 /// It costs no memory until it is used; a call with exact status bits takes more than 1 KiB.
 const RESERVED_BYTES_PER_INSTRUCTION: usize = 4096;
+/// Address space reserved for the code of any program.
 const RESERVED_BYTES_MIN: usize = 1 << 20;
 /// What relative calls reach on every machine is more than the code of a program that becomes machine code takes.
 const RESERVED_BYTES_MAX: usize = 1 << 30;

@@ -36,8 +36,9 @@ pub(super) use counted::Counted;
 const PROMOTED_MAX: usize = 8;
 /// Variables that are kept at the same time, with those that only the loops around use: cold code stores each of them.
 const PROMOTED_IN_ALL_MAX: usize = 14;
-/// How much more an access counts for each loop around it, and for how many loops.
+/// How much more an access counts for each loop around it.
 const WEIGHT_OF_A_LOOP: u64 = 8;
+/// Loops around an access that make it count more.
 const WEIGHED_LOOPS_MAX: usize = 4;
 
 /// How deep calls are followed.

@@ -32,9 +32,9 @@ use interval::{Number, Relation};
 pub(super) use relative::{Relative, uses};
 pub(super) use statements::step_of;
 
-/// Blocks with more instructions in loops are not looked at: it takes time that grows faster than they do …
+/// Blocks with more instructions in loops are not looked at: it takes time that grows faster than they do.
 const INSTRUCTIONS_IN_LOOPS_MAX: usize = 6_000;
-/// … nor are blocks with more of all kinds; those beside loops are passed over a few times.
+/// Blocks with more instructions are not looked at either: those outside of loops are passed over a few times.
 const INSTRUCTIONS_MAX: usize = 100_000;
 /// Variables in memory whose ranges are followed in a block.
 const PLACES_MAX: usize = 48;
@@ -43,6 +43,7 @@ const PLACES_MAX: usize = 48;
 /// grows as far as its type.
 const STOPPING_PASSES: usize = 16;
 const STOPPING_PASSES_OF_A_LOOP: usize = 6;
+/// Passes over a loop in which a range that grows stops at the next number, in all.
 const STOPPING_PASSES_MAX: usize = 240;
 /// Passes behind those until nothing changes any more; behind them nothing is known.
 const GROWING_PASSES: usize = 8;

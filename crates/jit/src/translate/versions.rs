@@ -27,9 +27,9 @@ const AR2: usize = 6;
 
 /// Versions of one block, beside the general one. A block with more calls has none: most of them would find no version.
 const VERSIONS_MAX: usize = 4;
-/// How many IR instructions all versions together may have, for each of the program …
+/// IR instructions that all versions together may have, for each of the program.
 const GROWTH: usize = 2;
-/// … and beside these.
+/// IR instructions that all versions together may have in any program, besides those.
 const GROWTH_MIN: usize = 4_000;
 /// Rounds over a program after which every block counts as reading everything.
 const ROUNDS_MAX: usize = 24;

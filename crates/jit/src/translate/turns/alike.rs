@@ -21,8 +21,9 @@ use super::{InnerTurns, Plan};
 
 /// Turns side by side.
 pub(super) const TURNS: u32 = 4;
-/// Larger turns are not looked at, and not written once more: in values, and in instructions for all turns side by side.
+/// Values of an iteration: larger ones are not looked at.
 const NODES_MAX: usize = 600;
+/// Instructions of all iterations side by side: larger ones are not written once more.
 const COST_MAX: u32 = 500;
 /// Conditions that are tried, those first on which most rests.
 const CONDITIONS_MAX: usize = 4;

@@ -11,8 +11,9 @@ use super::vector::Lanes;
 use super::write::{Scope, Writing};
 use super::{InnerTurns, Plan, Writes};
 
-/// Turns side by side that are written behind one another instead of as a loop, and accesses in all of them.
+/// Iterations side by side that are unrolled.
 const UNROLLED_MAX: u32 = 4;
+/// Memory accesses of all iterations that are unrolled.
 const UNROLLED_ACCESSES_MAX: usize = 24;
 
 /// How the turns of an inner loop are done side by side.

@@ -18,9 +18,9 @@ use super::write::Writing;
 
 /// Larger turns are not looked at, and not written twice.
 const NODES_MAX: usize = 400;
-/// Instructions that one of the sides has to save where jumps are likely to be faster than choices; in other turns so many, which are half
-/// of all.
+/// Instructions that one of the sides has to save where jumps are likely to be faster than choices.
 const SAVED_MIN: u32 = 6;
+/// Instructions that one of the sides has to save in other iterations; they are half of all.
 const SAVED_MIN_OF_ANY: u32 = 10;
 
 /// How turns part.

@@ -11,8 +11,9 @@ use crate::coverage::Label as Called;
 use crate::st::standard::operators::Operation;
 use crate::st::tree::{Branch, Place, Scalar, Statement, StatementKind, Value, ValueKind};
 
-/// Targets that a jump table may have for each label of a CASE, and at all: else it costs more memory than comparing costs time.
+/// Targets that a jump table may have for each label of a CASE: more cost more memory than comparing costs time.
 const TABLE_TARGETS_PER_LABEL: i128 = 4;
+/// Targets that a jump table of a CASE may have in all.
 const TABLE_TARGETS_MAX: i128 = 4_096;
 /// Labels from which on a jump table or a search pays.
 const TABLE_LABELS_MIN: usize = 4;
