@@ -182,8 +182,8 @@ impl<'a> Values<'a> {
             }
         }
         let Some(value) = self.value(constant.path, expression, 0) else { return format!("`{expression}`") };
-        if expression.starts_with("0x") {
-            return format!("16#{}", &expression[2..]);
+        if let Some(digits) = expression.strip_prefix("0x") {
+            return format!("16#{digits}");
         }
         let unit = constant.name.split('_').find_map(|word| UNITS.iter().find(|(known, _)| *known == word));
         with_unit(value, unit.map_or("", |(_, unit)| unit))

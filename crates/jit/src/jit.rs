@@ -32,10 +32,10 @@ const BLOCK_INSTRUCTIONS_MAX: usize = 400_000;
 const LOOPS_MAX: usize = 1_000;
 /// Longer programs are compiled without Cranelift's optimizations: they would keep a core busy for seconds.
 const OPTIMIZED_STATEMENTS_MAX: usize = 50_000;
-/// Blocks with more loops in one another too: a hundred take Cranelift a second, eight hundred a minute.
+/// Blocks with more loops in one another are compiled without them too: a hundred take Cranelift a second, eight hundred a minute.
 const OPTIMIZED_NESTED_MAX: usize = 32;
-/// Blocks with more accesses by computed addresses too. Most of these are known to be inside where a block knows its instance and where
-/// its pointers lead; a function in which many ask is left to the first tier by itself.
+/// Blocks with more accesses by computed addresses are compiled without them too. Most of these are known to be inside where a block knows
+/// its instance and where its pointers lead; a function in which many ask is left to the first tier by itself.
 const OPTIMIZED_ACCESSES_MAX: usize = 40_000;
 
 /// A block as machine code needs it.

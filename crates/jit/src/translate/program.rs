@@ -52,7 +52,8 @@ impl Default for Options {
 const RESERVED_BYTES_PER_INSTRUCTION: usize = 4096;
 /// Address space reserved for the code of any program.
 const RESERVED_BYTES_MIN: usize = 1 << 20;
-/// What relative calls reach on every machine is more than the code of a program that becomes machine code takes.
+/// Address space reserved for the code of a program at most: relative calls reach that far on every machine, and no program that becomes
+/// machine code needs more.
 const RESERVED_BYTES_MAX: usize = 1 << 30;
 
 /// A function with more pieces of code, most of which ask somebody, is written again as in the first tier: the time to share out the
