@@ -31,10 +31,10 @@ use crate::host::{Requests, Watchdog};
 use crate::interrupts::Interrupts;
 use crate::io::Rack;
 use crate::mode::{OperatingMode, Restart};
-use crate::organization_blocks::StartInformation;
 use crate::process_image::{Failures, Images, Overrides};
 use crate::retain::{Declarations, Keeper};
 use crate::settings::Settings;
+use crate::start_information::StartInformation;
 use crate::system;
 
 pub(crate) use background::Slice;

@@ -13,9 +13,10 @@ use crate::cpu::Slice;
 use crate::diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 use crate::interrupts::{Again, Interrupts, Now, Request};
 use crate::io::Rack;
-use crate::organization_blocks::{self as ob, StartInformation};
+use crate::organization_blocks as ob;
 use crate::process_image::Images;
 use crate::settings::TimeSource;
+use crate::start_information::StartInformation;
 use crate::system;
 
 /// Greatest budget handed out at once: bounds how long a STOP request or the watchdog can go unseen. As machine code that is some tens

@@ -7,7 +7,6 @@
 mod cpu;
 mod diagnostic_events;
 mod host;
-mod start_information;
 mod tape;
 
 pub mod clock;
@@ -23,6 +22,7 @@ pub mod organization_blocks;
 pub mod process_image;
 pub mod retain;
 pub mod settings;
+pub mod start_information;
 pub mod station;
 pub mod system;
 pub mod system_status_list;

@@ -9,8 +9,9 @@ use super::interrupting::again;
 use super::run::{Go, Outcome, Rest};
 use super::stop::Held;
 use crate::mode::OperatingMode;
-use crate::organization_blocks::{self as ob, StartInformation};
+use crate::organization_blocks as ob;
 use crate::settings::TimeSource;
+use crate::start_information::StartInformation;
 
 /// Safe points that OB 90 gets in one pause in virtual time, where no clock tells how long the pause is.
 const SLICE_POINTS: u64 = 1000;

@@ -13,7 +13,8 @@ use crate::cycle::Cycle;
 use crate::host::Watchdog;
 use crate::interrupts::CyclicInterrupt;
 use crate::mode::{OperatingMode, Restart};
-use crate::organization_blocks::{self as ob, StartInformation};
+use crate::organization_blocks as ob;
+use crate::start_information::StartInformation;
 use crate::system;
 
 impl Cpu {

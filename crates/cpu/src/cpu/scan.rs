@@ -15,9 +15,10 @@ use super::stop::Held;
 use crate::clock::clock_memory;
 use crate::interrupts::Again;
 use crate::mode::OperatingMode;
-use crate::organization_blocks::{self as ob, StartInformation};
+use crate::organization_blocks as ob;
 use crate::process_image;
 use crate::settings::TimeSource;
+use crate::start_information::StartInformation;
 
 /// What a scan did.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

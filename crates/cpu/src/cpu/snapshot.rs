@@ -19,9 +19,9 @@ use crate::host::Watchdog;
 use crate::interrupts::Interrupts;
 use crate::io::RackSnapshot;
 use crate::mode::{OperatingMode, Restart};
-use crate::organization_blocks::StartInformation;
 use crate::process_image::{Failures, Overrides};
 use crate::settings::Settings;
+use crate::start_information::StartInformation;
 use crate::system;
 
 /// Bytes of the arena that snapshots share as long as nobody writes one of them.

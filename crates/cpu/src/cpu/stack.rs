@@ -3,7 +3,7 @@
 use sieben_engine::machine::{Frame, Registers};
 
 use super::Cpu;
-use crate::organization_blocks::StartInformation;
+use crate::start_information::StartInformation;
 use crate::system;
 
 /// Blocks that run, with all that they need to go on.

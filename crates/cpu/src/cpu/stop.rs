@@ -9,7 +9,8 @@ use super::Cpu;
 use crate::diagnostic_buffer::DiagnosticEntry;
 use crate::host::Requests;
 use crate::mode::OperatingMode;
-use crate::organization_blocks::{self as ob, StartInformation};
+use crate::organization_blocks as ob;
+use crate::start_information::StartInformation;
 
 /// Why the CPU is in STOP.
 #[derive(Clone, Debug, PartialEq, Eq)]

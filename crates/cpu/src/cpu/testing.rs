@@ -8,7 +8,7 @@ use super::Cpu;
 use super::interrupting::again;
 use super::run::{Go, Outcome};
 use crate::host::Watchdog;
-use crate::organization_blocks::StartInformation;
+use crate::start_information::StartInformation;
 use crate::system::testing::{Asked, Mock, result_of};
 
 /// Safe points that a test runs before whoever runs it is asked whether it may go on.

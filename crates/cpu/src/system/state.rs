@@ -7,7 +7,7 @@ use sieben_model::extension::FailedAssertion;
 
 use super::own_errors::Handler;
 use super::testing::{Asked, Mock};
-use crate::organization_blocks::StartInformation;
+use crate::start_information::StartInformation;
 
 /// What a priority class has set; its end forgets it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
