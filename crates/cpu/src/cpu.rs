@@ -35,7 +35,7 @@ use crate::process_image::{Failures, Images, Overrides};
 use crate::retain::{Declarations, Keeper};
 use crate::settings::Settings;
 use crate::start_information::StartInformation;
-use crate::system;
+use crate::system_state;
 
 pub(crate) use background::Slice;
 pub use loaded::Loaded;
@@ -82,7 +82,7 @@ pub struct Cpu {
     images: Images,
     /// What the last cycle control point could not exchange.
     image_failures: Failures,
-    system: system::State,
+    system: system_state::State,
     interrupts: Interrupts,
     /// When the event came whose block starts next, in microseconds.
     requested_us: Option<u64>,
@@ -150,7 +150,7 @@ impl Cpu {
             forced: Forced::default(),
             images: Images::new(image_writes),
             image_failures: Failures::new(),
-            system: system::State::default(),
+            system: system_state::State::default(),
             interrupts,
             requested_us: None,
             slice: None,

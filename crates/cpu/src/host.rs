@@ -18,6 +18,7 @@ use crate::process_image::Images;
 use crate::settings::TimeSource;
 use crate::start_information::StartInformation;
 use crate::system;
+use crate::system_state::State;
 
 /// Greatest budget handed out at once: bounds how long a STOP request or the watchdog can go unseen. As machine code that is some tens
 /// of microseconds; in real time slower code gets less.
@@ -173,7 +174,7 @@ pub(crate) struct CpuHost<'a> {
     /// What is loaded.
     pub(crate) program: &'a Program,
     /// What system functions remember.
-    pub(crate) system: &'a mut system::State,
+    pub(crate) system: &'a mut State,
     /// What interrupts the program.
     pub(crate) interrupts: &'a mut Interrupts,
     /// The time of day was set.

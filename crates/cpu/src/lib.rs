@@ -5,8 +5,11 @@
 #![forbid(unsafe_code)]
 
 mod cpu;
+mod created_data_blocks;
 mod diagnostic_events;
 mod host;
+mod slots;
+mod system_state;
 mod tape;
 
 pub mod clock;
@@ -40,4 +43,4 @@ pub use online_change::OnlineChange;
 pub use retain::{RetainImage, RetentiveAreas};
 pub use settings::{ImageErrors, Settings, TimeSource};
 pub use station::{AccessError, Station, TimerReading};
-pub use system::testing::Asked;
+pub use system_state::Asked;

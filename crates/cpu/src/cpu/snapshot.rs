@@ -22,7 +22,7 @@ use crate::mode::{OperatingMode, Restart};
 use crate::process_image::{Failures, Overrides};
 use crate::settings::Settings;
 use crate::start_information::StartInformation;
-use crate::system;
+use crate::system_state;
 
 /// Bytes of the arena that snapshots share as long as nobody writes one of them.
 const PAGE: usize = 1024;
@@ -138,7 +138,7 @@ state! {
     overrides: Overrides,
     forced: Forced,
     image_failures: Failures,
-    system: system::State,
+    system: system_state::State,
     interrupts: Interrupts,
     requested_us: Option<u64>,
     slice: Option<Slice>,

@@ -16,6 +16,7 @@ use crate::io::Rack;
 use crate::process_image::Images;
 use crate::settings::TimeSource;
 use crate::start_information::StartInformation;
+use crate::system_state::State;
 
 /// Bytes of each data block: room for the largest instance.
 const DATA_BLOCK_BYTES: usize = 400;
