@@ -27,17 +27,16 @@ use crate::clock::{BcdClock, DateAndTime};
 use crate::cycle::{Cycle, CycleTimes};
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::forcing::Forced;
-use crate::host::{Requests, Watchdog};
+use crate::host::{Requests, Slice, Watchdog};
 use crate::interrupts::Interrupts;
 use crate::io::Rack;
-use crate::mode::{OperatingMode, Restart};
+use crate::mode::{OperatingMode, Restart, StopCause};
 use crate::process_image::{Failures, Images, Overrides};
 use crate::retain::{Declarations, Keeper};
 use crate::settings::Settings;
 use crate::start_information::StartInformation;
 use crate::system_state;
 
-pub(crate) use background::Slice;
 pub use loaded::Loaded;
 pub use online_change::ChangeRefused;
 pub use retentive::DataLoss;
@@ -45,7 +44,7 @@ pub use scan::ScanReport;
 pub use snapshot::Snapshot;
 use stack::Stack;
 use stop::Held;
-pub use stop::{StopCause, StopRequest};
+pub use stop::StopRequest;
 pub use testing::TestStep;
 
 /// Whether organization block `number` is loaded and the CPU type calls it.

@@ -7,12 +7,12 @@ use sieben_engine::Tracer;
 use sieben_model::address::Area;
 
 use super::Cpu;
-use super::background::Slice;
 use super::interrupting::again;
 use super::pause::{Inner, Then};
 use super::run::{Go, Outcome};
 use super::stop::Held;
 use crate::clock::clock_memory;
+use crate::host::Slice;
 use crate::interrupts::Again;
 use crate::mode::OperatingMode;
 use crate::organization_blocks as ob;
