@@ -18,8 +18,7 @@ use super::slots::{self, Contents, Slots};
 use super::store::{Change, Store, synced_path};
 use crate::failure::Failure;
 use crate::output;
-use crate::project::print_findings;
-use crate::report::{Finding, Texts};
+use crate::report::{self, Finding, Texts};
 
 /// The folder of a project for what a run leaves there.
 pub(crate) const FOLDER: &str = ".sieben";
@@ -48,7 +47,7 @@ pub(crate) struct Choice {
 impl Choice {
     /// The file of a project.
     pub(crate) fn project_file(folder: &Path) -> PathBuf {
-        crate::project::join(folder, &Path::new(FOLDER).join(FILE))
+        crate::paths::join(folder, &Path::new(FOLDER).join(FILE))
     }
 }
 
@@ -133,7 +132,7 @@ impl Retention {
 fn warn(problem: Problem, file: &Path, message: String, help: Option<String>, json: bool) {
     let mut finding = Finding::file(problem, file.display().to_string(), message);
     finding.diagnostic.help = help;
-    print_findings(&[finding], &Texts::default(), json);
+    report::print(&[finding], &Texts::default(), json);
 }
 
 /// Takes over what fits of a file that the user names, for a run that keeps nothing.
