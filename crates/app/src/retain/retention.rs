@@ -11,7 +11,7 @@ use sieben_cpu::retain::{Adoption, Refusal, Restored, data_blocks};
 use sieben_cpu::{Cpu, DataLoss};
 use sieben_model::problems::Problem;
 
-use super::disk::{Disk, RealDisk, behind_links, with_ending};
+use super::disk::{Disk, FOLDER, RealDisk, behind_links, with_ending};
 use super::lock::{self, NoLock};
 use super::record::{self, Record};
 use super::slots::{self, Contents, Slots};
@@ -20,9 +20,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::report::{self, Finding, Texts};
 
-/// The folder of a project for what a run leaves there.
-pub(crate) const FOLDER: &str = ".sieben";
-/// The file in it.
+/// The file in the folder of a project for what a run leaves there.
 const FILE: &str = "retain.bin";
 /// How often the data goes to the disk if the project does not say.
 pub(crate) const SYNC: Duration = Duration::from_secs(1);
