@@ -9,7 +9,7 @@ use sieben_jit::StatusBits;
 use sieben_model::block::BlockId;
 use sieben_model::source::Span;
 
-use crate::arguments::EngineArgument;
+use crate::engines::EngineArgument;
 use crate::project::Build;
 use crate::settings::modules;
 

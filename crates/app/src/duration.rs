@@ -1,4 +1,4 @@
-//! Durations as the command line shows them.
+//! Durations as the command line reads and shows them.
 
 use std::time::Duration;
 
@@ -25,4 +25,9 @@ pub(crate) fn micros(duration: Duration) -> u64 {
 /// Whole milliseconds as an integer, others with their fraction.
 pub(crate) fn milliseconds(us: u64) -> Value {
     if us.is_multiple_of(1000) { json!(us / 1000) } else { json!(us as f64 / 1000.0) }
+}
+
+/// Reads a duration argument.
+pub(crate) fn duration_argument(text: &str) -> Result<Duration, String> {
+    sieben_sim::duration::parse(text)
 }

@@ -48,8 +48,14 @@ impl Failure {
     }
     /// The same with other words for what it is and what to do, and this help where the failure has none of its own.
     pub(crate) fn render_with(&self, colour: bool, error: &str, help_word: &str, help: &str) -> String {
-        let help = crate::report::capitalized(self.help.as_deref().unwrap_or(help));
+        let help = capitalized(self.help.as_deref().unwrap_or(help));
         let (red, green, plain) = if colour { ("\x1b[31m", "\x1b[38;5;115m", "\x1b[0m") } else { ("", "", "") };
         format!("{red}[{}] {error}:{plain} {}\n  {green}{help_word}{plain}: {help}\n", self.problem.code(), self.message)
     }
+}
+
+/// A help sentence as it is printed; a word in backticks at its start stays as it is.
+pub(crate) fn capitalized(sentence: &str) -> String {
+    let mut chars = sentence.chars();
+    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
 }

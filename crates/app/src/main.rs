@@ -2,11 +2,11 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
-mod awlpro;
 mod commands;
 mod controller;
 mod document;
 mod duration;
+mod engines;
 mod examples;
 mod failure;
 mod files;
@@ -19,6 +19,7 @@ mod nearest;
 mod online_change;
 mod output;
 mod panics;
+mod paths;
 mod places;
 mod project;
 mod report;
@@ -141,7 +142,7 @@ fn run(line: CommandLine) -> Exit {
         Some(Verb::Structure(arguments)) => commands::structure::run(&arguments),
         Some(Verb::Assignments(arguments)) => commands::assignments::run(&arguments),
         Some(Verb::New(arguments)) => commands::new::run(&arguments),
-        Some(Verb::Completions(arguments)) => commands::completions::run(&arguments),
+        Some(Verb::Completions(arguments)) => commands::completions::run(&arguments, &mut CommandLine::command()),
     };
     result.unwrap_or_else(|failure: Failure| {
         output::message(&failure.render(output::colour()));

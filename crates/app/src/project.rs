@@ -1,11 +1,13 @@
 //! From the paths of the command line to the texts of a project.
 
+pub(crate) mod awlpro;
+
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use sieben_lang::encoding::{self, Decoded, Encoding};
-use sieben_lang::language::{Language, is_test_file};
+use sieben_lang::language::Language;
 use sieben_lang::st::dialect::Dialect;
 use sieben_lang::{Compiled, Options, TemporaryReads};
 use sieben_model::cpu_type::CpuType;
@@ -16,36 +18,14 @@ use sieben_model::profile::Profile;
 use sieben_model::source::{FileId, Span};
 use sieben_model::symbols::SymbolTable;
 
-use crate::arguments::{ProgramArguments, ReportArguments};
-use crate::awlpro;
-use crate::failure::{Exit, Failure};
+use crate::failure::Failure;
 use crate::files;
 use crate::glob::Pattern;
+use crate::paths::{
+    Listing, is_awlsim_project, is_scenario, is_source, is_symbol_table, is_symbols, is_test, join, leaves_folder, shown, slashed,
+};
 use crate::report::{self, Finding, Texts};
 use crate::settings::{self, Placed, Settings};
-use crate::tracing::scenario::is_scenario;
-
-/// Endings of sources.
-const SOURCE_ENDINGS: [&str; 5] = ["awl", "stl", "st", "iecst", "scl"];
-/// The settings of a project.
-const PROJECT_ENDING: &str = "toml";
-/// Endings of symbol tables of other tools; of `.csv` files only `symbols.csv` is one without being named.
-const SYMBOL_ENDINGS: [&str; 4] = ["sdf", "asc", "dif", "seq"];
-/// Most files a folder is searched for: a home directory given by mistake must not be read for minutes.
-const FILES_MAX: usize = 20_000;
-/// Deepest folder that is searched.
-const DEPTH_MAX: usize = 16;
-
-/// Refuses to write results over a program: `--svg main.awl` is a slip that must not cost the source.
-pub(crate) fn spare_sources<'a>(results: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Failure> {
-    let is_part =
-        |path: &Path| has_ending(path, &SOURCE_ENDINGS) || has_ending(path, &SYMBOL_ENDINGS) || has_ending(path, &[PROJECT_ENDING]);
-    match results.into_iter().find(|path| is_part(path) && path.is_file()) {
-        Some(path) => Err(Failure::usage(Problem::P6013, format!("`{}` is a source, and results do not replace it", path.display()))
-            .help("give the file another name; remove the old one first if it is none of your program")),
-        None => Ok(()),
-    }
-}
 
 /// What the command line says about a program.
 #[derive(Clone, Copy, Debug, Default)]
@@ -138,7 +118,7 @@ impl Project {
                 project.folder(folder, &mut seen)?;
             } else if path.is_dir() {
                 project.folder(path, &mut seen)?;
-            } else if awlpro::is_project(path) {
+            } else if is_awlsim_project(path) {
                 awlpro::load(&mut project, path, &mut seen)?;
             } else if is_symbols(path) {
                 project.symbol_table(path, &mut seen)?;
@@ -209,17 +189,16 @@ impl Project {
                 }
             }
         }
-        let mut listing = Listing { files: Vec::new(), links_outside: Vec::new(), root: folder };
-        listing.walk(folder, 0)?;
+        let listing = Listing::of(folder)?;
         // A project of awlsim that is alone in its folder is what the folder means, unless a `sieben.toml` says otherwise.
-        let others: Vec<&PathBuf> = listing.files.iter().filter(|file| awlpro::is_project(file)).collect();
+        let others: Vec<&PathBuf> = listing.files.iter().filter(|file| is_awlsim_project(file)).collect();
         if let ([other], false) = (others.as_slice(), project_file.is_file()) {
             return awlpro::load(self, &join(folder, other), seen);
         }
         let default_symbols =
             |path: &Path| is_symbol_table(path) || path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("symbols.csv"));
         let mut symbols = self.chosen(&listing, settings.symbols.as_deref(), default_symbols);
-        let mut sources = self.chosen(&listing, settings.sources.as_deref(), |path| has_ending(path, &SOURCE_ENDINGS));
+        let mut sources = self.chosen(&listing, settings.sources.as_deref(), is_source);
         let tests = match &settings.tests {
             Some(tests) => self.chosen(&listing, Some(tests), |_| false),
             None => listing.files.iter().filter(|file| is_test(file) || is_scenario(file)).cloned().collect(),
@@ -361,82 +340,6 @@ impl Project {
     }
 }
 
-impl Build {
-    /// The build if it may run; else its diagnostics are printed and the exit code is that of a program that does not compile.
-    pub(crate) fn or_report(self, json: bool) -> Result<Self, Exit> {
-        if !self.findings.is_empty() {
-            print_findings(&self.findings, &self.project.texts, json);
-        }
-        if report::has_errors(&self.findings) { Err(Exit::DoesNotCompile) } else { Ok(self) }
-    }
-
-    /// The program of a verb that only reports on it: warnings are no matter of its, `check` tells them.
-    pub(crate) fn for_report(
-        paths: &[PathBuf],
-        program: &ProgramArguments,
-        report: &ReportArguments,
-    ) -> Result<Result<Self, Exit>, Failure> {
-        let build = program.load(paths)?.compile(program.overrides()?, false);
-        Ok(if report::has_errors(&build.findings) { build.or_report(report.json()) } else { Ok(build) })
-    }
-}
-
-/// Prints findings where messages go.
-pub(crate) fn print_findings(findings: &[Finding], texts: &Texts, json: bool) {
-    let text =
-        if json { format!("{:#}\n", report::to_json(findings, texts)) } else { report::render(findings, texts, crate::output::colour()) };
-    crate::output::message(&text);
-}
-
-/// Paths of all files of a folder.
-struct Listing<'a> {
-    /// Relative to the folder, in order.
-    files: Vec<PathBuf>,
-    /// Links to files elsewhere: a project that somebody sends must not read what is not its own.
-    links_outside: Vec<PathBuf>,
-    root: &'a Path,
-}
-
-impl Listing<'_> {
-    /// Whether a link leads to a file of the folder.
-    fn holds(&self, link: &Path) -> bool {
-        match (fs::canonicalize(link), fs::canonicalize(self.root)) {
-            (Ok(target), Ok(root)) => target.starts_with(root),
-            _ => false,
-        }
-    }
-
-    /// Collects the files of a folder and those below. Hidden folders are left out, links to folders are not followed.
-    fn walk(&mut self, folder: &Path, depth: usize) -> Result<(), Failure> {
-        let unreadable = |error| Failure::usage(Problem::P6001, format!("the folder `{}` cannot be read: {error}", folder.display()));
-        let mut entries = Vec::new();
-        for entry in fs::read_dir(folder).map_err(unreadable)? {
-            let entry = entry.map_err(unreadable)?;
-            entries.push((entry.file_name(), entry.path(), entry.file_type().map_err(unreadable)?));
-            if self.files.len() + entries.len() > FILES_MAX {
-                return Err(Failure::usage(Problem::P6015, format!("`{}` holds more than {FILES_MAX} files", self.root.display())));
-            }
-        }
-        entries.sort_by(|a, b| a.0.cmp(&b.0));
-        for (name, path, kind) in entries {
-            let hidden = name.to_string_lossy().starts_with('.');
-            if kind.is_dir() {
-                if !hidden && depth < DEPTH_MAX {
-                    self.walk(&path, depth + 1)?;
-                }
-            } else if !hidden
-                && path.is_file()
-                && let Ok(relative) = path.strip_prefix(self.root)
-            {
-                let inside = !kind.is_symlink() || self.holds(&path);
-                let list = if inside { &mut self.files } else { &mut self.links_outside };
-                list.push(relative.to_path_buf());
-            }
-        }
-        Ok(())
-    }
-}
-
 fn no_match(pattern: &str, span: Span, listing: &Listing<'_>) -> Diagnostic {
     let diagnostic = Diagnostic::new(Problem::P6011, span, format!("no file matches `{pattern}`"));
     let paths: Vec<String> = listing.files.iter().map(|path| slashed(path)).collect();
@@ -449,55 +352,4 @@ fn no_match(pattern: &str, span: Span, listing: &Listing<'_>) -> Diagnostic {
 /// Whether a file was not named before; a file named twice is read once.
 fn is_new(path: &Path, seen: &mut BTreeSet<PathBuf>) -> bool {
     seen.insert(fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf()))
-}
-
-/// The files of a folder and those below it, as [`Project::load`] would find them.
-pub(crate) fn files_below(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let mut listing = Listing { files: Vec::new(), links_outside: Vec::new(), root: folder };
-    listing.walk(folder, 0)?;
-    Ok(listing.files.iter().map(|file| join(folder, file)).collect())
-}
-
-/// Whether a file holds unit tests by its name.
-pub(crate) fn is_test(path: &Path) -> bool {
-    path.file_name().and_then(|name| name.to_str()).is_some_and(is_test_file)
-}
-
-/// Whether a file is a program by its name.
-pub(crate) fn is_program(path: &Path) -> bool {
-    has_ending(path, &SOURCE_ENDINGS) && !is_test(path) || awlpro::is_project(path)
-}
-
-/// Whether a file named on the command line is a symbol table by its name.
-pub(crate) fn is_symbols(path: &Path) -> bool {
-    is_symbol_table(path) || has_ending(path, &["csv"])
-}
-
-fn is_symbol_table(path: &Path) -> bool {
-    has_ending(path, &SYMBOL_ENDINGS)
-}
-
-fn has_ending(path: &Path, endings: &[&str]) -> bool {
-    path.extension().is_some_and(|ending| endings.iter().any(|known| ending.eq_ignore_ascii_case(known)))
-}
-
-/// Whether a pattern points outside the folder it is relative to.
-pub(crate) fn leaves_folder(pattern: &str) -> bool {
-    let path = Path::new(pattern);
-    path.components().any(|part| !matches!(part, Component::Normal(_) | Component::CurDir))
-        || pattern.contains('\\')
-        || pattern.contains(':')
-}
-
-/// A path inside a folder, without a `./` in front that nobody typed.
-pub(crate) fn join(folder: &Path, relative: &Path) -> PathBuf {
-    if folder == Path::new(".") { relative.to_path_buf() } else { folder.join(relative) }
-}
-
-fn slashed(path: &Path) -> String {
-    path.to_string_lossy().replace('\\', "/")
-}
-
-pub(crate) fn shown(path: &Path) -> String {
-    path.display().to_string()
 }

@@ -10,6 +10,9 @@ use sieben_model::diagnostic::{Certainty, Diagnostic, Severity};
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, SourceFile, Sources, Span};
 
+use crate::failure::capitalized;
+use crate::output;
+
 /// Most diagnostics shown on a terminal: behind the first hundred the rest is mostly their consequence.
 const SHOWN_MAX: usize = 100;
 /// Longest line that is drawn, in bytes: a binary or minified file may be one line of megabytes.
@@ -92,6 +95,12 @@ pub(crate) fn has_errors(findings: &[Finding]) -> bool {
 pub(crate) fn sort(findings: &mut Vec<Finding>) {
     findings.sort_by(|a, b| a.key().cmp(&b.key()));
     findings.dedup_by(|a, b| a.key() == b.key() && a.diagnostic.message == b.diagnostic.message);
+}
+
+/// Prints findings where messages go.
+pub(crate) fn print(findings: &[Finding], texts: &Texts, json: bool) {
+    let text = if json { format!("{:#}\n", to_json(findings, texts)) } else { render(findings, texts, output::colour()) };
+    output::message(&text);
 }
 
 /// Findings as people read them, with a count at the end; empty if there are none.
@@ -199,12 +208,6 @@ fn render_plain(finding: &Finding, texts: &Texts, colour: bool, out: &mut Vec<u8
 
 fn help_of(diagnostic: &Diagnostic) -> String {
     capitalized(diagnostic.help.as_deref().unwrap_or(diagnostic.problem.help()))
-}
-
-/// A help sentence as it is printed; a word in backticks at its start stays as it is.
-pub(crate) fn capitalized(sentence: &str) -> String {
-    let mut chars = sentence.chars();
-    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
 }
 
 /// Findings as programs read them.

@@ -9,7 +9,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::FileId;
 
 use crate::failure::{Exit, Failure};
-use crate::project::{self, Project, SourceFile};
+use crate::project::{Project, SourceFile};
 use crate::report::{self, Finding};
 use crate::{files, output};
 
@@ -62,7 +62,7 @@ impl Rewriting {
         }
         report::sort(&mut findings);
         if !findings.is_empty() {
-            project::print_findings(&findings, &project.texts, false);
+            report::print(&findings, &project.texts, false);
         }
         Ok(match () {
             () if report::has_errors(&findings) => Exit::DoesNotCompile,

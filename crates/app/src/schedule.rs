@@ -9,8 +9,8 @@ use sieben_model::problems::Problem;
 use sieben_model::symbols::SymbolTable;
 use sieben_sim::scenario::{Scenario, Times};
 
-use crate::arguments::duration_argument;
 use crate::duration;
+use crate::duration::duration_argument;
 use crate::failure::Failure;
 use crate::names::Assignment;
 use crate::settings::Settings;

@@ -12,11 +12,12 @@ use sieben_cpu::{Cpu, Loaded, OnlineChange};
 use sieben_jit::StatusBits;
 use sieben_model::cpu_type::CpuType;
 
-use crate::arguments::{EngineArgument, ProgramArguments};
+use crate::arguments::ProgramArguments;
+use crate::engines::EngineArgument;
 use crate::failure::Failure;
-use crate::project::{self, Build, Overrides};
+use crate::project::{Build, Overrides};
 use crate::settings::Settings;
-use crate::{online_change, output, report};
+use crate::{online_change, output, paths, report};
 
 /// How often the files are looked at. A change is taken when the next look finds it finished.
 const LOOK_PERIOD: Duration = Duration::from_millis(250);
@@ -160,8 +161,8 @@ pub(crate) fn stamps(paths: &[PathBuf]) -> Stamps {
     for path in paths {
         if path.is_dir() {
             files.insert(path.join(crate::settings::FILE_NAME));
-            let below = project::files_below(path).unwrap_or_default();
-            files.extend(below.into_iter().filter(|file| project::is_program(file) || project::is_test(file) || project::is_symbols(file)));
+            let below = paths::files_below(path).unwrap_or_default();
+            files.extend(below.into_iter().filter(|file| paths::is_program(file) || paths::is_test(file) || paths::is_symbols(file)));
         } else {
             files.insert(path.clone());
         }

@@ -27,17 +27,16 @@ use crate::clock::{BcdClock, DateAndTime};
 use crate::cycle::{Cycle, CycleTimes};
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::forcing::Forced;
-use crate::host::{Requests, Watchdog};
+use crate::host::{Requests, Slice, Watchdog};
 use crate::interrupts::Interrupts;
 use crate::io::Rack;
-use crate::mode::{OperatingMode, Restart};
-use crate::organization_blocks::StartInformation;
+use crate::mode::{OperatingMode, Restart, StopCause};
 use crate::process_image::{Failures, Images, Overrides};
 use crate::retain::{Declarations, Keeper};
 use crate::settings::Settings;
-use crate::system;
+use crate::start_information::StartInformation;
+use crate::system_state;
 
-pub(crate) use background::Slice;
 pub use loaded::Loaded;
 pub use online_change::ChangeRefused;
 pub use retentive::DataLoss;
@@ -45,7 +44,7 @@ pub use scan::ScanReport;
 pub use snapshot::Snapshot;
 use stack::Stack;
 use stop::Held;
-pub use stop::{StopCause, StopRequest};
+pub use stop::StopRequest;
 pub use testing::TestStep;
 
 /// Whether organization block `number` is loaded and the CPU type calls it.
@@ -82,7 +81,7 @@ pub struct Cpu {
     images: Images,
     /// What the last cycle control point could not exchange.
     image_failures: Failures,
-    system: system::State,
+    system: system_state::State,
     interrupts: Interrupts,
     /// When the event came whose block starts next, in microseconds.
     requested_us: Option<u64>,
@@ -150,7 +149,7 @@ impl Cpu {
             forced: Forced::default(),
             images: Images::new(image_writes),
             image_failures: Failures::new(),
-            system: system::State::default(),
+            system: system_state::State::default(),
             interrupts,
             requested_us: None,
             slice: None,

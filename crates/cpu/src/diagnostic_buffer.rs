@@ -6,7 +6,7 @@ use sieben_engine::FaultPlace;
 
 use crate::clock::DateAndTime;
 pub use crate::diagnostic_events::event_text;
-use crate::organization_blocks::StartInformation;
+use crate::start_information::StartInformation;
 
 /// A place as the user counts: `OB 1, statement 3`.
 pub fn place_text(place: FaultPlace) -> String {

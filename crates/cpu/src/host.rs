@@ -1,22 +1,20 @@
-//! What a running program asks the CPU.
+//! The CPU as a running program has it: its clocks, its watchdog, and what system functions reach of it.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use sieben_engine::machine::Frame;
-use sieben_engine::{Engine, Fault, FaultPlace, Host, Machine, Program, Reaction, StopReason};
-use sieben_model::address::{Area, Width};
-use sieben_model::block::BlockId;
+use sieben_engine::{Engine, Machine, Program};
 use sieben_model::cpu_type::CpuType;
 
 use crate::clock::DateAndTime;
-use crate::cpu::Slice;
 use crate::diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
-use crate::interrupts::{Again, Interrupts, Now, Request};
+use crate::interrupts::{Interrupts, Now};
 use crate::io::Rack;
-use crate::organization_blocks::{self as ob, StartInformation};
+use crate::organization_blocks as ob;
 use crate::process_image::Images;
 use crate::settings::TimeSource;
-use crate::system;
+use crate::start_information::StartInformation;
+use crate::system_state::State;
 
 /// Greatest budget handed out at once: bounds how long a STOP request or the watchdog can go unseen. As machine code that is some tens
 /// of microseconds; in real time slower code gets less.
@@ -58,7 +56,7 @@ impl Time<'_> {
     }
 
     /// In real time, brings both clocks up to now.
-    fn read(&mut self, machine: &mut Machine) {
+    pub(crate) fn read(&mut self, machine: &mut Machine) {
         if self.source == TimeSource::Real {
             let now = (self.clock)().max(self.now_us);
             machine.clock_us = machine.clock_us.saturating_add(now - self.now_us);
@@ -83,7 +81,7 @@ pub(crate) struct Watchdog {
     handed_us: u64,
     pub(crate) limit_points: i64,
     /// OB 80 was called in this cycle.
-    exceeded: bool,
+    pub(crate) exceeded: bool,
     /// Safe points of the whole run.
     pub(crate) total: u64,
 }
@@ -123,7 +121,7 @@ impl Watchdog {
     }
 
     /// Takes the budget back, so that the next safe point asks.
-    fn ask_at_once(&mut self, machine: &mut Machine) {
+    pub(crate) fn ask_at_once(&mut self, machine: &mut Machine) {
         self.settle(machine);
         self.granted = 0;
         self.handed = 0;
@@ -141,17 +139,27 @@ impl Watchdog {
     }
 
     /// The monitoring begins again: what comes next has the whole time.
-    fn begin_again(&mut self, now_us: u64) {
+    pub(crate) fn begin_again(&mut self, now_us: u64) {
         self.passed = 0;
         self.started_us = now_us;
     }
 
-    fn expired(&self, time: &Time<'_>) -> bool {
+    /// What is monitored has taken too long.
+    pub(crate) fn expired(&self, time: &Time<'_>) -> bool {
         match time.source {
             TimeSource::Virtual => self.passed > self.limit_points,
             TimeSource::Real => !self.startup && time.now_us.saturating_sub(self.started_us) > self.limit_us,
         }
     }
+}
+
+/// How long OB 90 runs in one pause.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Slice {
+    /// So many safe points.
+    Points(u64),
+    /// Until this time, in microseconds.
+    Until(u64),
 }
 
 /// The CPU behind a running program.
@@ -172,7 +180,7 @@ pub(crate) struct CpuHost<'a> {
     /// What is loaded.
     pub(crate) program: &'a Program,
     /// What system functions remember.
-    pub(crate) system: &'a mut system::State,
+    pub(crate) system: &'a mut State,
     /// What interrupts the program.
     pub(crate) interrupts: &'a mut Interrupts,
     /// The time of day was set.
@@ -195,7 +203,8 @@ impl CpuHost<'_> {
         }
     }
 
-    fn grant(&mut self, machine: &mut Machine) {
+    /// Hands out the next budget.
+    pub(crate) fn grant(&mut self, machine: &mut Machine) {
         // Safe points with an event are those of the cycle; OB 1 runs on top of nothing.
         let until = match self.slice {
             Some(Slice::Points(points)) => Some(points),
@@ -205,13 +214,9 @@ impl CpuHost<'_> {
         self.watchdog.grant(&self.time, machine, until);
     }
 
-    fn in_cycle(&self) -> bool {
+    /// Whether OB 1 runs, with what interrupts it.
+    pub(crate) fn in_cycle(&self) -> bool {
         u16::from(self.class.block) == ob::CYCLE.number
-    }
-
-    /// Whether OB 90 runs, and no interrupt on top of it.
-    fn in_background(&self, machine: &Machine) -> bool {
-        self.slice.is_some() && u16::from(self.class(machine).block) == ob::BACKGROUND.number
     }
 
     /// Starts the cycle time monitoring again (SFC 43).
@@ -259,12 +264,6 @@ impl CpuHost<'_> {
         }
     }
 
-    fn enter(&mut self, fields: StartInformation, place: Option<FaultPlace>) -> DiagnosticEntry {
-        let entry = DiagnosticEntry { fields, time: self.time.date_and_time(), place };
-        self.diagnostics.push(entry.clone());
-        entry
-    }
-
     /// Start information of the priority class that is running: that of the innermost organization block that is no synchronous error.
     pub(crate) fn class(&self, machine: &Machine) -> StartInformation {
         let index = machine.frames.iter().rposition(Frame::begins_class);
@@ -280,208 +279,5 @@ impl CpuHost<'_> {
     pub(crate) fn raise(&mut self, machine: &Machine, info: StartInformation) {
         let active = self.class(machine);
         self.interrupts.raise(info, &active, self.time.now_us);
-    }
-
-    /// Notes what happened since the last look: timed events, alarms of modules, a new time of day.
-    fn gather(&mut self, machine: &Machine) {
-        let active = self.class(machine);
-        let now = self.now(machine);
-        if std::mem::take(&mut self.clock_set) {
-            let again = if self.cpu_type.has_ob88 { Again::No } else { Again::Yes };
-            self.interrupts.clock_set(0x3505, &now, again, &active);
-        }
-        self.interrupts.gather(&now, machine, &active);
-        for alarm in self.rack.take_alarms() {
-            self.interrupts.raise(alarm.start_information(), &active, now.now_us);
-        }
-    }
-
-    /// Starts the organization block that may run now, if there is one.
-    fn pre_empt(&mut self, machine: &mut Machine) -> Reaction {
-        if self.interrupts.is_idle() {
-            return Reaction::Continue;
-        }
-        for info in self.interrupts.take_entries() {
-            self.enter(info, None);
-        }
-        if let Some((event, info)) = self.interrupts.take_stop() {
-            self.first = Some(DiagnosticEntry { fields: info, time: self.time.date_and_time(), place: None });
-            return Reaction::Stop(StopReason { event, place: None });
-        }
-        if self.system.class(machine).delayed > 0 {
-            return Reaction::Continue;
-        }
-        let class = self.class(machine);
-        let Some(Request { info, raised_us }) = self.interrupts.take(class.rank()) else { return Reaction::Continue };
-        self.interrupts.run_times.begin(u16::from(info.block), machine.frames.len(), raised_us, self.time.now_us);
-        self.system.interrupt(machine, info);
-        Reaction::Enter { block: BlockId::ob(u16::from(info.block)), start_information: info.bytes(self.time.date_and_time()) }
-    }
-
-    /// Aborts the priority class: OB 88 where there is one, STOP otherwise.
-    fn abort(&mut self, class: StartInformation, info: StartInformation, stop_event: u16, place: FaultPlace) -> Reaction {
-        let event = if self.cpu_type.has_ob88 { 0x4570 } else { stop_event };
-        if self.cpu_type.has_ob88 && !self.testing && class.rank() < 28 && self.engine.has_block(ob::PROCESSING_ABORT) {
-            self.abort = Some(info);
-        }
-        Reaction::Stop(StopReason { event, place: Some(place) })
-    }
-}
-
-impl Host for CpuHost<'_> {
-    fn fault(&mut self, machine: &mut Machine, fault: &Fault, place: FaultPlace) -> Reaction {
-        self.time.read(machine);
-        if system::own_errors::keeps(&mut self.system.handlers, machine, fault, place) {
-            return Reaction::Continue;
-        }
-        if let Some((filter, bit)) = system::filter_bit(fault) {
-            let class = self.system.class(machine);
-            if class.masked[filter] & bit != 0 {
-                class.happened[filter] |= bit;
-                return Reaction::Continue;
-            }
-        }
-        let class = self.class(machine);
-        let info = StartInformation::fault(fault, place, &class);
-        let entry = self.enter(info, Some(place));
-        if fault.is_noted() {
-            return Reaction::Continue;
-        }
-        self.first = Some(entry);
-        if let Fault::Abort(abort) = *fault {
-            return self.abort(class, info, ob::abort_stop_event(abort), place);
-        }
-        let nested = machine.frames.last().is_some_and(|frame| frame.in_error);
-        if nested {
-            let info = StartInformation { event: 0x3573, priority: 28, block: 88, ..info };
-            if self.cpu_type.has_ob88 {
-                self.enter(info, Some(place));
-            }
-            return self.abort(class, info, 0x4573, place);
-        }
-        let block = if matches!(fault, Fault::IoAccess { .. }) { ob::IO_ACCESS_ERROR } else { ob::PROGRAMMING_ERROR };
-        if self.engine.has_block(block) {
-            self.first = None;
-            self.system.interrupt(machine, info);
-            Reaction::Enter { block, start_information: info.bytes(self.time.date_and_time()) }
-        } else {
-            Reaction::Stop(StopReason { event: ob::stop_event(block), place: Some(place) })
-        }
-    }
-
-    fn peripheral_read(&mut self, _machine: &mut Machine, byte: u32, width: Width) -> Option<u32> {
-        self.rack.read_for_program(byte, width)
-    }
-
-    fn peripheral_write(&mut self, machine: &mut Machine, byte: u32, width: Width, value: u32) -> bool {
-        let written = self.rack.peripheral_write(byte, width, value);
-        if written {
-            if self.rack.has_alarms() {
-                self.watchdog.ask_at_once(machine);
-            }
-            // A direct output shows in the process image too, or the next cycle control point would undo it.
-            let bytes = value.to_be_bytes();
-            let image = machine.memory.area_mut(Area::Output);
-            let length = width.bytes() as usize;
-            for (index, &new) in bytes[4 - length..].iter().enumerate() {
-                if let Some(old) = image.get_mut(byte as usize + index) {
-                    *old = new;
-                }
-            }
-        }
-        written
-    }
-
-    fn safe_point(&mut self, machine: &mut Machine, place: FaultPlace) -> Reaction {
-        self.watchdog.settle(machine);
-        self.time.read(machine);
-        self.interrupts.run_times.end(machine.frames.len(), self.time.now_us);
-        if self.requests.stop.swap(false, Ordering::Relaxed) {
-            return Reaction::Stop(StopReason { event: 0x4303, place: None });
-        }
-        if self.testing {
-            let enough = self.watchdog.expired(&self.time);
-            if enough {
-                self.watchdog.begin_again(self.time.now_us);
-            }
-            self.grant(machine);
-            return if enough { Reaction::Suspend } else { Reaction::Continue };
-        }
-        let in_background = self.in_background(machine);
-        if in_background {
-            // OB 90 may take as long as it likes; what interrupts it may not.
-            self.watchdog.begin_again(self.time.now_us);
-        }
-        if self.watchdog.expired(&self.time) {
-            let elapsed = self.time.now_us.saturating_sub(self.watchdog.started_us);
-            let info = StartInformation::cycle_time_exceeded(elapsed, &self.class(machine));
-            if self.watchdog.startup || self.watchdog.exceeded || !self.interrupts.is_available(ob::TIME_ERROR.number) {
-                let event = if self.watchdog.startup { 0x4555 } else { ob::stop_event(ob::TIME_ERROR) };
-                self.first = Some(self.enter(info, Some(place)));
-                return Reaction::Stop(StopReason { event, place: Some(place) });
-            }
-            self.watchdog.exceeded = true;
-            self.restart_watchdog(machine);
-            self.enter(info, Some(place));
-            let active = self.class(machine);
-            self.interrupts.request(info, &active, self.time.now_us);
-        }
-        while self.in_cycle()
-            && let Some(event) = self.interrupts.take_scheduled(self.watchdog.total)
-        {
-            self.raise(machine, event.start_information());
-        }
-        self.gather(machine);
-        // An interrupt of OB 90 stands above the next cycle and ends before it.
-        let slice_over = in_background
-            && match self.slice {
-                Some(Slice::Points(points)) => self.watchdog.total >= points,
-                Some(Slice::Until(until_us)) => self.time.now_us >= until_us,
-                None => false,
-            };
-        self.grant(machine);
-        match self.pre_empt(machine) {
-            Reaction::Continue if slice_over => {
-                self.slice = None;
-                Reaction::Suspend
-            }
-            Reaction::Continue if self.requests.hold.swap(false, Ordering::Relaxed) => Reaction::Suspend,
-            reaction => reaction,
-        }
-    }
-
-    fn written(&self, machine: &Machine, block: BlockId) -> Vec<std::ops::Range<usize>> {
-        let mut written = self.written.clone();
-        if let Some(bytes) = system::instance_bytes(block) {
-            // All of its instance: what a system function block leaves as it is was written by the call.
-            let start = (machine.registers.di_base + (machine.registers.ar2 & 0x00FF_FFFF) / 8) as usize;
-            written.push(start..start + bytes as usize);
-        }
-        written
-    }
-
-    fn system_function(&mut self, machine: &mut Machine, block: BlockId, first_parameter: usize) -> Reaction {
-        self.written.clear();
-        self.images.changed();
-        if !self.system.mocks.is_empty()
-            && system::testing::system_function(&mut system::Call { machine, host: self, first: first_parameter }, block)
-        {
-            return Reaction::Continue;
-        }
-        let reaction = system::run(block, &mut system::Call { machine, host: self, first: first_parameter });
-        match reaction {
-            Some(Reaction::Continue) if self.testing => Reaction::Continue,
-            Some(Reaction::Continue) => {
-                self.gather(machine);
-                self.pre_empt(machine)
-            }
-            Some(reaction) => reaction,
-            // The engine asks `has_system_function` first.
-            None => Reaction::Continue,
-        }
-    }
-
-    fn has_system_function(&self, block: BlockId) -> bool {
-        system::has(block)
     }
 }

@@ -5,9 +5,12 @@
 #![forbid(unsafe_code)]
 
 mod cpu;
+mod created_data_blocks;
 mod diagnostic_events;
 mod host;
-mod start_information;
+mod reactions;
+mod slots;
+mod system_state;
 mod tape;
 
 pub mod clock;
@@ -23,21 +26,22 @@ pub mod organization_blocks;
 pub mod process_image;
 pub mod retain;
 pub mod settings;
+pub mod start_information;
 pub mod station;
 pub mod system;
 pub mod system_status_list;
 
 pub use clock::DateAndTime;
-pub use cpu::{ChangeRefused, Cpu, DataLoss, Loaded, ScanReport, Snapshot, StopCause, StopRequest, TestStep};
+pub use cpu::{ChangeRefused, Cpu, DataLoss, Loaded, ScanReport, Snapshot, StopRequest, TestStep};
 pub use cycle::CycleTimes;
 pub use diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 pub use forcing::Forced;
 pub use host::BUDGET_MAX;
 pub use interrupts::{Coming, CyclicInterrupt, Interrupt};
 pub use io::{IoModule, Rack, RackError, SimulatedModule};
-pub use mode::{OperatingMode, Restart};
+pub use mode::{OperatingMode, Restart, StopCause};
 pub use online_change::OnlineChange;
 pub use retain::{RetainImage, RetentiveAreas};
 pub use settings::{ImageErrors, Settings, TimeSource};
 pub use station::{AccessError, Station, TimerReading};
-pub use system::testing::Asked;
+pub use system_state::Asked;

@@ -1,6 +1,8 @@
-//! Operating modes and kinds of restart.
+//! Operating modes, kinds of restart, and why the CPU is in STOP.
 
 use std::fmt;
+
+use sieben_engine::FaultPlace;
 
 /// What the CPU is doing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -26,6 +28,19 @@ pub enum Restart {
     Hot,
     /// OB 102: as warm, and all data blocks come from load memory.
     Cold,
+}
+
+/// Why the CPU is in STOP.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StopCause {
+    /// The event of the STOP itself, such as 16#4562.
+    pub event: u16,
+    /// The first cause, such as 16#2528; the same as `event` if nothing came before.
+    pub first_event: u16,
+    /// The statement that caused it, counted from 0, if one did.
+    pub place: Option<FaultPlace>,
+    /// Cause, place and consequence in words.
+    pub text: String,
 }
 
 impl fmt::Display for OperatingMode {

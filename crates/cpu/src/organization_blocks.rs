@@ -1,9 +1,9 @@
 //! Organization blocks: priority, and what happens without them.
 
+use sieben_engine::Abort;
 use sieben_model::block::BlockId;
 
 use crate::mode::Restart;
-pub use crate::start_information::{StartInformation, abort_stop_event};
 
 /// Cyclic program.
 pub const CYCLE: BlockId = BlockId::ob(1);
@@ -89,6 +89,16 @@ pub fn stop_event(block: BlockId) -> u16 {
     match missing(block) {
         Missing::Stop(event) => event,
         Missing::GoesOn | Missing::PriorityClassError => 0,
+    }
+}
+
+/// The event with which a CPU without OB 88 stops after an abort.
+pub fn abort_stop_event(abort: Abort) -> u16 {
+    match abort {
+        Abort::NestingStack => 0x4571,
+        Abort::McrStack => 0x4572,
+        Abort::BlockStack => 0x4575,
+        Abort::LocalData => 0x4576,
     }
 }
 

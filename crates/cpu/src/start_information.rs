@@ -1,13 +1,13 @@
 //! The 20 bytes of start information that an organization block finds at the beginning of its local data.
 
-use sieben_engine::{Abort, Fault, FaultPlace};
+use sieben_engine::{Fault, FaultPlace};
 use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
 
 use crate::clock::DateAndTime;
 use crate::cycle::CycleTimes;
-use crate::interrupts::CyclicInterrupt;
 use crate::mode::Restart;
+use crate::organization_blocks as ob;
 
 /// The priority class that the start information of OB 90 shows: 29 stands for 0.29, below OB 1.
 const BELOW_THE_CYCLE: u8 = 29;
@@ -79,7 +79,7 @@ impl StartInformation {
         Self {
             event: 0x1300 | startup,
             priority: 27,
-            block: crate::organization_blocks::startup(restart).number as u8,
+            block: ob::startup(restart).number as u8,
             info_1: stop_event,
             info_2: done << 16 | allowed << 8 | done,
             ..Self::default()
@@ -133,14 +133,13 @@ impl StartInformation {
     }
 
     fn interrupt(number: u16, event: u16) -> Self {
-        let priority = crate::organization_blocks::priority(BlockId::ob(number));
+        let priority = ob::priority(BlockId::ob(number));
         Self { event, priority, block: number as u8, ..Self::default() }
     }
 
     /// OB 30 to OB 38.
-    pub(crate) fn cyclic_interrupt(number: u16, setting: CyclicInterrupt) -> Self {
-        let info_2 = u32::from(setting.interval_ms);
-        Self { info_1: setting.phase_ms, info_2, ..Self::interrupt(number, 0x1131 + (number - CyclicInterrupt::FIRST)) }
+    pub(crate) fn cyclic_interrupt(number: u16, phase_ms: u16, interval_ms: u16) -> Self {
+        Self { info_1: phase_ms, info_2: u32::from(interval_ms), ..Self::interrupt(number, 0x1131 + (number - 30)) }
     }
 
     /// OB 20 to OB 23.
@@ -205,15 +204,5 @@ fn memory_area(width: Width) -> u16 {
         Width::Byte => 0x10,
         Width::Word => 0x20,
         Width::DoubleWord | Width::QuadWord => 0x30,
-    }
-}
-
-/// The event with which a CPU without OB 88 stops after an abort.
-pub fn abort_stop_event(abort: Abort) -> u16 {
-    match abort {
-        Abort::NestingStack => 0x4571,
-        Abort::McrStack => 0x4572,
-        Abort::BlockStack => 0x4575,
-        Abort::LocalData => 0x4576,
     }
 }

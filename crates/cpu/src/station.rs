@@ -5,10 +5,9 @@ use std::fmt;
 use sieben_model::address::Operand;
 use sieben_model::cpu_type::CpuType;
 
-use crate::cpu::StopCause;
 use crate::cycle::CycleTimes;
 use crate::diagnostic_buffer::DiagnosticBuffer;
-use crate::mode::{OperatingMode, Restart};
+use crate::mode::{OperatingMode, Restart, StopCause};
 
 /// Why an operand cannot be read or written from outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

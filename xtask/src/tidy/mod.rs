@@ -3,6 +3,7 @@
 pub mod arrows;
 pub mod commands;
 pub mod pages;
+pub mod rooms;
 pub mod sources;
 pub mod words;
 
@@ -49,6 +50,7 @@ pub fn findings() -> Vec<Finding> {
     let files = workspace::text_files(&root);
     let mut findings = [
         arrows::check(&files),
+        rooms::check(&files),
         sources::check(&files),
         words::check(&files),
         pages::check(&root, &files),

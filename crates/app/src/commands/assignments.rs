@@ -13,7 +13,6 @@ use crate::arguments::{ProgramArguments, ReportArguments};
 use crate::document::{Document, Section};
 use crate::failure::{Exit, Failure};
 use crate::places::Places;
-use crate::project::Build;
 
 /// Print which inputs, outputs, bit memory, timers and counters are used.
 #[derive(Args)]
@@ -35,7 +34,7 @@ pub(crate) struct Arguments {
 
 /// Prints the assignment list.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let build = match Build::for_report(&arguments.paths, &arguments.program, &arguments.report)? {
+    let build = match super::build_for_report(&arguments.paths, &arguments.program, &arguments.report)? {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };

@@ -12,7 +12,9 @@ use sieben_engine::{Layout, Machine, Program, StatementEvent, Tracer};
 use sieben_jit::{StatusBits, Tier, Tiers};
 use sieben_sim::names::Name;
 
-use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
+use crate::arguments::ProgramArguments;
+use crate::duration::duration_argument;
+use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::instances::{self, Instances};
 use crate::{controller, duration, names, output, schedule};
@@ -138,7 +140,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let started = now();
     let overrides = arguments.program.overrides()?;
     let project = arguments.program.load(&arguments.paths)?;
-    let build = match project.compile(overrides, false).or_report(arguments.json) {
+    let build = match super::or_report(project.compile(overrides, false), arguments.json) {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };

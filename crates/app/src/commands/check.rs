@@ -12,7 +12,7 @@ use crate::arguments::ProgramArguments;
 use crate::failure::{Exit, Failure};
 use crate::project::{Build, Overrides};
 use crate::report::{Finding, Texts};
-use crate::{fixing, online_change, output, project, report};
+use crate::{fixing, online_change, output, report};
 
 /// Report everything that is wrong with a program.
 #[derive(Args)]
@@ -94,7 +94,7 @@ fn check(arguments: &Arguments) -> Result<Exit, Failure> {
         };
         output::print(&format!("{what}, no errors, no warnings.\n"))?;
     } else {
-        project::print_findings(findings, &build.project.texts, false);
+        report::print(findings, &build.project.texts, false);
     }
     Ok(if report::has_errors(findings) { Exit::DoesNotCompile } else { Exit::Success })
 }
@@ -103,7 +103,7 @@ fn check(arguments: &Arguments) -> Result<Exit, Failure> {
 fn against(arguments: &Arguments, overrides: Overrides, old: &Path, build: &Build) -> Result<Exit, Failure> {
     let paths = [old.to_path_buf()];
     let before = match arguments.program.load(&paths)?.compile(overrides, false) {
-        before if report::has_errors(&before.findings) => before.or_report(arguments.json),
+        before if report::has_errors(&before.findings) => super::or_report(before, arguments.json),
         before => Ok(before),
     };
     let before = match before {
@@ -121,7 +121,7 @@ fn against(arguments: &Arguments, overrides: Overrides, old: &Path, build: &Buil
         return Ok(Exit::Success);
     }
     if !build.findings.is_empty() {
-        project::print_findings(&build.findings, &build.project.texts, false);
+        report::print(&build.findings, &build.project.texts, false);
     }
     let kept = if change.losses.is_empty() { "All values are kept.\n" } else { "All other values are kept.\n" };
     output::print(&format!("{}.\n{}{kept}", capital(&online_change::blocks(&change)), online_change::details(&change)))?;

@@ -1,10 +1,10 @@
 //! `sieben completions SHELL`: completions for a shell.
 
-use clap::{Args, CommandFactory};
+use clap::{Args, Command};
 use clap_complete::Shell;
 
 use crate::failure::{Exit, Failure};
-use crate::{CommandLine, output};
+use crate::output;
 
 /// Print the completions for a shell.
 #[derive(Args)]
@@ -13,10 +13,10 @@ pub(crate) struct Arguments {
     shell: Shell,
 }
 
-/// Prints the completions.
-pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+/// Prints the completions of a command line.
+pub(crate) fn run(arguments: &Arguments, line: &mut Command) -> Result<Exit, Failure> {
     let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut CommandLine::command(), "sieben", &mut script);
+    clap_complete::generate(arguments.shell, line, "sieben", &mut script);
     output::print(&String::from_utf8_lossy(&script))?;
     Ok(Exit::Success)
 }

@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use sieben_lang::symbols::assignment;
 
 use super::run::{Speed, speed_argument};
-use crate::arguments::duration_argument;
+use crate::duration::duration_argument;
 use crate::failure::{Exit, Failure};
 use crate::screen::{self, CYCLE_US, Session, clock, thousands};
 use crate::screen::{Entry, Event};

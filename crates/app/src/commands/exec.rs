@@ -9,13 +9,14 @@ use sieben_engine::Tracer;
 use sieben_jit::StatusBits;
 use sieben_sim::names::Name;
 
-use crate::arguments::{EngineArgument, FaultArguments, ProgramArguments};
+use crate::arguments::{FaultArguments, ProgramArguments};
+use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::local_check::LocalCheck;
 use crate::names;
-use crate::report::Finding;
+use crate::report::{self, Finding};
 use crate::schedule::ScheduleArguments;
-use crate::{controller, duration, output, project};
+use crate::{controller, duration, output};
 
 /// Run a few scans in virtual time and print values.
 #[derive(Args)]
@@ -61,7 +62,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let overrides = arguments.program.overrides()?;
     let project = arguments.program.load(&arguments.paths)?;
     let schedule = arguments.schedule.schedule(&project.settings, 1)?;
-    let build = match project.compile(overrides, false).or_report(arguments.json) {
+    let build = match super::or_report(project.compile(overrides, false), arguments.json) {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
@@ -90,7 +91,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
     let findings: Vec<Finding> = check.iter().flat_map(|check| check.findings(&build)).map(Finding::program).collect();
     if !findings.is_empty() {
-        project::print_findings(&findings, &build.project.texts, arguments.json);
+        report::print(&findings, &build.project.texts, arguments.json);
     }
     match cpu.stop_cause() {
         Some(cause) if cpu.mode() == OperatingMode::Stop => {

@@ -18,3 +18,24 @@ pub(crate) mod structure;
 pub(crate) mod symbols;
 pub(crate) mod test;
 pub(crate) mod trace;
+
+use std::path::PathBuf;
+
+use crate::arguments::{ProgramArguments, ReportArguments};
+use crate::failure::{Exit, Failure};
+use crate::project::Build;
+use crate::report;
+
+/// The build if it may run; else its diagnostics are printed and the exit code is that of a program that does not compile.
+fn or_report(build: Build, json: bool) -> Result<Build, Exit> {
+    if !build.findings.is_empty() {
+        report::print(&build.findings, &build.project.texts, json);
+    }
+    if report::has_errors(&build.findings) { Err(Exit::DoesNotCompile) } else { Ok(build) }
+}
+
+/// The program of a verb that only reports on it: warnings are no matter of its, `check` tells them.
+fn build_for_report(paths: &[PathBuf], program: &ProgramArguments, report: &ReportArguments) -> Result<Result<Build, Exit>, Failure> {
+    let build = program.load(paths)?.compile(program.overrides()?, false);
+    Ok(if report::has_errors(&build.findings) { or_report(build, report.json()) } else { Ok(build) })
+}

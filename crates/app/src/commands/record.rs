@@ -17,14 +17,16 @@ use sieben_sim::scenario::{Happened, Onlooker, Rules, Scenario, ScenarioError};
 use sieben_sim::trace::CHANNELS_MAX;
 
 use super::run::{Speed, now, speed_argument};
-use crate::arguments::{EngineArgument, FaultArguments, ProgramArguments};
+use crate::arguments::{FaultArguments, ProgramArguments};
+use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
+use crate::paths::{self, is_scenario, shown};
 use crate::places::Places;
-use crate::project::{self, Build, shown};
+use crate::project::Build;
 use crate::retain::restart_argument;
 use crate::schedule::ScheduleArguments;
 use crate::tracing::channels;
-use crate::tracing::scenario::{self, is_scenario, origin};
+use crate::tracing::scenario::{self, origin};
 use crate::{controller, duration, files, names, output, terminal};
 
 /// Text that waits at most before it is written.
@@ -86,7 +88,7 @@ pub(crate) struct Arguments {
 
 /// Records.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    project::spare_sources([&arguments.output])?;
+    paths::spare_sources([&arguments.output])?;
     let mut overrides = arguments.program.overrides()?;
     let (scenarios, paths): (Vec<PathBuf>, Vec<PathBuf>) = arguments.paths.iter().cloned().partition(|path| is_scenario(path));
     let given = match scenario::only(&scenarios, &arguments.schedule)? {
@@ -107,7 +109,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
     let named_cpu = overrides.cpu.map(|cpu| cpu.name);
     overrides.cpu = overrides.cpu.or(given.as_ref().and_then(|(_, scenario)| scenario.cpu));
-    let build = match arguments.program.load(&paths)?.compile(overrides, false).or_report(arguments.json) {
+    let build = match super::or_report(arguments.program.load(&paths)?.compile(overrides, false), arguments.json) {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };

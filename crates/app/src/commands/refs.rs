@@ -50,7 +50,7 @@ pub(crate) struct Arguments {
 /// Prints the cross reference.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let (paths, name) = paths_and_name(&arguments.words);
-    let build = match Build::for_report(&paths, &arguments.program, &arguments.report)? {
+    let build = match super::build_for_report(&paths, &arguments.program, &arguments.report)? {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };

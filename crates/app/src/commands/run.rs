@@ -14,7 +14,9 @@ use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Restart, Settings, TimeSource}
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 
-use crate::arguments::{EngineArgument, FaultArguments, ProgramArguments, duration_argument};
+use crate::arguments::{FaultArguments, ProgramArguments};
+use crate::duration::duration_argument;
+use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::project::Build;
 use crate::retain::{RetainArguments, Retention, RunTime};
@@ -102,7 +104,7 @@ pub(crate) fn speed_argument(text: &str) -> Result<Speed, String> {
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let overrides = arguments.program.overrides()?;
     let stamps = if arguments.watch { watch::stamps(&arguments.paths) } else { watch::Stamps::new() };
-    let mut build = match arguments.program.load(&arguments.paths)?.compile(overrides, false).or_report(arguments.json) {
+    let mut build = match super::or_report(arguments.program.load(&arguments.paths)?.compile(overrides, false), arguments.json) {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };

@@ -11,14 +11,16 @@ use sieben_model::problems::Problem;
 use sieben_sim::history::{History, Plan};
 use sieben_sim::names::Name;
 
-use crate::arguments::{EngineArgument, FaultArguments, ProgramArguments, duration_argument};
+use crate::arguments::{FaultArguments, ProgramArguments};
+use crate::duration::duration_argument;
+use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
-use crate::project::{self, Build};
+use crate::project::Build;
 use crate::schedule::ChangeArguments;
 use crate::stepping::commands::{Answer, LINE_MAX, carry_out};
 use crate::stepping::recording::Unusable;
 use crate::stepping::{Language, Stepper, recording, screen, table};
-use crate::{controller, duration, files, output, schedule, terminal};
+use crate::{controller, duration, files, output, paths, schedule, terminal};
 
 /// Step through a program, one statement at a time, forwards and back.
 #[derive(Args)]
@@ -70,11 +72,11 @@ fn language_argument(text: &str) -> Result<Language, String> {
 
 /// Reads and carries out commands.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    project::spare_sources(&arguments.record)?;
+    paths::spare_sources(&arguments.record)?;
     let overrides = arguments.program.overrides()?;
     let project = arguments.program.load(&arguments.paths)?;
     let cycle = schedule::cycle(arguments.cycle, &project.settings);
-    let mut build = match project.compile(overrides, false).or_report(arguments.json) {
+    let mut build = match super::or_report(project.compile(overrides, false), arguments.json) {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };

@@ -36,7 +36,7 @@ pub(crate) struct Arguments {
 
 /// Prints the call structure.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let build = match Build::for_report(&arguments.paths, &arguments.program, &arguments.report)? {
+    let build = match super::build_for_report(&arguments.paths, &arguments.program, &arguments.report)? {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };

@@ -14,7 +14,7 @@ use crate::arguments::EncodingArgument;
 use crate::document::{Document, Section};
 use crate::failure::{Exit, Failure};
 use crate::report::{self, Texts};
-use crate::{files, output, project, symbol_files};
+use crate::{files, output, symbol_files};
 
 /// Print the assignment table, or convert symbol tables.
 #[derive(Args)]
@@ -107,7 +107,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     table.set_columns(columns.unwrap_or_default());
     report::sort(&mut findings);
     if !findings.is_empty() {
-        project::print_findings(&findings, &texts, arguments.json);
+        report::print(&findings, &texts, arguments.json);
     }
     // A table with errors is still printed: seeing it is the way to mend it. Only a conversion must not lose rows.
     let failed = report::has_errors(&findings);

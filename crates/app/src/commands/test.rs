@@ -10,12 +10,14 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use sieben_model::problems::Problem;
 use sieben_sim::scenario::Rules;
 
-use crate::arguments::{EngineArgument, ProgramArguments, duration_argument};
+use crate::arguments::ProgramArguments;
+use crate::duration::duration_argument;
+use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::testing::coverage::{Collector, Coverage};
 use crate::testing::rules::RuleArguments;
 use crate::testing::{self, Case, Conditions, Verdict, discovery, report, self_checking};
-use crate::{files, output, project, watch};
+use crate::{files, output, paths, watch};
 
 /// Run unit tests (*.test.st), scenarios, and programs that check themselves.
 #[derive(Args)]
@@ -103,7 +105,7 @@ pub(crate) struct Arguments {
 
 /// Runs the tests.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    project::spare_sources([&arguments.junit, &arguments.coverage].into_iter().flatten())?;
+    paths::spare_sources([&arguments.junit, &arguments.coverage].into_iter().flatten())?;
     if !arguments.watch {
         return once(arguments);
     }
@@ -186,7 +188,7 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
         }
         if let Some(folder) = &arguments.coverage_html {
             let html = coverage.write_html(folder, &report::count(&finished));
-            written = written.and(html.map(|index| pages = Some(project::shown(&index))));
+            written = written.and(html.map(|index| pages = Some(paths::shown(&index))));
         }
     }
     match (arguments.json, arguments.tap) {

@@ -15,15 +15,18 @@ use sieben_sim::trace::recorder::BEFORE_MAX;
 use sieben_sim::trace::trigger::TriggerError;
 use sieben_sim::trace::{Keep, Moment, Recorder, Store, Trace, TraceError, Trigger, csv, vcd};
 
-use crate::arguments::{EngineArgument, FaultArguments, ProgramArguments, duration_argument};
+use crate::arguments::{FaultArguments, ProgramArguments};
+use crate::duration::duration_argument;
+use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
-use crate::project::{self, Build};
+use crate::paths::{self, is_scenario};
+use crate::project::Build;
 use crate::schedule::ScheduleArguments;
 use crate::tracing::channels;
 use crate::tracing::file::{Disk, Spill};
 use crate::tracing::output::{unreadable, unwritable, write};
-use crate::tracing::scenario::{self, is_scenario, origin};
-use crate::{controller, duration, names, output};
+use crate::tracing::scenario::{self, origin};
+use crate::{controller, duration, names, output, report};
 
 /// Record values over many scans and draw them as a timing diagram.
 #[derive(Args)]
@@ -159,7 +162,7 @@ struct Outcome {
 
 /// Records and draws.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    project::spare_sources([&arguments.svg, &arguments.vcd, &arguments.csv, &arguments.record].into_iter().flatten())?;
+    paths::spare_sources([&arguments.svg, &arguments.vcd, &arguments.csv, &arguments.record].into_iter().flatten())?;
     let mut overrides = arguments.program.overrides()?;
     let (mut scenarios, paths): (Vec<PathBuf>, Vec<PathBuf>) = arguments.paths.iter().cloned().partition(|path| is_scenario(path));
     scenarios.extend(arguments.scenario.clone());
@@ -173,7 +176,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let project = arguments.program.load(&paths)?;
     let schedule = arguments.schedule.schedule(&project.settings, SCANS_USUAL)?;
     overrides.cpu = overrides.cpu.or(scenario.as_ref().and_then(|(_, scenario)| scenario.cpu));
-    let build = match project.compile(overrides, false).or_report(arguments.json) {
+    let build = match super::or_report(project.compile(overrides, false), arguments.json) {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
@@ -296,7 +299,7 @@ fn draw(arguments: &Arguments, from: &Path, paths: &[PathBuf]) -> Result<Exit, F
         Failure { message: format!("`{}`: {}", from.display(), failure.message), ..failure }
     })?;
     if !paths.is_empty() {
-        let build = match arguments.program.load(paths)?.compile(arguments.program.overrides()?, false).or_report(arguments.json) {
+        let build = match super::or_report(arguments.program.load(paths)?.compile(arguments.program.overrides()?, false), arguments.json) {
             Ok(build) => build,
             Err(exit) => return Ok(exit),
         };
@@ -308,7 +311,7 @@ fn draw(arguments: &Arguments, from: &Path, paths: &[PathBuf]) -> Result<Exit, F
     }
     if !trace.is_whole() {
         let message = format!("`{}` was cut off: {} scans are whole", from.display(), trace.summary().scans);
-        project::print_findings(
+        report::print(
             &[crate::report::Finding::file(Problem::P6263, from.to_string_lossy(), message)],
             &crate::report::Texts::default(),
             false,

@@ -4,6 +4,9 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+/// The folder of a project for what a run leaves there.
+pub(super) const FOLDER: &str = ".sieben";
+
 /// A file that is written in place.
 pub(crate) trait Slotted: Send {
     /// Writes at an offset inside the file.
@@ -110,7 +113,7 @@ pub(crate) fn make_folder(folder: &Path) -> io::Result<()> {
         sync_folder(self::folder(folder).unwrap_or(Path::new(".")))?;
     }
     let ignore = folder.join(".gitignore");
-    if folder.file_name().is_some_and(|name| name == super::retention::FOLDER) && !ignore.exists() {
+    if folder.file_name().is_some_and(|name| name == FOLDER) && !ignore.exists() {
         fs::write(ignore, "*\n")?;
     }
     Ok(())

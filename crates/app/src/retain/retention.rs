@@ -11,19 +11,16 @@ use sieben_cpu::retain::{Adoption, Refusal, Restored, data_blocks};
 use sieben_cpu::{Cpu, DataLoss};
 use sieben_model::problems::Problem;
 
-use super::disk::{Disk, RealDisk, behind_links, with_ending};
+use super::disk::{Disk, FOLDER, RealDisk, behind_links, with_ending};
 use super::lock::{self, NoLock};
 use super::record::{self, Record};
 use super::slots::{self, Contents, Slots};
 use super::store::{Change, Store, synced_path};
 use crate::failure::Failure;
 use crate::output;
-use crate::project::print_findings;
-use crate::report::{Finding, Texts};
+use crate::report::{self, Finding, Texts};
 
-/// The folder of a project for what a run leaves there.
-pub(crate) const FOLDER: &str = ".sieben";
-/// The file in it.
+/// The file in the folder of a project for what a run leaves there.
 const FILE: &str = "retain.bin";
 /// How often the data goes to the disk if the project does not say.
 pub(crate) const SYNC: Duration = Duration::from_secs(1);
@@ -48,7 +45,7 @@ pub(crate) struct Choice {
 impl Choice {
     /// The file of a project.
     pub(crate) fn project_file(folder: &Path) -> PathBuf {
-        crate::project::join(folder, &Path::new(FOLDER).join(FILE))
+        crate::paths::join(folder, &Path::new(FOLDER).join(FILE))
     }
 }
 
@@ -133,7 +130,7 @@ impl Retention {
 fn warn(problem: Problem, file: &Path, message: String, help: Option<String>, json: bool) {
     let mut finding = Finding::file(problem, file.display().to_string(), message);
     finding.diagnostic.help = help;
-    print_findings(&[finding], &Texts::default(), json);
+    report::print(&[finding], &Texts::default(), json);
 }
 
 /// Takes over what fits of a file that the user names, for a run that keeps nothing.

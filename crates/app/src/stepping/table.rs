@@ -9,7 +9,7 @@ use sieben_sim::names::Name;
 
 use super::commands::Answer;
 use super::{Change, Language, Line, LocalValue, Stepper, View, Who, texts};
-use crate::failure::Failure;
+use crate::failure::{Failure, capitalized};
 use crate::{controller, names};
 
 /// The head of the columns.
@@ -290,5 +290,5 @@ pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Ans
 /// A command that could not be carried out.
 pub(crate) fn failure_json(command: &str, failure: &Failure) -> Value {
     let help = failure.help.as_deref().unwrap_or(failure.problem.help());
-    json!({ "command": command, "error": { "code": failure.problem.code(), "message": failure.message, "help": crate::report::capitalized(help) } })
+    json!({ "command": command, "error": { "code": failure.problem.code(), "message": failure.message, "help": capitalized(help) } })
 }

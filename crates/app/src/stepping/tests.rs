@@ -9,8 +9,8 @@ use sieben_sim::history::Plan;
 
 use super::commands::{ROWS, carry_out};
 use super::{Language, Stepper, table};
-use crate::arguments::EngineArgument;
 use crate::controller;
+use crate::engines::EngineArgument;
 use crate::project::{Build, Overrides, Project};
 
 const SOURCE: &str = "DATA_BLOCK DB 1\nSTRUCT\n n : INT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\nFUNCTION FC 1 : VOID\nVAR_TEMP\n n : INT;\nEND_VAR\nBEGIN\nL DB1.n\nT #n\n+ 1\nT DB1.n\n\

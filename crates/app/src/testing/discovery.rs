@@ -4,11 +4,10 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::{Case, Conditions, scenario, self_checking, unit};
-use crate::awlpro;
 use crate::failure::Failure;
-use crate::project::{self, Project};
+use crate::paths::{self, is_scenario};
+use crate::project::{Project, awlpro};
 use crate::settings;
-use crate::tracing::scenario::is_scenario;
 
 /// The tests that the paths mean; none = the current folder. Each of `tests` is a test of the program that the paths are.
 pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf], conditions: &Conditions) -> Result<Vec<Case>, Failure> {
@@ -22,9 +21,8 @@ pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf], conditions: &Condition
     let here = [PathBuf::from(".")];
     let paths = if paths.is_empty() { &here } else { paths };
     let is_file = |path: &PathBuf| !path.is_dir();
-    let (tables, paths): (Vec<_>, Vec<_>) = paths.iter().cloned().partition(|path| is_file(path) && project::is_symbols(path));
-    let (units, paths): (Vec<_>, Vec<_>) =
-        paths.into_iter().partition(|path| is_file(path) && (project::is_test(path) || is_scenario(path)));
+    let (tables, paths): (Vec<_>, Vec<_>) = paths.iter().cloned().partition(|path| is_file(path) && paths::is_symbols(path));
+    let (units, paths): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| is_file(path) && (paths::is_test(path) || is_scenario(path)));
     let mut cases = Vec::new();
     for test in &units {
         exists(test)?;
@@ -42,13 +40,13 @@ pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf], conditions: &Condition
         let with_tables = |path: PathBuf| tables.iter().cloned().chain([path]).collect::<Vec<_>>();
         if !path.is_dir() {
             crate::files::read(&path)?;
-            cases.push(case(project::shown(&path), with_tables(path), None));
+            cases.push(case(paths::shown(&path), with_tables(path), None));
         } else if path.join(settings::FILE_NAME).is_file() {
             cases.extend(of_project(&path, conditions)?);
         } else {
             let Below { projects, files, tests } = below(&path)?;
             for file in files {
-                cases.push(unnamed(project::shown(&file), with_tables(file)));
+                cases.push(unnamed(paths::shown(&file), with_tables(file)));
             }
             for test in tests {
                 cases.extend(found(&test, &with_tables(program_around(&test)), conditions));
@@ -72,10 +70,10 @@ fn program_around(test: &Path) -> PathBuf {
 /// The tests of a file for a program: unit tests, or a program that checks itself.
 fn cases_of(test: &Path, program: &[PathBuf], conditions: &Conditions) -> Vec<Case> {
     let program_or_around = || if program.is_empty() { vec![program_around(test)] } else { program.to_vec() };
-    match project::is_test(test) {
+    match paths::is_test(test) {
         _ if is_scenario(test) => vec![scenario::case(program_or_around(), test.to_path_buf(), true)],
         true => unit::cases(&program_or_around(), test, conditions),
-        false => vec![case(project::shown(test), program.to_vec(), Some(test.to_path_buf()))],
+        false => vec![case(paths::shown(test), program.to_vec(), Some(test.to_path_buf()))],
     }
 }
 
@@ -120,8 +118,8 @@ fn of_project(folder: &Path, conditions: &Conditions) -> Result<Vec<Case>, Failu
     let program = vec![folder.to_path_buf()];
     let project = Project::load(&program, None)?;
     let mut cases = Vec::new();
-    if project.tests.iter().all(|test| project::is_test(test) || is_scenario(test)) {
-        let name = project.settings.name.unwrap_or_else(|| project::shown(folder));
+    if project.tests.iter().all(|test| paths::is_test(test) || is_scenario(test)) {
+        let name = project.settings.name.unwrap_or_else(|| paths::shown(folder));
         cases.push(unnamed(name, program.clone()));
     }
     cases.extend(project.tests.iter().flat_map(|test| found(test, &program, conditions)));
@@ -139,7 +137,7 @@ struct Below {
 
 /// The projects, programs and test files of a folder that is no project. What a project names belongs to that.
 fn below(folder: &Path) -> Result<Below, Failure> {
-    let all = project::files_below(folder)?;
+    let all = paths::files_below(folder)?;
     let mut projects = BTreeSet::new();
     let mut outside = |file: &PathBuf| {
         let inside = file.ancestors().skip(1).take_while(|parent| *parent != folder);
@@ -147,9 +145,10 @@ fn below(folder: &Path) -> Result<Below, Failure> {
         projects.extend(project.map(Path::to_path_buf));
         project.is_none()
     };
-    let mut files: Vec<PathBuf> = all.iter().filter(|file| project::is_program(file) && outside(file)).cloned().collect();
-    let tests = all.iter().filter(|file| (project::is_test(file) || is_scenario(file)) && outside(file)).cloned().collect();
-    let parts: BTreeSet<PathBuf> = files.iter().filter(|file| awlpro::is_project(file)).flat_map(|file| awlpro::parts(file)).collect();
+    let mut files: Vec<PathBuf> = all.iter().filter(|file| paths::is_program(file) && outside(file)).cloned().collect();
+    let tests = all.iter().filter(|file| (paths::is_test(file) || is_scenario(file)) && outside(file)).cloned().collect();
+    let parts: BTreeSet<PathBuf> =
+        files.iter().filter(|file| paths::is_awlsim_project(file)).flat_map(|file| awlpro::parts(file)).collect();
     files.retain(|file| !parts.contains(file));
     Ok(Below { projects, files, tests })
 }

@@ -4,7 +4,7 @@ use sieben_sim::timing_diagram::{self, Options};
 use sieben_sim::trace::Trace;
 
 use super::Conditions;
-use crate::project::shown;
+use crate::paths::shown;
 
 /// Its width in characters: that of a terminal without what stands before it.
 const WIDTH: usize = 72;

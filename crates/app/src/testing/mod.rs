@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 
 use sieben_lang::encoding::Encoding;
 
-use crate::arguments::EngineArgument;
+use crate::engines::EngineArgument;
 use coverage::Collector;
 use sieben_sim::devices::random::Random;
 use sieben_sim::scenario::Rules;

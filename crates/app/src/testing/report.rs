@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::{Finished, Verdict, Wrong};
 use crate::duration;
-use crate::failure::{Exit, Failure};
+use crate::failure::{Exit, Failure, capitalized};
 
 /// How many tests ended how.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -81,7 +81,7 @@ fn why(verdict: &Verdict) -> Option<(String, Vec<String>)> {
 /// What is wrong with a file, and what to do.
 fn misread(failure: &Failure) -> (String, Vec<String>) {
     let help = failure.help.as_deref().unwrap_or(failure.problem.help());
-    (failure.message.clone(), vec![format!("[{}] {}", failure.problem.code(), crate::report::capitalized(help))])
+    (failure.message.clone(), vec![format!("[{}] {}", failure.problem.code(), capitalized(help))])
 }
 
 fn plural(count: u64, word: &str) -> String {

@@ -21,10 +21,11 @@ use sieben_sim::trace::{Channel, Keep, Memory, Moment, Origin, Recorder, Trace};
 use super::coverage::{Counting, Looking, looking};
 use super::last_change::{self, Scans};
 use super::{Case, Conditions, Outcome, Verdict, Wrong, drawing};
-use crate::arguments::EngineArgument;
+use crate::engines::EngineArgument;
 use crate::failure::Failure;
+use crate::paths::shown;
 use crate::places::Places;
-use crate::project::{Build, Overrides, Project, shown};
+use crate::project::{Build, Overrides, Project};
 use crate::tracing::scenario::{self as files, Unusable};
 use crate::{controller, duration, report};
 

@@ -18,7 +18,7 @@ use sieben_model::block::{BlockId, BlockKind};
 
 use super::coverage::{Counting, looking};
 use super::{Conditions, Outcome, Verdict, Wrong};
-use crate::arguments::EngineArgument;
+use crate::engines::EngineArgument;
 use crate::project::{Build, Overrides, Project};
 use crate::{controller, duration, report, schedule};
 

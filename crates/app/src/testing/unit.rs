@@ -19,8 +19,9 @@ use sieben_sim::trace::{Keep, Memory, Origin, Recorder, Trace};
 use super::coverage::{Counting, Looking, looking};
 use super::last_change::{self, Scans};
 use super::{Case, Conditions, Outcome, Verdict, Wrong, drawing};
-use crate::arguments::EngineArgument;
-use crate::project::{Build, Overrides, Project, shown};
+use crate::engines::EngineArgument;
+use crate::paths::shown;
+use crate::project::{Build, Overrides, Project};
 use crate::{controller, duration, report, schedule};
 
 /// Bytes of local data that the blocks of a test have beside those of the CPU type: what a test needs must not fail a program that

@@ -10,18 +10,13 @@ use sieben_sim::scenario::Scenario;
 use sieben_sim::trace::{self, Origin};
 
 use crate::failure::{Exit, Failure};
-use crate::project::{self, Build};
-use crate::report::{Finding, Texts};
+use crate::project::Build;
+use crate::report::{self, Finding, Texts};
 use crate::schedule::ScheduleArguments;
-use crate::{controller, files, output};
+use crate::{controller, files, output, paths};
 
 /// Bytes of a scenario at most: a day of a busy plant, and what a computer can hold beside its lines.
 const BYTES_MAX: u64 = 1 << 30;
-
-/// Whether a file is a scenario by its name.
-pub(crate) fn is_scenario(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("scenario"))
-}
 
 /// A scenario says itself what happens when.
 fn takes_no_schedule(schedule: &ScheduleArguments) -> Result<(), Failure> {
@@ -50,7 +45,7 @@ pub(crate) fn only<'a>(paths: &'a [PathBuf], schedule: &ScheduleArguments) -> Re
 /// Tells the user that a recording ends before its end.
 pub(crate) fn warn_if_cut_off(path: &Path, scenario: &Scenario) {
     if let Some(message) = cut_off(path, scenario) {
-        project::print_findings(&[Finding::file(Problem::P6263, project::shown(path), message)], &Texts::default(), false);
+        report::print(&[Finding::file(Problem::P6263, paths::shown(path), message)], &Texts::default(), false);
     }
 }
 
@@ -82,7 +77,7 @@ pub(crate) fn read(path: &Path) -> Result<Scenario, Unusable> {
     let text = text(path).map_err(Unusable::File)?;
     Scenario::parse(text.trim_start_matches('\u{FEFF}')).map_err(|errors| {
         let failure = |error: sieben_sim::scenario::ScenarioError| {
-            Failure::usage(Problem::P6260, format!("{}:{}: {}", project::shown(path), error.line, error.message))
+            Failure::usage(Problem::P6260, format!("{}:{}: {}", paths::shown(path), error.line, error.message))
         };
         Unusable::Lines(errors.into_iter().map(failure).collect())
     })
@@ -123,5 +118,5 @@ pub(crate) fn origin(build: &Build) -> Origin {
 /// What is to be said about a recording that has no end.
 pub(crate) fn cut_off(path: &Path, scenario: &Scenario) -> Option<String> {
     scenario.recorded.as_ref().filter(|recorded| recorded.cut_off)?;
-    Some(format!("`{}` was cut off: it ends with its last whole scan", project::shown(path)))
+    Some(format!("`{}` was cut off: it ends with its last whole scan", paths::shown(path)))
 }

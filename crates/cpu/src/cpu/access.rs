@@ -4,11 +4,11 @@ use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::bcd;
 use sieben_model::cpu_type::CpuType;
 
-use super::{Cpu, StopCause};
+use super::Cpu;
 use crate::cycle::CycleTimes;
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::forcing::Forced;
-use crate::mode::{OperatingMode, Restart};
+use crate::mode::{OperatingMode, Restart, StopCause};
 use crate::station::{AccessError, Station, TimerReading};
 
 impl Station for Cpu {

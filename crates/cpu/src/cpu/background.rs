@@ -8,9 +8,11 @@ use super::Cpu;
 use super::interrupting::again;
 use super::run::{Go, Outcome, Rest};
 use super::stop::Held;
+use crate::host::Slice;
 use crate::mode::OperatingMode;
-use crate::organization_blocks::{self as ob, StartInformation};
+use crate::organization_blocks as ob;
 use crate::settings::TimeSource;
+use crate::start_information::StartInformation;
 
 /// Safe points that OB 90 gets in one pause in virtual time, where no clock tells how long the pause is.
 const SLICE_POINTS: u64 = 1000;
@@ -76,13 +78,4 @@ impl Cpu {
             let _ = self.background(next, clock, &mut None);
         }
     }
-}
-
-/// How long OB 90 runs in one pause.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Slice {
-    /// So many safe points.
-    Points(u64),
-    /// Until this time, in microseconds.
-    Until(u64),
 }

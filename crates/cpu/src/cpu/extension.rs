@@ -11,7 +11,8 @@ use super::run::{Go, Outcome};
 use crate::cycle::Cycle;
 use crate::host::Watchdog;
 use crate::mode::{OperatingMode, Restart};
-use crate::organization_blocks::{self as ob, StartInformation};
+use crate::organization_blocks as ob;
+use crate::start_information::StartInformation;
 
 impl Cpu {
     /// The assertion of an extension word that sent the CPU to STOP.

@@ -8,10 +8,10 @@ use sieben_engine::{Machine, Program};
 use sieben_model::address::Area;
 
 use super::{Cpu, Loaded, available};
+use crate::created_data_blocks;
 use crate::mode::OperatingMode;
 use crate::online_change::OnlineChange;
 use crate::process_image::Images;
-use crate::system;
 
 /// Why a program does not take over. The other one goes on unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +36,8 @@ impl std::error::Error for ChangeRefused {}
 impl Cpu {
     /// What would change, and what of the data cannot be kept, if this program took over now. Nothing changes.
     pub fn plan_change(&self, new: &Loaded) -> OnlineChange {
-        let created: Vec<u16> = system::created(&self.machine, &self.system.non_retain).iter().map(|block| block.number).collect();
+        let created: Vec<u16> =
+            created_data_blocks::created(&self.machine, &self.system.non_retain).iter().map(|block| block.number).collect();
         OnlineChange::between(&self.program, &new.program, &created)
     }
 
@@ -106,12 +107,12 @@ impl Cpu {
             let range = now.base as usize..(now.base + now.length) as usize;
             change.carry_over(number, values, &mut memory.arena[range]);
         }
-        for block in system::created(old, &self.system.non_retain) {
+        for block in created_data_blocks::created(old, &self.system.non_retain) {
             let values = &old.memory.arena[block.base as usize..(block.base + block.length) as usize];
             if self.program.data.contains_key(&block.number) {
                 self.system.non_retain.remove(&block.number);
             } else {
-                system::create(&mut self.machine, block.number, values, block.attributes.read_only);
+                created_data_blocks::create(&mut self.machine, block.number, values, block.attributes.read_only);
             }
         }
     }

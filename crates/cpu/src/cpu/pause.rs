@@ -10,7 +10,7 @@ use super::run::{Go, Outcome, Rest};
 use super::scan::ScanReport;
 use super::stop::Held;
 use crate::mode::OperatingMode;
-use crate::organization_blocks::StartInformation;
+use crate::start_information::StartInformation;
 
 /// A paused run: what it was, and what comes behind it.
 #[derive(Clone, Debug)]

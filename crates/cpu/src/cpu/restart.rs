@@ -9,12 +9,13 @@ use super::Cpu;
 use super::pause::{Inner, Then};
 use super::run::{Go, Outcome};
 use super::stop::Held;
+use crate::created_data_blocks;
 use crate::cycle::Cycle;
 use crate::host::Watchdog;
 use crate::interrupts::CyclicInterrupt;
 use crate::mode::{OperatingMode, Restart};
-use crate::organization_blocks::{self as ob, StartInformation};
-use crate::system;
+use crate::organization_blocks as ob;
+use crate::start_information::StartInformation;
 
 impl Cpu {
     /// Starts the CPU at the time of the last scan: STARTUP, then RUN or STOP.
@@ -81,7 +82,7 @@ impl Cpu {
                 retain.timers.clear_others(&mut self.machine.timers);
                 retain.counters.clear_others(&mut self.machine.counters);
                 self.load_data_blocks(|non_retain| non_retain);
-                system::clear(&mut self.machine, &self.system.non_retain);
+                created_data_blocks::clear(&mut self.machine, &self.system.non_retain);
             }
         }
     }
@@ -94,7 +95,7 @@ impl Cpu {
         }
         self.machine.timers.fill(Default::default());
         self.machine.counters.fill(Default::default());
-        system::delete_created(&mut self.machine);
+        created_data_blocks::delete_created(&mut self.machine);
         self.system.non_retain.clear();
         self.load_data_blocks(|_| true);
     }

@@ -3,8 +3,8 @@
 use super::Cpu;
 use crate::interrupts::{Coming, Interrupt};
 use crate::mode::OperatingMode;
-use crate::organization_blocks::StartInformation;
 use crate::retain::{self, Adoption, Refusal, Restored, RetainImage, RetentiveAreas};
+use crate::start_information::StartInformation;
 
 /// Memory reset started by a programming device, and automatically; and done.
 const MEMORY_RESET: u16 = 0x4307;

@@ -8,21 +8,20 @@ use sieben_engine::machine::known_layout::KnownLayout;
 use sieben_engine::machine::{Counter, Frame, Layout, Memory, Registers, Timer};
 
 use super::Cpu;
-use super::background::Slice;
 use super::pause::Pause;
 use super::stack::Stack;
-use super::stop::{Held, StopCause};
+use super::stop::Held;
 use crate::cycle::Cycle;
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::forcing::Forced;
-use crate::host::Watchdog;
+use crate::host::{Slice, Watchdog};
 use crate::interrupts::Interrupts;
 use crate::io::RackSnapshot;
-use crate::mode::{OperatingMode, Restart};
-use crate::organization_blocks::StartInformation;
+use crate::mode::{OperatingMode, Restart, StopCause};
 use crate::process_image::{Failures, Overrides};
 use crate::settings::Settings;
-use crate::system;
+use crate::start_information::StartInformation;
+use crate::system_state;
 
 /// Bytes of the arena that snapshots share as long as nobody writes one of them.
 const PAGE: usize = 1024;
@@ -138,7 +137,7 @@ state! {
     overrides: Overrides,
     forced: Forced,
     image_failures: Failures,
-    system: system::State,
+    system: system_state::State,
     interrupts: Interrupts,
     requested_us: Option<u64>,
     slice: Option<Slice>,

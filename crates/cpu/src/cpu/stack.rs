@@ -3,8 +3,8 @@
 use sieben_engine::machine::{Frame, Registers};
 
 use super::Cpu;
-use crate::organization_blocks::StartInformation;
-use crate::system;
+use crate::start_information::StartInformation;
+use crate::system_state;
 
 /// Blocks that run, with all that they need to go on.
 #[derive(Clone, Debug)]
@@ -15,7 +15,7 @@ pub(super) struct Stack {
     /// The local data of these blocks.
     local: Vec<u8>,
     class: StartInformation,
-    running: system::Running,
+    running: system_state::Running,
 }
 
 impl Cpu {

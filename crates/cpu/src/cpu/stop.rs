@@ -8,21 +8,9 @@ use sieben_engine::{FaultPlace, StopReason};
 use super::Cpu;
 use crate::diagnostic_buffer::DiagnosticEntry;
 use crate::host::Requests;
-use crate::mode::OperatingMode;
-use crate::organization_blocks::{self as ob, StartInformation};
-
-/// Why the CPU is in STOP.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct StopCause {
-    /// The event of the STOP itself, such as 16#4562.
-    pub event: u16,
-    /// The first cause, such as 16#2528; the same as `event` if nothing came before.
-    pub first_event: u16,
-    /// The statement that caused it, counted from 0, if one did.
-    pub place: Option<FaultPlace>,
-    /// Cause, place and consequence in words.
-    pub text: String,
-}
+use crate::mode::{OperatingMode, StopCause};
+use crate::organization_blocks as ob;
+use crate::start_information::StartInformation;
 
 /// Sends a CPU to STOP (as its mode switch does) or HOLD from another thread; seen at the next safe point.
 #[derive(Clone, Debug)]

@@ -8,8 +8,9 @@ use super::Cpu;
 use super::interrupting::again;
 use super::run::{Go, Outcome};
 use crate::host::Watchdog;
-use crate::organization_blocks::StartInformation;
-use crate::system::testing::{Asked, Mock, result_of};
+use crate::start_information::StartInformation;
+use crate::system::testing::result_of;
+use crate::system_state::{Asked, Mock};
 
 /// Safe points that a test runs before whoever runs it is asked whether it may go on.
 const SLICE_POINTS: i64 = 1_000_000;

@@ -91,6 +91,6 @@ impl Cyclic {
         one.next_us = one.next_us.saturating_add(interval.saturating_mul(behind + 1));
         let setting = one.setting;
         self.find_next();
-        StartInformation::cyclic_interrupt(number, setting)
+        StartInformation::cyclic_interrupt(number, setting.phase_ms, setting.interval_ms)
     }
 }

@@ -18,7 +18,7 @@
 use sieben_engine::machine::counters::COUNT_MAX;
 use sieben_engine::machine::{Counter, Timer, TimerKind};
 
-use crate::system::Attributes;
+use crate::created_data_blocks::Attributes;
 
 /// The first byte of an image.
 pub(super) const VERSION: u8 = 2;

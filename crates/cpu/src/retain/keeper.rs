@@ -7,7 +7,8 @@ use sieben_engine::Machine;
 use super::areas::RetentiveAreas;
 use super::declaration::Declarations;
 use super::image::{self, CLOCK, METERS, RetainImage, VERSION};
-use crate::system::{self, Created};
+use crate::created_data_blocks::{self, Created};
+use crate::system_state::State;
 
 /// A clock that is so much older than the last image makes a new one while a retentive timer runs: the unit of the timers.
 const TIMER_UNIT_US: u64 = 10_000;
@@ -41,12 +42,12 @@ impl Keeper {
     pub(crate) fn image(
         &mut self,
         machine: &Machine,
-        state: &system::State,
+        state: &State,
         areas: &RetentiveAreas,
         declarations: &Declarations,
         scan: u64,
     ) -> Option<&RetainImage> {
-        let created = system::created(machine, &state.non_retain);
+        let created = created_data_blocks::created(machine, &state.non_retain);
         let mut changed = false;
         let loaded = state.load_memory.keys().eq(self.loaded.iter().map(|(number, _)| number));
         if !self.listed || created != self.created || !loaded {
@@ -64,14 +65,7 @@ impl Keeper {
     }
 
     /// Lists where everything comes from, and makes room for it.
-    fn list(
-        &mut self,
-        machine: &Machine,
-        state: &system::State,
-        areas: &RetentiveAreas,
-        declarations: &Declarations,
-        created: Vec<Created>,
-    ) {
+    fn list(&mut self, machine: &Machine, state: &State, areas: &RetentiveAreas, declarations: &Declarations, created: Vec<Created>) {
         let mut bytes = vec![0; image::HEAD_BYTES];
         bytes[0] = VERSION;
         (self.pieces, self.timers, self.counters, self.loaded) = Default::default();
@@ -122,7 +116,7 @@ impl Keeper {
     }
 
     /// Copies what has changed; whether anything has. Comparing costs a fraction of what writing would.
-    fn copy(&mut self, machine: &Machine, state: &system::State) -> bool {
+    fn copy(&mut self, machine: &Machine, state: &State) -> bool {
         let mut changed = false;
         let mut copy = |from: &[u8], at: usize, bytes: &mut Vec<u8>| {
             let to = &mut bytes[at..at + from.len()];
@@ -154,7 +148,7 @@ impl Keeper {
         machine.clock_us.abs_diff(u64::from_be_bytes(clock)) >= unit
     }
 
-    fn head(&mut self, machine: &Machine, state: &system::State) {
+    fn head(&mut self, machine: &Machine, state: &State) {
         self.image.bytes[CLOCK].copy_from_slice(&machine.clock_us.to_be_bytes());
         for (index, meter) in state.meters.iter().enumerate().take(METERS) {
             let at = CLOCK.end + 8 * index;

@@ -8,7 +8,8 @@ use sieben_model::address::Area;
 use super::areas::RetentiveAreas;
 use super::declaration::{Declarations, Initial};
 use super::image::{self, Parsed, Part, RetainImage};
-use crate::system;
+use crate::created_data_blocks;
+use crate::system_state;
 
 /// What to do with the image of a program with other data blocks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -103,7 +104,8 @@ pub(crate) fn judge<'a>(
         _ => None,
     });
     // Created data blocks belong together: the program made them in one memory.
-    let created_fit = created.clone().all(|(number, _)| !declarations.all.contains_key(&number)) && system::fit(machine, created);
+    let created_fit =
+        created.clone().all(|(number, _)| !declarations.all.contains_key(&number)) && created_data_blocks::fit(machine, created);
     // What the program wrote to the load memory goes when the program brings other values there.
     parts.retain(|part| match part {
         Part::Loaded { number, initial, bytes } => declarations.all.get(number) == Some(&Initial { hash: *initial, length: bytes.len() }),
@@ -135,12 +137,12 @@ pub(crate) fn judge<'a>(
 
 impl Judged<'_> {
     /// Puts everything into a machine whose work memory was cleared.
-    pub(crate) fn put(self, machine: &mut Machine, state: &mut system::State, areas: &RetentiveAreas) -> Restored {
+    pub(crate) fn put(self, machine: &mut Machine, state: &mut system_state::State, areas: &RetentiveAreas) -> Restored {
         let Self { clock_us, meters_us, parts, mut restored } = self;
         machine.clock_us = clock_us;
         state.load_memory.clear();
         for (meter, shown_us) in state.meters.iter_mut().zip(meters_us) {
-            *meter = system::Meter { shown_us, since_us: None };
+            *meter = system_state::Meter { shown_us, since_us: None };
         }
         for part in parts {
             put(part, machine, state, areas, &mut restored);
@@ -151,7 +153,7 @@ impl Judged<'_> {
     }
 }
 
-fn put(part: Part<'_>, machine: &mut Machine, state: &mut system::State, areas: &RetentiveAreas, restored: &mut Restored) {
+fn put(part: Part<'_>, machine: &mut Machine, state: &mut system_state::State, areas: &RetentiveAreas, restored: &mut Restored) {
     match part {
         Part::BitMemory { first, bytes } => {
             let memory = machine.memory.area_mut(Area::BitMemory);
@@ -181,7 +183,7 @@ fn put(part: Part<'_>, machine: &mut Machine, state: &mut system::State, areas: 
             restored.data_blocks.push(number);
         }
         Part::Created { number, attributes, bytes } => {
-            system::create(machine, number, bytes, attributes.read_only);
+            created_data_blocks::create(machine, number, bytes, attributes.read_only);
             if attributes.non_retain {
                 state.non_retain.insert(number);
             }

@@ -9,12 +9,13 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::program::DataBlock;
 
 use super::*;
-use crate::system;
+use crate::created_data_blocks;
+use crate::system_state;
 
 /// A machine of a program with DB 1 (retentive), DB 2 (NON_RETAIN), DB 3 (READ_ONLY) and DB 4 (UNLINKED), 8 bytes each.
 struct Plant {
     machine: Machine,
-    state: system::State,
+    state: system_state::State,
     areas: RetentiveAreas,
     declarations: Declarations,
     keeper: Keeper,
@@ -40,7 +41,7 @@ impl Plant {
         let numbers = |text: &str| Numbers::parse(text).unwrap();
         Self {
             machine: Machine::new(layout),
-            state: system::State::default(),
+            state: system_state::State::default(),
             areas: RetentiveAreas { bit_memory: numbers("0..15, 100"), timers: numbers("2..3"), counters: numbers("0..7") },
             declarations: Declarations::of(program),
             keeper: Keeper::default(),
@@ -72,11 +73,11 @@ impl Plant {
         for counter in &mut plant.machine.counters {
             counter.set(true, 0x0123);
         }
-        system::create(&mut plant.machine, 20, &[1, 2, 3, 4, 5, 6], true);
-        system::create(&mut plant.machine, 21, &[7; 10], false);
+        created_data_blocks::create(&mut plant.machine, 20, &[1, 2, 3, 4, 5, 6], true);
+        created_data_blocks::create(&mut plant.machine, 21, &[7; 10], false);
         plant.state.non_retain.insert(21);
         plant.state.load_memory.insert(4, vec![0x77; 8]);
-        plant.state.meters[3] = system::Meter { shown_us: 5_000_000, since_us: Some(9_000_000) };
+        plant.state.meters[3] = system_state::Meter { shown_us: 5_000_000, since_us: Some(9_000_000) };
         plant
     }
 }
@@ -106,7 +107,7 @@ fn what_is_retentive_comes_back_and_nothing_else() {
     assert_eq!(remaining, [0, 0, 12, 12, 0]);
     assert!(plant.machine.timers[2].running && plant.machine.timers[2].start_edge);
     assert_eq!(plant.machine.counters.iter().filter(|counter| counter.count == 123 && counter.set_edge).count(), 8);
-    assert_eq!(plant.state.meters[3], system::Meter { shown_us: 6_000_000, since_us: None });
+    assert_eq!(plant.state.meters[3], system_state::Meter { shown_us: 6_000_000, since_us: None });
     assert_eq!(plant.image().map(|again| again.bytes), Some(image.bytes), "the image of what was restored is the same image");
 }
 
@@ -126,7 +127,7 @@ fn an_image_is_handed_out_when_something_has_changed() {
     assert!(plant.image().is_some());
     plant.data_block(21)[9] ^= 1;
     assert!(plant.image().is_some());
-    system::delete_created(&mut plant.machine);
+    created_data_blocks::delete_created(&mut plant.machine);
     let image = plant.image().unwrap();
     assert!(plant.image().is_none());
     assert_eq!(Plant::new().restore(&image, Adoption::SameProgram).unwrap().data_blocks, [1]);
@@ -194,7 +195,7 @@ fn what_was_written_to_the_load_memory_goes_with_new_initial_values() {
 fn a_run_time_meter_may_show_whatever_the_program_set() {
     for hours in [0, 32_767, u64::from(i32::MAX as u32)] {
         let mut plant = Plant::new();
-        plant.state.meters[0] = system::Meter { shown_us: hours * 3_600_000_000, since_us: None };
+        plant.state.meters[0] = system_state::Meter { shown_us: hours * 3_600_000_000, since_us: None };
         let image = plant.image().unwrap();
         assert!(image.is_sound(), "{hours} h");
         let mut again = Plant::new();
@@ -265,7 +266,7 @@ fn created_data_blocks_that_do_not_fit_are_not_made() {
         assert_eq!(Plant::new().restore(&image, Adoption::SameProgram).is_ok(), fits, "{} parts", parts.len());
         let mut plant = Plant::new();
         plant.restore(&image, Adoption::WhatFits).unwrap();
-        assert_eq!(system::created(&plant.machine, &plant.state.non_retain).is_empty(), !fits);
+        assert_eq!(created_data_blocks::created(&plant.machine, &plant.state.non_retain).is_empty(), !fits);
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::Call;
 use super::instance::Instance;
-use super::modules::{self, NO_MODULE, NO_RECORD};
+use super::modules::{NO_MODULE, NO_RECORD};
+use crate::slots;
 
 /// RECORD is no area, or shorter than the data.
 const BAD_RECORD: u16 = 0x8092;
@@ -53,7 +54,7 @@ pub(super) fn call(call: &mut Call<'_, '_>, block: &Block) -> bool {
 fn refusal(call: &Call<'_, '_>, block: &Block, id: u32, length: i16, record: [u8; 10]) -> u16 {
     // Bit 15 of ID tells the outputs of a module from its inputs.
     let (address, output) = (id & 0x7FFF, id & 0x8000 != 0);
-    if id > 0xFFFF || modules::at(call.host.rack, address, output).is_none() {
+    if id > 0xFFFF || slots::at(call.host.rack, address, output).is_none() {
         return NO_MODULE;
     }
     if !(0..=RECORD_BYTES_MAX).contains(&length) {

@@ -13,9 +13,10 @@ use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::host::{Requests, Time, Watchdog};
 use crate::interrupts::Interrupts;
 use crate::io::Rack;
-use crate::organization_blocks::StartInformation;
 use crate::process_image::Images;
 use crate::settings::TimeSource;
+use crate::start_information::StartInformation;
+use crate::system_state::State;
 
 /// Bytes of each data block: room for the largest instance.
 const DATA_BLOCK_BYTES: usize = 400;

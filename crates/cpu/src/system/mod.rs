@@ -6,7 +6,7 @@ mod consistent_data;
 mod controller;
 #[cfg(test)]
 mod controller_tests;
-mod created_data_blocks;
+mod data_blocks;
 mod declaration;
 mod dpv1;
 mod error_masks;
@@ -17,7 +17,7 @@ mod instance;
 mod interrupt_blocks;
 mod interrupt_locks;
 mod load_memory;
-pub(crate) mod modules;
+mod modules;
 mod mpi_partner;
 mod output_bits;
 pub(crate) mod own_errors;
@@ -103,7 +103,6 @@ mod sfc084_writ_dbl;
 mod sfc085_crea_db;
 mod sfc100_set_clks;
 mod sfc101_rtm;
-mod state;
 pub mod summaries;
 pub(crate) mod testing;
 #[cfg(test)]
@@ -118,13 +117,11 @@ use sieben_model::interface::{Interface, SystemBlock};
 
 use crate::host::CpuHost;
 
-pub(crate) use created_data_blocks::{Attributes, Created, clear, create, created, delete_created, fit};
 use declaration::{
     Initial, Parameter, RET_VAL, Row, Run, Type, in_out, input, made, output, preset, ret_val, sfb, sfc, stored, stored_preset,
 };
 pub(crate) use error_masks::filter_bit;
 pub use fuzz::fuzz;
-pub(crate) use state::{Meter, Running, State};
 
 /// A call: the machine, the CPU behind it, and the first parameter pointer.
 pub(crate) struct Call<'a, 'h> {

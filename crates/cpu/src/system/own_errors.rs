@@ -1,7 +1,6 @@
 //! What the code of GET_ERROR and GET_ERR_ID asks: blocks that handle their synchronous errors themselves.
 
-use sieben_engine::fault::{Fault, Place};
-use sieben_engine::{Machine, Reaction};
+use sieben_engine::{Fault, FaultPlace, Machine, Reaction};
 use sieben_model::address::Width;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::extension::{FIRST_ERROR, HANDLE_ERRORS};
@@ -10,24 +9,7 @@ use sieben_model::types::DataType;
 use super::declaration::RET_VAL;
 use super::parameters::Answer;
 use super::{Call, Parameter, Row, Run, output};
-
-/// A block that runs and handles its errors itself.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Handler {
-    /// How many frames there are with its own.
-    depth: usize,
-    block: BlockId,
-    /// The first error since it began or was asked.
-    first: Option<OwnError>,
-}
-
-/// An error and the statement that had it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct OwnError {
-    event: u16,
-    reaction: u8,
-    place: Place,
-}
+use crate::system_state::{Handler, OwnError};
 
 pub(super) static CALLED: &[Row] = &[
     Row { block: FIRST_ERROR, name: "__FIRST_ERROR", parameters: PARAMETERS, run: Run::Reaction(first_error), only: None },
@@ -57,7 +39,7 @@ fn reaction_to(fault: &Fault) -> u8 {
 }
 
 /// Keeps the error if the running block handles its errors itself; whether it does.
-pub(crate) fn keeps(handlers: &mut [Handler], machine: &Machine, fault: &Fault, place: Place) -> bool {
+pub(crate) fn keeps(handlers: &mut [Handler], machine: &Machine, fault: &Fault, place: FaultPlace) -> bool {
     let is_own = |one: &&mut Handler| one.depth == machine.frames.len() && one.block == place.block;
     let Some(handler) = handlers.iter_mut().rev().find(is_own) else { return false };
     if matches!(fault, Fault::Abort(_)) {

@@ -3,7 +3,7 @@
 use sieben_model::address::Width;
 
 use super::Call;
-use super::state::Meter;
+use crate::system_state::Meter;
 
 /// No such meter.
 const BAD_NUMBER: u16 = 0x8080;

@@ -2,7 +2,7 @@
 
 use sieben_model::types::DataType;
 
-use crate::organization_blocks::StartInformation;
+use crate::start_information::StartInformation;
 
 use super::instance::Instance;
 use super::{Call, Parameter, Row, in_out, input, output, sfb};

@@ -3,9 +3,10 @@
 use sieben_model::address::Width;
 use sieben_model::types::DataType;
 
-use super::modules::{FIRST_SLOT, IOID_INPUT, plugged};
+use super::modules::IOID_INPUT;
 use super::parameters::Answer;
 use super::{Call, Parameter, Row, Run, input, output, ret_val, sfc};
+use crate::slots::{FIRST_SLOT, plugged};
 
 pub(super) const ROW: Row = sfc(5, "GADR_LGC", PARAMETERS, Run::Value(run));
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use sieben_model::interface::Section;
 use sieben_model::types::{DataType, Field, Structure};
 
-use crate::organization_blocks::StartInformation;
+use crate::start_information::StartInformation;
 
 use super::parameters::Answer;
 use super::{Call, Parameter, Row, Run, made, ret_val, sfc};

@@ -3,7 +3,7 @@
 use sieben_engine::{Fault, Reaction};
 use sieben_model::types::DataType;
 
-use super::created_data_blocks::for_each_open;
+use super::data_blocks::for_each_open;
 use super::{Call, Parameter, Row, Run, input, ret_val, sfc};
 
 pub(super) const ROW: Row = sfc(23, "DEL_DB", PARAMETERS, Run::Reaction(run));

@@ -3,7 +3,7 @@
 use sieben_model::address::Width;
 use sieben_model::types::DataType;
 
-use super::created_data_blocks::NOT_THERE;
+use super::data_blocks::NOT_THERE;
 use super::parameters::Answer;
 use super::{Call, Parameter, Row, Run, input, output, ret_val, sfc};
 

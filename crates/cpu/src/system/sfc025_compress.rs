@@ -3,9 +3,10 @@
 use sieben_model::address::Width;
 use sieben_model::types::DataType;
 
-use super::created_data_blocks::{for_each_open, room, taken};
+use super::data_blocks::for_each_open;
 use super::parameters::Answer;
 use super::{Call, Parameter, Row, Run, output, ret_val, sfc};
+use crate::created_data_blocks::{room, taken};
 
 pub(super) const ROW: Row = sfc(25, "COMPRESS", PARAMETERS, Run::Value(run));
 

@@ -4,7 +4,7 @@ use sieben_model::address::Width;
 use sieben_model::types::DataType;
 
 use crate::diagnostic_buffer::DiagnosticEntry;
-use crate::organization_blocks::StartInformation;
+use crate::start_information::StartInformation;
 
 use super::parameters::Answer;
 use super::{Call, Parameter, Row, Run, input, ret_val, sfc};

@@ -6,8 +6,8 @@ use sieben_model::types::DataType;
 use crate::clock::DateAndTime;
 
 use super::parameters::Answer;
-use super::state::ClockStatus;
 use super::{Call, Parameter, Row, Run, input, ret_val, sfc};
+use crate::system_state::ClockStatus;
 
 pub(super) const ROW: Row = sfc(100, "SET_CLKS", PARAMETERS, Run::Value(run));
 

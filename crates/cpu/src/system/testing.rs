@@ -10,9 +10,7 @@ use sieben_model::types::DataType;
 
 use super::parameters::{Place, locate};
 use super::{Call, Parameter, Row, Run, input};
-
-/// Values that a word of a test may have.
-pub(crate) const VALUES: usize = 3;
+use crate::system_state::Asked;
 
 /// What programs of tests call. Their parameters are passed as pointers to values of whatever width the question has.
 pub(super) static CALLED: &[Row] = &[
@@ -35,29 +33,6 @@ const TEXT_PARAMETERS: &[Parameter] =
 const INPUT_PARAMETERS: &[Parameter] =
     &[input("BYTE", DataType::DoubleWord), input("BYTES", DataType::DoubleWord), input("VALUE", DataType::DoubleWord)];
 const HOLD_PARAMETERS: &[Parameter] = &[input("FIRST", DataType::DoubleWord), input("BITS", DataType::DoubleWord)];
-
-/// What a test asks for; the run of the test is suspended until it is done.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Asked {
-    /// The row of the plan.
-    pub row: u32,
-    /// Its values: eight bytes behind each pointer, as many of them as the type has count.
-    pub values: [[u8; 8]; VALUES],
-    /// Its texts, if it is about texts.
-    pub texts: Option<[Vec<u8>; 2]>,
-}
-
-/// A block whose calls a test replaces or counts.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Mock {
-    pub(crate) block: BlockId,
-    /// The instance: data block and first byte; `None` for a function.
-    pub(crate) instance: Option<(u16, u32)>,
-    /// Where the result of a function goes: the index of the parameter, its width, its value.
-    pub(crate) result: Option<(usize, Width, u64)>,
-    /// How often it was called.
-    pub(crate) calls: u64,
-}
 
 /// The place of the result of a function: index among its parameters and width.
 pub(crate) fn result_of(interface: &Interface) -> Option<(usize, Width)> {

@@ -16,7 +16,7 @@ use crate::clock::DateAndTime;
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::io::Rack;
 use crate::mode::OperatingMode;
-use crate::organization_blocks::StartInformation;
+use crate::start_information::StartInformation;
 
 /// What the list is made from.
 #[derive(Clone, Copy)]

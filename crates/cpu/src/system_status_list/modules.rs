@@ -1,7 +1,7 @@
 //! The modules: lists 16#xy90, 16#xy91 and 16#xy92.
 
 use super::{SystemStatus, record, words};
-use crate::system::modules::{self, Plugged};
+use crate::slots::{self, Plugged};
 
 /// Bytes of a record of list 16#xy92: bit n of the first is rack n.
 const RACKS: usize = 16;
@@ -25,7 +25,7 @@ fn state(plugged: &Plugged<'_>) -> Vec<u8> {
 
 /// List 16#0091: the state of all modules.
 pub(super) fn all(status: &SystemStatus<'_>) -> Vec<Vec<u8>> {
-    modules::plugged(status.rack).map(|plugged| state(&plugged)).collect()
+    slots::plugged(status.rack).map(|plugged| state(&plugged)).collect()
 }
 
 /// List 16#0591: the state of all submodules, which are the modules themselves.
@@ -36,7 +36,7 @@ pub(super) fn all_of_index_0(status: &SystemStatus<'_>, _index: u16) -> Option<V
 /// List 16#0C91: the module at a logical address; bit 15 tells outputs from inputs.
 pub(super) fn at_address(status: &SystemStatus<'_>, index: u16) -> Option<Vec<Vec<u8>>> {
     let (address, output) = (u32::from(index & 0x7FFF), index & 0x8000 != 0);
-    Some(vec![state(&modules::at(status.rack, address, output)?)])
+    Some(vec![state(&slots::at(status.rack, address, output)?)])
 }
 
 /// List 16#0D91: the modules of a rack; there is rack 0.

@@ -5,7 +5,7 @@ use sieben_model::block::{BlockId, BlockKind};
 use super::{SystemStatus, record};
 use crate::diagnostic_buffer::DiagnosticEntry;
 use crate::mode::OperatingMode;
-use crate::organization_blocks::StartInformation;
+use crate::start_information::StartInformation;
 
 /// Lights: SF, INTF, EXTF, RUN, STOP, FRCE, CRST, BAF.
 const LIGHTS: &[u16] = &[1, 2, 3, 4, 5, 6, 7, 8];

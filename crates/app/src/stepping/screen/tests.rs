@@ -10,8 +10,8 @@ use sieben_sim::history::Plan;
 use super::draw;
 use super::keys::Command;
 use super::picture::Screen;
-use crate::arguments::EngineArgument;
 use crate::controller;
+use crate::engines::EngineArgument;
 use crate::project::{Build, Overrides, Project};
 use crate::stepping::{Direction, Language, Stepper, Unit};
 

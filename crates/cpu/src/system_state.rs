@@ -2,12 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use sieben_engine::{Machine, machine::Origin};
+use sieben_engine::machine::Origin;
+use sieben_engine::{FaultPlace, Machine};
+use sieben_model::address::Width;
+use sieben_model::block::BlockId;
 use sieben_model::extension::FailedAssertion;
 
-use super::own_errors::Handler;
-use super::testing::{Asked, Mock};
-use crate::organization_blocks::StartInformation;
+use crate::start_information::StartInformation;
 
 /// What a priority class has set; its end forgets it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -27,6 +28,50 @@ pub(crate) struct Meter {
     pub(crate) shown_us: u64,
     /// CPU clock when it was started, while it runs.
     pub(crate) since_us: Option<u64>,
+}
+
+/// A block that runs and handles its errors itself.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Handler {
+    /// How many frames there are with its own.
+    pub(crate) depth: usize,
+    pub(crate) block: BlockId,
+    /// The first error since it began or was asked.
+    pub(crate) first: Option<OwnError>,
+}
+
+/// An error and the statement that had it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct OwnError {
+    pub(crate) event: u16,
+    pub(crate) reaction: u8,
+    pub(crate) place: FaultPlace,
+}
+
+/// Values that a word of a test may have.
+pub(crate) const VALUES: usize = 3;
+
+/// What a test asks for; the run of the test is suspended until it is done.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Asked {
+    /// The row of the plan.
+    pub row: u32,
+    /// Its values: eight bytes behind each pointer, as many of them as the type has count.
+    pub values: [[u8; 8]; VALUES],
+    /// Its texts, if it is about texts.
+    pub texts: Option<[Vec<u8>; 2]>,
+}
+
+/// A block whose calls a test replaces or counts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Mock {
+    pub(crate) block: BlockId,
+    /// The instance: data block and first byte; `None` for a function.
+    pub(crate) instance: Option<(u16, u32)>,
+    /// Where the result of a function goes: the index of the parameter, its width, its value.
+    pub(crate) result: Option<(usize, Width, u64)>,
+    /// How often it was called.
+    pub(crate) calls: u64,
 }
 
 /// What belongs to the blocks that run.

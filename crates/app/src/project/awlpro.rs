@@ -13,23 +13,16 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 
+use super::{Project, SourceFile};
 use crate::failure::Failure;
-use crate::files;
-use crate::project::{self, Project, SourceFile};
 use crate::report::Finding;
 use crate::settings::{Settings, WATCHDOG};
+use crate::{files, paths};
 
-/// The ending of the files.
-const ENDING: &str = "awlpro";
 /// The columns of a symbol table without headings.
 const HEADINGS: &str = "symbol;address;type;comment\n";
 /// The library that we have, too.
 const LIBRARY: &str = "IEC";
-
-/// Whether a file is such a project by its name.
-pub(crate) fn is_project(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(ENDING))
-}
 
 /// The files that a project consists of beside itself; none if it cannot be read.
 pub(crate) fn parts(path: &Path) -> BTreeSet<PathBuf> {
@@ -39,7 +32,7 @@ pub(crate) fn parts(path: &Path) -> BTreeSet<PathBuf> {
     let sources = read.into_iter().flat_map(|project| project.sources);
     sources
         .filter_map(|source| match source.content {
-            Content::File(file) => Some(project::join(folder, Path::new(&file))),
+            Content::File(file) => Some(paths::join(folder, Path::new(&file))),
             Content::Inline(_) => None,
         })
         .collect()
@@ -51,7 +44,7 @@ fn folder_of(path: &Path) -> &Path {
 
 /// Reads a project with everything that it names.
 pub(crate) fn load(into: &mut Project, path: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<(), Failure> {
-    let shown = project::shown(path);
+    let shown = paths::shown(path);
     let decoded = match encoding::read_source_as(&files::read(path)?, Some(Encoding::Utf8)) {
         Ok(decoded) => decoded,
         Err(unreadable) => {
@@ -92,15 +85,15 @@ pub(crate) fn load(into: &mut Project, path: &Path, seen: &mut BTreeSet<PathBuf>
 /// The path of a file that the project names; says so if it lies elsewhere or is not there.
 fn inside(into: &mut Project, path: &Path, file: &str, source: &Source) -> Option<PathBuf> {
     let folder = folder_of(path);
-    let target = project::join(folder, Path::new(file));
+    let target = paths::join(folder, Path::new(file));
     let outside = || match (std::fs::canonicalize(&target), std::fs::canonicalize(folder)) {
         (Ok(target), Ok(folder)) => !target.starts_with(folder),
         _ => false,
     };
-    let (problem, message) = if project::leaves_folder(file) || outside() {
+    let (problem, message) = if paths::leaves_folder(file) || outside() {
         (Problem::P6010, format!("`{file}` leaves the folder of the project"))
     } else if !target.is_file() {
-        (Problem::P6001, format!("there is no file `{}`", project::shown(&target)))
+        (Problem::P6001, format!("there is no file `{}`", paths::shown(&target)))
     } else {
         return Some(target);
     };
@@ -110,10 +103,10 @@ fn inside(into: &mut Project, path: &Path, file: &str, source: &Source) -> Optio
 
 fn symbol_table(into: &mut Project, path: &Path, table: &Source, seen: &mut BTreeSet<PathBuf>) -> Result<(), Failure> {
     let (name, text) = match &table.content {
-        Content::Inline(text) => (format!("{} ({})", project::shown(path), table.name), text.clone()),
+        Content::Inline(text) => (format!("{} ({})", paths::shown(path), table.name), text.clone()),
         Content::File(file) => {
             let Some(target) = inside(into, path, file, table) else { return Ok(()) };
-            let shown = project::shown(&target);
+            let shown = paths::shown(&target);
             match encoding::read_source_as(&files::read(&target)?, into.encoding) {
                 Ok(decoded) => {
                     if decoded.had_errors {
