@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 pub mod awlsim_project;
+mod calling;
 pub mod coverage;
 mod declarations;
 pub mod encoding;
