@@ -5,6 +5,7 @@ use std::fs;
 
 use sieben_engine::ir::ops::Op;
 use sieben_lang::Options;
+use sieben_lang::description::describe;
 use sieben_lang::library;
 use sieben_lang::reason;
 use sieben_lang::stl::instructions::Instruction;
@@ -192,7 +193,7 @@ fn library_blocks() -> String {
          One STL source each in `library/`; its head gives the sentences of this page. A call brings the block into the program: \
          [how](../how-to/library.md). Inputs are before the arrow, results behind it.\n",
     );
-    let described: Vec<_> = library::ALL.iter().map(|block| (block, library::describe(block, &Options::default()))).collect();
+    let described: Vec<_> = library::ALL.iter().map(|block| (block, describe(block, &Options::default()))).collect();
     let mut families: Vec<&str> = described.iter().map(|(_, description)| description.family.as_str()).collect();
     families.sort_unstable();
     families.dedup();

@@ -5,6 +5,7 @@ pub mod awlsim_project;
 mod calling;
 pub mod coverage;
 mod declarations;
+pub mod description;
 pub mod encoding;
 pub mod language;
 pub mod library;

@@ -15,16 +15,15 @@ use sieben_model::symbols::SymbolTable;
 use sieben_model::testing::TestPlan;
 
 use crate::coverage::Countable;
-use crate::declarations::data_block::{DataLayout, fill, instance, layout};
-use crate::declarations::path::FieldNames;
-use crate::declarations::types::{BlockInterface, Types};
+use crate::declarations::data_block::{DataLayout, instance};
+use crate::declarations::types::{BlockInterface, Declares};
 use crate::language::Language;
 use crate::language::is_test_file;
 use crate::library::link::{Links, link};
 use crate::library::{Linked, Selection};
-use crate::scope::{Scope, block_of_name};
+use crate::scope::Scope;
 use crate::st;
-use crate::st::declare::{Demand, Items, Needed, StFile, collect, expand};
+use crate::st::declare::{Demand, Items, Needed, StFile, Types, collect, expand};
 use crate::st::dialect::Dialect;
 use crate::st::lower::mocking;
 use crate::st::standard::Source;
@@ -32,6 +31,11 @@ use crate::st::tree::TypedBlock;
 use crate::st::untold::Untold;
 use crate::stl::ast;
 use crate::stl::check;
+use crate::stl::declare::Blocks;
+use crate::stl::declare::data_block::{fill, layout};
+use crate::stl::declare::links::mentions;
+use crate::stl::declare::names::block_of_name;
+use crate::stl::declare::path::FieldNames;
 use crate::stl::extension;
 use crate::stl::lower::{ResolvedBlock, lower, lower_counted};
 use crate::stl::parser::{Parsed, parse};
@@ -259,7 +263,7 @@ fn attempt(
     let defined: HashSet<BlockId> = taken.keys().copied().collect();
     // One file alone does not tell whether another one defines the block.
     let selection = Selection { enabled: options.library.enabled && !options.syntax_only, ..options.library.clone() };
-    let links = link(found.iter().map(|found| found.block), &needed.blocks, &defined, &mut scope, &selection, &cpu);
+    let links = link(found.iter().flat_map(|found| mentions(found.block)), &needed.blocks, &defined, &mut scope, &selection, &cpu);
     compiled.library = linked(&links, sources.iter().len() + needed.sources.len());
     compiled.st_library = needed.linked(&items, sources.iter().len());
     let library: Vec<Parsed> =
@@ -277,12 +281,12 @@ fn attempt(
             &with_library
         }
     };
-    let blocks: HashMap<BlockId, &ast::Block> = found.iter().map(|found| (found.id, found.block)).collect();
+    let blocks: Blocks<'_> = found.iter().map(|found| (found.id, found.block)).collect();
     let system: HashMap<BlockId, &SystemBlock> = options.system_blocks.iter().map(|block| (block.block, block)).collect();
 
     // First pass: everything that is declared. The order of the sources does not matter, types resolve one another.
-    let mut types = Types::new(&scope, &blocks, &system);
-    types.st = Some(&items);
+    let languages: [&dyn Declares<'_, _>; 2] = [&items, &blocks];
+    let mut types = Types::new(&scope, &languages, &system);
     let mut interfaces: HashMap<BlockId, BlockInterface> = HashMap::new();
     let mut data: HashMap<u16, DataLayout> = HashMap::new();
     for &block in system.keys() {
@@ -318,7 +322,7 @@ fn attempt(
     let field_names = FieldNames::default();
     fill_data(&mut types, &field_names, &found, &items, &data, &generated, &mut compiled.program);
     diagnostics.append(&mut types.diagnostics);
-    let known = std::mem::take(&mut types.st_known);
+    let known = std::mem::take(&mut types.known);
     let environment = st::declare::environment(&items, (&scope, &links), &interfaces, &data, known, globals);
 
     // Second pass: statements.
@@ -543,7 +547,7 @@ fn missing_instances(
     scope: &Scope,
     interfaces: &HashMap<BlockId, BlockInterface>,
     data: &mut HashMap<u16, DataLayout>,
-    blocks: &HashMap<BlockId, &ast::Block>,
+    blocks: &Blocks<'_>,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<u16> {
     let mut generated = Vec::new();

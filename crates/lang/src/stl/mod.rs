@@ -3,6 +3,7 @@
 pub mod ast;
 pub(crate) mod check;
 pub mod convert;
+pub(crate) mod declare;
 pub mod extension;
 pub mod format;
 pub mod instructions;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use sieben_lang::description::describe;
 use sieben_lang::library::{self, Selection};
 use sieben_lang::stl::parser::parse;
 use sieben_lang::{Compiled, Options, compile};
@@ -160,7 +161,7 @@ fn every_block_is_whole_small_and_named_as_in_the_table() {
         assert!(others.is_empty(), "{block:?}: {others:?}");
         let code = compiled.program.code.get(&block.block).unwrap_or_else(|| panic!("{} has the number of the table", block.path));
         assert!(code.local_size <= LOCAL_BYTES_MAX, "{block:?} needs {} bytes of local data", code.local_size);
-        let description = library::describe(block, &Options::default());
+        let description = describe(block, &Options::default());
         assert!(!description.title.is_empty() && !description.comment.is_empty() && !description.family.is_empty(), "{block:?}");
         assert!(
             description.interface.parameters().all(|parameter| parameter.name == "RET_VAL" || !parameter.comment.is_empty()),
