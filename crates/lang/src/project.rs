@@ -31,6 +31,7 @@ use crate::st::tree::TypedBlock;
 use crate::st::untold::Untold;
 use crate::stl::ast;
 use crate::stl::check;
+use crate::stl::counting::countable;
 use crate::stl::declare::Blocks;
 use crate::stl::declare::data_block::{fill, layout};
 use crate::stl::declare::links::mentions;
@@ -386,7 +387,7 @@ fn attempt(
     compiled.tests = bodies.tests;
     if options.counted {
         compiled.countable = bodies.countable;
-        let stl = compiled.blocks.iter().filter_map(|(id, block)| Some((*id, Countable::of_stl(block, compiled.program.code.get(id)?))));
+        let stl = compiled.blocks.iter().filter_map(|(id, block)| Some((*id, countable(block, compiled.program.code.get(id)?))));
         compiled.countable.extend(stl);
         let not_mine = |id: BlockId| compiled.is_of_library(id) || compiled.tests.blocks.contains(&id);
         let strangers: Vec<BlockId> = compiled.countable.keys().copied().filter(|&id| not_mine(id)).collect();

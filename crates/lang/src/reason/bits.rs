@@ -4,7 +4,7 @@ use super::operands::Named;
 use super::sentences::Sentence as S;
 use super::telling::Telling;
 use super::text::{Clause, Words};
-use super::why::{Joint, Sense, Why};
+use crate::stl::why::{Joint, Sense, Why};
 
 /// Whether statements take effect: the MCR is not active, or every open zone is switched on.
 pub(super) fn mcr_on(telling: &Telling<'_>) -> bool {

@@ -1,6 +1,6 @@
 //! Reasons of jumps, calls, block ends and data blocks.
 
-use sieben_engine::machine::{Origin, Registers};
+use sieben_engine::machine::Origin;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::Section;
 
@@ -8,47 +8,20 @@ use super::memory::Reader;
 use super::sentences::Sentence as S;
 use super::telling::Telling;
 use super::text::{Clause, Words, loose_words, one_line, typed};
-use super::why::Why;
 use crate::stl::extension::Extension;
 use crate::stl::instructions::Instruction;
 use crate::stl::meaning::jumps::list_entries;
-use crate::stl::operands::{Actual, CallParameter, DataBlockInfo, Operand, StatusScan};
+use crate::stl::operands::{Actual, CallParameter, DataBlockInfo, Operand};
+use crate::stl::why::Why;
 
 /// Parameters of a call that a sentence shows.
 const PARAMETERS_SHOWN: usize = 6;
-
-/// Whether a jump that has a condition is taken.
-pub(crate) fn jumps(why: Why, before: &Registers) -> Option<bool> {
-    Some(match why {
-        Why::JumpIfRlo => before.rlo == 1,
-        Why::JumpIfNotRlo => before.rlo == 0,
-        Why::JumpIfBr => before.br == 1,
-        Why::JumpIfNotBr => before.br == 0,
-        Why::JumpIfOverflow => before.ov == 1,
-        Why::JumpIfStoredOverflow => before.os == 1,
-        Why::JumpIf(scan) => {
-            let (cc1, cc0) = (before.cc1 == 1, before.cc0 == 1);
-            match scan {
-                StatusScan::Zero => !cc1 && !cc0,
-                StatusScan::NonZero => cc1 != cc0,
-                StatusScan::Positive => cc1 && !cc0,
-                StatusScan::Negative => cc0 && !cc1,
-                StatusScan::NotNegative => !cc0,
-                StatusScan::NotPositive => !cc1,
-                _ => cc1 && cc0,
-            }
-        }
-        // It counts down first, and 0 becomes 65535.
-        Why::Loop => before.accu1 & 0xFFFF != 1,
-        _ => return None,
-    })
-}
 
 /// Jumps.
 pub(super) fn jump(telling: &Telling<'_>, why: Why) -> Vec<Clause> {
     let before = telling.before();
     let label = telling.operand_text();
-    let taken = jumps(why, before) == Some(true);
+    let taken = why.condition().is_some_and(|condition| condition.value(before) == 1);
     let sentence = |[jump, stay]: [S; 2]| Clause::new(if taken { jump } else { stay });
     let clause = match why {
         Why::JumpIfRlo | Why::JumpIfNotRlo => {

@@ -5,7 +5,7 @@
 //! which a register may be too short for, is calculated once more.
 
 mod bits;
-pub(crate) mod control;
+mod control;
 pub mod examples;
 mod faults;
 mod memory;
@@ -17,8 +17,6 @@ mod st_values;
 mod telling;
 mod text;
 mod timers;
-
-pub mod why;
 
 use sieben_engine::{Machine, StatementEvent};
 use sieben_model::source::{Sources, Span};
@@ -98,7 +96,7 @@ impl<'a> Reasons<'a> {
         st::sentence(*self, moment, language)
     }
 
-    /// Which sentences the reason of a statement of STL is made of, as [`why::Why::forms`] lists them; a fault has one of its own.
+    /// Which sentences the reason of a statement of STL is made of, as [`Why::forms`](crate::stl::why::Why::forms) lists them; a fault has one of its own.
     pub fn forms(&self, moment: &Moment<'_>) -> Vec<sentences::Sentence> {
         let block = self.compiled.blocks.get(&moment.event.place.block);
         block.map_or_else(Vec::new, |block| Telling::new(*self, block, *moment).forms())

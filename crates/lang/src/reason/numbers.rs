@@ -6,8 +6,8 @@ use sieben_model::literal::Value;
 use super::sentences::Sentence as S;
 use super::telling::Telling;
 use super::text::{Clause, Words, hex, number, real};
-use super::why::{Number, Sign, Why};
 use crate::stl::operands::Operand;
+use crate::stl::why::{Number, Sign, Why};
 
 /// The sentences of a statement that works on the accumulators; none if it does not.
 pub(super) fn clauses(telling: &Telling<'_>, why: Why) -> Vec<Clause> {

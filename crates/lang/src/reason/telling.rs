@@ -8,10 +8,10 @@ use super::memory::Reader;
 use super::operands::Named;
 use super::sentences::Sentence as S;
 use super::text::{Clause, Words, loose_words, one_line, pointer};
-use super::why::Why;
 use super::{Language, Moment, Reasons, bits, control, faults, numbers, timers};
 use crate::stl::lower::{ResolvedBlock, Statement};
 use crate::stl::operands::Operand;
+use crate::stl::why::Why;
 
 /// What is known of the statement while its sentences are found.
 pub(super) struct Telling<'a> {

@@ -5,7 +5,7 @@ use sieben_model::types::DataType;
 
 use super::Language;
 use super::sentences::Sentence;
-use super::why::Number;
+use crate::stl::why::Number;
 
 /// What is filled in for a name between braces, in English and German.
 #[derive(Clone, Debug, PartialEq, Eq)]

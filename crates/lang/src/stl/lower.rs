@@ -12,7 +12,7 @@ use sieben_model::source::Span;
 use super::extension::{Compared, Extension};
 use super::instructions::Instruction;
 use super::operands::{Access, AddressRegister, Location, NumberOperand, Operand};
-use crate::reason::why::Why;
+use crate::stl::why::Why;
 
 /// One statement with all names resolved.
 #[derive(Clone, Debug, PartialEq)]

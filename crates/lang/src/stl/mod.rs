@@ -3,6 +3,7 @@
 pub mod ast;
 pub(crate) mod check;
 pub mod convert;
+pub(crate) mod counting;
 pub(crate) mod declare;
 pub mod extension;
 pub mod format;
@@ -16,6 +17,7 @@ pub mod parser;
 pub(crate) mod resolve;
 pub(crate) mod size;
 pub mod syntax;
+pub mod why;
 
 pub use convert::convert;
 pub use format::format;
