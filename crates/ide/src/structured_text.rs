@@ -1,8 +1,9 @@
 //! What the statements of a block of ST refer to.
 
 use sieben_lang::Compiled;
+use sieben_lang::st::tree::visit::{self, Use, Visit};
 use sieben_lang::st::tree::{
-    Argument, Base, Call, Index, Intrinsic, Place, Statement, StatementKind, Text, TextRoom, TypedBlock, Value, ValueKind,
+    Argument, Base, Call, Index, Intrinsic, Place, Statement, StatementKind, TextRoom, TypedBlock, Value, ValueKind,
 };
 use sieben_lang::stl::operands::Direction;
 use sieben_model::address::{Area, Width};
@@ -22,7 +23,7 @@ const WRITE: Usage = Usage::Access(Direction::Write);
 pub(crate) fn references_of(compiled: &Compiled, id: BlockId) -> Vec<Reference> {
     let Some(block) = compiled.typed.get(&id) else { return Vec::new() };
     let mut collector = Collector { compiled, id, block, statement: 0, parameter: None, references: Vec::new() };
-    collector.statements(&block.body.statements);
+    visit::statements(&mut collector, &block.body.statements);
     collector.references
 }
 
@@ -42,89 +43,6 @@ impl Collector<'_> {
         let parameter = self.parameter.clone();
         let (block, statement) = (self.id, self.statement);
         self.references.push(Reference { target, block, network: 0, statement, span, instruction: None, usage, parameter });
-    }
-
-    fn statements(&mut self, statements: &[Statement]) {
-        for statement in statements {
-            self.statement += 1;
-            self.one(statement);
-        }
-    }
-
-    fn one(&mut self, statement: &Statement) {
-        match &statement.kind {
-            StatementKind::Assign { target, value } => {
-                self.value(value);
-                self.place(target, scalar_extent(value.scalar.bits()), WRITE);
-            }
-            StatementKind::Copy { target, source, bytes } => {
-                let extent = Extent::Bits(bytes.saturating_mul(8));
-                self.place(source, extent, READ);
-                self.place(target, extent, WRITE);
-            }
-            StatementKind::AssignString { target, room, source } => {
-                self.text(source);
-                self.place(target, text_extent(*room), WRITE);
-            }
-            StatementKind::Call(call) => self.call(call),
-            StatementKind::If { branches, otherwise } => {
-                for (condition, body) in branches {
-                    self.value(condition);
-                    self.statements(body);
-                }
-                self.statements(otherwise);
-            }
-            StatementKind::Case { selector, branches, otherwise } => {
-                self.value(selector);
-                branches.iter().for_each(|branch| self.statements(&branch.body));
-                self.statements(otherwise);
-            }
-            StatementKind::For(one) => {
-                [&one.from, &one.to, &one.by].into_iter().for_each(|value| self.value(value));
-                self.place(&one.variable, scalar_extent(one.scalar.bits()), Usage::Access(Direction::ReadWrite));
-                self.statements(&one.body);
-            }
-            StatementKind::While { condition, body } => {
-                self.value(condition);
-                self.statements(body);
-            }
-            StatementKind::Repeat { body, until } => {
-                self.statements(body);
-                self.value(until);
-            }
-            StatementKind::SetOk(value) => self.value(value),
-            StatementKind::Intrinsic { intrinsic, args } => self.intrinsic(*intrinsic, args, statement.span, WRITE),
-            StatementKind::Block(body) => self.statements(body),
-            StatementKind::Exit { .. }
-            | StatementKind::Continue { .. }
-            | StatementKind::Return
-            | StatementKind::Label(_)
-            | StatementKind::Goto(_) => {}
-        }
-    }
-
-    fn value(&mut self, value: &Value) {
-        match &value.kind {
-            ValueKind::Load(place) => self.place(place, scalar_extent(value.scalar.bits()), READ),
-            ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } => args.iter().for_each(|value| self.value(value)),
-            ValueKind::Intrinsic { intrinsic, args } => self.intrinsic(*intrinsic, args, value.span, READ),
-            ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => [a, b].into_iter().for_each(|value| self.value(value)),
-            ValueKind::Choose { condition, a, b } => [condition, a, b].into_iter().for_each(|value| self.value(value)),
-            ValueKind::Call(call) => self.call(call),
-            ValueKind::CompareTexts(a, b) => [a, b].into_iter().for_each(|text| self.text(text)),
-            ValueKind::Length(text) => self.text(text),
-            ValueKind::AddressOf(place) => self.place(place, Extent::Unknown, Usage::Address),
-            ValueKind::NumberParameter(index) => {
-                if let Some(target) = self.local(Among::Parameter, u32::from(*index), 0, Extent::Unknown) {
-                    self.add(target, READ, value.span);
-                }
-            }
-            ValueKind::After(before, value) => {
-                before.iter().for_each(|statement| self.one(statement));
-                self.value(value);
-            }
-            ValueKind::Constant(_) | ValueKind::Ok | ValueKind::Eno => {}
-        }
     }
 
     /// A function over the timers and counters: the number of the one that it is about is its first argument.
@@ -150,33 +68,6 @@ impl Collector<'_> {
             && let Ok(number) = u16::try_from(*number)
         {
             self.add(target(number), usage, span);
-        }
-        args.iter().for_each(|value| self.value(value));
-    }
-
-    fn text(&mut self, text: &Text) {
-        match text {
-            Text::Constant(_) | Text::WideConstant(_) => {}
-            Text::Place { place, room } => self.place(place, text_extent(*room), READ),
-            Text::Converted(text) => self.text(text),
-            Text::Character(value) => self.value(value),
-            Text::Call { call, .. } => self.call(call),
-            Text::After(before, text) => {
-                before.iter().for_each(|statement| self.one(statement));
-                self.text(text);
-            }
-        }
-    }
-
-    /// An access to a place, and what its indexes and pointers read.
-    fn place(&mut self, place: &Place, extent: Extent, usage: Usage) {
-        match &place.base {
-            Base::ComputedDataBlock(value) | Base::Reference(value) => self.value(value),
-            _ => {}
-        }
-        place.indexes.iter().for_each(|index| self.value(&index.value));
-        if let Some(target) = self.target(place, extent) {
-            self.add(target, usage, place.span);
         }
     }
 
@@ -239,30 +130,6 @@ impl Collector<'_> {
         typed.or_else(|| self.compiled.blocks.get(&block).map(|block| &block.interface))
     }
 
-    fn call(&mut self, call: &Call) {
-        let outside = self.parameter.take();
-        let (callee, instance) = (call.callee.block(), call.callee.instance());
-        call.enable.iter().for_each(|value| self.value(value));
-        self.add(Target::Block(callee), Usage::Call, call.span);
-        if let Some(instance) = instance {
-            if let Some(target) = self.instance(callee, instance) {
-                self.add(target, Usage::Instance, instance.span);
-            }
-            instance.indexes.iter().for_each(|index| self.value(&index.value));
-        }
-        for argument in &call.arguments {
-            let (parameter, is_number) = self
-                .formal(callee, argument)
-                .map_or((None, None), |formal| (Some(formal.name.clone()), formal.data_type.is_number().then(|| formal.data_type.clone())));
-            self.parameter = parameter;
-            match (argument, is_number) {
-                (Argument::Value { value, .. } | Argument::Number { value, .. }, Some(data_type)) => self.number(value, &data_type),
-                (argument, _) => self.argument(argument),
-            }
-        }
-        self.parameter = outside;
-    }
-
     /// The data block or variable that a call uses.
     fn instance(&self, callee: BlockId, place: &Place) -> Option<Target> {
         let extent = self.interface(callee).map_or(Extent::Unknown, |interface| Extent::Bits(interface.instance_size.saturating_mul(8)));
@@ -301,19 +168,82 @@ impl Collector<'_> {
         };
         self.add(target, Usage::Address, value.span);
     }
+}
 
-    fn argument(&mut self, argument: &Argument) {
-        match argument {
-            Argument::Value { value, .. } | Argument::Number { value, .. } => self.value(value),
-            Argument::Text { text, .. } => self.text(text),
-            Argument::Aggregate { source, data_type, .. } => self.place(source, type_extent(data_type), READ),
-            Argument::Output { target, converted, .. } => self.place(target, scalar_extent(converted.bits()), WRITE),
-            Argument::OutputText { target, target_room, .. } => self.place(target, text_extent(*target_room), WRITE),
-            Argument::OutputAggregate { target, data_type, .. } => self.place(target, type_extent(data_type), WRITE),
-            Argument::InOut { place, data_type, .. } => self.place(place, type_extent(data_type), Usage::Access(Direction::ReadWrite)),
-            Argument::Pointer { place, data_type, .. } => self.place(place, type_extent(data_type), Usage::Address),
-            Argument::Eno { target } => self.place(target, Extent::Width(Width::Bit), WRITE),
+impl<'t> Visit<'t> for Collector<'_> {
+    fn statement(&mut self, statement: &'t Statement) {
+        self.statement += 1;
+        self.step(statement);
+    }
+
+    fn step(&mut self, statement: &'t Statement) {
+        if let StatementKind::Intrinsic { intrinsic, args } = &statement.kind {
+            self.intrinsic(*intrinsic, args, statement.span, WRITE);
         }
+        visit::statement(self, statement);
+    }
+
+    fn value(&mut self, value: &'t Value) {
+        match &value.kind {
+            ValueKind::Intrinsic { intrinsic, args } => self.intrinsic(*intrinsic, args, value.span, READ),
+            ValueKind::NumberParameter(index) => {
+                if let Some(target) = self.local(Among::Parameter, u32::from(*index), 0, Extent::Unknown) {
+                    self.add(target, READ, value.span);
+                }
+            }
+            _ => {}
+        }
+        visit::value(self, value);
+    }
+
+    fn call(&mut self, call: &'t Call) {
+        let outside = self.parameter.take();
+        let (callee, instance) = (call.callee.block(), call.callee.instance());
+        call.enable.iter().for_each(|value| self.value(value));
+        self.add(Target::Block(callee), Usage::Call, call.span);
+        if let Some(instance) = instance {
+            if let Some(target) = self.instance(callee, instance) {
+                self.add(target, Usage::Instance, instance.span);
+            }
+            visit::indexes(self, instance);
+        }
+        for argument in &call.arguments {
+            let (parameter, is_number) = self
+                .formal(callee, argument)
+                .map_or((None, None), |formal| (Some(formal.name.clone()), formal.data_type.is_number().then(|| formal.data_type.clone())));
+            self.parameter = parameter;
+            match (argument, is_number) {
+                (Argument::Value { value, .. } | Argument::Number { value, .. }, Some(data_type)) => self.number(value, &data_type),
+                (argument, _) => self.argument(argument),
+            }
+        }
+        self.parameter = outside;
+    }
+
+    /// An access to a place, and what its indexes and pointers read.
+    fn place(&mut self, place: &'t Place, how: Use, extent: visit::Extent<'t>) {
+        visit::base(self, place);
+        visit::indexes(self, place);
+        let usage = match how {
+            Use::Read => READ,
+            Use::Write => WRITE,
+            Use::ReadWrite => Usage::Access(Direction::ReadWrite),
+            Use::Address => Usage::Address,
+            Use::Instance => Usage::Instance,
+        };
+        if let Some(target) = self.target(place, extent_of(extent)) {
+            self.add(target, usage, place.span);
+        }
+    }
+}
+
+fn extent_of(extent: visit::Extent<'_>) -> Extent {
+    match extent {
+        visit::Extent::Scalar(scalar) => scalar_extent(scalar.bits()),
+        visit::Extent::Text(room) => text_extent(room),
+        visit::Extent::Bytes(bytes) => Extent::Bits(bytes.saturating_mul(8)),
+        visit::Extent::Type(data_type) => type_extent(data_type),
+        visit::Extent::Unknown => Extent::Unknown,
     }
 }
 

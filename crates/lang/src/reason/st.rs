@@ -106,33 +106,25 @@ fn is_decision(part: Part<'_>) -> bool {
 
 /// The part of a body with this place, the innermost one.
 fn find(statements: &[Statement], span: Span) -> Option<Part<'_>> {
-    for statement in statements {
-        let inner: Option<Part<'_>> = match &statement.kind {
-            StatementKind::If { branches, otherwise } => {
-                let condition = branches.iter().find(|(condition, _)| condition.span == span);
-                condition
-                    .map(|(condition, _)| Part::Condition(condition))
-                    .or_else(|| branches.iter().find_map(|(_, body)| find(body, span)))
-                    .or_else(|| find(otherwise, span))
+    statements.iter().find_map(|statement| {
+        let inside = || statement.kind.bodies().into_iter().find_map(|body| find(body, span));
+        let own = match &statement.kind {
+            StatementKind::If { branches, .. } => {
+                let condition = branches.iter().map(|(condition, _)| condition).find(|condition| condition.span == span);
+                return condition.map(Part::Condition).or_else(inside).or_else(|| whole(statement, span));
             }
-            StatementKind::Case { branches, otherwise, .. } => {
-                branches.iter().find_map(|branch| find(&branch.body, span)).or_else(|| find(otherwise, span))
-            }
-            StatementKind::For(for_loop) => find(&for_loop.body, span).or((for_loop.variable.span == span).then_some(Part::Next(for_loop))),
-            StatementKind::While { condition, body } if condition.span == span => find(body, span).or(Some(Part::Condition(condition))),
-            StatementKind::While { body, .. } => find(body, span),
-            StatementKind::Repeat { body, until } => find(body, span).or((until.span == span).then_some(Part::Until(until))),
-            StatementKind::Block(body) => find(body, span),
+            StatementKind::For(one) if one.variable.span == span => Some(Part::Next(one)),
+            StatementKind::While { condition, .. } if condition.span == span => Some(Part::Condition(condition)),
+            StatementKind::Repeat { until, .. } if until.span == span => Some(Part::Until(until)),
             _ => None,
         };
-        if inner.is_some() {
-            return inner;
-        }
-        if statement.span == span && !matches!(statement.kind, StatementKind::Block(_)) {
-            return Some(Part::Statement(statement));
-        }
-    }
-    None
+        inside().or(own).or_else(|| whole(statement, span))
+    })
+}
+
+/// The statement itself, if it has this place.
+fn whole(statement: &Statement, span: Span) -> Option<Part<'_>> {
+    (statement.span == span && !matches!(statement.kind, StatementKind::Block(_))).then_some(Part::Statement(statement))
 }
 
 /// What can be said of a part; `whole` tells that the step is the only one of it, so that what it read is what lies there now.

@@ -12,6 +12,7 @@ use super::memory::{Found, Reader};
 use super::text::{Words, one_line, real};
 use super::{Moment, Reasons};
 use crate::declarations::interface::is_complex;
+use crate::st::tree::visit::{self, Extent, Use, Visit};
 use crate::st::tree::{Base, Bounds, Place, Scalar, Value, ValueKind};
 use crate::stl::operands::Location;
 
@@ -74,11 +75,11 @@ impl<'a> Values<'a> {
     /// The variables that an expression reads, with their values before the step. What the step itself may have changed is left out
     /// where the machine before it was not kept.
     pub(super) fn read_by(&self, value: &Value, target: Option<&Place>) -> Vec<(String, Words)> {
-        let mut loads = Vec::new();
-        collect(value, 0, &mut loads);
+        let mut loads = Loads { depth: 0, found: Vec::new() };
+        loads.value(value);
         let written = target.and_then(|target| self.find(target, 0));
         let mut out: Vec<(String, Words)> = Vec::new();
-        for (place, scalar) in loads {
+        for (place, scalar) in loads.found {
             let name = one_line(self.slice(place.span));
             if name.is_empty() || out.iter().any(|(other, _)| *other == name) {
                 continue;
@@ -187,22 +188,30 @@ impl<'a> Values<'a> {
     }
 }
 
-/// The places that an expression loads, from left to right.
-fn collect<'v>(value: &'v Value, depth: u32, out: &mut Vec<(&'v Place, Scalar)>) {
-    if depth > DEPTH_MAX {
-        return;
+/// The places that an expression loads, from left to right; what calls and texts do with theirs is not looked into.
+struct Loads<'v> {
+    depth: u32,
+    found: Vec<(&'v Place, Scalar)>,
+}
+
+impl<'v> Visit<'v> for Loads<'v> {
+    fn value(&mut self, value: &'v Value) {
+        let is_closed = matches!(
+            value.kind,
+            ValueKind::Call(_) | ValueKind::CompareTexts(..) | ValueKind::Length(_) | ValueKind::AddressOf(_) | ValueKind::After(..)
+        );
+        if !is_closed && self.depth <= DEPTH_MAX {
+            self.depth += 1;
+            visit::value(self, value);
+            self.depth -= 1;
+        }
     }
-    match &value.kind {
-        ValueKind::Load(place) => {
-            place.indexes.iter().for_each(|index| collect(&index.value, depth + 1, out));
-            out.push((place, value.scalar));
+
+    fn place(&mut self, place: &'v Place, _: Use, extent: Extent<'v>) {
+        visit::indexes(self, place);
+        if let Extent::Scalar(scalar) = extent {
+            self.found.push((place, scalar));
         }
-        ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } | ValueKind::Intrinsic { args, .. } => {
-            args.iter().for_each(|arg| collect(arg, depth + 1, out));
-        }
-        ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => [a, b].iter().for_each(|value| collect(value, depth + 1, out)),
-        ValueKind::Choose { condition, a, b } => [condition, a, b].iter().for_each(|value| collect(value, depth + 1, out)),
-        _ => {}
     }
 }
 
