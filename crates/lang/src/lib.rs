@@ -1,6 +1,7 @@
 //! Text → checked program → IR.
 #![forbid(unsafe_code)]
 
+pub mod access;
 pub mod awlsim_project;
 mod calling;
 pub mod coverage;
@@ -13,6 +14,7 @@ pub mod project;
 pub mod reason;
 mod scan;
 mod scope;
+pub mod sentences;
 pub mod st;
 pub mod stl;
 pub mod symbols;

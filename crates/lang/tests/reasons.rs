@@ -16,7 +16,7 @@ use sieben_model::symbols::{Symbol, SymbolTable};
 
 use sieben_lang::reason::Language;
 use sieben_lang::reason::examples;
-use sieben_lang::reason::sentences::Sentence;
+use sieben_lang::sentences::table::Sentence;
 use sieben_lang::stl::instructions::Instruction;
 use sieben_lang::stl::why::Why;
 

@@ -13,8 +13,8 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
 
-use super::sentences::Sentence;
 use super::{Language, Moment, Reasons};
+use crate::sentences::table::Sentence;
 use crate::stl::convert::convert;
 use crate::stl::instructions::Instruction;
 use crate::stl::operands::OperandClass;

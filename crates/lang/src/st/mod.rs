@@ -15,6 +15,7 @@ pub mod objects;
 mod open_arrays;
 pub mod parser;
 mod points;
+pub(crate) mod reason;
 pub mod standard;
 pub mod syntax;
 pub mod tree;

@@ -14,6 +14,7 @@ pub mod meaning;
 pub mod mnemonics;
 pub mod operands;
 pub mod parser;
+pub(crate) mod reason;
 pub(crate) mod resolve;
 pub(crate) mod size;
 pub mod syntax;

@@ -5,7 +5,7 @@ use sieben_model::extension::Relation;
 
 use super::operands::StatusScan;
 use crate::coverage::Look;
-use crate::reason::sentences::Sentence;
+use crate::sentences::table::Sentence;
 
 /// How a bit is joined with what was there before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

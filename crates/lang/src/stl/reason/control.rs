@@ -4,10 +4,10 @@ use sieben_engine::machine::Origin;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::Section;
 
-use super::memory::Reader;
-use super::sentences::Sentence as S;
 use super::telling::Telling;
-use super::text::{Clause, Words, loose_words, one_line, typed};
+use crate::sentences::memory::Reader;
+use crate::sentences::table::Sentence as S;
+use crate::sentences::text::{Clause, Words, loose_words, one_line, typed};
 use crate::stl::extension::Extension;
 use crate::stl::instructions::Instruction;
 use crate::stl::meaning::jumps::list_entries;
@@ -63,7 +63,7 @@ fn jump_list(telling: &Telling<'_>) -> Clause {
     let list = list_entries(&telling.block.statements, telling.event().place.statement as usize);
     match list.get(value as usize) {
         Some(entry) => {
-            let text = one_line(telling.reasons.slice(entry.span));
+            let text = one_line(telling.around.slice(entry.span));
             let label = text.rsplit(' ').next().unwrap_or_default().to_owned();
             Clause::new(S::JumpList).with("value", value).with("label", label)
         }
@@ -91,7 +91,7 @@ pub(super) fn call_or_end(telling: &Telling<'_>, why: Why) -> Vec<Clause> {
 
 /// `FC 1 "Dosing"`.
 fn block_name(telling: &Telling<'_>, block: BlockId) -> String {
-    match telling.reasons.compiled.block_names.get(&block) {
+    match telling.around.block_names.get(&block) {
         Some(name) => format!("{block} \"{name}\""),
         None => block.to_string(),
     }
@@ -134,7 +134,7 @@ fn call(telling: &Telling<'_>) -> Clause {
 /// `START = 1`, `LEVEL => MW 10`.
 fn passed(reader: &Reader<'_>, parameter: &CallParameter, known: bool, telling: &Telling<'_>) -> Option<Words> {
     let name = &parameter.name;
-    let written = one_line(telling.reasons.slice(parameter.span));
+    let written = one_line(telling.around.slice(parameter.span));
     let written = written.split_once(":=").map_or(written.as_str(), |(_, actual)| actual.trim());
     let text = |value: &Words| Words([format!("{name} = {}", value.0[0]), format!("{name} = {}", value.0[1])]);
     if matches!(parameter.section, Section::Output | Section::Return) {

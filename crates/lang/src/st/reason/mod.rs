@@ -1,15 +1,17 @@
 //! Why a statement of Structured Text did what it did: what was read, and what came of it.
 
+mod values;
+
 use sieben_engine::ir::{self, Inst};
 use sieben_engine::machine::Register;
 use sieben_model::address::Area;
 use sieben_model::source::Span;
 
-use super::sentences::Sentence as S;
-use super::st_values::{Values, format_scalar};
-use super::text::{Clause, Words, one_line};
-use super::{Language, Moment, Reasons};
-use crate::st::tree::{Argument, Call, Callee, For, Statement, StatementKind, Value};
+use crate::sentences::table::Sentence as S;
+use crate::sentences::text::{Clause, Words, one_line};
+use crate::sentences::{Language, Moment, Surroundings};
+use crate::st::tree::{Argument, Call, Callee, For, Statement, StatementKind, TypedBlock, Value};
+use values::{Values, format_scalar};
 
 /// Values that a sentence shows.
 const SHOWN: usize = 6;
@@ -27,17 +29,16 @@ enum Part<'t> {
 }
 
 /// The sentence of a step of Structured Text.
-pub(super) fn sentence(reasons: Reasons<'_>, moment: &Moment<'_>, language: Language) -> String {
+pub(crate) fn sentence(around: Surroundings<'_>, body: Option<&TypedBlock>, moment: &Moment<'_>, language: Language) -> String {
     let place = moment.event.place;
-    let Some(code) = reasons.compiled.program.code.get(&place.block) else { return String::new() };
+    let Some(code) = around.program.code.get(&place.block) else { return String::new() };
     let index = place.statement as usize;
     let Some(&span) = code.spans.get(index) else { return String::new() };
-    let text = one_line(reasons.slice(span));
+    let text = one_line(around.slice(span));
     let step = || Clause::new(S::StStep).with("text", text.clone());
-    let typed = reasons.compiled.typed.get(&place.block);
-    let part = typed.and_then(|block| find(&block.body.statements, span));
+    let part = body.and_then(|block| find(&block.body.statements, span));
     let insts = code.code.statement(index);
-    let values = Values::new(reasons, moment, code);
+    let values = Values::new(around, moment, code);
     // A statement that takes several steps is over with the last one; before it nothing can be said of the whole.
     // What a block sets before its first statement belongs to no statement, though it has the place of one.
     let entry = (0..code.spans.len())

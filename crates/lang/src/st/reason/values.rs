@@ -8,32 +8,32 @@ use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::source::Span;
 
-use super::memory::{Found, Reader};
-use super::text::{Words, one_line, real};
-use super::{Moment, Reasons};
+use crate::access::Location;
 use crate::declarations::interface::is_complex;
+use crate::sentences::memory::{Found, Reader};
+use crate::sentences::text::{Words, one_line, real};
+use crate::sentences::{Moment, Surroundings};
 use crate::st::tree::visit::{self, Extent, Use, Visit};
 use crate::st::tree::{Base, Bounds, Place, Scalar, Value, ValueKind};
-use crate::stl::operands::Location;
 
 /// Depth of expressions that are looked into; the parser allows more than anyone reads.
 const DEPTH_MAX: u32 = 32;
 
 /// Reads variables around one step.
 pub(super) struct Values<'a> {
-    reasons: Reasons<'a>,
+    around: Surroundings<'a>,
     moment: Moment<'a>,
     /// Position in the local data of each parameter of a function that was copied there.
     copies: BTreeMap<u16, u32>,
 }
 
 impl<'a> Values<'a> {
-    pub(super) fn new(reasons: Reasons<'a>, moment: &Moment<'a>, code: &CodeBlock) -> Self {
-        Self { reasons, moment: *moment, copies: code.copied_parameters() }
+    pub(super) fn new(around: Surroundings<'a>, moment: &Moment<'a>, code: &CodeBlock) -> Self {
+        Self { around, moment: *moment, copies: code.copied_parameters() }
     }
 
     pub(super) fn slice(&self, span: Span) -> &'a str {
-        self.reasons.slice(span)
+        self.around.slice(span)
     }
 
     pub(super) fn has_before(&self) -> bool {
@@ -42,7 +42,7 @@ impl<'a> Values<'a> {
 
     /// `FC 1 "Dosing"`, or what the block is called in the source.
     pub(super) fn block_name(&self, block: BlockId) -> String {
-        match self.reasons.compiled.block_names.get(&block) {
+        match self.around.block_names.get(&block) {
             Some(name) => name.clone(),
             None => block.to_string(),
         }
@@ -146,7 +146,7 @@ impl<'a> Values<'a> {
 
     /// Whether the caller gave a POINTER for a parameter of the function.
     fn is_by_pointer(&self, index: u16) -> bool {
-        let block = self.reasons.compiled.program.code.get(&self.moment.event.place.block);
+        let block = self.around.program.code.get(&self.moment.event.place.block);
         let mut parameters = block.into_iter().flat_map(|code| code.interface.parameters());
         parameters.any(|parameter| parameter.offset == u32::from(index) && is_complex(&parameter.data_type))
     }

@@ -4,11 +4,11 @@ use sieben_engine::machine::{Machine, Origin};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::literal::Value;
 
-use super::memory::{Found, Trouble};
 use super::operands::Named;
-use super::sentences::Sentence as S;
 use super::telling::Telling;
-use super::text::{Clause, Words};
+use crate::sentences::memory::{Found, Trouble};
+use crate::sentences::table::Sentence as S;
+use crate::sentences::text::{Clause, Words};
 use crate::stl::operands::Operand;
 use crate::stl::why::Why;
 
