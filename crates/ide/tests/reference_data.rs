@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use proptest::prelude::*;
 use sieben_ide::assignment_list::{AssignmentList, BitUse, PartOf};
 use sieben_ide::call_structure::{CallStructure, Callee};
-use sieben_ide::cross_reference::{CrossReference, Reference, references_of};
+use sieben_ide::cross_reference::{CrossReference, Reference};
 use sieben_ide::target::{Memory, Target};
 use sieben_ide::unused::Unused;
 use sieben_lang::stl::operands::{Actual, Location, NumberOperand, Operand};
@@ -177,12 +177,12 @@ fn check(compiled: &Compiled, symbols: &SymbolTable) {
     let all = CrossReference::new(compiled);
     let mut count = 0;
     for block in compiled.blocks.values() {
-        let references = references_of(block);
+        let references = compiled.references(block.id);
         count += references.len();
         for (index, statement) in block.statements.iter().enumerate() {
             let found = references.iter().filter(|reference| reference.statement == index + 1);
             let found = found.inspect(|reference| {
-                assert_eq!((reference.instruction, reference.network), (Some(statement.instruction), statement.network))
+                assert_eq!((reference.instruction, reference.network), (Some(statement.instruction.into()), statement.network))
             });
             assert!(found.count() >= expected(&statement.operand), "{} statement {}: {statement:?}", block.id, index + 1);
         }

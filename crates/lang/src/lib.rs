@@ -12,6 +12,7 @@ pub mod language;
 pub mod library;
 pub mod project;
 pub mod reason;
+pub mod references;
 mod scan;
 mod scope;
 pub mod sentences;

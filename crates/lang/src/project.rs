@@ -21,6 +21,7 @@ use crate::language::Language;
 use crate::language::is_test_file;
 use crate::library::link::{Links, link};
 use crate::library::{Linked, Selection};
+use crate::references::{Around, Reference};
 use crate::scope::Scope;
 use crate::st;
 use crate::st::declare::{Demand, Items, Needed, StFile, Types, collect, expand};
@@ -29,6 +30,7 @@ use crate::st::lower::mocking;
 use crate::st::standard::Source;
 use crate::st::tree::TypedBlock;
 use crate::st::untold::Untold;
+use crate::stl;
 use crate::stl::ast;
 use crate::stl::check;
 use crate::stl::counting::countable;
@@ -122,6 +124,20 @@ impl Compiled {
     /// Whether a block comes from the library.
     pub fn is_of_library(&self, block: BlockId) -> bool {
         self.library.iter().any(|linked| linked.id == block) || self.st_library.iter().any(|linked| linked.blocks.contains(&block))
+    }
+
+    /// What the statements of a block refer to, one after another; nothing if the program has no such block.
+    pub fn references(&self, block: BlockId) -> Vec<Reference> {
+        let interface = |block: BlockId| {
+            let typed = self.typed.get(&block).map(|typed| &*typed.interface);
+            typed.or_else(|| self.blocks.get(&block).map(|block| &block.interface))
+        };
+        let around = Around { interface: &interface, data: &self.program.data };
+        match (self.blocks.get(&block), self.typed.get(&block)) {
+            (Some(resolved), _) => stl::references::references_of(resolved),
+            (None, Some(typed)) => st::references::references_of(block, typed, around),
+            (None, None) => Vec::new(),
+        }
     }
 
     /// Whether a file is one of the user's.

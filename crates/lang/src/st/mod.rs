@@ -16,6 +16,7 @@ mod open_arrays;
 pub mod parser;
 mod points;
 pub(crate) mod reason;
+pub(crate) mod references;
 pub mod standard;
 pub mod syntax;
 pub mod tree;

@@ -15,6 +15,7 @@ pub mod mnemonics;
 pub mod operands;
 pub mod parser;
 pub(crate) mod reason;
+pub(crate) mod references;
 pub(crate) mod resolve;
 pub(crate) mod size;
 pub mod syntax;

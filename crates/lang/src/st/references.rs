@@ -1,36 +1,32 @@
 //! What the statements of a block of ST refer to.
 
-use sieben_lang::Compiled;
-use sieben_lang::st::tree::visit::{self, Use, Visit};
-use sieben_lang::st::tree::{
-    Argument, Base, Call, Index, Intrinsic, Place, Statement, StatementKind, TextRoom, TypedBlock, Value, ValueKind,
-};
-use sieben_lang::stl::operands::Direction;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
-use crate::cross_reference::{Reference, Usage, block_kind, width};
-use crate::target::{Extent, Indirect, Memory, Pointer, Reach, Target};
-use crate::variables::{self, Among, Wanted};
+use super::tree::visit::{self, Use, Visit};
+use super::tree::{Argument, Base, Call, Index, Intrinsic, Place, Statement, StatementKind, TextRoom, TypedBlock, Value, ValueKind};
+use crate::access::Direction;
+use crate::references::target::{Extent, Indirect, Memory, Pointer, Reach, Target};
+use crate::references::variables::{self, Among, Wanted};
+use crate::references::{Around, CallKind, Reference, Usage, block_kind, width};
 
 const READ: Usage = Usage::Access(Direction::Read);
 const WRITE: Usage = Usage::Access(Direction::Write);
 
-/// The references of one block of ST, statement by statement; none if there is no such block.
-pub(crate) fn references_of(compiled: &Compiled, id: BlockId) -> Vec<Reference> {
-    let Some(block) = compiled.typed.get(&id) else { return Vec::new() };
-    let mut collector = Collector { compiled, id, block, statement: 0, parameter: None, references: Vec::new() };
+/// The references of one block of ST, statement by statement.
+pub(crate) fn references_of(id: BlockId, block: &TypedBlock, around: Around<'_>) -> Vec<Reference> {
+    let mut collector = Collector { around, id, block, statement: 0, parameter: None, references: Vec::new() };
     visit::statements(&mut collector, &block.body.statements);
     collector.references
 }
 
-struct Collector<'a> {
-    compiled: &'a Compiled,
+struct Collector<'a, 'b> {
+    around: Around<'a>,
     id: BlockId,
-    block: &'a TypedBlock,
+    block: &'b TypedBlock,
     /// How many statements have begun.
     statement: usize,
     /// The parameter whose argument is looked at.
@@ -38,7 +34,7 @@ struct Collector<'a> {
     references: Vec<Reference>,
 }
 
-impl Collector<'_> {
+impl Collector<'_, '_> {
     fn add(&mut self, target: Target, usage: Usage, span: Span) {
         let parameter = self.parameter.clone();
         let (block, statement) = (self.id, self.statement);
@@ -126,15 +122,14 @@ impl Collector<'_> {
     }
 
     fn interface(&self, block: BlockId) -> Option<&Interface> {
-        let typed = self.compiled.typed.get(&block).map(|typed| &*typed.interface);
-        typed.or_else(|| self.compiled.blocks.get(&block).map(|block| &block.interface))
+        (self.around.interface)(block)
     }
 
     /// The data block or variable that a call uses.
     fn instance(&self, callee: BlockId, place: &Place) -> Option<Target> {
         let extent = self.interface(callee).map_or(Extent::Unknown, |interface| Extent::Bits(interface.instance_size.saturating_mul(8)));
         if let Base::DataBlock(number) = place.base {
-            let data = self.compiled.program.data.get(&number);
+            let data = self.around.data.get(&number);
             if place.offset == 0 && data.is_some_and(|data| data.based_on == Some(callee)) {
                 return Some(Target::Block(BlockId::db(number)));
             }
@@ -170,7 +165,7 @@ impl Collector<'_> {
     }
 }
 
-impl<'t> Visit<'t> for Collector<'_> {
+impl<'t> Visit<'t> for Collector<'_, '_> {
     fn statement(&mut self, statement: &'t Statement) {
         self.statement += 1;
         self.step(statement);
@@ -200,7 +195,7 @@ impl<'t> Visit<'t> for Collector<'_> {
         let outside = self.parameter.take();
         let (callee, instance) = (call.callee.block(), call.callee.instance());
         call.enable.iter().for_each(|value| self.value(value));
-        self.add(Target::Block(callee), Usage::Call, call.span);
+        self.add(Target::Block(callee), Usage::Call(CallKind::Call), call.span);
         if let Some(instance) = instance {
             if let Some(target) = self.instance(callee, instance) {
                 self.add(target, Usage::Instance, instance.span);
