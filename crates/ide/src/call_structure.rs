@@ -97,7 +97,7 @@ impl CallStructure {
     /// The structure of a program.
     pub fn new(compiled: &Compiled) -> Self {
         let mut blocks = BTreeMap::new();
-        for &id in compiled.blocks.keys().chain(compiled.typed.keys()) {
+        for &id in compiled.bodies.keys() {
             let local_data = compiled.program.code.get(&id).map_or(0, |code| code.local_size);
             blocks.insert(id, Caller { local_data, calls: calls(&compiled.references(id)), ..Caller::default() });
         }

@@ -19,7 +19,7 @@ impl CrossReference {
     /// Collects the references of all code blocks.
     pub fn new(compiled: &Compiled) -> Self {
         // What a block of the library does inside is no more a matter of the program than the inside of a system function.
-        let blocks = compiled.blocks.keys().chain(compiled.typed.keys()).filter(|&&id| !compiled.is_of_library(id));
+        let blocks = compiled.bodies.keys().filter(|&&id| !compiled.is_of_library(id));
         let mut references: Vec<Reference> = blocks.flat_map(|&id| compiled.references(id)).collect();
         references.sort_by(|a, b| (&a.target, a.block, a.statement, a.span).cmp(&(&b.target, b.block, b.statement, b.span)));
         Self { references }

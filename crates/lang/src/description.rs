@@ -41,7 +41,7 @@ pub fn describe(block: &LibraryBlock, options: &Options) -> Description {
         comment: header.comment,
         family: text(header.family),
         version: text(header.version),
-        interface: compiled.blocks.get(&block.block).map(|block| block.interface.clone()).unwrap_or_default(),
+        interface: compiled.bodies.get(&block.block).map(|body| body.interface().clone()).unwrap_or_default(),
         local_bytes: compiled.program.code.get(&block.block).map_or(0, |block| block.local_size),
     }
 }

@@ -3,6 +3,7 @@
 
 pub mod access;
 pub mod awlsim_project;
+pub mod body;
 mod calling;
 pub mod coverage;
 mod declarations;
@@ -20,6 +21,7 @@ pub mod st;
 pub mod stl;
 pub mod symbols;
 
+pub use body::CheckedBody;
 pub use language::Language;
 pub use project::{Compiled, Options, compile};
 pub use stl::check::TemporaryReads;

@@ -14,6 +14,7 @@ use sieben_model::source::{FileId, Sources, Span};
 use sieben_model::symbols::SymbolTable;
 use sieben_model::testing::TestPlan;
 
+use crate::body::{Bodies, CheckedBody};
 use crate::coverage::Countable;
 use crate::declarations::data_block::{DataLayout, instance};
 use crate::declarations::types::{BlockInterface, Declares};
@@ -28,19 +29,16 @@ use crate::st::declare::{Demand, Items, Needed, StFile, Types, collect, expand};
 use crate::st::dialect::Dialect;
 use crate::st::lower::mocking;
 use crate::st::standard::Source;
-use crate::st::tree::TypedBlock;
 use crate::st::untold::Untold;
-use crate::stl;
 use crate::stl::ast;
 use crate::stl::check;
-use crate::stl::counting::countable;
 use crate::stl::declare::Blocks;
 use crate::stl::declare::data_block::{fill, layout};
 use crate::stl::declare::links::mentions;
 use crate::stl::declare::names::block_of_name;
 use crate::stl::declare::path::FieldNames;
 use crate::stl::extension;
-use crate::stl::lower::{ResolvedBlock, lower, lower_counted};
+use crate::stl::lower::{lower, lower_counted};
 use crate::stl::parser::{Parsed, parse};
 use crate::stl::resolve::{Known, plain_callee, plain_data_block};
 use crate::stl::size::code_bytes;
@@ -84,18 +82,14 @@ pub struct Compiled {
     pub diagnostics: Vec<Diagnostic>,
     /// The mnemonic language of each file.
     pub mnemonics: BTreeMap<FileId, Mnemonics>,
-    /// The statements of every code block of the program with all names resolved, for reference data and editors.
-    pub blocks: BTreeMap<BlockId, ResolvedBlock>,
-    /// The statements of every code block of ST with all names resolved, and of the organization blocks that run programs.
-    pub typed: BTreeMap<BlockId, TypedBlock>,
+    /// The statements of every code block of the program with all names resolved, for reference data, reasons and editors.
+    pub bodies: Bodies,
     /// Symbols of blocks and their comments, for display: `FC 1` → `Dosing`.
     pub block_names: BTreeMap<BlockId, String>,
     /// The blocks of the library that belong to the program because something there names them.
     pub library: Vec<Linked>,
     /// Sources of ST of the library that belong to the program because something there needs them.
     pub st_library: Vec<LinkedSource>,
-    /// The blocks that each block of ST calls.
-    pub calls: BTreeMap<BlockId, BTreeSet<BlockId>>,
     /// How often the cyclic interrupts are called that run the tasks of a CONFIGURATION: organization block and milliseconds.
     pub intervals: BTreeMap<u16, u16>,
     /// The tests of the test file among the sources.
@@ -128,16 +122,9 @@ impl Compiled {
 
     /// What the statements of a block refer to, one after another; nothing if the program has no such block.
     pub fn references(&self, block: BlockId) -> Vec<Reference> {
-        let interface = |block: BlockId| {
-            let typed = self.typed.get(&block).map(|typed| &*typed.interface);
-            typed.or_else(|| self.blocks.get(&block).map(|block| &block.interface))
-        };
+        let interface = |block: BlockId| self.bodies.get(&block).map(|body| body.interface());
         let around = Around { interface: &interface, data: &self.program.data };
-        match (self.blocks.get(&block), self.typed.get(&block)) {
-            (Some(resolved), _) => stl::references::references_of(resolved),
-            (None, Some(typed)) => st::references::references_of(block, typed, around),
-            (None, None) => Vec::new(),
-        }
+        self.bodies.get(&block).map_or_else(Vec::new, |body| body.references(block, around))
     }
 
     /// Whether a file is one of the user's.
@@ -392,19 +379,18 @@ fn attempt(
         if checked.whole {
             let lower = if options.counted { lower_counted } else { lower };
             compiled.program.code.insert(*id, lower(&checked.block, &cpu));
-            compiled.blocks.insert(*id, checked.block);
+            compiled.bodies.insert(*id, Arc::new(CheckedBody::Stl(checked.block)));
         }
     }
     let mut bodies = environment.compile(&cpu, &exists, options.counted);
     compiled.program.code.append(&mut bodies.code);
     compiled.intervals = bodies.intervals;
-    compiled.calls = bodies.calls;
-    compiled.typed = bodies.typed;
+    compiled.bodies.extend(bodies.typed.into_iter().map(|(id, block)| (id, Arc::new(CheckedBody::St(block)))));
     compiled.tests = bodies.tests;
     if options.counted {
         compiled.countable = bodies.countable;
-        let stl = compiled.blocks.iter().filter_map(|(id, block)| Some((*id, countable(block, compiled.program.code.get(id)?))));
-        compiled.countable.extend(stl);
+        let known = compiled.bodies.iter().filter_map(|(id, body)| Some((*id, body.countable(compiled.program.code.get(id)?)?)));
+        compiled.countable.extend(known);
         let not_mine = |id: BlockId| compiled.is_of_library(id) || compiled.tests.blocks.contains(&id);
         let strangers: Vec<BlockId> = compiled.countable.keys().copied().filter(|&id| not_mine(id)).collect();
         strangers.iter().for_each(|id| drop(compiled.countable.remove(id)));

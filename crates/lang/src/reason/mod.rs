@@ -14,8 +14,6 @@ use crate::sentences::Surroundings;
 use crate::sentences::table::Sentence;
 use crate::sentences::text::one_line;
 pub use crate::sentences::{Language, Moment};
-use crate::st;
-use crate::stl::reason::Telling;
 
 /// Says why statements of a program did what they did.
 #[derive(Clone, Copy, Debug)]
@@ -34,17 +32,14 @@ impl<'a> Reasons<'a> {
     /// The reason without the statement before it, beginning in lower case and without a full stop; empty if the program has no such
     /// statement.
     pub fn sentence(&self, moment: &Moment<'_>, language: Language) -> String {
-        let place = moment.event.place;
-        if let Some(block) = self.compiled.blocks.get(&place.block) {
-            return Telling::new(self.around, block, *moment).sentence(language);
-        }
-        st::reason::sentence(self.around, self.compiled.typed.get(&place.block), moment, language)
+        let body = self.compiled.bodies.get(&moment.event.place.block);
+        body.map_or_else(String::new, |body| body.why(self.around, moment, language))
     }
 
-    /// Which sentences the reason of a statement of STL is made of, as [`Why::forms`](crate::stl::why::Why::forms) lists them; a fault has one of its own.
+    /// Which sentences the reason of a statement is made of, as [`Why::forms`](crate::stl::why::Why::forms) lists them; a fault has one of its own. Only STL tells.
     pub fn forms(&self, moment: &Moment<'_>) -> Vec<Sentence> {
-        let block = self.compiled.blocks.get(&moment.event.place.block);
-        block.map_or_else(Vec::new, |block| Telling::new(self.around, block, *moment).forms())
+        let body = self.compiled.bodies.get(&moment.event.place.block);
+        body.map_or_else(Vec::new, |body| body.forms(self.around, moment))
     }
 
     /// The text of a statement as it is written, in one line: `A I 0.1`; empty if the sources do not have it.

@@ -1,6 +1,7 @@
 //! ST (structured text) and SCL in four dialects: text → syntax → typed tree → IR.
 
 pub mod ast;
+pub(crate) mod body;
 pub mod check;
 pub mod declare;
 pub mod dialect;

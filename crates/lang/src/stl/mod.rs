@@ -1,6 +1,7 @@
 //! STL (statement list, AWL): from text to statements with their meaning.
 
 pub mod ast;
+pub(crate) mod body;
 pub(crate) mod check;
 pub mod convert;
 pub(crate) mod counting;

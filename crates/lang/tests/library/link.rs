@@ -53,7 +53,7 @@ fn a_call_by_number_or_name_links_the_block() {
         let fc2 = BlockId::new(BlockKind::Function, 2);
         assert!(compiled.program.code.contains_key(&fc2));
         assert_eq!(compiled.block_names[&fc2], "CONCAT");
-        let span = compiled.blocks[&fc2].statements[0].span;
+        let span = compiled.program.code[&fc2].spans[0];
         assert_eq!(sources.file(span.file).name, "library/iec/fc002_concat.awl");
         assert!(sources.slice(span).starts_with("TAR2"), "places point into the source of the library");
     }

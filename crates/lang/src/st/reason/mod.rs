@@ -29,14 +29,14 @@ enum Part<'t> {
 }
 
 /// The sentence of a step of Structured Text.
-pub(crate) fn sentence(around: Surroundings<'_>, body: Option<&TypedBlock>, moment: &Moment<'_>, language: Language) -> String {
+pub(crate) fn sentence(around: Surroundings<'_>, block: &TypedBlock, moment: &Moment<'_>, language: Language) -> String {
     let place = moment.event.place;
     let Some(code) = around.program.code.get(&place.block) else { return String::new() };
     let index = place.statement as usize;
     let Some(&span) = code.spans.get(index) else { return String::new() };
     let text = one_line(around.slice(span));
     let step = || Clause::new(S::StStep).with("text", text.clone());
-    let part = body.and_then(|block| find(&block.body.statements, span));
+    let part = find(&block.body.statements, span);
     let insts = code.code.statement(index);
     let values = Values::new(around, moment, code);
     // A statement that takes several steps is over with the last one; before it nothing can be said of the whole.
