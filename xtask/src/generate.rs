@@ -160,7 +160,7 @@ fn reasons() -> String {
         "# Reasons\n\n\
          What `sieben step` says about a statement that was executed. Each line is a run: the instruction in a state that brings the \
          sentence out. What kind of reason an instruction has is the column `why` of `crates/lang/src/stl/instructions.rs`; the sentences \
-         are the table in `crates/lang/src/reason/sentences.rs`.\n\n\
+         are the table in `crates/lang/src/sentences/table.rs`.\n\n\
          | statement | why | Anweisung | warum |\n|---|---|---|---|\n",
     );
     for &row in Instruction::ALL {

@@ -9,6 +9,7 @@ pub mod coverage;
 mod declarations;
 pub mod description;
 pub mod encoding;
+pub mod known_names;
 pub mod language;
 pub mod library;
 pub mod project;

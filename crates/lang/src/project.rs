@@ -1,6 +1,6 @@
 //! Compiles the sources of a project into a program.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 
 use sieben_engine::Program;
@@ -28,7 +28,7 @@ use crate::st;
 use crate::st::declare::{Demand, Items, Needed, StFile, Types, collect, expand};
 use crate::st::dialect::Dialect;
 use crate::st::lower::mocking;
-use crate::st::standard::Source;
+use crate::st::standard::LinkedSource;
 use crate::st::untold::Untold;
 use crate::stl::ast;
 use crate::stl::check;
@@ -96,17 +96,6 @@ pub struct Compiled {
     pub tests: TestPlan,
     /// What can be counted in the blocks of the user, if the options ask for it.
     pub countable: BTreeMap<BlockId, Countable>,
-}
-
-/// A source of ST of the library that belongs to a program.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LinkedSource {
-    /// Its place among the sources of the program, behind the user's and those of [`Linked`] blocks.
-    pub file: FileId,
-    /// Which source it is.
-    pub source: &'static Source,
-    /// Its blocks.
-    pub blocks: BTreeSet<BlockId>,
 }
 
 impl Compiled {
