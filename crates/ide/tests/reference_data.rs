@@ -183,7 +183,7 @@ fn check(compiled: &Compiled, symbols: &SymbolTable) {
         for (index, statement) in block.statements.iter().enumerate() {
             let found = references.iter().filter(|reference| reference.statement == index + 1);
             let found = found.inspect(|reference| {
-                assert_eq!((reference.instruction, reference.network), (Some(statement.instruction.into()), statement.network))
+                assert_eq!((reference.instruction, reference.network), (Some(statement.instruction.into()), statement.origin.network()))
             });
             assert!(found.count() >= expected(&statement.operand), "{} statement {}: {statement:?}", block.id, index + 1);
         }

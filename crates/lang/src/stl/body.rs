@@ -22,11 +22,11 @@ impl ResolvedBlock {
     }
 
     pub(crate) fn networks(&self) -> Vec<u32> {
-        self.statements.iter().map(|statement| statement.network).collect()
+        self.statements.iter().map(|statement| statement.origin.network()).collect()
     }
 
     pub(crate) fn network(&self, statement: u32) -> Option<u32> {
-        self.statements.get(statement as usize).or(self.statements.last()).map(|statement| statement.network)
+        self.statements.get(statement as usize).or(self.statements.last()).map(|statement| statement.origin.network())
     }
 
     pub(crate) fn is_written(&self, statement: u32) -> bool {

@@ -54,7 +54,7 @@ fn bit(number: u32, words: [&'static str; 2]) -> Vec<Outcome> {
 fn entries(block: &ResolvedBlock, number: u32) -> Vec<Outcome> {
     let list = list_entries(&block.statements, number as usize);
     let one = |(value, statement): (u16, &Statement)| Outcome {
-        label: Label::Source(statement.span),
+        label: Label::Source(statement.span()),
         seen: Seen { ran: Vec::new(), with: Some((number, value..value + 1)) },
     };
     let beyond = Seen { ran: Vec::new(), with: Some((number, list.len() as u16..256)) };

@@ -51,7 +51,7 @@ impl Collector<'_> {
         self.references.push(Reference {
             target,
             block: self.block.id,
-            network: statement.network,
+            network: statement.origin.network(),
             statement: index + 1,
             span: part.span,
             instruction: Some(statement.instruction.into()),
@@ -69,7 +69,7 @@ impl Collector<'_> {
     }
 
     fn operand(&mut self, statement: &Statement) {
-        let part = Part { span: statement.span, parameter: None };
+        let part = Part { span: statement.span(), parameter: None };
         let access = Usage::Access(statement.instruction.direction().unwrap_or(Direction::Read));
         match &statement.operand {
             Operand::Extension(extension) => match &**extension {

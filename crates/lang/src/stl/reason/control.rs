@@ -63,7 +63,7 @@ fn jump_list(telling: &Telling<'_>) -> Clause {
     let list = list_entries(&telling.block.statements, telling.event().place.statement as usize);
     match list.get(value as usize) {
         Some(entry) => {
-            let text = one_line(telling.around.slice(entry.span));
+            let text = one_line(telling.around.slice(entry.span()));
             let label = text.rsplit(' ').next().unwrap_or_default().to_owned();
             Clause::new(S::JumpList).with("value", value).with("label", label)
         }

@@ -28,7 +28,7 @@ pub(crate) struct Telling<'a> {
 impl<'a> Telling<'a> {
     pub(crate) fn new(around: Surroundings<'a>, block: &'a ResolvedBlock, moment: Moment<'a>) -> Self {
         let statement = block.statements.get(moment.event.place.statement as usize);
-        let file = block.statements.first().map(|statement| statement.span.file);
+        let file = block.statements.first().map(|statement| statement.span().file);
         let mnemonics = file.and_then(|file| around.mnemonics.get(&file)).copied().unwrap_or_default();
         Self { around, block, moment, statement, mnemonics }
     }
@@ -57,7 +57,7 @@ impl<'a> Telling<'a> {
 
     /// The operand as it is written, in one line.
     pub(super) fn operand_text(&self) -> String {
-        let text = self.statement.map_or_else(String::new, |statement| one_line(self.around.slice(statement.span)));
+        let text = self.statement.map_or_else(String::new, |statement| one_line(self.around.slice(statement.span())));
         let mnemonic = self.statement.map_or("", |statement| statement.instruction.mnemonic(self.mnemonics));
         match text.get(..mnemonic.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(mnemonic)) {
             true => text[mnemonic.len()..].trim().to_owned(),
