@@ -5,6 +5,7 @@ use std::fs;
 
 use sieben_engine::ir::ops::Op;
 use sieben_lang::Options;
+use sieben_lang::description::describe;
 use sieben_lang::library;
 use sieben_lang::reason;
 use sieben_lang::stl::instructions::Instruction;
@@ -161,7 +162,7 @@ fn reasons() -> String {
         "# Reasons\n\n\
          What `sieben step` says about a statement that was executed. Each line is a run: the instruction in a state that brings the \
          sentence out. What kind of reason an instruction has is the column `why` of `crates/lang/src/stl/instructions.rs`; the sentences \
-         are the table in `crates/lang/src/reason/sentences.rs`.\n\n\
+         are the table in `crates/lang/src/sentences/table.rs`.\n\n\
          | statement | why | Anweisung | warum |\n|---|---|---|---|\n",
     );
     for &row in Instruction::ALL {
@@ -194,7 +195,7 @@ fn library_blocks() -> String {
          One STL source each in `library/`; its head gives the sentences of this page. A call brings the block into the program: \
          [how](../how-to/library.md). Inputs are before the arrow, results behind it.\n",
     );
-    let described: Vec<_> = library::ALL.iter().map(|block| (block, library::describe(block, &Options::default()))).collect();
+    let described: Vec<_> = library::ALL.iter().map(|block| (block, describe(block, &Options::default()))).collect();
     let mut families: Vec<&str> = described.iter().map(|(_, description)| description.family.as_str()).collect();
     families.sort_unstable();
     families.dedup();

@@ -84,7 +84,8 @@ pub(crate) fn span_at(build: &Build, place: FaultPlace) -> Option<Span> {
 
 /// What people call a block of ST: it has a name, and mostly a number that only the compiler gave it. Nothing for blocks of STL.
 pub(crate) fn name_in_source(build: &Build, block: BlockId) -> Option<&str> {
-    build.compiled.block_names.get(&block).filter(|_| build.compiled.typed.contains_key(&block)).map(String::as_str)
+    let is_called_by_name = build.compiled.bodies.get(&block).is_some_and(|body| body.is_called_by_name());
+    build.compiled.block_names.get(&block).filter(|_| is_called_by_name).map(String::as_str)
 }
 
 /// What people call the place of a statement.

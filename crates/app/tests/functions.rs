@@ -6,8 +6,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use sieben_lang::Options;
+use sieben_lang::known_names::known;
 use sieben_lang::st::Dialect;
-use sieben_lang::st::standard::catalogue::{CHAPTERS, known, page};
+use sieben_lang::st::standard::catalogue::{CHAPTERS, page};
 use sieben_lang::st::standard::library::SOURCES;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::types::DataType;

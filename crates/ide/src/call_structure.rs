@@ -4,43 +4,12 @@ use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 
 use sieben_lang::Compiled;
-use sieben_lang::stl::instructions::Instruction;
+pub use sieben_lang::references::CallKind;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::source::Span;
 
-use crate::cross_reference::{Reference, Usage, references_of};
-use crate::structured_text;
+use crate::cross_reference::{Reference, Usage};
 use crate::target::{Indirect, Target};
-
-/// How a block is called.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum CallKind {
-    /// `CALL`, or a call in ST.
-    Call,
-    /// `UC`.
-    Unconditional,
-    /// `CC`.
-    Conditional,
-}
-
-impl CallKind {
-    fn of(instruction: Option<Instruction>) -> Self {
-        match instruction {
-            Some(Instruction::CallUnconditional) => Self::Unconditional,
-            Some(Instruction::CallConditional) => Self::Conditional,
-            _ => Self::Call,
-        }
-    }
-
-    /// The instruction word, the same in both mnemonic languages.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Call => "CALL",
-            Self::Unconditional => "UC",
-            Self::Conditional => "CC",
-        }
-    }
-}
 
 /// A block, as far as it is known when the program is compiled.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -128,13 +97,9 @@ impl CallStructure {
     /// The structure of a program.
     pub fn new(compiled: &Compiled) -> Self {
         let mut blocks = BTreeMap::new();
-        for (&id, block) in &compiled.blocks {
+        for &id in compiled.bodies.keys() {
             let local_data = compiled.program.code.get(&id).map_or(0, |code| code.local_size);
-            blocks.insert(id, Caller { local_data, calls: calls(&references_of(block)), ..Caller::default() });
-        }
-        for &id in compiled.typed.keys() {
-            let local_data = compiled.program.code.get(&id).map_or(0, |code| code.local_size);
-            blocks.insert(id, Caller { local_data, calls: calls(&structured_text::references_of(compiled, id)), ..Caller::default() });
+            blocks.insert(id, Caller { local_data, calls: calls(&compiled.references(id)), ..Caller::default() });
         }
         let mut structure = Self { blocks, ..Self::default() };
         structure.measure();
@@ -310,9 +275,7 @@ fn calls(references: &[Reference]) -> Vec<CallSite> {
     let mut calls: Vec<CallSite> = Vec::new();
     let mut known: BTreeMap<(Callee, CallKind, Option<Target>), usize> = BTreeMap::new();
     for (index, reference) in references.iter().enumerate() {
-        if reference.usage != Usage::Call {
-            continue;
-        }
+        let Usage::Call(kind) = reference.usage else { continue };
         let callee = match &reference.target {
             Target::Block(block) => Callee::Block(*block),
             other @ (Target::Indirect(Indirect { .. }) | Target::Local { .. }) => Callee::Unknown(other.clone()),
@@ -320,7 +283,6 @@ fn calls(references: &[Reference]) -> Vec<CallSite> {
         };
         let instance = references.get(index + 1).filter(|next| next.statement == reference.statement && next.usage == Usage::Instance);
         let instance = instance.map(|next| next.target.clone());
-        let kind = CallKind::of(reference.instruction);
         let place = (reference.network, reference.statement, reference.span);
         match known.entry((callee.clone(), kind, instance.clone())) {
             Entry::Occupied(index) => calls[*index.get()].places.push(place),

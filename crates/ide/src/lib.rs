@@ -4,7 +4,6 @@
 pub mod assignment_list;
 pub mod call_structure;
 pub mod cross_reference;
-mod structured_text;
-pub mod target;
 pub mod unused;
-mod variables;
+
+pub use sieben_lang::references::target;

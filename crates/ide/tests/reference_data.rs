@@ -8,11 +8,11 @@ use std::fmt::Write as _;
 use proptest::prelude::*;
 use sieben_ide::assignment_list::{AssignmentList, BitUse, PartOf};
 use sieben_ide::call_structure::{CallStructure, Callee};
-use sieben_ide::cross_reference::{CrossReference, Reference, references_of};
+use sieben_ide::cross_reference::{CrossReference, Reference};
 use sieben_ide::target::{Memory, Target};
 use sieben_ide::unused::Unused;
 use sieben_lang::stl::operands::{Actual, Location, NumberOperand, Operand};
-use sieben_lang::{Compiled, Options, compile};
+use sieben_lang::{CheckedBody, Compiled, Options, compile};
 use sieben_model::address;
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
@@ -176,13 +176,14 @@ fn expected(operand: &Operand) -> usize {
 fn check(compiled: &Compiled, symbols: &SymbolTable) {
     let all = CrossReference::new(compiled);
     let mut count = 0;
-    for block in compiled.blocks.values() {
-        let references = references_of(block);
+    for (&id, body) in &compiled.bodies {
+        let CheckedBody::Stl(block) = &**body else { continue };
+        let references = compiled.references(id);
         count += references.len();
         for (index, statement) in block.statements.iter().enumerate() {
             let found = references.iter().filter(|reference| reference.statement == index + 1);
             let found = found.inspect(|reference| {
-                assert_eq!((reference.instruction, reference.network), (Some(statement.instruction), statement.network))
+                assert_eq!((reference.instruction, reference.network), (Some(statement.instruction.into()), statement.origin.network()))
             });
             assert!(found.count() >= expected(&statement.operand), "{} statement {}: {statement:?}", block.id, index + 1);
         }
@@ -315,7 +316,7 @@ proptest! {
     #[test]
     fn every_operand_of_every_statement_is_in_the_cross_reference(source in program()) {
         let (compiled, symbols) = compile_case(&source);
-        prop_assert_eq!(compiled.blocks.len(), 5, "{:?}", compiled.diagnostics);
+        prop_assert_eq!(compiled.bodies.len(), 5, "{:?}", compiled.diagnostics);
         check(&compiled, &symbols);
     }
 }

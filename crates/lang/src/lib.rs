@@ -1,20 +1,28 @@
 //! Text → checked program → IR.
 #![forbid(unsafe_code)]
 
+pub mod access;
 pub mod awlsim_project;
+pub mod body;
+mod calling;
 pub mod coverage;
 mod declarations;
+pub mod description;
 pub mod encoding;
+pub mod known_names;
 pub mod language;
 pub mod library;
 pub mod project;
 pub mod reason;
+pub mod references;
 mod scan;
 mod scope;
+pub mod sentences;
 pub mod st;
 pub mod stl;
 pub mod symbols;
 
+pub use body::CheckedBody;
 pub use language::Language;
 pub use project::{Compiled, Options, compile};
 pub use stl::check::TemporaryReads;

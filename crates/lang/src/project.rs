@@ -1,6 +1,6 @@
 //! Compiles the sources of a project into a program.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 
 use sieben_engine::Program;
@@ -14,26 +14,31 @@ use sieben_model::source::{FileId, Sources, Span};
 use sieben_model::symbols::SymbolTable;
 use sieben_model::testing::TestPlan;
 
+use crate::body::{Bodies, CheckedBody};
 use crate::coverage::Countable;
-use crate::declarations::data_block::{DataLayout, fill, instance, layout};
-use crate::declarations::path::FieldNames;
-use crate::declarations::types::{BlockInterface, Types};
+use crate::declarations::data_block::{DataLayout, instance};
+use crate::declarations::types::{BlockInterface, Declares};
 use crate::language::Language;
 use crate::language::is_test_file;
 use crate::library::link::{Links, link};
 use crate::library::{Linked, Selection};
-use crate::scope::{Scope, block_of_name};
+use crate::references::{Around, Reference};
+use crate::scope::Scope;
 use crate::st;
-use crate::st::declare::{Demand, Items, Needed, StFile, collect, expand};
+use crate::st::declare::{Demand, Items, Needed, StFile, Types, collect, expand};
 use crate::st::dialect::Dialect;
 use crate::st::lower::mocking;
-use crate::st::standard::Source;
-use crate::st::tree::TypedBlock;
+use crate::st::standard::LinkedSource;
 use crate::st::untold::Untold;
 use crate::stl::ast;
 use crate::stl::check;
+use crate::stl::declare::Blocks;
+use crate::stl::declare::data_block::{fill, layout};
+use crate::stl::declare::links::mentions;
+use crate::stl::declare::names::block_of_name;
+use crate::stl::declare::path::FieldNames;
 use crate::stl::extension;
-use crate::stl::lower::{ResolvedBlock, lower, lower_counted};
+use crate::stl::lower::{lower, lower_counted};
 use crate::stl::parser::{Parsed, parse};
 use crate::stl::resolve::{Known, plain_callee, plain_data_block};
 use crate::stl::size::code_bytes;
@@ -77,35 +82,20 @@ pub struct Compiled {
     pub diagnostics: Vec<Diagnostic>,
     /// The mnemonic language of each file.
     pub mnemonics: BTreeMap<FileId, Mnemonics>,
-    /// The statements of every code block of the program with all names resolved, for reference data and editors.
-    pub blocks: BTreeMap<BlockId, ResolvedBlock>,
-    /// The statements of every code block of ST with all names resolved, and of the organization blocks that run programs.
-    pub typed: BTreeMap<BlockId, TypedBlock>,
+    /// The statements of every code block of the program with all names resolved, for reference data, reasons and editors.
+    pub bodies: Bodies,
     /// Symbols of blocks and their comments, for display: `FC 1` → `Dosing`.
     pub block_names: BTreeMap<BlockId, String>,
     /// The blocks of the library that belong to the program because something there names them.
     pub library: Vec<Linked>,
     /// Sources of ST of the library that belong to the program because something there needs them.
     pub st_library: Vec<LinkedSource>,
-    /// The blocks that each block of ST calls.
-    pub calls: BTreeMap<BlockId, BTreeSet<BlockId>>,
     /// How often the cyclic interrupts are called that run the tasks of a CONFIGURATION: organization block and milliseconds.
     pub intervals: BTreeMap<u16, u16>,
     /// The tests of the test file among the sources.
     pub tests: TestPlan,
     /// What can be counted in the blocks of the user, if the options ask for it.
     pub countable: BTreeMap<BlockId, Countable>,
-}
-
-/// A source of ST of the library that belongs to a program.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LinkedSource {
-    /// Its place among the sources of the program, behind the user's and those of [`Linked`] blocks.
-    pub file: FileId,
-    /// Which source it is.
-    pub source: &'static Source,
-    /// Its blocks.
-    pub blocks: BTreeSet<BlockId>,
 }
 
 impl Compiled {
@@ -117,6 +107,13 @@ impl Compiled {
     /// Whether a block comes from the library.
     pub fn is_of_library(&self, block: BlockId) -> bool {
         self.library.iter().any(|linked| linked.id == block) || self.st_library.iter().any(|linked| linked.blocks.contains(&block))
+    }
+
+    /// What the statements of a block refer to, one after another; nothing if the program has no such block.
+    pub fn references(&self, block: BlockId) -> Vec<Reference> {
+        let interface = |block: BlockId| self.bodies.get(&block).map(|body| body.interface());
+        let around = Around { interface: &interface, data: &self.program.data };
+        self.bodies.get(&block).map_or_else(Vec::new, |body| body.references(block, around))
     }
 
     /// Whether a file is one of the user's.
@@ -259,7 +256,7 @@ fn attempt(
     let defined: HashSet<BlockId> = taken.keys().copied().collect();
     // One file alone does not tell whether another one defines the block.
     let selection = Selection { enabled: options.library.enabled && !options.syntax_only, ..options.library.clone() };
-    let links = link(found.iter().map(|found| found.block), &needed.blocks, &defined, &mut scope, &selection, &cpu);
+    let links = link(found.iter().flat_map(|found| mentions(found.block)), &needed.blocks, &defined, &mut scope, &selection, &cpu);
     compiled.library = linked(&links, sources.iter().len() + needed.sources.len());
     compiled.st_library = needed.linked(&items, sources.iter().len());
     let library: Vec<Parsed> =
@@ -277,12 +274,12 @@ fn attempt(
             &with_library
         }
     };
-    let blocks: HashMap<BlockId, &ast::Block> = found.iter().map(|found| (found.id, found.block)).collect();
+    let blocks: Blocks<'_> = found.iter().map(|found| (found.id, found.block)).collect();
     let system: HashMap<BlockId, &SystemBlock> = options.system_blocks.iter().map(|block| (block.block, block)).collect();
 
     // First pass: everything that is declared. The order of the sources does not matter, types resolve one another.
-    let mut types = Types::new(&scope, &blocks, &system);
-    types.st = Some(&items);
+    let languages: [&dyn Declares<'_, _>; 2] = [&items, &blocks];
+    let mut types = Types::new(&scope, &languages, &system);
     let mut interfaces: HashMap<BlockId, BlockInterface> = HashMap::new();
     let mut data: HashMap<u16, DataLayout> = HashMap::new();
     for &block in system.keys() {
@@ -318,7 +315,7 @@ fn attempt(
     let field_names = FieldNames::default();
     fill_data(&mut types, &field_names, &found, &items, &data, &generated, &mut compiled.program);
     diagnostics.append(&mut types.diagnostics);
-    let known = std::mem::take(&mut types.st_known);
+    let known = std::mem::take(&mut types.known);
     let environment = st::declare::environment(&items, (&scope, &links), &interfaces, &data, known, globals);
 
     // Second pass: statements.
@@ -371,19 +368,18 @@ fn attempt(
         if checked.whole {
             let lower = if options.counted { lower_counted } else { lower };
             compiled.program.code.insert(*id, lower(&checked.block, &cpu));
-            compiled.blocks.insert(*id, checked.block);
+            compiled.bodies.insert(*id, Arc::new(CheckedBody::Stl(checked.block)));
         }
     }
     let mut bodies = environment.compile(&cpu, &exists, options.counted);
     compiled.program.code.append(&mut bodies.code);
     compiled.intervals = bodies.intervals;
-    compiled.calls = bodies.calls;
-    compiled.typed = bodies.typed;
+    compiled.bodies.extend(bodies.typed.into_iter().map(|(id, block)| (id, Arc::new(CheckedBody::St(block)))));
     compiled.tests = bodies.tests;
     if options.counted {
         compiled.countable = bodies.countable;
-        let stl = compiled.blocks.iter().filter_map(|(id, block)| Some((*id, Countable::of_stl(block, compiled.program.code.get(id)?))));
-        compiled.countable.extend(stl);
+        let known = compiled.bodies.iter().filter_map(|(id, body)| Some((*id, body.countable(compiled.program.code.get(id)?)?)));
+        compiled.countable.extend(known);
         let not_mine = |id: BlockId| compiled.is_of_library(id) || compiled.tests.blocks.contains(&id);
         let strangers: Vec<BlockId> = compiled.countable.keys().copied().filter(|&id| not_mine(id)).collect();
         strangers.iter().for_each(|id| drop(compiled.countable.remove(id)));
@@ -543,7 +539,7 @@ fn missing_instances(
     scope: &Scope,
     interfaces: &HashMap<BlockId, BlockInterface>,
     data: &mut HashMap<u16, DataLayout>,
-    blocks: &HashMap<BlockId, &ast::Block>,
+    blocks: &Blocks<'_>,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<u16> {
     let mut generated = Vec::new();

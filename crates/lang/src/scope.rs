@@ -9,8 +9,6 @@ use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::SystemBlock;
 use sieben_model::symbols::SymbolTable;
 
-use crate::stl::ast;
-
 /// Suggestions cost a look at every name; a source full of unknown names gets this many.
 const SUGGESTIONS_MAX: u32 = 100;
 
@@ -184,21 +182,6 @@ pub(crate) fn nearest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>)
         })
         .min()
         .map(|(_, candidate)| candidate.to_owned())
-}
-
-/// The block that a header or operand names; `Err` is the message of why there is none.
-pub(crate) fn block_of_name(scope: &Scope, name: &ast::BlockName) -> Result<BlockId, String> {
-    match name {
-        ast::BlockName::Absolute { kind, number, .. } => match u16::try_from(*number) {
-            Ok(number) => Ok(BlockId::new(*kind, number)),
-            Err(_) => Err(format!("`{} {number}` has a number above 65535", kind.abbreviation())),
-        },
-        ast::BlockName::Symbol(word) => match scope.global(&word.text) {
-            None => Err(format!("`\"{}\"` is not in the symbol table{}", word.text, did_you_mean(scope.nearest_symbol(&word.text)))),
-            Some(Global { operand: Some(Operand::Block(block)), .. }) => Ok(*block),
-            Some(global) => Err(format!("`\"{}\"` stands for `{}`, which is not a block", word.text, global.address)),
-        },
-    }
 }
 
 /// `; did you mean `Start`?`, or nothing.

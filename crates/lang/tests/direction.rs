@@ -7,7 +7,7 @@ use sieben_engine::ir::{Inst, Var};
 use sieben_engine::machine::Register;
 use sieben_lang::stl::instructions::Instruction;
 use sieben_lang::stl::operands::{Access, Direction, Location, NumberOperand, Operand, OperandClass};
-use sieben_lang::{Options, compile};
+use sieben_lang::{CheckedBody, Options, compile};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
@@ -83,7 +83,8 @@ fn the_direction_of_an_instruction_is_what_its_code_does() {
             let compiled = compile(&sources, &SymbolTable::default(), &options);
             assert!(!compiled.has_errors(), "{} {sample}: {:?}", instruction.english(), compiled.diagnostics);
             let ob1 = BlockId::ob(1);
-            assert_eq!(compiled.blocks[&ob1].statements[0].instruction, instruction, "{sample}");
+            let CheckedBody::Stl(block) = &*compiled.bodies[&ob1] else { unreachable!("the source is STL") };
+            assert_eq!(block.statements[0].instruction, instruction, "{sample}");
             let does = direction(compiled.program.code[&ob1].code.statement(0));
             if does != instruction.direction() {
                 failures.push(format!(

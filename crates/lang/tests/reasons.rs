@@ -14,10 +14,11 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::source::Sources;
 use sieben_model::symbols::{Symbol, SymbolTable};
 
+use sieben_lang::reason::Language;
 use sieben_lang::reason::examples;
-use sieben_lang::reason::sentences::Sentence;
-use sieben_lang::reason::{Language, why::Why};
+use sieben_lang::sentences::table::Sentence;
 use sieben_lang::stl::instructions::Instruction;
+use sieben_lang::stl::why::Why;
 
 /// The names between the braces of a template.
 fn names(template: &str) -> BTreeSet<&str> {

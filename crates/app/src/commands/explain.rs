@@ -8,6 +8,7 @@ use sieben_cpu::diagnostic_buffer::event_text;
 use sieben_cpu::organization_blocks::{self, Missing};
 use sieben_cpu::system::summaries::summary;
 use sieben_lang::Options;
+use sieben_lang::description::describe;
 use sieben_lang::library::{self, LibraryBlock};
 use sieben_lang::reason;
 use sieben_lang::stl::extension::Word;
@@ -212,7 +213,7 @@ fn library_block(word: &str) -> Option<String> {
     };
     let block = library::ALL.iter().find(named)?;
     let options = Options { system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
-    let description = library::describe(block, &options);
+    let description = describe(block, &options);
     let comment: String = description.comment.lines().map(|line| format!("  {line}\n")).collect();
     Some(format!(
         "{} \"{}\", a block of the library: {}\n{comment}{}  source: {}\n",
@@ -226,7 +227,7 @@ fn library_block(word: &str) -> Option<String> {
 
 fn library_blocks() -> String {
     let rows = library::ALL.iter().map(|block| {
-        let description = library::describe(block, &Options::default());
+        let description = describe(block, &Options::default());
         format!("{:<7} {:<9} {}\n", block.block.to_string(), block.name, description.title)
     });
     rows.collect()

@@ -97,9 +97,7 @@ impl<'b> Listing<'b> {
 
     /// Its network, counted from 1.
     pub(crate) fn network(&self, place: FaultPlace) -> Option<u32> {
-        let statements = &self.build.compiled.blocks.get(&place.block)?.statements;
-        // The implied end of a block belongs to its last network.
-        statements.get(place.statement as usize).or(statements.last()).map(|statement| statement.network)
+        self.build.compiled.bodies.get(&place.block)?.network(place.statement)
     }
 
     /// Where the text of a statement stands.
@@ -204,5 +202,5 @@ fn meant(near: Option<&str>, language: Language) -> String {
 
 /// Whether a statement stands in a source; the end of a block need not.
 fn is_written(build: &Build, place: FaultPlace) -> bool {
-    build.compiled.blocks.get(&place.block).is_none_or(|block| (place.statement as usize) < block.statements.len())
+    build.compiled.bodies.get(&place.block).is_none_or(|body| body.is_written(place.statement))
 }

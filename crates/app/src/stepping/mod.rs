@@ -17,7 +17,6 @@ pub(crate) mod texts;
 use sieben_cpu::{Cpu, OperatingMode};
 use sieben_engine::FaultPlace;
 use sieben_engine::machine::Registers;
-use sieben_lang::reason::why::Why;
 use sieben_lang::reason::{Moment, Reasons};
 use sieben_model::block::BlockId;
 use sieben_model::interface::Section;
@@ -138,9 +137,7 @@ impl<'b> Stepper<'b> {
 
     /// A run that has a history, of this program.
     pub(crate) fn with_history(build: &'b Build, history: History) -> Self {
-        let blocks = &build.compiled.blocks;
-        let networks =
-            blocks.iter().map(|(&id, block)| (id, block.statements.iter().map(|statement| statement.network).collect())).collect();
+        let networks = build.compiled.bodies.iter().map(|(&id, body)| (id, body.networks())).collect();
         Self {
             build,
             listing: Listing::new(build),
@@ -341,7 +338,8 @@ impl<'b> Stepper<'b> {
 
     /// Variables of a block by their names alone; those of ST are written without `#`.
     pub(crate) fn scope(&self, block: Option<BlockId>) -> Option<Scope> {
-        block.map(|block| Scope { block, bare: !self.build.compiled.blocks.contains_key(&block) })
+        let bodies = &self.build.compiled.bodies;
+        block.map(|block| Scope { block, bare: bodies.get(&block).is_none_or(|body| body.has_bare_names()) })
     }
 
     /// Reads the name of a value; a variable is one of this block. One of a block that does not run now has a value when it runs.
@@ -511,15 +509,7 @@ impl<'b> Stepper<'b> {
     /// The operand of a statement, if it names a single value.
     fn written(&self, place: FaultPlace) -> Option<Name> {
         let text = self.listing.line(place).text;
-        let operand = match text.split_once(":=") {
-            Some((target, _)) if !self.build.compiled.blocks.contains_key(&place.block) => {
-                let target = target.trim();
-                // The variable of FOR.
-                target.split_once(char::is_whitespace).filter(|(word, _)| word.eq_ignore_ascii_case("FOR")).map_or(target, |(_, name)| name)
-            }
-            None if !self.build.compiled.blocks.contains_key(&place.block) => text.as_str(),
-            _ => text.split_once(' ')?.1.trim(),
-        };
+        let operand = self.build.compiled.bodies.get(&place.block)?.value_in(&text)?;
         Name::parse_in(operand, self.scope(Some(place.block)), self.symbols(), self.cpu().program()).ok()
     }
 
@@ -540,10 +530,8 @@ impl<'b> Stepper<'b> {
 
 /// The statements that store something only where the RLO is 1.
 fn if_rlo(build: &Build) -> StoreIfRlo {
-    let blocks = build.compiled.blocks.iter();
-    let statements =
-        blocks.flat_map(|(&block, resolved)| (0_u32..).zip(&resolved.statements).map(move |(index, one)| ((block, index), one)));
-    statements.filter(|(_, one)| matches!(one.instruction.why(), Why::Set | Why::Reset)).map(|(place, _)| place).collect()
+    let bodies = build.compiled.bodies.iter();
+    bodies.flat_map(|(&block, body)| body.stores_if_rlo().into_iter().map(move |number| (block, number))).collect()
 }
 
 /// Pauses at a place.

@@ -12,8 +12,6 @@ use sieben_model::source::FileId;
 
 use sieben_ide::cross_reference::CrossReference;
 use sieben_ide::target::Target;
-use sieben_lang::stl::extension::Extension;
-use sieben_lang::stl::operands::Operand;
 use sieben_model::block::{BlockId, BlockKind};
 
 use super::coverage::{Counting, looking};
@@ -102,9 +100,7 @@ pub(crate) fn is_test(paths: &[PathBuf], conditions: &Conditions) -> bool {
 /// Whether a program has an assertion or an end: nothing else makes it a test.
 fn checks_itself(build: &Build) -> bool {
     let stp = Target::Block(BlockId::new(BlockKind::SystemFunction, 46));
-    let mut statements = build.compiled.blocks.values().flat_map(|block| &block.statements);
-    statements
-        .any(|statement| matches!(&statement.operand, Operand::Extension(extension) if matches!(**extension, Extension::Assert { .. })))
+    build.compiled.bodies.values().any(|body| body.has_assertion())
         || CrossReference::new(&build.compiled).references.iter().any(|reference| reference.target == stp)
 }
 

@@ -1,6 +1,5 @@
-//! VAR sections → interface of a block.
+//! Declared variables → interface of a block.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use sieben_model::block::{BlockId, BlockKind};
@@ -11,9 +10,7 @@ use sieben_model::source::Span;
 use sieben_model::types::{DataType, Field, Structure, place};
 
 use super::BLOCK_BYTES_MAX;
-use super::types::{BlockInterface, Types, Usage, describe};
-use crate::scope::key;
-use crate::stl::ast;
+use super::types::{BlockInterface, Types};
 
 /// Bytes of start information at the beginning of an organization block's local data.
 pub(crate) const START_INFORMATION_BYTES: u32 = 20;
@@ -42,113 +39,22 @@ impl Declared {
     }
 }
 
-fn keyword(section: Section) -> &'static str {
-    match section {
-        Section::Input => "VAR_INPUT",
-        Section::Output => "VAR_OUTPUT",
-        Section::InOut => "VAR_IN_OUT",
-        Section::Static => "VAR",
-        Section::Temp => "VAR_TEMP",
-        Section::Return => "the result",
-    }
-}
-
-fn allowed(kind: BlockKind) -> &'static [Section] {
-    match kind {
-        BlockKind::OrganizationBlock => &[Section::Temp],
-        BlockKind::Function => &[Section::Input, Section::Output, Section::InOut, Section::Temp],
-        _ => &[Section::Input, Section::Output, Section::InOut, Section::Static, Section::Temp],
-    }
-}
-
-/// All variables that a code block declares, sections in the order of the manual.
-pub(crate) fn declared_of(types: &mut Types<'_>, id: BlockId, block: &ast::Block) -> Vec<Declared> {
-    let mut all = Vec::new();
-    let mut names: HashMap<String, Span> = HashMap::new();
-    for section in &block.sections {
-        if !allowed(id.kind).contains(&section.section) {
-            let valid: Vec<&str> = allowed(id.kind).iter().map(|&section| keyword(section)).collect();
-            let message =
-                format!("`{}` has no place in an {}; it takes {}", keyword(section.section), id.kind.abbreviation(), valid.join(", "));
-            types.report(Problem::P2201, section.span, message);
-        }
-        for declaration in &section.declarations {
-            let usage = Usage::Variable(id.kind, section.section);
-            let Some(data_type) = types.data_type(&declaration.data_type, usage) else {
-                // The name stays declared, so that its uses are not reported too.
-                for word in &declaration.names {
-                    names.entry(key(&word.text)).or_insert(word.span);
-                    all.push(unknown(word, section.section));
-                }
-                continue;
-            };
-            let kept = match section.section {
-                Section::Temp => false,
-                _ => id.kind != BlockKind::Function,
-            };
-            let mut initial = types.initial(&declaration.initial, &data_type);
-            if !kept && !declaration.initial.is_empty() {
-                let message = format!("{} of an {} keeps no initial value", keyword(section.section), id.kind.abbreviation());
-                types.report(Problem::P2212, declaration.span, message);
-                initial.clear();
-            }
-            for word in &declaration.names {
-                if let Some(&first) = names.get(&key(&word.text)) {
-                    let message = format!("`{}` is declared twice in `{id}`", word.text);
-                    types.report(Problem::P3006, word.span, message).related.push((first, "first declared here".to_owned()));
-                    continue;
-                }
-                names.insert(key(&word.text), word.span);
-                all.push(Declared {
-                    name: word.text.clone(),
-                    section: section.section,
-                    beside: section.section,
-                    data_type: data_type.clone(),
-                    initial: initial.clone(),
-                    comment: declaration.comment.clone(),
-                    span: word.span,
-                });
-            }
-        }
-    }
-    if id.kind == BlockKind::Function
-        && let Some(name) = &block.return_type
-        && !matches!(&name.kind, ast::TypeKind::Word(word) if word == "VOID")
-    {
-        let usage = Usage::Variable(id.kind, Section::Output);
-        if let Some(data_type) = types.data_type(name, usage) {
-            if let Some(&first) = names.get("ret_val") {
-                let message = format!("`RET_VAL` is the name of the result of `{id}`");
-                types.report(Problem::P3006, first, message);
-            } else if matches!(data_type, DataType::Array { .. }) {
-                types.report(Problem::P4009, name.span, format!("a function cannot have {} as its result", describe(&data_type)));
-            } else {
-                all.push(Declared {
-                    name: "RET_VAL".to_owned(),
-                    section: Section::Return,
-                    beside: Section::Return,
-                    data_type,
-                    initial: Vec::new(),
-                    comment: String::new(),
-                    span: name.span,
-                });
-            }
-        }
-    }
-    all
-}
-
-fn unknown(word: &ast::Word, section: Section) -> Declared {
-    let (name, data_type, initial, comment) = (word.text.clone(), DataType::Void, Vec::new(), String::new());
-    Declared { name, section, beside: section, data_type, initial, comment, span: word.span }
-}
-
 /// What a call keeps for each parameter of a function: the pointer to the actual one. They stand in the calling block.
 const PARAMETER_BYTES: u64 = 4;
 
 /// Gives every variable its place; `None` if they need more bytes than a block has.
 pub(crate) fn lay_out(id: BlockId, declared: Vec<Declared>) -> Option<BlockInterface> {
     lay_out_behind(id, None, declared)
+}
+
+/// The same; too many bytes are reported at the name of the block.
+pub(crate) fn lay_out_or_report<K>(types: &mut Types<'_, K>, id: BlockId, declared: Vec<Declared>, named: Span) -> Option<BlockInterface> {
+    let laid_out = lay_out(id, declared);
+    if laid_out.is_none() {
+        let message = format!("the variables of `{id}` need more than {BLOCK_BYTES_MAX} bytes (4 for each parameter of a function)");
+        types.report(Problem::P5002, named, message);
+    }
+    laid_out
 }
 
 /// The same for a block whose instance begins with that of another one.

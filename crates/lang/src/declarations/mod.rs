@@ -2,7 +2,6 @@
 
 pub(crate) mod data_block;
 pub(crate) mod interface;
-pub(crate) mod path;
 pub(crate) mod types;
 pub(crate) mod values;
 

@@ -7,18 +7,26 @@ use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::cpu_type::CpuType;
 
 use super::{ALL, LibraryBlock, Selection, by_name};
-use crate::scope::{Scope, key};
-use crate::stl::ast;
+use crate::scope::Scope;
 
 /// The blocks that are linked, by the number that each gets.
 pub(crate) type Links = BTreeMap<BlockId, &'static LibraryBlock>;
 
-/// Looks through the blocks of a program for names of library blocks.
+/// What may be a block of the library, as a source names it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mention<'a> {
+    /// `FC 2`; the number unchecked.
+    Number(BlockKind, u64),
+    /// `CONCAT`.
+    Name(&'a str),
+}
+
+/// Finds the blocks of the library among those that a program mentions.
 ///
-/// `needed` are blocks that something else than a name in STL calls for. `scope` takes in the names that are used without a row in the symbol table. A block that the program defines itself
+/// `needed` are blocks that something else than a name calls for. `scope` takes in the names that are used without a row in the symbol table. A block that the program defines itself
 /// always wins.
 pub(crate) fn link<'a>(
-    blocks: impl Iterator<Item = &'a ast::Block>,
+    mentions: impl Iterator<Item = Mention<'a>>,
     needed: &[&'static LibraryBlock],
     defined: &HashSet<BlockId>,
     scope: &mut Scope,
@@ -27,11 +35,14 @@ pub(crate) fn link<'a>(
 ) -> Links {
     let mut search = Search { placed: placed(scope, selection, cpu), defined, scope, links: Links::new() };
     if selection.enabled {
-        for block in blocks {
-            search.block(block);
+        for mention in mentions {
+            match mention {
+                Mention::Number(kind, number) => search.number(kind, number),
+                Mention::Name(name) => search.name(name),
+            }
         }
         for block in needed {
-            search.symbol(block.name);
+            search.name(block.name);
         }
     }
     search.links
@@ -68,48 +79,7 @@ struct Search<'s> {
 }
 
 impl Search<'_> {
-    fn block(&mut self, block: &ast::Block) {
-        let mut locals = HashSet::new();
-        for declaration in block.sections.iter().flat_map(|section| &section.declarations) {
-            locals.extend(declaration.names.iter().map(|word| key(&word.text)));
-            self.type_name(&declaration.data_type);
-        }
-        if let Some(based_on) = &block.body_type {
-            self.type_name(based_on);
-        }
-        // `UC` and `CC` pass no parameters, which every block of the library needs.
-        for statement in &block.statements {
-            if let ast::Operand::Call(call) = &statement.operand {
-                self.operand(&call.callee, &locals);
-            }
-        }
-    }
-
-    /// `FB 41` or `"CONT_C"` as the type of an instance.
-    fn type_name(&mut self, name: &ast::TypeName) {
-        match &name.kind {
-            ast::TypeKind::Block(kind, number) => self.absolute(*kind, *number),
-            ast::TypeKind::Symbol(symbol) => self.symbol(symbol),
-            ast::TypeKind::Array { element, .. } => self.type_name(element),
-            _ => {}
-        }
-    }
-
-    /// What is called: by number or by name.
-    fn operand(&mut self, operand: &ast::Operand, locals: &HashSet<String>) {
-        match operand {
-            ast::Operand::Symbol { name, path } if path.is_empty() => self.symbol(&name.text),
-            ast::Operand::Name { word, path } if path.is_empty() && !locals.contains(&key(&word.text)) => self.symbol(&word.text),
-            ast::Operand::Absolute { letters, number, bit: None } => {
-                if let Some(kind) = BlockKind::from_abbreviation(letters) {
-                    self.absolute(kind, *number);
-                }
-            }
-            _ => {}
-        }
-    }
-
-    fn absolute(&mut self, kind: BlockKind, number: u64) {
+    fn number(&mut self, kind: BlockKind, number: u64) {
         if let Ok(number) = u16::try_from(number) {
             self.id(BlockId::new(kind, number));
         }
@@ -123,7 +93,7 @@ impl Search<'_> {
         }
     }
 
-    fn symbol(&mut self, name: &str) {
+    fn name(&mut self, name: &str) {
         if let Some(global) = self.scope.global(name) {
             if let Some(Address::Block(id)) = global.operand {
                 self.id(id);

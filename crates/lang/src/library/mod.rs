@@ -6,14 +6,9 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use sieben_model::block::{BlockId, BlockKind};
-use sieben_model::interface::Interface;
-use sieben_model::mnemonics::Mnemonics;
-use sieben_model::source::{FileId, Sources};
-use sieben_model::symbols::SymbolTable;
+use sieben_model::source::FileId;
 
-use crate::project::{Options, compile};
 use crate::scope::key;
-use crate::stl::parser::parse;
 
 /// One block of the library.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -146,40 +141,4 @@ pub struct Linked {
     pub block: &'static LibraryBlock,
     /// Its source among those of the program, behind the user's.
     pub file: FileId,
-}
-
-/// What the source of a block says about it.
-#[derive(Clone, Debug, Default)]
-pub struct Description {
-    /// Its TITLE: what it does, in one line.
-    pub title: String,
-    /// The comment below the title, one line each.
-    pub comment: String,
-    /// Its FAMILY.
-    pub family: String,
-    /// Its VERSION.
-    pub version: String,
-    /// Its parameters and local data.
-    pub interface: Interface,
-    /// Bytes of local data that a call of it needs.
-    pub local_bytes: u32,
-}
-
-/// Reads what the source of a block says about it.
-pub fn describe(block: &LibraryBlock, options: &Options) -> Description {
-    let parsed = parse(FileId::default(), block.text, Some(Mnemonics::English));
-    let header = parsed.file.blocks.first().map(|block| block.header.clone()).unwrap_or_default();
-    let text = |word: Option<crate::stl::ast::Word>| word.map(|word| word.text.trim().to_owned()).unwrap_or_default();
-    let mut sources = Sources::default();
-    sources.add(block.path, block.text);
-    let options = Options { mnemonics: Some(Mnemonics::English), ..options.clone() };
-    let compiled = compile(&sources, &SymbolTable::default(), &options);
-    Description {
-        title: text(header.title),
-        comment: header.comment,
-        family: text(header.family),
-        version: text(header.version),
-        interface: compiled.blocks.get(&block.block).map(|block| block.interface.clone()).unwrap_or_default(),
-        local_bytes: compiled.program.code.get(&block.block).map_or(0, |block| block.local_size),
-    }
 }

@@ -13,12 +13,12 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
 
-use super::sentences::Sentence;
-use super::why::{Number, Why};
 use super::{Language, Moment, Reasons};
+use crate::sentences::table::Sentence;
 use crate::stl::convert::convert;
 use crate::stl::instructions::Instruction;
 use crate::stl::operands::OperandClass;
+use crate::stl::why::{Number, Why};
 use crate::{Compiled, Options, compile};
 
 /// A statement that was run, and what its reason is.

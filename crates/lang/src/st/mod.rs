@@ -1,6 +1,7 @@
 //! ST (structured text) and SCL in four dialects: text → syntax → typed tree → IR.
 
 pub mod ast;
+pub(crate) mod body;
 pub mod check;
 pub mod declare;
 pub mod dialect;
@@ -15,6 +16,8 @@ pub mod objects;
 mod open_arrays;
 pub mod parser;
 mod points;
+pub(crate) mod reason;
+pub(crate) mod references;
 pub mod standard;
 pub mod syntax;
 pub mod tree;

@@ -3,6 +3,8 @@
 //! All names are resolved, every conversion is written out, every operation is an [`Op`] of the engine. A scalar is a value of at
 //! most 64 bits as a variable of the IR holds it (an integer zero-extended from its width, a BOOL as 0 or 1, a REAL as its bits).
 
+pub mod visit;
+
 use std::sync::Arc;
 
 pub use sieben_engine::intrinsics::Intrinsic;
@@ -133,6 +135,31 @@ pub enum StatementKind {
     Intrinsic { intrinsic: Intrinsic, args: Vec<Value> },
     /// Statements that share a place in the source but no scope of their own.
     Block(Vec<Statement>),
+}
+
+impl StatementKind {
+    /// The bodies inside it, in the order of the source.
+    pub fn bodies(&self) -> Vec<&[Statement]> {
+        match self {
+            Self::If { branches, otherwise } => branches.iter().map(|(_, body)| body.as_slice()).chain([otherwise.as_slice()]).collect(),
+            Self::Case { branches, otherwise, .. } => {
+                branches.iter().map(|branch| branch.body.as_slice()).chain([otherwise.as_slice()]).collect()
+            }
+            Self::For(one) => vec![&one.body],
+            Self::While { body, .. } | Self::Repeat { body, .. } | Self::Block(body) => vec![body],
+            Self::Assign { .. }
+            | Self::Copy { .. }
+            | Self::AssignString { .. }
+            | Self::Call(_)
+            | Self::Exit { .. }
+            | Self::Continue { .. }
+            | Self::Return
+            | Self::Label(_)
+            | Self::Goto(_)
+            | Self::SetOk(_)
+            | Self::Intrinsic { .. } => Vec::new(),
+        }
+    }
 }
 
 /// A branch of CASE.

@@ -13,6 +13,7 @@ use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::interface::{Interface, Section};
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
+use sieben_model::origin::Origin;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 
@@ -76,12 +77,14 @@ pub(crate) fn block(
         }
         // The place of a statement that is wrong stays taken, so that labels keep their numbers.
         let (instruction, operand) = chosen.unwrap_or((Instruction::Nop0, Operand::Constant(Value::Int(0))));
-        statements.push(Statement { instruction, operand, span: statement.span, network: network.max(1) });
+        let origin = Origin::Text { span: statement.span, network: network.max(1) };
+        statements.push(Statement { instruction, operand, origin });
         types.push(resolver.declared.take());
     }
     // A label at the end of the block stands before its end.
     if let Some(span) = labels.at_end {
-        statements.push(Statement { instruction: Instruction::BlockEnd, operand: Operand::None, span, network: network.max(1) });
+        let origin = Origin::Text { span, network: network.max(1) };
+        statements.push(Statement { instruction: Instruction::BlockEnd, operand: Operand::None, origin });
         types.push(None);
     }
     diagnostics.append(&mut resolver.diagnostics);
@@ -257,27 +260,27 @@ fn structure(statements: &[Statement], labels: &Labels, diagnostics: &mut Vec<Di
                 if brackets.len() > BRACKETS_MAX && !too_deep {
                     too_deep = true;
                     let message = format!("this is bracket number {}; a CPU nests at most {BRACKETS_MAX}", brackets.len());
-                    report(Problem::P2205, statement.span, message);
+                    report(Problem::P2205, statement.span(), message);
                 }
             }
             Instruction::CloseBracket if brackets.pop().is_none() => {
-                report(Problem::P2204, statement.span, "`)` closes a bracket that was never opened".to_owned());
+                report(Problem::P2204, statement.span(), "`)` closes a bracket that was never opened".to_owned());
             }
             Instruction::McrOpen => {
                 zones.push(index);
                 if zones.len() == MCR_ZONES_MAX + 1 {
                     let message = format!("this is MCR zone number {}; a CPU nests at most {MCR_ZONES_MAX}", zones.len());
-                    report(Problem::P2207, statement.span, message);
+                    report(Problem::P2207, statement.span(), message);
                 }
             }
             Instruction::McrClose if zones.pop().is_none() => {
-                report(Problem::P2207, statement.span, "`)MCR` closes a zone that was not opened in this block".to_owned());
+                report(Problem::P2207, statement.span(), "`)MCR` closes a zone that was not opened in this block".to_owned());
             }
             Instruction::BlockEnd | Instruction::BlockEndUnconditional | Instruction::BlockEndConditional if !brackets.is_empty() => {
-                report(Problem::P2213, statement.span, "the block ends inside a bracket".to_owned());
+                report(Problem::P2213, statement.span(), "the block ends inside a bracket".to_owned());
             }
             Instruction::Call | Instruction::CallUnconditional | Instruction::CallConditional if !brackets.is_empty() => {
-                report(Problem::P2214, statement.span, "a block is called inside a bracket".to_owned());
+                report(Problem::P2214, statement.span(), "a block is called inside a bracket".to_owned());
             }
             _ => {}
         }
@@ -288,14 +291,14 @@ fn structure(statements: &[Statement], labels: &Labels, diagnostics: &mut Vec<Di
             && !ends_block(next.instruction)
             && !matches!(next.instruction, Instruction::Nop0 | Instruction::Nop1 | Instruction::Blank)
         {
-            report(Problem::P2208, next.span, "this statement is never reached: no label stands before it".to_owned());
+            report(Problem::P2208, next.span(), "this statement is never reached: no label stands before it".to_owned());
         }
     }
     for &open in &brackets {
-        report(Problem::P2203, statements[open].span, "this bracket is never closed".to_owned());
+        report(Problem::P2203, statements[open].span(), "this bracket is never closed".to_owned());
     }
     for &open in &zones {
-        report(Problem::P2207, statements[open].span, "this MCR zone is not closed in this block".to_owned());
+        report(Problem::P2207, statements[open].span(), "this MCR zone is not closed in this block".to_owned());
     }
     for (index, statement) in statements.iter().enumerate() {
         if let Operand::Label(target) = statement.operand
@@ -307,7 +310,7 @@ fn structure(statements: &[Statement], labels: &Labels, diagnostics: &mut Vec<Di
                 (None, Some(_)) => "this jump leads into a bracket",
                 _ => "this jump leads from one bracket into another",
             };
-            report(Problem::P2206, statement.span, message.to_owned());
+            report(Problem::P2206, statement.span(), message.to_owned());
         }
     }
 }
@@ -319,20 +322,24 @@ fn jump_lists(statements: &[Statement], report: &mut dyn FnMut(Problem, Span, St
         let (Instruction::JumpList, &Operand::Label(target)) = (statement.instruction, &statement.operand) else { continue };
         let target = target as usize;
         if target <= index {
-            report(Problem::P2209, statement.span, "the label of the jump list stands directly behind the list, not before it".to_owned());
+            report(
+                Problem::P2209,
+                statement.span(),
+                "the label of the jump list stands directly behind the list, not before it".to_owned(),
+            );
             continue;
         }
         let end = target.min(statements.len());
         if end - index - 1 > JUMP_LIST_MAX {
             let message = format!("this jump list has {} entries; it may have {JUMP_LIST_MAX}", end - index - 1);
-            report(Problem::P2209, statement.span, message);
+            report(Problem::P2209, statement.span(), message);
         }
         for entry in index + 1..end {
             if statements[entry].instruction == Instruction::Jump {
                 entries[entry] = true;
             } else {
                 let message = "only unconditional jumps may stand between the jump list and its label".to_owned();
-                report(Problem::P2209, statements[entry].span, message);
+                report(Problem::P2209, statements[entry].span(), message);
                 break;
             }
         }
@@ -353,7 +360,7 @@ fn calls(known: &Known<'_>, statement: &Statement, diagnostics: &mut Vec<Diagnos
             BlockKind::DataBlock => format!("`{id}` does not exist; the statement fails unless the program creates it"),
             _ => format!("`{id}` does not exist; the call fails at run time"),
         };
-        diagnostics.push(Diagnostic::new(Problem::P3018, statement.span, message));
+        diagnostics.push(Diagnostic::new(Problem::P3018, statement.span(), message));
         return;
     }
     if kind == BlockKind::DataBlock {
@@ -364,10 +371,10 @@ fn calls(known: &Known<'_>, statement: &Statement, diagnostics: &mut Vec<Diagnos
     let statics = callee.interface.variables.iter().any(|variable| variable.section == Section::Static);
     if !parameters.is_empty() {
         let message = format!("`{id}` has parameters ({}), but this call passes none", parameters.join(", "));
-        diagnostics.push(Diagnostic::new(Problem::P4013, statement.span, message));
+        diagnostics.push(Diagnostic::new(Problem::P4013, statement.span(), message));
     } else if statics {
         let message = format!("`{id}` has static variables, but this call opens no instance");
-        diagnostics.push(Diagnostic::new(Problem::P4013, statement.span, message));
+        diagnostics.push(Diagnostic::new(Problem::P4013, statement.span(), message));
     }
 }
 
@@ -377,7 +384,7 @@ fn edge_memory(statement: &Statement, diagnostics: &mut Vec<Diagnostic>) {
         && matches!(access.location, Location::Fixed { area: Area::Local, .. })
     {
         let message = "this edge memory lies in temporary data, which the next cycle does not find again".to_owned();
-        diagnostics.push(Diagnostic::new(Problem::P4016, statement.span, message));
+        diagnostics.push(Diagnostic::new(Problem::P4016, statement.span(), message));
     }
 }
 
@@ -390,13 +397,13 @@ fn unavailable(known: &Known<'_>, statement: &Statement, diagnostics: &mut Vec<D
     };
     let Some((name, only)) = (known.only)(id) else { return };
     let message = format!("`{id}` ({name}) is not available on this CPU: it needs {only}; the call answers with an error");
-    diagnostics.push(Diagnostic::new(Problem::P5020, statement.span, message));
+    diagnostics.push(Diagnostic::new(Problem::P5020, statement.span(), message));
 }
 
 /// `ENT` and `LEAVE` are instructions of CPUs with four accumulators.
 fn missing_instructions(known: &Known<'_>, statement: &Statement, diagnostics: &mut Vec<Diagnostic>) {
     if known.cpu.accumulators < 4 && matches!(statement.instruction, Instruction::Enter | Instruction::Leave) {
         let message = format!("CPU {} has two accumulators, so that this statement does nothing", known.cpu.name);
-        diagnostics.push(Diagnostic::new(Problem::P5008, statement.span, message));
+        diagnostics.push(Diagnostic::new(Problem::P5008, statement.span(), message));
     }
 }

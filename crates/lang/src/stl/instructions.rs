@@ -17,7 +17,7 @@ use super::meaning::{
     logic_control, mcr, null, real_math, shift_rotate, timers, word_logic,
 };
 use super::operands::{Direction, Operand, OperandClass, StatusScan};
-use crate::reason::why::{Joint, Number, Rounding, Sense, Sign, Way, Why};
+use crate::stl::why::{Joint, Number, Rounding, Sense, Sign, Way, Why};
 
 /// What one status bit experiences: the manual's `-`, `0`, `1`, `x`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,12 +7,13 @@ use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::interface::Interface;
+use sieben_model::origin::Origin;
 use sieben_model::source::Span;
 
 use super::extension::{Compared, Extension};
 use super::instructions::Instruction;
 use super::operands::{Access, AddressRegister, Location, NumberOperand, Operand};
-use crate::reason::why::Why;
+use crate::stl::why::Why;
 
 /// One statement with all names resolved.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,10 +22,15 @@ pub struct Statement {
     pub instruction: Instruction,
     /// Its operand.
     pub operand: Operand,
-    /// The whole statement without its label.
-    pub span: Span,
-    /// Its network, counted from 1.
-    pub network: u32,
+    /// Where it comes from; in a text the whole statement without its label.
+    pub origin: Origin,
+}
+
+impl Statement {
+    /// Its place in the sources, empty if it has none.
+    pub fn span(&self) -> Span {
+        self.origin.span().unwrap_or_default()
+    }
 }
 
 /// A code block whose statements are resolved.
@@ -72,7 +78,7 @@ fn lowered(block: &ResolvedBlock, cpu: &CpuType, counted: bool) -> CodeBlock {
         }
     }
     let local_size = (lowering.hidden_base + lowering.hidden_max).next_multiple_of(2);
-    let end = block.statements.last().map_or(Span::default(), |statement| statement.span);
+    let end = block.statements.last().map_or(Span::default(), Statement::span);
     CodeBlock {
         code: lowering.b.finish(),
         interface: block.interface.clone(),
@@ -81,7 +87,7 @@ fn lowered(block: &ResolvedBlock, cpu: &CpuType, counted: bool) -> CodeBlock {
         private: Vec::new(),
         handed: Vec::new(),
         reads_own_locals: false,
-        spans: block.statements.iter().map(|statement| statement.span).chain([end]).collect(),
+        spans: block.statements.iter().map(Statement::span).chain([end]).collect(),
     }
 }
 

@@ -1,8 +1,11 @@
 //! STL (statement list, AWL): from text to statements with their meaning.
 
 pub mod ast;
+pub(crate) mod body;
 pub(crate) mod check;
 pub mod convert;
+pub(crate) mod counting;
+pub(crate) mod declare;
 pub mod extension;
 pub mod format;
 pub mod instructions;
@@ -12,9 +15,12 @@ pub mod meaning;
 pub mod mnemonics;
 pub mod operands;
 pub mod parser;
+pub(crate) mod reason;
+pub(crate) mod references;
 pub(crate) mod resolve;
 pub(crate) mod size;
 pub mod syntax;
+pub mod why;
 
 pub use convert::convert;
 pub use format::format;

@@ -17,13 +17,13 @@ use sieben_model::source::{Sources, Span};
 use sieben_model::types::DataType;
 
 use crate::declarations::data_block::DataLayout;
-use crate::declarations::path::FieldNames;
 use crate::declarations::types::{BlockInterface, describe};
 use crate::library::Selection;
 use crate::library::link::Links;
 use crate::scope::{Scope, did_you_mean, key};
 use crate::stl::ast;
 use crate::stl::check::TemporaryReads;
+use crate::stl::declare::path::FieldNames;
 use crate::stl::operands::{Access, Location, Operand};
 pub(crate) use calls::{plain_callee, plain_data_block};
 

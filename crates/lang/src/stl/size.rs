@@ -140,7 +140,8 @@ mod tests {
         sources.add("size.awl", format!("{others}ORGANIZATION_BLOCK OB 1\nBEGIN\nx: {statement};\nEND_ORGANIZATION_BLOCK\n"));
         let compiled = compile(&sources, &SymbolTable::default(), &Options::default());
         assert!(!compiled.has_errors(), "{statement}: {:?}", compiled.diagnostics);
-        let statements = &compiled.blocks[&BlockId::ob(1)].statements;
+        let crate::CheckedBody::Stl(block) = &*compiled.bodies[&BlockId::ob(1)] else { unreachable!("the source is STL") };
+        let statements = &block.statements;
         assert_eq!(code_bytes(statements), statement_bytes(statements[0].instruction, &statements[0].operand) + 2, "{statement} and BE");
         statement_bytes(statements[0].instruction, &statements[0].operand)
     }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use sieben_lang::description::describe;
 use sieben_lang::library::{self, Selection};
 use sieben_lang::stl::parser::parse;
 use sieben_lang::{Compiled, Options, compile};
@@ -52,7 +53,7 @@ fn a_call_by_number_or_name_links_the_block() {
         let fc2 = BlockId::new(BlockKind::Function, 2);
         assert!(compiled.program.code.contains_key(&fc2));
         assert_eq!(compiled.block_names[&fc2], "CONCAT");
-        let span = compiled.blocks[&fc2].statements[0].span;
+        let span = compiled.program.code[&fc2].spans[0];
         assert_eq!(sources.file(span.file).name, "library/iec/fc002_concat.awl");
         assert!(sources.slice(span).starts_with("TAR2"), "places point into the source of the library");
     }
@@ -160,7 +161,7 @@ fn every_block_is_whole_small_and_named_as_in_the_table() {
         assert!(others.is_empty(), "{block:?}: {others:?}");
         let code = compiled.program.code.get(&block.block).unwrap_or_else(|| panic!("{} has the number of the table", block.path));
         assert!(code.local_size <= LOCAL_BYTES_MAX, "{block:?} needs {} bytes of local data", code.local_size);
-        let description = library::describe(block, &Options::default());
+        let description = describe(block, &Options::default());
         assert!(!description.title.is_empty() && !description.comment.is_empty() && !description.family.is_empty(), "{block:?}");
         assert!(
             description.interface.parameters().all(|parameter| parameter.name == "RET_VAL" || !parameter.comment.is_empty()),

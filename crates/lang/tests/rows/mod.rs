@@ -13,6 +13,7 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::interface::Interface;
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
+use sieben_model::origin::Origin;
 use sieben_model::source::Span;
 
 use super::strict::Strict;
@@ -92,7 +93,7 @@ fn samples(instruction: Instruction) -> Vec<Operand> {
 }
 
 fn statement(instruction: Instruction, operand: Operand) -> Statement {
-    Statement { instruction, operand, span: Span::default(), network: 1 }
+    Statement { instruction, operand, origin: Origin::Text { span: Span::default(), network: 1 } }
 }
 
 /// Where an instruction stands when its effect is measured behind it.

@@ -1,10 +1,11 @@
 //! Standard functions and blocks of Structured Text: their pages, and the list of all.
 
 use sieben_lang::Options;
+use sieben_lang::known_names::known;
 use sieben_lang::st::Dialect;
 #[cfg(test)]
 use sieben_lang::st::standard::catalogue::names;
-use sieben_lang::st::standard::catalogue::{CHAPTERS, known, page};
+use sieben_lang::st::standard::catalogue::{CHAPTERS, page};
 
 /// The pages of all functions by file.
 const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/function_pages.rs"));

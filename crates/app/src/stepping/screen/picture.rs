@@ -4,7 +4,6 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use sieben_engine::machine::Registers;
 use sieben_engine::{FaultPlace, Machine, StatementEvent};
-use sieben_lang::stl::operands::{Location, Operand};
 use sieben_model::address::{Address, Area, Width};
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
@@ -386,14 +385,8 @@ fn bytes(stepper: &Stepper<'_>) -> Vec<(Area, u32)> {
     let mut bytes = BTreeSet::new();
     let build = stepper.build();
     let shown = |area: &Area| matches!(area, Area::Input | Area::Output | Area::BitMemory);
-    for statement in build.compiled.blocks.values().flat_map(|block| &block.statements) {
-        if let Operand::Memory(access) = &statement.operand
-            && let (Width::Bit, Location::Fixed { area, position }) = (access.width, &access.location)
-            && shown(area)
-        {
-            bytes.insert((*area, position / 8));
-        }
-    }
+    let named = build.compiled.bodies.values().flat_map(|body| body.named_bits());
+    bytes.extend(named.filter(|(area, _)| shown(area)).map(|(area, position)| (area, position / 8)));
     for symbol in build.project.symbols.symbols() {
         if let Some(sieben_model::address::Operand::Address(Address { area, width: Width::Bit, byte, .. })) = symbol.operand()
             && shown(&area)

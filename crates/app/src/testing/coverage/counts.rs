@@ -1,23 +1,22 @@
-//! How often a run comes by each statement, and what statements of STL look at then.
+//! How often a run comes by each statement, and what they look at then.
 
 use std::collections::HashMap;
 
 use sieben_engine::{Machine, StatementEvent, Tracer};
 use sieben_lang::Compiled;
-use sieben_lang::coverage::{Seen, looks_at};
-use sieben_lang::reason::why::Why;
+use sieben_lang::coverage::{Look, Seen};
 use sieben_model::block::BlockId;
 
 /// A statement of the IR: its block, and its number there.
 type Statement = (BlockId, u32);
 
 /// What statements look at, by the statement.
-pub(crate) type Looking = HashMap<Statement, Why>;
+pub(crate) type Looking = HashMap<Statement, Look>;
 
 /// The statements of a program that look at something.
 pub(crate) fn looking(compiled: &Compiled) -> Looking {
     let all = compiled.countable.iter();
-    all.flat_map(|(&block, countable)| countable.looking.iter().map(move |&(number, why)| ((block, number), why))).collect()
+    all.flat_map(|(&block, countable)| countable.looking.iter().map(move |&(number, look)| ((block, number), look))).collect()
 }
 
 /// How often each statement ran.
@@ -71,7 +70,7 @@ impl Tracer for Counting<'_> {
     fn statement(&mut self, _machine: &Machine, event: &StatementEvent) {
         let statement = (event.place.block, event.place.statement);
         more(self.counts.ran.entry(statement).or_default(), 1);
-        if let Some(value) = self.looking.get(&statement).and_then(|&why| looks_at(why, &event.before)) {
+        if let Some(value) = self.looking.get(&statement).map(|look| look.value(&event.before)) {
             more(self.counts.with.entry((statement, value)).or_default(), 1);
         }
     }

@@ -14,6 +14,7 @@ use super::places::Reached;
 use super::typed::{Target, Through, Typed};
 use super::types::{Class, Implicit, Kind, implicit};
 use super::{Checker, literals};
+use crate::calling::pointers::any_type;
 use crate::library;
 use crate::scope::nearest;
 use crate::st::ast::{self, Direction, Expression, ExpressionKind, MemberKind, Name, Quoting};
@@ -27,7 +28,6 @@ use crate::st::tree::{
     Argument, Base, Call, Callee, Dispatch, Place, Scalar, Statement, StatementKind, Text, TextFunction, Value, ValueKind, room_of,
 };
 use crate::st::variants::is_told;
-use crate::stl::meaning::logic_control::any_type;
 
 /// The output of system functions that is their result.
 const RET_VAL: &str = "RET_VAL";

@@ -13,7 +13,8 @@ use super::{Checker, walk};
 use crate::declarations::interface::START_INFORMATION_BYTES;
 use crate::scope::key;
 use crate::st::ast::{self, ExpressionKind};
-use crate::st::tree::{Argument, Base, Body, Call, Place, Statement, StatementKind, Text, Value, ValueKind};
+use crate::st::tree::visit::{self, Extent, Use, Visit};
+use crate::st::tree::{Argument, Base, Body, Call, Place, Statement, StatementKind, Text, Value};
 
 impl Checker<'_> {
     /// Says what is odd about the variables of a block without errors.
@@ -83,7 +84,7 @@ impl Checker<'_> {
             return;
         }
         let mut walk = Walk { variables: &variables, written: vec![false; variables.len()], reads: Vec::new() };
-        walk.statements(&body.statements);
+        visit::statements(&mut walk, &body.statements);
         for (index, span) in walk.reads {
             let variable = &variables[index];
             if self.overlaid(variable) {
@@ -161,14 +162,19 @@ fn all_ways<'a>(
 
 /// The variables that a call writes to.
 fn outputs(call: &Call) -> impl Iterator<Item = &Place> {
-    call.arguments.iter().filter_map(|argument| match argument {
+    call.arguments.iter().filter_map(output)
+}
+
+/// The variable that is written through an argument.
+fn output(argument: &Argument) -> Option<&Place> {
+    match argument {
         Argument::Output { target, .. }
         | Argument::OutputText { target, .. }
         | Argument::OutputAggregate { target, .. }
         | Argument::Eno { target } => Some(target),
         Argument::InOut { place, .. } | Argument::Pointer { place, .. } => Some(place),
-        _ => None,
-    })
+        Argument::Value { .. } | Argument::Number { .. } | Argument::Text { .. } | Argument::Aggregate { .. } => None,
+    }
 }
 
 /// Goes through a body and notes first reads of variables that nothing has written.
@@ -190,31 +196,11 @@ impl Walk<'_> {
         })
     }
 
-    fn write(&mut self, place: &Place) {
-        place.indexes.iter().for_each(|index| self.value(&index.value));
-        if let Some(index) = self.variable(place) {
-            self.written[index] = true;
-        }
-    }
-
-    fn read(&mut self, place: &Place) {
-        place.indexes.iter().for_each(|index| self.value(&index.value));
-        match &place.base {
-            Base::ComputedDataBlock(value) | Base::Reference(value) => self.value(value),
-            _ => {}
-        }
-        if let Some(index) = self.variable(place)
-            && !std::mem::replace(&mut self.written[index], true)
-        {
-            self.reads.push((index, place.span));
-        }
-    }
-
     /// Inside a loop an earlier pass may have written what stands further down.
     fn repeated(&mut self, body: &[Statement]) {
         let reads = self.reads.len();
         let mut ahead = Walk { variables: self.variables, written: self.written.clone(), reads: Vec::new() };
-        ahead.statements(body);
+        visit::statements(&mut ahead, body);
         // The first statements of the first pass still read what nothing has written.
         let certain: Vec<(usize, Span)> =
             ahead.reads.iter().copied().filter(|&(index, _)| !assigned(self.variables, body, index)).collect();
@@ -222,140 +208,83 @@ impl Walk<'_> {
         self.reads.truncate(reads);
         self.reads.extend(certain);
     }
+}
 
-    fn statements(&mut self, statements: &[Statement]) {
-        for statement in statements {
-            match &statement.kind {
-                StatementKind::Assign { target, value } => {
-                    self.value(value);
-                    self.write(target);
-                }
-                StatementKind::Copy { target, source, .. } => {
-                    self.read(source);
-                    self.write(target);
-                }
-                StatementKind::AssignString { target, source, .. } => {
-                    self.text(source);
-                    self.write(target);
-                }
-                StatementKind::Call(call) => self.call(call),
-                StatementKind::If { branches, otherwise } => {
-                    for (condition, body) in branches {
-                        self.value(condition);
-                        self.statements(body);
-                    }
-                    self.statements(otherwise);
-                }
-                StatementKind::Case { selector, branches, otherwise } => {
-                    self.value(selector);
-                    branches.iter().for_each(|branch| self.statements(&branch.body));
-                    self.statements(otherwise);
-                }
-                StatementKind::For(one) => {
-                    self.value(&one.from);
-                    self.write(&one.variable);
-                    self.value(&one.to);
-                    self.value(&one.by);
-                    self.repeated(&one.body);
-                }
-                StatementKind::While { condition, body } => {
-                    self.value(condition);
-                    self.repeated(body);
-                }
-                StatementKind::Repeat { body, until } => {
-                    self.repeated(body);
-                    self.value(until);
-                }
-                StatementKind::Block(body) => self.statements(body),
-                StatementKind::SetOk(value) => self.value(value),
-                StatementKind::Intrinsic { args, .. } => args.iter().for_each(|arg| self.value(arg)),
-                StatementKind::Exit { .. }
-                | StatementKind::Continue { .. }
-                | StatementKind::Return
-                | StatementKind::Label(_)
-                | StatementKind::Goto(_) => {}
+impl<'t> Visit<'t> for Walk<'_> {
+    fn statement(&mut self, statement: &'t Statement) {
+        match &statement.kind {
+            StatementKind::For(one) => {
+                self.value(&one.from);
+                self.place(&one.variable, Use::Write, Extent::Scalar(one.scalar));
+                [&one.to, &one.by].into_iter().for_each(|value| self.value(value));
+                self.repeated(&one.body);
             }
+            StatementKind::While { condition, body } => {
+                self.value(condition);
+                self.repeated(body);
+            }
+            StatementKind::Repeat { body, until } => {
+                self.repeated(body);
+                self.value(until);
+            }
+            _ => visit::statement(self, statement),
         }
     }
 
-    fn value(&mut self, value: &Value) {
-        match &value.kind {
-            ValueKind::Load(place) => self.read(place),
-            // From here on it may be written in ways that no one sees.
-            ValueKind::AddressOf(place) => self.write(place),
-            ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } | ValueKind::Intrinsic { args, .. } => {
-                args.iter().for_each(|arg| self.value(arg));
-            }
-            ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => {
-                self.value(a);
-                self.value(b);
-            }
-            ValueKind::Choose { condition, a, b } => [condition, a, b].into_iter().for_each(|one| self.value(one)),
-            ValueKind::Call(call) => self.call(call),
-            ValueKind::CompareTexts(a, b) => {
-                self.text(a);
-                self.text(b);
-            }
-            ValueKind::Length(text) => self.text(text),
-            ValueKind::After(statements, value) => {
-                self.statements(statements);
-                self.value(value);
-            }
-            ValueKind::Constant(_) | ValueKind::NumberParameter(_) | ValueKind::Ok | ValueKind::Eno => {}
-        }
-    }
-
-    fn text(&mut self, text: &Text) {
-        match text {
-            Text::Place { place, .. } => self.read(place),
-            Text::Character(value) => self.value(value),
-            Text::Call { call, .. } => self.call(call),
-            Text::Constant(_) | Text::WideConstant(_) => {}
-            Text::Converted(text) => self.text(text),
-            Text::After(statements, text) => {
-                self.statements(statements);
-                self.text(text);
-            }
-        }
-    }
-
-    fn call(&mut self, call: &Call) {
+    fn call(&mut self, call: &'t Call) {
         call.enable.iter().for_each(|value| self.value(value));
-        if let Some(instance) = call.callee.instance() {
-            instance.indexes.iter().for_each(|index| self.value(&index.value));
-        }
-        for argument in &call.arguments {
-            match argument {
-                Argument::Value { value, .. } | Argument::Number { value, .. } => self.value(value),
-                Argument::Text { text, .. } => self.text(text),
-                Argument::Aggregate { source, .. } => self.read(source),
-                // What an in-out does with a variable only the block knows.
-                _ => {}
+        call.callee.instance().into_iter().for_each(|instance| visit::indexes(self, instance));
+        // What an in-out does with a variable only the block knows.
+        let (delivers, goes_in): (Vec<_>, Vec<_>) = call.arguments.iter().partition(|argument| output(argument).is_some());
+        goes_in.into_iter().chain(delivers).for_each(|argument| self.argument(argument));
+    }
+
+    fn place(&mut self, place: &'t Place, how: Use, _: Extent<'t>) {
+        visit::indexes(self, place);
+        match how {
+            Use::Read => {
+                visit::base(self, place);
+                if let Some(index) = self.variable(place)
+                    && !std::mem::replace(&mut self.written[index], true)
+                {
+                    self.reads.push((index, place.span));
+                }
+            }
+            // Where an address was taken it may be written in ways that no one sees.
+            Use::Write | Use::ReadWrite | Use::Address | Use::Instance => {
+                if let Some(index) = self.variable(place) {
+                    self.written[index] = true;
+                }
             }
         }
-        outputs(call).for_each(|place| self.write(place));
     }
 }
 
 /// Whether an assignment or a call names a variable as its target.
 fn assigned(variables: &[Variable], statements: &[Statement], index: usize) -> bool {
     let walk = Walk { variables, written: Vec::new(), reads: Vec::new() };
-    let is = |place: &Place| walk.variable(place) == Some(index);
-    statements.iter().any(|statement| match &statement.kind {
-        StatementKind::Assign { target, .. } | StatementKind::Copy { target, .. } | StatementKind::AssignString { target, .. } => {
-            is(target)
-        }
-        StatementKind::Call(call) => outputs(call).any(is),
-        StatementKind::If { branches, otherwise } => {
-            branches.iter().any(|(_, body)| assigned(variables, body, index)) || assigned(variables, otherwise, index)
-        }
-        StatementKind::Case { branches, otherwise, .. } => {
-            branches.iter().any(|branch| assigned(variables, &branch.body, index)) || assigned(variables, otherwise, index)
-        }
-        StatementKind::For(one) => is(&one.variable) || assigned(variables, &one.body, index),
-        StatementKind::While { body, .. } | StatementKind::Repeat { body, .. } | StatementKind::Block(body) => {
-            assigned(variables, body, index)
-        }
-        _ => false,
-    })
+    let mut targets = Targets { walk, index, found: false };
+    visit::statements(&mut targets, statements);
+    targets.found
+}
+
+/// Goes through the statements of a body, not into values, and looks for a variable among the targets.
+struct Targets<'a> {
+    walk: Walk<'a>,
+    index: usize,
+    found: bool,
+}
+
+impl<'t> Visit<'t> for Targets<'_> {
+    fn value(&mut self, _: &'t Value) {}
+
+    fn text(&mut self, _: &'t Text) {}
+
+    fn call(&mut self, call: &'t Call) {
+        self.found |= outputs(call).any(|place| self.walk.variable(place) == Some(self.index));
+    }
+
+    fn place(&mut self, place: &'t Place, how: Use, _: Extent<'t>) {
+        self.found |= how != Use::Read && self.walk.variable(place) == Some(self.index);
+    }
 }

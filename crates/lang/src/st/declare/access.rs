@@ -16,9 +16,9 @@ use super::environment::{BlockNames, Environment};
 use super::globals::located;
 use super::items::Items;
 use super::types::Resolver;
-use super::{Declared, ast};
+use super::{Declared, Types, ast};
 use crate::declarations::data_block::{DataLayout, instance};
-use crate::declarations::types::{Types, describe};
+use crate::declarations::types::describe;
 use crate::scope::key;
 use crate::st::ast::{Location, SectionKind};
 use crate::st::check::place_of;
@@ -130,7 +130,7 @@ impl Resolver<'_, '_> {
         if !open || !self.dialect.switches().unlinked_is_memory || told() {
             return location;
         }
-        if !std::mem::replace(&mut self.types.st_known.unlinked, true) {
+        if !std::mem::replace(&mut self.types.known.unlinked, true) {
             let message = "no VAR_CONFIG tells this address: the variable is memory of its own";
             self.report(Problem::P6330, span, message).help =
                 Some("Write the address, as in `AT %IX0.0`; other variables of the program are not listed.".to_owned());
@@ -149,7 +149,7 @@ pub(super) fn configured<'a>(types: &mut Types<'a>, items: &'a Items<'a>, number
             entry_of(types, items, &entry, skipped, layout, &mut data, &mut given);
         }
     }
-    if !types.st_known.open.is_empty() {
+    if !types.known.open.is_empty() {
         let shown = items.names.get(&BlockId::db(number)).cloned().unwrap_or_else(|| BlockId::db(number).to_string());
         let mut missing = Vec::new();
         missing_in(types, items, &layout.structure, layout.based_on, 0, &shown, &given, &mut missing);
@@ -188,7 +188,7 @@ fn entry_of<'a>(
         };
         position += u64::from(field.offset);
         let open =
-            types.st_known.open.iter().find(|open| Some(open.block) == owner_of(items, owner, open.block) && name.is(&open.name)).cloned();
+            types.known.open.iter().find(|open| Some(open.block) == owner_of(items, owner, open.block) && name.is(&open.name)).cloned();
         let mut data_type = field.data_type.clone();
         if let Some((_, indexes)) = entry.elements.iter().find(|(behind, _)| *behind == index) {
             let Some((element, offset)) = element_of(types, items, entry, (index, &data_type), indexes) else { return };
@@ -337,7 +337,7 @@ fn missing_in(
     for field in &structure.fields {
         let (here, path) = (position + u64::from(field.offset), format!("{path}.{}", field.name));
         let is_open = |open: &&OpenAddress| open.name == field.name && owner_of(items, owner, open.block).is_some();
-        if let Some(open) = types.st_known.open.iter().find(is_open) {
+        if let Some(open) = types.known.open.iter().find(is_open) {
             if !given.contains(&here) {
                 missing.push((path, open.clone()));
             }

@@ -133,7 +133,7 @@ impl Resolver<'_, '_> {
 
     /// A constant of a VAR_GLOBAL CONSTANT section.
     pub(super) fn global_constant(&mut self, wanted: &str, span: Span) -> Option<Constant> {
-        match self.types.st_known.constants.get(wanted) {
+        match self.types.known.constants.get(wanted) {
             Some(State::Done(done)) => return done.clone(),
             Some(State::InProgress) => {
                 self.report(Problem::P3016, span, "this constant is defined by itself");
@@ -149,12 +149,12 @@ impl Resolver<'_, '_> {
         if !self.types.enter(span) {
             return None;
         }
-        self.types.st_known.constants.insert(wanted.to_owned(), State::InProgress);
+        self.types.known.constants.insert(wanted.to_owned(), State::InProgress);
         let dialect = list.dialect;
         let mut resolver = Resolver { list: Some(&list.name), ..Resolver::new(self.types, self.items, dialect) };
         let value = resolver.declared_constant(declaration);
         self.types.leave();
-        self.types.st_known.constants.insert(wanted.to_owned(), State::Done(value.clone()));
+        self.types.known.constants.insert(wanted.to_owned(), State::Done(value.clone()));
         value
     }
 

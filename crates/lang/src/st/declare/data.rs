@@ -10,9 +10,8 @@ use sieben_model::types::{DataType, Structure, place};
 
 use super::items::{Data, Items};
 use super::types::{FieldLayout, Resolver, instance_of};
-use super::{access, ast, globals, instances};
+use super::{Types, access, ast, globals, instances};
 use crate::declarations::data_block::{DataLayout, instance};
-use crate::declarations::types::Types;
 use crate::scope::{did_you_mean, key};
 use crate::st::ast::{Expression, ExpressionKind};
 
@@ -31,7 +30,7 @@ pub(crate) fn layouts<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: &mu
     let globals = globals::globals(types, items, data);
     instances::tasks(items, data);
     access::rootless(types, items);
-    for (number, structure) in &types.st_known.statics {
+    for (number, structure) in &types.known.statics {
         data.insert(*number, DataLayout { structure: Arc::clone(structure), based_on: None });
     }
     globals

@@ -8,14 +8,12 @@ use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_model::types::{DataType, Field, Structure, place};
 
-use super::Located;
-use super::ast;
 use super::interface::{is_constant, unknown};
 use super::items::Items;
 use super::types::Resolver;
+use super::{Located, Types, ast};
 use crate::declarations::BLOCK_BYTES_MAX;
 use crate::declarations::data_block::DataLayout;
-use crate::declarations::types::Types;
 use crate::scope::key;
 use crate::st::check::names::{Entity, Role, Variable};
 use crate::st::dialect::AddressUnit;
@@ -93,7 +91,7 @@ pub(super) fn globals<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: &mu
                 let variable = Variable { name: name.text.clone(), role, data_type: data_type.clone(), base, offset, span: name.span };
                 if declaration.location.is_some() && declaration.initial.is_some() {
                     let retain = list.section.has(ast::Qualifier::Retain);
-                    resolver.types.st_known.located.push(Located { variable: variable.clone(), initial: initial.clone(), retain });
+                    resolver.types.known.located.push(Located { variable: variable.clone(), initial: initial.clone(), retain });
                 }
                 add(&mut globals, items, &list.name, name, Entity::Variable(variable));
             }

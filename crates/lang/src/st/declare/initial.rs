@@ -276,7 +276,7 @@ impl Resolver<'_, '_> {
     fn keep_addresses(&mut self, of: Span) {
         let addresses = std::mem::take(&mut self.addresses);
         if !addresses.is_empty() {
-            self.types.st_known.addresses.insert(of, addresses);
+            self.types.known.addresses.insert(of, addresses);
         }
     }
 

@@ -15,10 +15,10 @@ use super::access::{OpenAddress, open_type};
 use super::initial::bytes;
 use super::items::{Code, INITIAL_CALL, Items};
 use super::types::{Resolver, holds_instance};
-use super::{Declared, Located, WatchedEdge, ast, globals};
+use super::{Declared, Located, Types, WatchedEdge, ast, globals};
 use crate::declarations::BLOCK_BYTES_MAX;
 use crate::declarations::interface::{Declared as Unplaced, is_complex, lay_out, lay_out_behind};
-use crate::declarations::types::{BlockInterface, Types, describe};
+use crate::declarations::types::{BlockInterface, describe};
 use crate::scope::key;
 use crate::st::check::members::is_super;
 use crate::st::check::names::{Entity, Role, Variable};
@@ -112,7 +112,7 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
     let mut declared = Declared { names: resolver.names, variables: inherited, edges: inherited_edges, ..Declared::default() };
     let kept = kept_structure(&pending);
     if let (Some(structure), Some(&number)) = (kept.clone(), items.kept.get(&id)) {
-        types.st_known.statics.push((number, structure));
+        types.known.statics.push((number, structure));
     }
     let keep = items.kept.get(&id).copied();
     let initialised = code.dialect.switches().temporaries_initialised;
@@ -173,7 +173,7 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
     }
     declared.nameless = code.block.sections.iter().any(|section| section.nameless);
     declared.broken = partial || types.errors() > before;
-    types.st_known.blocks.insert(id, declared);
+    types.known.blocks.insert(id, declared);
     Some(block)
 }
 
@@ -367,7 +367,7 @@ impl<'a> Sections<'_, 'a> {
         interface.variables.iter_mut().filter(|variable| of_type(&variable.name)).for_each(|variable| variable.initial.clone_from(&number));
         let instance = Arc::make_mut(&mut found.instance);
         instance.fields.iter_mut().filter(|field| of_type(&field.name)).for_each(|field| field.initial.clone_from(&number));
-        if let Some(declared) = self.resolver.types.st_known.blocks.get(&base) {
+        if let Some(declared) = self.resolver.types.known.blocks.get(&base) {
             for (name, entity) in declared.names.iter().filter(|(_, entity)| entity.is_of_instance()) {
                 if let Entity::Variable(variable) = entity {
                     self.places.insert(name.clone(), variable.span);
@@ -392,7 +392,7 @@ impl<'a> Sections<'_, 'a> {
         if self.resolver.types.interface(owner, member.of.span).is_none() {
             return;
         }
-        let Some(declared) = self.resolver.types.st_known.blocks.get(&owner) else { return };
+        let Some(declared) = self.resolver.types.known.blocks.get(&owner) else { return };
         for (name, entity) in &declared.names {
             if matches!(entity, Entity::Constant(_) | Entity::EnumValue { .. }) {
                 self.resolver.names.insert(name.clone(), entity.clone());
@@ -604,7 +604,7 @@ impl<'a> Sections<'_, 'a> {
                         area: address.area,
                         span: name.span,
                     };
-                    self.resolver.types.st_known.open.push(open);
+                    self.resolver.types.known.open.push(open);
                     if let Some(initial) = &declaration.initial {
                         let message = "a variable that VAR_CONFIG gives an address has no initial value";
                         self.resolver.report(Problem::P2212, initial.span, message);
@@ -625,7 +625,7 @@ impl<'a> Sections<'_, 'a> {
                             Variable { name: name.text.clone(), role, data_type: data_type.clone(), base, offset, span: name.span };
                         if declaration.initial.is_some() {
                             let one = Located { variable: variable.clone(), initial: initial.clone(), retain };
-                            self.resolver.types.st_known.located.push(one);
+                            self.resolver.types.known.located.push(one);
                         }
                         self.located.push(variable);
                     }

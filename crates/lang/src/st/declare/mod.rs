@@ -31,23 +31,22 @@ use std::sync::Arc;
 use sieben_model::block::BlockId;
 use sieben_model::literal::Value;
 use sieben_model::source::{FileId, Span};
-use sieben_model::types::DataType;
+use sieben_model::types::{DataType, Structure};
 
 use super::ast;
 use super::check::names::{Constant, Entity, Variable};
 use super::dialect::Dialect;
 use super::standard::Source;
 use super::tree::Local;
-use crate::declarations::types::State;
+use crate::declarations::types::{self as shared, BlockInterface, Declares, State};
 
 pub(crate) use data::{fill, layouts};
 pub(crate) use environment::{environment, starting};
-pub(crate) use interface::interface_of;
 pub(crate) use items::{Items, collect};
 pub(crate) use members::expand;
 pub(crate) use needed::{Demand, Needed};
 use programs::organization_blocks;
-pub(crate) use types::{all_types, user_defined};
+pub(crate) use types::all_types;
 
 /// A source of ST that is parsed.
 #[derive(Clone, Debug)]
@@ -122,7 +121,24 @@ pub(crate) struct WatchedEdge {
     pub(crate) edge: ast::Edge,
 }
 
-/// What is known of ST while types are resolved; lives in [`crate::declarations::types::Types`].
+/// The types and interfaces of all languages while ST keeps what it knows among them.
+pub(crate) type Types<'a> = shared::Types<'a, Known>;
+
+impl<'a> Declares<'a, Known> for Items<'a> {
+    fn has(&self, block: BlockId) -> bool {
+        self.code.contains_key(&block)
+    }
+
+    fn user_defined(&'a self, types: &mut Types<'a>, number: u16, span: Span) -> Option<Option<Arc<Structure>>> {
+        types::user_defined(types, self, number, span)
+    }
+
+    fn interface(&'a self, types: &mut Types<'a>, block: BlockId) -> Option<BlockInterface> {
+        interface::interface_of(types, self, block)
+    }
+}
+
+/// What is known of ST while types are resolved; lives in [`shared::Types`].
 #[derive(Default)]
 pub(crate) struct Known {
     /// Types of TYPE sections by the key of their names.
@@ -132,7 +148,7 @@ pub(crate) struct Known {
     /// What each block declares.
     pub(crate) blocks: HashMap<BlockId, Declared>,
     /// Data blocks that functions keep their VAR_STAT in: structure and initial values come from the declarations.
-    pub(crate) statics: Vec<(u16, Arc<sieben_model::types::Structure>)>,
+    pub(crate) statics: Vec<(u16, Arc<Structure>)>,
     /// What of the library is needed and not there yet.
     pub(crate) demands: Vec<Demand>,
     /// Variables with an address that begin with a value.

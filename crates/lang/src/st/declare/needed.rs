@@ -7,9 +7,8 @@ use sieben_model::source::FileId;
 use super::StFile;
 use super::items::Items;
 use crate::library::LibraryBlock;
-use crate::project::LinkedSource;
 use crate::st::parser::parse;
-use crate::st::standard::Source;
+use crate::st::standard::{LinkedSource, Source};
 
 /// Something of the library that a program needs.
 #[derive(Clone, Copy, Debug)]

@@ -12,9 +12,9 @@ use sieben_model::types::{DataType, Enumeration, Field, Reference, ReferenceKind
 
 use super::initial::range;
 use super::items::{Items, numbered};
-use super::{Demand, InitialAddress, Named, ast};
+use super::{Demand, InitialAddress, Named, Types, ast};
 use crate::declarations::BLOCK_BYTES_MAX;
-use crate::declarations::types::{State, Types};
+use crate::declarations::types::State;
 use crate::scope::{did_you_mean, key};
 use crate::st::ast::{Dimension, TypeKind, TypeSpec};
 use crate::st::check::names::Entity;
@@ -33,8 +33,7 @@ const NOWHERE: usize = usize::MAX;
 const VALUES_MAX: usize = 65_536;
 
 /// The structure of a user-defined type that ST declares; `None` if it is another one.
-pub(crate) fn user_defined(types: &mut Types<'_>, number: u16, span: Span) -> Option<Option<Arc<Structure>>> {
-    let items = types.st?;
+pub(super) fn user_defined<'a>(types: &mut Types<'a>, items: &'a Items<'a>, number: u16, span: Span) -> Option<Option<Arc<Structure>>> {
     let wanted = items.numbered_types.get(&number)?;
     let dialect = items.types.get(wanted)?.dialect;
     let named = Resolver::new(types, items, dialect).type_of_key(wanted, span);
@@ -323,7 +322,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
         if let Some(full) = spellings.iter().find(|full| self.items.types.contains_key(*full)) {
             let found = self.items.types.get(full)?;
             let is_structure = matches!(found.declaration.data_type.kind, TypeKind::Struct { .. } | TypeKind::Union(_));
-            let begun = matches!(self.types.st_known.named.get(full), Some(State::InProgress));
+            let begun = matches!(self.types.known.named.get(full), Some(State::InProgress));
             let structure = Structure { name: Some(found.declaration.name.text.clone()), ..Structure::default() };
             return (is_structure && begun).then(|| DataType::Struct(Arc::new(structure)));
         }
@@ -421,14 +420,14 @@ impl<'t, 'a> Resolver<'t, 'a> {
             }
         };
         if found.is_none() {
-            self.types.st_known.demands.push(demand);
+            self.types.known.demands.push(demand);
         }
         Some(found)
     }
 
     /// A type of a TYPE section.
     pub(super) fn type_of_key(&mut self, wanted: &str, span: Span) -> Option<Arc<Named>> {
-        match self.types.st_known.named.get(wanted) {
+        match self.types.known.named.get(wanted) {
             Some(State::Done(done)) => return done.clone(),
             Some(State::InProgress) => {
                 let name = self.items.types.get(wanted).map_or(wanted, |found| found.declaration.name.text.as_str());
@@ -442,12 +441,12 @@ impl<'t, 'a> Resolver<'t, 'a> {
         if !self.types.enter(span) {
             return None;
         }
-        self.types.st_known.named.insert(wanted.to_owned(), State::InProgress);
+        self.types.known.named.insert(wanted.to_owned(), State::InProgress);
         let declaration = found.declaration;
         let mut inner = Resolver::new(self.types, items, found.dialect).within(found.space);
         let resolved = inner.declared_type(declaration).map(Arc::new);
         self.types.leave();
-        self.types.st_known.named.insert(wanted.to_owned(), State::Done(resolved.clone()));
+        self.types.known.named.insert(wanted.to_owned(), State::Done(resolved.clone()));
         resolved
     }
 

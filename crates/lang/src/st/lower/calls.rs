@@ -11,9 +11,9 @@ use sieben_model::types::DataType;
 
 use super::pointers::{at, holds_address, is_address};
 use super::{Lowering, bytes, width, width_of_bits};
+use crate::calling::pointers::{CALLER_LOCAL, POINTER_BYTES, any_type};
+use crate::calling::registers::{INSTANCE_START, REGISTER_PAIRS};
 use crate::st::tree::{Argument, Base, Call, Callee, Dispatch, Place, Scalar, TextRoom, ValueKind, room_of};
-use crate::stl::meaning::data_blocks::REGISTER_PAIRS;
-use crate::stl::meaning::logic_control::{CALLER_LOCAL, INSTANCE_START, any_type};
 
 /// No value has more bytes: a data block has at most so many.
 const VALUE_BYTES_MAX: u32 = 65_536;
@@ -263,7 +263,7 @@ impl Lowering<'_> {
                 let var = if is_address(&formal.data_type) { self.passed_pointer(value) } else { self.value(value) };
                 // The value of a POINTER: its two parts.
                 if formal.data_type == DataType::Pointer {
-                    let hidden = self.hidden_bytes(6);
+                    let hidden = self.hidden_bytes(POINTER_BYTES);
                     let (number, pointer) = self.reference_parts(var);
                     self.store_pointer(&hidden, number, pointer);
                     return Pass::Known(CALLER_LOCAL + hidden.offset);

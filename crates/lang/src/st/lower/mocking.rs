@@ -8,7 +8,7 @@ use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::testing::{MOCKED, TestPlan};
 
-use crate::stl::meaning::logic_control::CALLER_LOCAL;
+use crate::calling::pointers::CALLER_LOCAL;
 
 /// Lets every block that the words of the plan name ask the CPU before its first statement, in one more statement. It leaves all registers
 /// as they are. The blocks that ask are returned.

@@ -9,24 +9,14 @@ use sieben_model::types::{DataType, ReferenceKind};
 
 use super::places::Located;
 use super::{Lowering, bytes, width_of_bits};
+use crate::calling::pointers::{
+    ADDRESS_MASK, ANY_BYTES, ANY_OF_S7, ANY_PARTS, AREA_SHIFT, CALLER_LOCAL, IN_DATA_BLOCK, POINTER_BYTES, POINTER_PARTS,
+};
 use crate::st::check::places::element_step;
 use crate::st::tree::{Base, Local, Place, Value, ValueKind};
-use crate::stl::meaning::logic_control::CALLER_LOCAL;
 
-/// The area of shared data blocks in a pointer.
-const IN_DATA_BLOCK: u32 = 0x8400_0000;
-/// The byte and bit address in AR2, for its place in an instance.
-const ADDRESS_MASK: u64 = 0x0007_FFFF;
-/// Where the area stands in a pointer; that of the local data of the caller is the next one behind that of a block's own.
-const AREA_SHIFT: u64 = 24;
 /// The bits of a pointer to the local data of a caller that count the calls to that caller, but the last one.
 const CALLED_MASK: u64 = 0x00F8_0000;
-/// Bytes of an ANY.
-const ANY_BYTES: u32 = 10;
-/// The two parts of a POINTER: offset in bits and width.
-const POINTER_PARTS: [(u32, Width); 2] = [(0, Width::Word), (16, Width::DoubleWord)];
-/// Parts of an ANY as it is copied: offset in bits and width.
-const ANY_PARTS: [(u32, Width); 3] = [(0, Width::DoubleWord), (32, Width::Word), (48, Width::DoubleWord)];
 
 /// The bit behind a variable in the local data.
 fn end_of(local: &Local) -> u32 {
@@ -269,7 +259,7 @@ impl Lowering<'_> {
             return;
         }
         let start = if let Some((code, count)) = any {
-            let head = self.constant(0x1000 | u64::from(code));
+            let head = self.constant(ANY_OF_S7 | u64::from(code));
             self.store(to, Width::Word, head);
             self.release(head);
             let count = self.constant(u64::from(count));
@@ -320,7 +310,7 @@ impl Lowering<'_> {
 
     /// A POINTER or ANY to a place in hidden local data; the pointer to it for a block that is called.
     pub(super) fn hidden_pointer(&mut self, place: &Place, data_type: &DataType, any: Option<(u8, u32)>) -> u32 {
-        let hidden = self.hidden_bytes(if any.is_some() { ANY_BYTES } else { 6 });
+        let hidden = self.hidden_bytes(if any.is_some() { ANY_BYTES } else { POINTER_BYTES });
         self.write_pointer(&hidden, place, data_type, any);
         CALLER_LOCAL + hidden.offset
     }

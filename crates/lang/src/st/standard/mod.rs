@@ -19,9 +19,11 @@ mod time;
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeSet;
+
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
-use sieben_model::source::Span;
+use sieben_model::source::{FileId, Span};
 use sieben_model::types::DataType;
 
 use super::dialect::Dialect;
@@ -154,6 +156,17 @@ pub struct Source {
     pub dialect: Dialect,
     /// Its text.
     pub text: &'static str,
+}
+
+/// A source of ST of the library that belongs to a program because something there needs it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinkedSource {
+    /// Its place among the sources of the program, after the user's and those of linked blocks of STL.
+    pub file: FileId,
+    /// Which source it is.
+    pub source: &'static Source,
+    /// Its blocks.
+    pub blocks: BTreeSet<BlockId>,
 }
 
 /// Why a standard function cannot be called like this.

@@ -45,7 +45,7 @@ pub(super) fn check(statements: &[Statement], types: &[Option<DataType>], four: 
     for (index, (statement, state)) in statements.iter().zip(states).enumerate() {
         let Some(held) = state else { continue };
         if let Some((message, other)) = wrong(statement, types[index].as_ref(), &held, statements) {
-            let mut diagnostic = Diagnostic::new(Problem::P4022, statement.span, message);
+            let mut diagnostic = Diagnostic::new(Problem::P4022, statement.span(), message);
             if let Some(from) = other {
                 diagnostic = diagnostic.related(from, "loaded here");
             }
@@ -94,7 +94,7 @@ fn wrong(
     statements: &[Statement],
 ) -> Option<(String, Option<Span>)> {
     let word = statement.instruction.english();
-    let from = |value: &Held| statements.get(value.from).map(|statement| statement.span);
+    let from = |value: &Held| statements.get(value.from).map(Statement::span);
     if let Some((wanted, two)) = operands(statement.instruction) {
         let used = if two { &held[..2] } else { &held[..1] };
         for (index, value) in used.iter().enumerate() {

@@ -30,7 +30,7 @@ pub(super) fn check(block: &ResolvedBlock, diagnostics: &mut Vec<Diagnostic>) {
                 "nothing has set the RLO before `{}`: it is 0 here, and this statement never does anything",
                 statement.instruction.english()
             );
-            diagnostics.push(Diagnostic::new(Problem::P4023, statement.span, message));
+            diagnostics.push(Diagnostic::new(Problem::P4023, statement.span(), message));
         }
     }
 }

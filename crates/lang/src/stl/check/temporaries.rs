@@ -78,11 +78,11 @@ pub(super) fn check(block: &ResolvedBlock, reads: TemporaryReads, diagnostics: &
             let name = name(&block.interface, one);
             diagnostics.push(if certain {
                 let message = format!("{name} is read here, and nothing in this block has written it before");
-                Diagnostic::new(Problem::P4020, statement.span, message)
+                Diagnostic::new(Problem::P4020, statement.span(), message)
             } else {
                 Diagnostic::new(
                     Problem::P4021,
-                    statement.span,
+                    statement.span(),
                     format!("{name} is read here, but not written on every path to this statement"),
                 )
             });

@@ -5,12 +5,9 @@ use sieben_engine::machine::Register;
 
 use super::WRONG_OPERAND;
 use super::load_transfer::into_accumulator;
+use crate::calling::registers::REGISTER_PAIRS;
 use crate::stl::lower::Lowering;
 use crate::stl::operands::{DataBlockInfo, Operand};
-
-/// The variables of the DB and DI registers, pairwise.
-pub(crate) const REGISTER_PAIRS: [(Register, Register); 3] =
-    [(Register::DbNumber, Register::DiNumber), (Register::DbBase, Register::DiBase), (Register::DbLength, Register::DiLength)];
 
 /// `OPN`.
 pub(crate) fn open(l: &mut Lowering<'_>, operand: &Operand) {

@@ -4,20 +4,16 @@ use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Op, Place, Var};
 use sieben_engine::machine::Register;
 use sieben_model::address::{Area, Width};
 use sieben_model::interface::Section;
-use sieben_model::literal::{Value, any_type_code};
+use sieben_model::literal::Value;
 use sieben_model::types::DataType;
 
 use super::WRONG_OPERAND;
-use super::data_blocks::REGISTER_PAIRS;
+use crate::calling::pointers::{
+    ADDRESS_MASK, ANY_BYTES, ANY_OF_S7, ANY_PARTS, AREA_SHIFT, CALLER_LOCAL, IN_DATA_BLOCK, POINTER_BYTES, any_type, bytes_of,
+};
+use crate::calling::registers::{INSTANCE_START, REGISTER_PAIRS};
 use crate::stl::lower::Lowering;
 use crate::stl::operands::{Access, Actual, BlockOperand, Call, CallInstance, CallParameter, Location, NumberOperand, Operand};
-
-/// Where the parameters of a called block see the local data of its caller: area V.
-pub(crate) const CALLER_LOCAL: u32 = 0x8700_0000;
-/// What AR2 holds in a function block called with its own instance: P#DBX 0.0.
-pub(crate) const INSTANCE_START: u64 = 0x8400_0000;
-/// Type code of an ANY to bytes.
-const ANY_OF_BYTES: u8 = 0x02;
 
 /// `UC`.
 pub(crate) fn unconditional(l: &mut Lowering<'_>, operand: &Operand) {
@@ -275,7 +271,7 @@ fn prepare(l: &mut Lowering<'_>, parameter: &CallParameter) -> Option<Prepared> 
                     Some(ready) => ready,
                     None => build_pointer(l, location, data_type, any),
                 };
-                Some(Prepared { position, bytes: if any { 10 } else { 6 }, width: None })
+                Some(Prepared { position, bytes: if any { ANY_BYTES } else { POINTER_BYTES }, width: None })
             }
         }
         _ => None,
@@ -312,10 +308,6 @@ fn local(position: u32, width: Width) -> Access {
     Access { width, location: Location::Fixed { area: Area::Local, position } }
 }
 
-fn bytes_of(data_type: &DataType) -> u32 {
-    u32::try_from(data_type.bits().div_ceil(8)).unwrap_or(u32::MAX)
-}
-
 fn elementary_width(data_type: &DataType) -> Option<Width> {
     match data_type.bits() {
         1 => Some(Width::Bit),
@@ -331,7 +323,7 @@ fn direct_pointer(location: &Location) -> Option<u32> {
     match location {
         Location::Fixed { area: Area::Local, position } => Some(CALLER_LOCAL | position),
         Location::Fixed { area: Area::SharedData | Area::InstanceData | Area::CallerLocal, .. } => None,
-        Location::Fixed { area, position } => Some(u32::from(area.pointer_code()) << 24 | position),
+        Location::Fixed { area, position } => Some(u32::from(area.pointer_code()) << AREA_SHIFT | position),
         _ => None,
     }
 }
@@ -414,8 +406,8 @@ fn ready_any(l: &mut Lowering<'_>, parameter: &CallParameter, location: &Locatio
 
 /// Copies the ten bytes of an ANY that is passed on into hidden local data; their position.
 fn copied_any(l: &mut Lowering<'_>, base: Var, at: impl Fn(Var, u32) -> Place) -> u32 {
-    let position = l.hidden(10);
-    for (offset, width) in [(0, Width::DoubleWord), (32, Width::Word), (48, Width::DoubleWord)] {
+    let position = l.hidden(ANY_BYTES);
+    for (offset, width) in ANY_PARTS {
         let mut value = l.b.load(at(base, offset), width, OnFault::SkipStatement);
         if offset == 48 {
             value = l.b.compute(Op::PassOnPointer, &[value]);
@@ -428,11 +420,11 @@ fn copied_any(l: &mut Lowering<'_>, base: Var, at: impl Fn(Var, u32) -> Place) -
 
 /// Builds a POINTER (6 bytes) or ANY (10 bytes) to a place in hidden local data; its position.
 pub(super) fn build_pointer(l: &mut Lowering<'_>, location: &Location, data_type: &DataType, any: bool) -> u32 {
-    let position = l.hidden(if any { 10 } else { 6 });
+    let position = l.hidden(if any { ANY_BYTES } else { POINTER_BYTES });
     let at = |offset: u32| Place::Fixed { area: Area::Local, position: position + offset };
     let start = if any {
         let (code, count) = any_type(data_type);
-        let head = l.b.constant(0x1000 | u64::from(code));
+        let head = l.b.constant(ANY_OF_S7 | u64::from(code));
         l.b.store(at(0), Width::Word, head);
         let count = l.b.constant(u64::from(count));
         l.b.store(at(16), Width::Word, count);
@@ -442,20 +434,20 @@ pub(super) fn build_pointer(l: &mut Lowering<'_>, location: &Location, data_type
     };
     let (number, pointer): (Var, Var) = match location {
         Location::Fixed { area: Area::SharedData, position } => {
-            (Register::DbNumber.into(), l.b.constant(0x8400_0000 | u64::from(*position)))
+            (Register::DbNumber.into(), l.b.constant(u64::from(IN_DATA_BLOCK | *position)))
         }
         Location::Fixed { area: Area::InstanceData, position } => {
-            (Register::DiNumber.into(), l.b.constant(0x8400_0000 | u64::from(*position)))
+            (Register::DiNumber.into(), l.b.constant(u64::from(IN_DATA_BLOCK | *position)))
         }
         Location::InDataBlock { db, position } | Location::InInstanceBlock { db, position } => {
-            (l.b.constant(u64::from(*db)), l.b.constant(0x8400_0000 | u64::from(*position)))
+            (l.b.constant(u64::from(*db)), l.b.constant(u64::from(IN_DATA_BLOCK | *position)))
         }
         // A parameter of type POINTER is passed on, not the address of its six bytes.
         Location::Instance { position } if *data_type == DataType::Pointer && !any => through_instance(l, *position, 0),
         Location::Instance { position } => {
-            let mask = l.b.constant(0x0007_FFFF);
+            let mask = l.b.constant(ADDRESS_MASK);
             let base = l.b.compute(Op::AndU32, &[Register::Ar2.into(), mask]);
-            let position = l.b.constant(0x8400_0000 | u64::from(*position));
+            let position = l.b.constant(u64::from(IN_DATA_BLOCK | *position));
             (Register::DiNumber.into(), l.b.compute(Op::AddU32, &[base, position]))
         }
         Location::Parameter { index, offset, complex } => {
@@ -491,13 +483,4 @@ fn through_instance(l: &mut Lowering<'_>, position: u32, offset: u32) -> (Var, V
     let offset = l.b.constant(u64::from(offset));
     let moved = l.b.compute(Op::AddU32, &[pointer, offset]);
     (number, l.b.compute(Op::PassOnPointer, &[moved]))
-}
-
-/// Type code and count of an ANY: complex values count as bytes.
-pub(crate) fn any_type(data_type: &DataType) -> (u8, u32) {
-    let single = data_type.is_elementary() || *data_type == DataType::DateAndTime;
-    match data_type.word().filter(|_| single).and_then(any_type_code) {
-        Some(code) => (code, 1),
-        None => (ANY_OF_BYTES, bytes_of(data_type)),
-    }
 }

@@ -11,9 +11,9 @@ use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
 use super::{Meaning, Resolver, Written};
-use crate::declarations::path::follow;
-use crate::scope::block_of_name;
 use crate::stl::ast;
+use crate::stl::declare::names::block_of_name;
+use crate::stl::declare::path::follow;
 use crate::stl::operands::{AddressRegister, BlockOperand, Location, NumberOperand, Operand};
 
 impl Resolver<'_> {

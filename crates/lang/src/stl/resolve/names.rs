@@ -12,10 +12,10 @@ use sieben_model::types::DataType;
 use super::addresses::bare_type;
 use super::{Meaning, Resolver};
 use crate::declarations::interface::is_complex;
-use crate::declarations::path::follow;
 use crate::library::{self, LibraryBlock};
 use crate::scope::{Global, did_you_mean, key};
 use crate::stl::ast;
+use crate::stl::declare::path::follow;
 use crate::stl::operands::{BlockOperand, DataBlockInfo, Location, NumberOperand, Operand, StatusScan};
 
 impl Resolver<'_> {

@@ -3,8 +3,9 @@
 use sieben_engine::machine::{Register, TimerKind};
 use sieben_model::extension::Relation;
 
-use super::sentences::Sentence;
-use crate::stl::operands::StatusScan;
+use super::operands::StatusScan;
+use crate::coverage::Look;
+use crate::sentences::table::Sentence;
 
 /// How a bit is joined with what was there before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -280,6 +281,56 @@ pub enum Why {
 }
 
 impl Why {
+    /// What a jump that has a condition looks at: 1 = it is taken.
+    pub(crate) fn condition(self) -> Option<Look> {
+        Some(match self {
+            Self::JumpIfRlo => Look::Set(Register::Rlo),
+            Self::JumpIfNotRlo => Look::Clear(Register::Rlo),
+            Self::JumpIfBr => Look::Set(Register::Br),
+            Self::JumpIfNotBr => Look::Clear(Register::Br),
+            Self::JumpIfOverflow => Look::Set(Register::Ov),
+            Self::JumpIfStoredOverflow => Look::Set(Register::Os),
+            // For CC 1 and CC 0: 00, 01, 10, 11.
+            Self::JumpIf(scan) => Look::Conditions(match scan {
+                StatusScan::Zero => [true, false, false, false],
+                StatusScan::NonZero => [false, true, true, false],
+                StatusScan::Positive => [false, false, true, false],
+                StatusScan::Negative => [false, true, false, false],
+                StatusScan::NotNegative => [true, false, true, false],
+                StatusScan::NotPositive => [true, true, false, false],
+                _ => [false, false, false, true],
+            }),
+            Self::Loop => Look::GoesOn,
+            _ => return None,
+        })
+    }
+
+    /// What a statement looks at, if it does one thing or another by it.
+    pub(crate) fn looks_at(self) -> Option<Look> {
+        match self {
+            Self::Assign
+            | Self::Set
+            | Self::Reset
+            | Self::Rising
+            | Self::Falling
+            | Self::CallIfRlo
+            | Self::EndIfRlo
+            | Self::McrOpen
+            | Self::Timer(_)
+            | Self::TimerReset
+            | Self::TimerEnable
+            | Self::CounterUp
+            | Self::CounterDown
+            | Self::CounterSet
+            | Self::CounterReset
+            | Self::CounterEnable
+            | Self::JumpIfRlo
+            | Self::JumpIfNotRlo => Some(Look::Set(Register::Rlo)),
+            Self::JumpList => Some(Look::Entry),
+            _ => self.condition(),
+        }
+    }
+
     /// The sentences that say why, of which one or a few fit each time; what may stand before them for an address or behind them for
     /// a fault is not among them.
     pub fn forms(self) -> &'static [Sentence] {

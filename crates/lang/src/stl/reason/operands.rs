@@ -8,10 +8,10 @@ use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::types::DataType;
 
-use super::memory::{Found, Trouble, address_register};
-use super::sentences::Sentence as S;
 use super::telling::Telling;
-use super::text::{Clause, Words, loose_words, pointer, typed};
+use crate::sentences::memory::{Found, Trouble, address_register};
+use crate::sentences::table::Sentence as S;
+use crate::sentences::text::{Clause, Words, loose_words, pointer, typed};
 use crate::stl::operands::{Access, Location, NumberOperand, Operand, StatusScan};
 
 /// The operand of a statement as it is named.
@@ -116,7 +116,7 @@ fn subject(what: [&str; 2], name: &str) -> Words {
 }
 
 fn with_symbol(telling: &Telling<'_>, operand: Option<sieben_model::address::Operand>, address: String) -> String {
-    match operand.and_then(|operand| telling.reasons.symbols.find_operand(&operand)) {
+    match operand.and_then(|operand| telling.around.symbols.find_operand(&operand)) {
         Some(symbol) if !symbol.name.is_empty() => format!("{address} \"{}\"", symbol.name),
         _ => address,
     }
@@ -180,7 +180,7 @@ fn data_type(telling: &Telling<'_>, access: &Access, found: Result<Found, Troubl
     if !matches!(found.area, Area::Input | Area::Output | Area::BitMemory) {
         return None;
     }
-    let symbol = telling.reasons.symbols.find_operand(&found.operand(access.width))?;
+    let symbol = telling.around.symbols.find_operand(&found.operand(access.width))?;
     DataType::from_word(symbol.data_type.trim()).filter(fits)
 }
 

@@ -3,11 +3,11 @@
 use sieben_engine::Machine;
 use sieben_engine::machine::{Counter, Timer, TimerKind};
 
-use super::sentences::Sentence as S;
 use super::telling::Telling;
-use super::text::{Clause, Words, time};
-use super::why::Why;
+use crate::sentences::table::Sentence as S;
+use crate::sentences::text::{Clause, Words, time};
 use crate::stl::operands::Operand;
+use crate::stl::why::Why;
 
 /// The number of the timer or counter of the statement.
 fn number(telling: &Telling<'_>) -> usize {

@@ -9,7 +9,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::{DataType, Structure};
 
-use super::types::describe;
+use crate::declarations::types::describe;
 use crate::scope::{Scope, did_you_mean, key};
 use crate::stl::ast;
 

@@ -8,31 +8,32 @@ use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::source::Span;
 
-use super::memory::{Found, Reader};
-use super::text::{Words, one_line, real};
-use super::{Moment, Reasons};
+use crate::access::Location;
 use crate::declarations::interface::is_complex;
+use crate::sentences::memory::{Found, Reader};
+use crate::sentences::text::{Words, one_line, real};
+use crate::sentences::{Moment, Surroundings};
+use crate::st::tree::visit::{self, Extent, Use, Visit};
 use crate::st::tree::{Base, Bounds, Place, Scalar, Value, ValueKind};
-use crate::stl::operands::Location;
 
 /// Depth of expressions that are looked into; the parser allows more than anyone reads.
 const DEPTH_MAX: u32 = 32;
 
 /// Reads variables around one step.
 pub(super) struct Values<'a> {
-    reasons: Reasons<'a>,
+    around: Surroundings<'a>,
     moment: Moment<'a>,
     /// Position in the local data of each parameter of a function that was copied there.
     copies: BTreeMap<u16, u32>,
 }
 
 impl<'a> Values<'a> {
-    pub(super) fn new(reasons: Reasons<'a>, moment: &Moment<'a>, code: &CodeBlock) -> Self {
-        Self { reasons, moment: *moment, copies: code.copied_parameters() }
+    pub(super) fn new(around: Surroundings<'a>, moment: &Moment<'a>, code: &CodeBlock) -> Self {
+        Self { around, moment: *moment, copies: code.copied_parameters() }
     }
 
     pub(super) fn slice(&self, span: Span) -> &'a str {
-        self.reasons.slice(span)
+        self.around.slice(span)
     }
 
     pub(super) fn has_before(&self) -> bool {
@@ -41,7 +42,7 @@ impl<'a> Values<'a> {
 
     /// `FC 1 "Dosing"`, or what the block is called in the source.
     pub(super) fn block_name(&self, block: BlockId) -> String {
-        match self.reasons.compiled.block_names.get(&block) {
+        match self.around.block_names.get(&block) {
             Some(name) => name.clone(),
             None => block.to_string(),
         }
@@ -74,11 +75,11 @@ impl<'a> Values<'a> {
     /// The variables that an expression reads, with their values before the step. What the step itself may have changed is left out
     /// where the machine before it was not kept.
     pub(super) fn read_by(&self, value: &Value, target: Option<&Place>) -> Vec<(String, Words)> {
-        let mut loads = Vec::new();
-        collect(value, 0, &mut loads);
+        let mut loads = Loads { depth: 0, found: Vec::new() };
+        loads.value(value);
         let written = target.and_then(|target| self.find(target, 0));
         let mut out: Vec<(String, Words)> = Vec::new();
-        for (place, scalar) in loads {
+        for (place, scalar) in loads.found {
             let name = one_line(self.slice(place.span));
             if name.is_empty() || out.iter().any(|(other, _)| *other == name) {
                 continue;
@@ -145,7 +146,7 @@ impl<'a> Values<'a> {
 
     /// Whether the caller gave a POINTER for a parameter of the function.
     fn is_by_pointer(&self, index: u16) -> bool {
-        let block = self.reasons.compiled.program.code.get(&self.moment.event.place.block);
+        let block = self.around.program.code.get(&self.moment.event.place.block);
         let mut parameters = block.into_iter().flat_map(|code| code.interface.parameters());
         parameters.any(|parameter| parameter.offset == u32::from(index) && is_complex(&parameter.data_type))
     }
@@ -187,22 +188,30 @@ impl<'a> Values<'a> {
     }
 }
 
-/// The places that an expression loads, from left to right.
-fn collect<'v>(value: &'v Value, depth: u32, out: &mut Vec<(&'v Place, Scalar)>) {
-    if depth > DEPTH_MAX {
-        return;
+/// The places that an expression loads, from left to right; what calls and texts do with theirs is not looked into.
+struct Loads<'v> {
+    depth: u32,
+    found: Vec<(&'v Place, Scalar)>,
+}
+
+impl<'v> Visit<'v> for Loads<'v> {
+    fn value(&mut self, value: &'v Value) {
+        let is_closed = matches!(
+            value.kind,
+            ValueKind::Call(_) | ValueKind::CompareTexts(..) | ValueKind::Length(_) | ValueKind::AddressOf(_) | ValueKind::After(..)
+        );
+        if !is_closed && self.depth <= DEPTH_MAX {
+            self.depth += 1;
+            visit::value(self, value);
+            self.depth -= 1;
+        }
     }
-    match &value.kind {
-        ValueKind::Load(place) => {
-            place.indexes.iter().for_each(|index| collect(&index.value, depth + 1, out));
-            out.push((place, value.scalar));
+
+    fn place(&mut self, place: &'v Place, _: Use, extent: Extent<'v>) {
+        visit::indexes(self, place);
+        if let Extent::Scalar(scalar) = extent {
+            self.found.push((place, scalar));
         }
-        ValueKind::Compute { args, .. } | ValueKind::Checked { args, .. } | ValueKind::Intrinsic { args, .. } => {
-            args.iter().for_each(|arg| collect(arg, depth + 1, out));
-        }
-        ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => [a, b].iter().for_each(|value| collect(value, depth + 1, out)),
-        ValueKind::Choose { condition, a, b } => [condition, a, b].iter().for_each(|value| collect(value, depth + 1, out)),
-        _ => {}
     }
 }
 

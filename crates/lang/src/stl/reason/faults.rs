@@ -4,13 +4,13 @@ use sieben_engine::machine::{Machine, Origin};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::literal::Value;
 
-use super::memory::{Found, Trouble};
 use super::operands::Named;
-use super::sentences::Sentence as S;
 use super::telling::Telling;
-use super::text::{Clause, Words};
-use super::why::Why;
+use crate::sentences::memory::{Found, Trouble};
+use crate::sentences::table::Sentence as S;
+use crate::sentences::text::{Clause, Words};
 use crate::stl::operands::Operand;
+use crate::stl::why::Why;
 
 /// Events of a programming error, an access error and an abort.
 const OURS: [std::ops::RangeInclusive<u16>; 3] = [0x2521..=0x253F, 0x2942..=0x2943, 0x3571..=0x3576];
@@ -76,7 +76,7 @@ fn foreseen(telling: &Telling<'_>, named: &Named) -> Option<u16> {
         // `BTI` of what is no BCD number leaves everything as it was.
         Operand::None if matches!(telling.why(), Why::FromBcd(_)) => {
             let bits = telling.before().accu1 as u32;
-            let digits = if matches!(telling.why(), Why::FromBcd(super::why::Number::Int)) { 3 } else { 7 };
+            let digits = if matches!(telling.why(), Why::FromBcd(crate::stl::why::Number::Int)) { 3 } else { 7 };
             (!sieben_model::bcd::is_decimal(bits, digits)).then_some(0x2521)
         }
         Operand::Constant(Value::Pointer(_)) | Operand::None => None,

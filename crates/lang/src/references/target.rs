@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use sieben_lang::stl::operands::AddressRegister;
 use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::program::DataBlock;
 use sieben_model::symbols::SymbolTable;
 
-use crate::variables::field_path;
+use super::variables::field_path;
+use crate::access::AddressRegister;
 
 /// What a statement refers to, in the order of a cross reference.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

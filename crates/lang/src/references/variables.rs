@@ -4,7 +4,7 @@ use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::types::{DataType, Structure};
 
-use crate::target::Extent;
+use super::target::Extent;
 
 /// What is looked for at a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

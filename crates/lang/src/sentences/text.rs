@@ -4,15 +4,14 @@ use sieben_model::literal::{Value, format_as};
 use sieben_model::types::DataType;
 
 use super::Language;
-use super::sentences::Sentence;
-use super::why::Number;
+use super::table::Sentence;
 
 /// What is filled in for a name between braces, in English and German.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Words(pub(super) [String; 2]);
+pub(crate) struct Words(pub(crate) [String; 2]);
 
 impl Words {
-    pub(super) fn of(&self, language: Language) -> &str {
+    pub(crate) fn of(&self, language: Language) -> &str {
         &self.0[usize::from(language == Language::German)]
     }
 }
@@ -43,24 +42,24 @@ impl From<u64> for Words {
 
 /// A sentence with what is filled in.
 #[derive(Clone, Debug)]
-pub(super) struct Clause {
-    pub(super) sentence: Sentence,
+pub(crate) struct Clause {
+    pub(crate) sentence: Sentence,
     values: Vec<(&'static str, Words)>,
 }
 
 impl Clause {
-    pub(super) fn new(sentence: Sentence) -> Self {
+    pub(crate) fn new(sentence: Sentence) -> Self {
         Self { sentence, values: Vec::new() }
     }
 
     /// Fills in a value.
-    pub(super) fn with(mut self, name: &'static str, words: impl Into<Words>) -> Self {
+    pub(crate) fn with(mut self, name: &'static str, words: impl Into<Words>) -> Self {
         self.values.push((name, words.into()));
         self
     }
 
     /// The words in a language; what was not filled in comes from `others`.
-    pub(super) fn render(&self, language: Language, others: &dyn Fn(&str) -> Option<Words>) -> String {
+    pub(crate) fn render(&self, language: Language, others: &dyn Fn(&str) -> Option<Words>) -> String {
         let mut out = String::new();
         let mut rest = self.sentence.template(language);
         while let Some((before, behind)) = rest.split_once('{') {
@@ -83,28 +82,19 @@ impl Clause {
     }
 
     /// The words in both languages.
-    pub(super) fn words(&self, others: &dyn Fn(&str) -> Option<Words>) -> Words {
+    pub(crate) fn words(&self, others: &dyn Fn(&str) -> Option<Words>) -> Words {
         Words(Language::ALL.map(|language| self.render(language, others)))
     }
 }
 
 /// A text in one line, without comments, each run of blanks as one.
-pub(super) fn one_line(text: &str) -> String {
+pub(crate) fn one_line(text: &str) -> String {
     let lines = text.lines().map(|line| line.split("//").next().unwrap_or_default());
     lines.flat_map(str::split_whitespace).collect::<Vec<_>>().join(" ").trim_end_matches(';').trim_end().to_owned()
 }
 
-/// A number of an accumulator in its usual notation.
-pub(super) fn number(kind: Number, bits: u64) -> String {
-    match kind {
-        Number::Int => (bits as u16 as i16).to_string(),
-        Number::Double => (bits as u32 as i32).to_string(),
-        Number::Real => real(bits),
-    }
-}
-
 /// A REAL.
-pub(super) fn real(bits: u64) -> String {
+pub(crate) fn real(bits: u64) -> String {
     let value = f32::from_bits(bits as u32);
     match value.abs() {
         // Numbers of everyday size are easier to read without an exponent.
@@ -113,16 +103,8 @@ pub(super) fn real(bits: u64) -> String {
     }
 }
 
-/// The bits of a word or double word.
-pub(super) fn hex(kind: Number, bits: u64) -> String {
-    match kind {
-        Number::Int => format!("16#{:04X}", bits as u16),
-        _ => format!("16#{:08X}", bits as u32),
-    }
-}
-
 /// Bits whose type nobody knows: as an integer, and in hex where that says more.
-pub(super) fn loose(bits: u64) -> String {
+pub(crate) fn loose(bits: u64) -> String {
     let bits = bits as u32;
     match bits {
         0..=9 => bits.to_string(),
@@ -138,18 +120,18 @@ pub(super) fn loose(bits: u64) -> String {
 }
 
 /// [`loose`] in both languages.
-pub(super) fn loose_words(bits: u64) -> Words {
+pub(crate) fn loose_words(bits: u64) -> Words {
     let english = loose(bits);
     Words([english.clone(), english.replace(" as a REAL", " als REAL")])
 }
 
 /// A pointer: `P#M 13.1`, `P#2.0`.
-pub(super) fn pointer(bits: u64) -> String {
+pub(crate) fn pointer(bits: u64) -> String {
     Value::Pointer(bits as u32).spell()
 }
 
 /// A value of a data type.
-pub(super) fn typed(data_type: &DataType, bits: u64) -> Words {
+pub(crate) fn typed(data_type: &DataType, bits: u64) -> Words {
     match data_type {
         DataType::Real => real(bits).into(),
         DataType::Bool => if bits & 1 == 1 { "1" } else { "0" }.into(),
@@ -159,7 +141,7 @@ pub(super) fn typed(data_type: &DataType, bits: u64) -> Words {
 }
 
 /// A time of an S5 timer: so many steps of a time base.
-pub(super) fn time(value: u16, base: u8) -> Words {
+pub(crate) fn time(value: u16, base: u8) -> Words {
     let milliseconds = u64::from(value) * [10, 100, 1_000, 10_000][usize::from(base & 3)];
     let seconds = milliseconds / 1_000;
     match milliseconds {

@@ -3,11 +3,11 @@
 use sieben_model::extension::Relation;
 use sieben_model::literal::Value;
 
-use super::sentences::Sentence as S;
 use super::telling::Telling;
-use super::text::{Clause, Words, hex, number, real};
-use super::why::{Number, Sign, Why};
+use crate::sentences::table::Sentence as S;
+use crate::sentences::text::{Clause, Words, real};
 use crate::stl::operands::Operand;
+use crate::stl::why::{Number, Sign, Why};
 
 /// The sentences of a statement that works on the accumulators; none if it does not.
 pub(super) fn clauses(telling: &Telling<'_>, why: Why) -> Vec<Clause> {
@@ -223,4 +223,21 @@ fn compare(telling: &Telling<'_>, kind: Number, relation: Relation) -> Clause {
     let [relation, relation_not] = relation_words(relation).map(Words::from);
     let clause = Clause::new(sentence).with("a", number(kind, a)).with("b", number(kind, b));
     clause.with("relation", relation).with("relation_not", relation_not)
+}
+
+/// A number of an accumulator in its usual notation.
+fn number(kind: Number, bits: u64) -> String {
+    match kind {
+        Number::Int => (bits as u16 as i16).to_string(),
+        Number::Double => (bits as u32 as i32).to_string(),
+        Number::Real => real(bits),
+    }
+}
+
+/// The bits of a word or double word.
+fn hex(kind: Number, bits: u64) -> String {
+    match kind {
+        Number::Int => format!("16#{:04X}", bits as u16),
+        _ => format!("16#{:08X}", bits as u32),
+    }
 }

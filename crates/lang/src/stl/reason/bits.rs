@@ -1,10 +1,10 @@
 //! Reasons of bit logic and the MCR.
 
 use super::operands::Named;
-use super::sentences::Sentence as S;
 use super::telling::Telling;
-use super::text::{Clause, Words};
-use super::why::{Joint, Sense, Why};
+use crate::sentences::table::Sentence as S;
+use crate::sentences::text::{Clause, Words};
+use crate::stl::why::{Joint, Sense, Why};
 
 /// Whether statements take effect: the MCR is not active, or every open zone is switched on.
 pub(super) fn mcr_on(telling: &Telling<'_>) -> bool {
@@ -44,7 +44,7 @@ pub(super) fn scan(telling: &Telling<'_>, named: &Named, joint: Joint, sense: Se
     let scan = scanned(&named.subject, bit, sense);
     // A comma that opens an insertion is closed by the next word; at the end of the sentence or before a comma there is none.
     let at_end = |language: usize| {
-        let language = super::Language::ALL[language];
+        let language = crate::sentences::Language::ALL[language];
         let template = sentence.template(language);
         template.split_once("{scan}").is_none_or(|(_, behind)| behind.is_empty() || behind.starts_with([',', ';']))
     };

@@ -1,15 +1,17 @@
 //! Why a statement of Structured Text did what it did: what was read, and what came of it.
 
+mod values;
+
 use sieben_engine::ir::{self, Inst};
 use sieben_engine::machine::Register;
 use sieben_model::address::Area;
 use sieben_model::source::Span;
 
-use super::sentences::Sentence as S;
-use super::st_values::{Values, format_scalar};
-use super::text::{Clause, Words, one_line};
-use super::{Language, Moment, Reasons};
-use crate::st::tree::{Argument, Call, Callee, For, Statement, StatementKind, Value};
+use crate::sentences::table::Sentence as S;
+use crate::sentences::text::{Clause, Words, one_line};
+use crate::sentences::{Language, Moment, Surroundings};
+use crate::st::tree::{Argument, Call, Callee, For, Statement, StatementKind, TypedBlock, Value};
+use values::{Values, format_scalar};
 
 /// Values that a sentence shows.
 const SHOWN: usize = 6;
@@ -27,17 +29,16 @@ enum Part<'t> {
 }
 
 /// The sentence of a step of Structured Text.
-pub(super) fn sentence(reasons: Reasons<'_>, moment: &Moment<'_>, language: Language) -> String {
+pub(crate) fn sentence(around: Surroundings<'_>, block: &TypedBlock, moment: &Moment<'_>, language: Language) -> String {
     let place = moment.event.place;
-    let Some(code) = reasons.compiled.program.code.get(&place.block) else { return String::new() };
+    let Some(code) = around.program.code.get(&place.block) else { return String::new() };
     let index = place.statement as usize;
     let Some(&span) = code.spans.get(index) else { return String::new() };
-    let text = one_line(reasons.slice(span));
+    let text = one_line(around.slice(span));
     let step = || Clause::new(S::StStep).with("text", text.clone());
-    let typed = reasons.compiled.typed.get(&place.block);
-    let part = typed.and_then(|block| find(&block.body.statements, span));
+    let part = find(&block.body.statements, span);
     let insts = code.code.statement(index);
-    let values = Values::new(reasons, moment, code);
+    let values = Values::new(around, moment, code);
     // A statement that takes several steps is over with the last one; before it nothing can be said of the whole.
     // What a block sets before its first statement belongs to no statement, though it has the place of one.
     let entry = (0..code.spans.len())
@@ -106,33 +107,25 @@ fn is_decision(part: Part<'_>) -> bool {
 
 /// The part of a body with this place, the innermost one.
 fn find(statements: &[Statement], span: Span) -> Option<Part<'_>> {
-    for statement in statements {
-        let inner: Option<Part<'_>> = match &statement.kind {
-            StatementKind::If { branches, otherwise } => {
-                let condition = branches.iter().find(|(condition, _)| condition.span == span);
-                condition
-                    .map(|(condition, _)| Part::Condition(condition))
-                    .or_else(|| branches.iter().find_map(|(_, body)| find(body, span)))
-                    .or_else(|| find(otherwise, span))
+    statements.iter().find_map(|statement| {
+        let inside = || statement.kind.bodies().into_iter().find_map(|body| find(body, span));
+        let own = match &statement.kind {
+            StatementKind::If { branches, .. } => {
+                let condition = branches.iter().map(|(condition, _)| condition).find(|condition| condition.span == span);
+                return condition.map(Part::Condition).or_else(inside).or_else(|| whole(statement, span));
             }
-            StatementKind::Case { branches, otherwise, .. } => {
-                branches.iter().find_map(|branch| find(&branch.body, span)).or_else(|| find(otherwise, span))
-            }
-            StatementKind::For(for_loop) => find(&for_loop.body, span).or((for_loop.variable.span == span).then_some(Part::Next(for_loop))),
-            StatementKind::While { condition, body } if condition.span == span => find(body, span).or(Some(Part::Condition(condition))),
-            StatementKind::While { body, .. } => find(body, span),
-            StatementKind::Repeat { body, until } => find(body, span).or((until.span == span).then_some(Part::Until(until))),
-            StatementKind::Block(body) => find(body, span),
+            StatementKind::For(one) if one.variable.span == span => Some(Part::Next(one)),
+            StatementKind::While { condition, .. } if condition.span == span => Some(Part::Condition(condition)),
+            StatementKind::Repeat { until, .. } if until.span == span => Some(Part::Until(until)),
             _ => None,
         };
-        if inner.is_some() {
-            return inner;
-        }
-        if statement.span == span && !matches!(statement.kind, StatementKind::Block(_)) {
-            return Some(Part::Statement(statement));
-        }
-    }
-    None
+        inside().or(own).or_else(|| whole(statement, span))
+    })
+}
+
+/// The statement itself, if it has this place.
+fn whole(statement: &Statement, span: Span) -> Option<Part<'_>> {
+    (statement.span == span && !matches!(statement.kind, StatementKind::Block(_))).then_some(Part::Statement(statement))
 }
 
 /// What can be said of a part; `whole` tells that the step is the only one of it, so that what it read is what lies there now.

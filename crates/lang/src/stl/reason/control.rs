@@ -1,54 +1,27 @@
 //! Reasons of jumps, calls, block ends and data blocks.
 
-use sieben_engine::machine::{Origin, Registers};
+use sieben_engine::machine::Origin;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::Section;
 
-use super::memory::Reader;
-use super::sentences::Sentence as S;
 use super::telling::Telling;
-use super::text::{Clause, Words, loose_words, one_line, typed};
-use super::why::Why;
+use crate::sentences::memory::Reader;
+use crate::sentences::table::Sentence as S;
+use crate::sentences::text::{Clause, Words, loose_words, one_line, typed};
 use crate::stl::extension::Extension;
 use crate::stl::instructions::Instruction;
 use crate::stl::meaning::jumps::list_entries;
-use crate::stl::operands::{Actual, CallParameter, DataBlockInfo, Operand, StatusScan};
+use crate::stl::operands::{Actual, CallParameter, DataBlockInfo, Operand};
+use crate::stl::why::Why;
 
 /// Parameters of a call that a sentence shows.
 const PARAMETERS_SHOWN: usize = 6;
-
-/// Whether a jump that has a condition is taken.
-pub(crate) fn jumps(why: Why, before: &Registers) -> Option<bool> {
-    Some(match why {
-        Why::JumpIfRlo => before.rlo == 1,
-        Why::JumpIfNotRlo => before.rlo == 0,
-        Why::JumpIfBr => before.br == 1,
-        Why::JumpIfNotBr => before.br == 0,
-        Why::JumpIfOverflow => before.ov == 1,
-        Why::JumpIfStoredOverflow => before.os == 1,
-        Why::JumpIf(scan) => {
-            let (cc1, cc0) = (before.cc1 == 1, before.cc0 == 1);
-            match scan {
-                StatusScan::Zero => !cc1 && !cc0,
-                StatusScan::NonZero => cc1 != cc0,
-                StatusScan::Positive => cc1 && !cc0,
-                StatusScan::Negative => cc0 && !cc1,
-                StatusScan::NotNegative => !cc0,
-                StatusScan::NotPositive => !cc1,
-                _ => cc1 && cc0,
-            }
-        }
-        // It counts down first, and 0 becomes 65535.
-        Why::Loop => before.accu1 & 0xFFFF != 1,
-        _ => return None,
-    })
-}
 
 /// Jumps.
 pub(super) fn jump(telling: &Telling<'_>, why: Why) -> Vec<Clause> {
     let before = telling.before();
     let label = telling.operand_text();
-    let taken = jumps(why, before) == Some(true);
+    let taken = why.condition().is_some_and(|condition| condition.value(before) == 1);
     let sentence = |[jump, stay]: [S; 2]| Clause::new(if taken { jump } else { stay });
     let clause = match why {
         Why::JumpIfRlo | Why::JumpIfNotRlo => {
@@ -90,7 +63,7 @@ fn jump_list(telling: &Telling<'_>) -> Clause {
     let list = list_entries(&telling.block.statements, telling.event().place.statement as usize);
     match list.get(value as usize) {
         Some(entry) => {
-            let text = one_line(telling.reasons.slice(entry.span));
+            let text = one_line(telling.around.slice(entry.span()));
             let label = text.rsplit(' ').next().unwrap_or_default().to_owned();
             Clause::new(S::JumpList).with("value", value).with("label", label)
         }
@@ -118,7 +91,7 @@ pub(super) fn call_or_end(telling: &Telling<'_>, why: Why) -> Vec<Clause> {
 
 /// `FC 1 "Dosing"`.
 fn block_name(telling: &Telling<'_>, block: BlockId) -> String {
-    match telling.reasons.compiled.block_names.get(&block) {
+    match telling.around.block_names.get(&block) {
         Some(name) => format!("{block} \"{name}\""),
         None => block.to_string(),
     }
@@ -161,7 +134,7 @@ fn call(telling: &Telling<'_>) -> Clause {
 /// `START = 1`, `LEVEL => MW 10`.
 fn passed(reader: &Reader<'_>, parameter: &CallParameter, known: bool, telling: &Telling<'_>) -> Option<Words> {
     let name = &parameter.name;
-    let written = one_line(telling.reasons.slice(parameter.span));
+    let written = one_line(telling.around.slice(parameter.span));
     let written = written.split_once(":=").map_or(written.as_str(), |(_, actual)| actual.trim());
     let text = |value: &Words| Words([format!("{name} = {}", value.0[0]), format!("{name} = {}", value.0[1])]);
     if matches!(parameter.section, Section::Output | Section::Return) {

@@ -4,18 +4,19 @@ use sieben_engine::StatementEvent;
 use sieben_engine::machine::{Register, Registers};
 use sieben_model::mnemonics::Mnemonics;
 
-use super::memory::Reader;
 use super::operands::Named;
-use super::sentences::Sentence as S;
-use super::text::{Clause, Words, loose_words, one_line, pointer};
-use super::why::Why;
-use super::{Language, Moment, Reasons, bits, control, faults, numbers, timers};
+use super::{bits, control, faults, numbers, timers};
+use crate::sentences::memory::Reader;
+use crate::sentences::table::Sentence as S;
+use crate::sentences::text::{Clause, Words, loose_words, one_line, pointer};
+use crate::sentences::{Language, Moment, Surroundings};
 use crate::stl::lower::{ResolvedBlock, Statement};
 use crate::stl::operands::Operand;
+use crate::stl::why::Why;
 
 /// What is known of the statement while its sentences are found.
-pub(super) struct Telling<'a> {
-    pub(super) reasons: Reasons<'a>,
+pub(crate) struct Telling<'a> {
+    pub(super) around: Surroundings<'a>,
     pub(super) block: &'a ResolvedBlock,
     pub(super) moment: Moment<'a>,
     /// `None` at the end of the block, which no statement says.
@@ -25,11 +26,11 @@ pub(super) struct Telling<'a> {
 }
 
 impl<'a> Telling<'a> {
-    pub(super) fn new(reasons: Reasons<'a>, block: &'a ResolvedBlock, moment: Moment<'a>) -> Self {
+    pub(crate) fn new(around: Surroundings<'a>, block: &'a ResolvedBlock, moment: Moment<'a>) -> Self {
         let statement = block.statements.get(moment.event.place.statement as usize);
-        let file = block.statements.first().map(|statement| statement.span.file);
-        let mnemonics = file.and_then(|file| reasons.compiled.mnemonics.get(&file)).copied().unwrap_or_default();
-        Self { reasons, block, moment, statement, mnemonics }
+        let file = block.statements.first().map(|statement| statement.span().file);
+        let mnemonics = file.and_then(|file| around.mnemonics.get(&file)).copied().unwrap_or_default();
+        Self { around, block, moment, statement, mnemonics }
     }
 
     pub(super) fn event(&self) -> &'a StatementEvent {
@@ -56,7 +57,7 @@ impl<'a> Telling<'a> {
 
     /// The operand as it is written, in one line.
     pub(super) fn operand_text(&self) -> String {
-        let text = self.statement.map_or_else(String::new, |statement| one_line(self.reasons.slice(statement.span)));
+        let text = self.statement.map_or_else(String::new, |statement| one_line(self.around.slice(statement.span())));
         let mnemonic = self.statement.map_or("", |statement| statement.instruction.mnemonic(self.mnemonics));
         match text.get(..mnemonic.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(mnemonic)) {
             true => text[mnemonic.len()..].trim().to_owned(),
@@ -121,7 +122,7 @@ impl<'a> Telling<'a> {
     }
 
     /// The sentence.
-    pub(super) fn sentence(&self, language: Language) -> String {
+    pub(crate) fn sentence(&self, language: Language) -> String {
         let named = Named::new(self);
         let render = |clause: &Clause| clause.render(language, &|name| self.common(name));
         let leading: String = named.leading.iter().map(render).collect();
@@ -129,7 +130,7 @@ impl<'a> Telling<'a> {
     }
 
     /// Which sentences fit, without those that lead to an address.
-    pub(super) fn forms(&self) -> Vec<S> {
+    pub(crate) fn forms(&self) -> Vec<S> {
         self.clauses(&Named::new(self)).iter().map(|clause| clause.sentence).collect()
     }
 

@@ -6,25 +6,25 @@ use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 
-use crate::stl::operands::{AddressRegister, Location, NumberOperand};
+use crate::access::{AddressRegister, Location, NumberOperand};
 
 /// An address that a location came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Found {
-    pub(super) area: Area,
+pub(crate) struct Found {
+    pub(crate) area: Area,
     /// In bits; in V with the count of calls in its upper bits.
-    pub(super) position: u32,
+    pub(crate) position: u32,
     /// The data block, for areas DB and DI.
-    pub(super) db: u16,
+    pub(crate) db: u16,
 }
 
 impl Found {
     /// The address in the spelling of a mnemonic language: `M 13.1`, `DB10.DBW 2`.
-    pub(super) fn spell(&self, width: Width, mnemonics: Mnemonics) -> String {
+    pub(crate) fn spell(&self, width: Width, mnemonics: Mnemonics) -> String {
         self.operand(width).spell(mnemonics)
     }
 
-    pub(super) fn operand(&self, width: Width) -> Operand {
+    pub(crate) fn operand(&self, width: Width) -> Operand {
         let position = if self.area == Area::CallerLocal { self.position & CALLS_MASK } else { self.position };
         let bit = if width == Width::Bit { (position & 7) as u8 } else { 0 };
         let address = Address { area: self.area, width, byte: position >> 3, bit };
@@ -39,7 +39,7 @@ impl Found {
 
 /// Why a location came to no address.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Trouble {
+pub(crate) enum Trouble {
     /// It cannot be told.
     Unknown,
     /// The statement failed with this event.
@@ -47,16 +47,16 @@ pub(super) enum Trouble {
 }
 
 /// What a location is read with: the registers before a statement, and a machine with its block among the frames.
-pub(super) struct Reader<'a> {
-    pub(super) machine: &'a Machine,
-    pub(super) registers: &'a Registers,
+pub(crate) struct Reader<'a> {
+    pub(crate) machine: &'a Machine,
+    pub(crate) registers: &'a Registers,
     /// Index of the frame of the block of the statement.
-    pub(super) frame: Option<usize>,
+    pub(crate) frame: Option<usize>,
 }
 
 impl<'a> Reader<'a> {
     /// For a statement of `block`; `called` tells that the newest frame is what the statement itself called.
-    pub(super) fn new(machine: &'a Machine, registers: &'a Registers, block: BlockId, called: bool) -> Self {
+    pub(crate) fn new(machine: &'a Machine, registers: &'a Registers, block: BlockId, called: bool) -> Self {
         let mut frames = machine.frames.iter().enumerate().rev();
         if called {
             frames.next();
@@ -70,7 +70,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Where a location leads, and the pointer that led there.
-    pub(super) fn find(&self, location: &Location, write: bool) -> Result<Found, Trouble> {
+    pub(crate) fn find(&self, location: &Location, write: bool) -> Result<Found, Trouble> {
         let registers = self.registers;
         let found = |area: Area, position: u32| Found { area, position, db: self.open_block(area) };
         match location {
@@ -123,14 +123,14 @@ impl<'a> Reader<'a> {
     }
 
     /// What the caller gave for a parameter of a function.
-    pub(super) fn parameter(&self, index: u16) -> Option<u64> {
+    pub(crate) fn parameter(&self, index: u16) -> Option<u64> {
         let frame = self.frame()?;
         let at = frame.parameters.checked_add(u32::from(index)).filter(|&at| at < frame.parameters_end)?;
         self.machine.parameters.get(at as usize).map(|&pointer| u64::from(pointer))
     }
 
     /// What lies at an address, of at most 64 bits; `None` outside of the memory.
-    pub(super) fn read(&self, found: &Found, width: Width) -> Option<u64> {
+    pub(crate) fn read(&self, found: &Found, width: Width) -> Option<u64> {
         let memory = &self.machine.memory;
         let (range, position) = match found.area {
             Area::PeripheralInput | Area::PeripheralOutput => return None,
@@ -148,7 +148,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Whether an address lies inside of its area. What cannot be told counts as inside.
-    pub(super) fn is_inside(&self, found: &Found, width: Width) -> bool {
+    pub(crate) fn is_inside(&self, found: &Found, width: Width) -> bool {
         match found.area {
             Area::PeripheralInput | Area::PeripheralOutput => true,
             Area::Local | Area::CallerLocal if self.frame().is_none() => true,
@@ -163,7 +163,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The number of a timer, counter or block.
-    pub(super) fn number(&self, number: &NumberOperand) -> Option<u16> {
+    pub(crate) fn number(&self, number: &NumberOperand) -> Option<u16> {
         match number {
             NumberOperand::Fixed(number) => Some(*number),
             NumberOperand::Indirect(location) => self.read(&self.find(location, false).ok()?, Width::Word).map(|number| number as u16),
@@ -173,7 +173,7 @@ impl<'a> Reader<'a> {
 }
 
 /// A register by its name in the operand.
-pub(super) fn address_register(register: AddressRegister) -> Register {
+pub(crate) fn address_register(register: AddressRegister) -> Register {
     match register {
         AddressRegister::Ar1 => Register::Ar1,
         AddressRegister::Ar2 => Register::Ar2,
