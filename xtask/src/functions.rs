@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use sieben_lang::Options;
-use sieben_lang::st::Dialect;
 use sieben_lang::known_names::known;
+use sieben_lang::st::Dialect;
 use sieben_lang::st::standard::catalogue::{CHAPTERS, Chapter, Page};
 
 use crate::generate::{between, cell, text_of};

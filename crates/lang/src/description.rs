@@ -6,7 +6,8 @@ use sieben_model::source::{FileId, Sources};
 use sieben_model::symbols::SymbolTable;
 
 use crate::library::LibraryBlock;
-use crate::project::{Options, compile};
+use crate::options::Options;
+use crate::project::compile;
 use crate::stl::ast::Word;
 use crate::stl::parser::parse;
 

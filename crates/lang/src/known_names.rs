@@ -5,7 +5,8 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
 
-use crate::project::{Options, compile};
+use crate::options::Options;
+use crate::project::compile;
 use crate::st::dialect::Dialect;
 use crate::st::standard::catalogue::{is_keyword, named_anywhere};
 

@@ -153,11 +153,14 @@ impl Scope {
 
     /// The candidate that looks most like `name`, if any looks like it.
     pub(crate) fn nearest<'a>(&self, name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<String> {
-        if self.suggestions.get() >= SUGGESTIONS_MAX {
-            return None;
-        }
-        self.suggestions.set(self.suggestions.get() + 1);
-        nearest(name, candidates)
+        let made = self.suggestions.get();
+        self.suggestions.set(made.saturating_add(1));
+        if made < SUGGESTIONS_MAX { nearest(name, candidates) } else { None }
+    }
+
+    /// How often a name was looked for that looks like another one. Whoever asks for that gets an answer that depends on who asked before.
+    pub(crate) fn suggestions(&self) -> u32 {
+        self.suggestions.get()
     }
 }
 

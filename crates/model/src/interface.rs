@@ -61,6 +61,19 @@ pub struct Interface {
 }
 
 impl Interface {
+    /// Whether another interface has the same variables at the same addresses; where their names stand in the source does not matter.
+    pub fn has_shape_of(&self, other: &Self) -> bool {
+        let same = |(one, other): (&Variable, &Variable)| {
+            one.name == other.name
+                && (one.section, one.offset) == (other.section, other.offset)
+                && one.data_type == other.data_type
+                && one.initial == other.initial
+                && one.comment == other.comment
+        };
+        self.variables.len() == other.variables.len()
+            && (self.instance_size, self.local_size) == (other.instance_size, other.local_size)
+            && self.variables.iter().zip(&other.variables).all(same)
+    }
     /// The variable with this name, without regard to case.
     pub fn variable(&self, name: &str) -> Option<&Variable> {
         self.variables.iter().find(|variable| variable.name.eq_ignore_ascii_case(name))

@@ -1,5 +1,7 @@
 //! Source texts and places in them.
 
+use std::sync::Arc;
+
 /// A source text by its position in [`Sources`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FileId(pub u32);
@@ -38,14 +40,19 @@ pub struct SourceFile {
 /// All source texts of a project.
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
-    files: Vec<SourceFile>,
+    files: Vec<Arc<SourceFile>>,
 }
 
 impl Sources {
     /// Takes a text in and names it.
     pub fn add(&mut self, name: impl Into<String>, text: impl Into<String>) -> FileId {
-        self.files.push(SourceFile { name: name.into(), text: text.into() });
+        self.files.push(Arc::new(SourceFile { name: name.into(), text: text.into() }));
         FileId(u32::try_from(self.files.len() - 1).expect("fewer than 2^32 source files"))
+    }
+    /// Gives a source another text.
+    pub fn replace(&mut self, id: FileId, text: impl Into<String>) {
+        let file = &mut self.files[id.0 as usize];
+        *file = Arc::new(SourceFile { name: file.name.clone(), text: text.into() });
     }
     /// The text with this identity.
     pub fn file(&self, id: FileId) -> &SourceFile {
@@ -53,7 +60,7 @@ impl Sources {
     }
     /// All texts in the order they came.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (FileId, &SourceFile)> {
-        self.files.iter().enumerate().map(|(index, file)| (FileId(index as u32), file))
+        self.files.iter().enumerate().map(|(index, file)| (FileId(index as u32), &**file))
     }
     /// The text of a span.
     pub fn slice(&self, span: Span) -> &str {

@@ -10,6 +10,7 @@ use sieben_model::source::Span;
 use sieben_model::types::{DataType, Field, Structure, place};
 
 use super::BLOCK_BYTES_MAX;
+use super::reuse::Knows;
 use super::types::{BlockInterface, Types};
 
 /// Bytes of start information at the beginning of an organization block's local data.
@@ -48,7 +49,12 @@ pub(crate) fn lay_out(id: BlockId, declared: Vec<Declared>) -> Option<BlockInter
 }
 
 /// The same; too many bytes are reported at the name of the block.
-pub(crate) fn lay_out_or_report<K>(types: &mut Types<'_, K>, id: BlockId, declared: Vec<Declared>, named: Span) -> Option<BlockInterface> {
+pub(crate) fn lay_out_or_report<K: Knows>(
+    types: &mut Types<'_, K>,
+    id: BlockId,
+    declared: Vec<Declared>,
+    named: Span,
+) -> Option<BlockInterface> {
     let laid_out = lay_out(id, declared);
     if laid_out.is_none() {
         let message = format!("the variables of `{id}` need more than {BLOCK_BYTES_MAX} bytes (4 for each parameter of a function)");

@@ -2,6 +2,7 @@
 
 pub(crate) mod data_block;
 pub(crate) mod interface;
+pub(crate) mod reuse;
 pub(crate) mod types;
 pub(crate) mod values;
 

@@ -12,6 +12,7 @@ use sieben_model::types::{DataType, Structure};
 
 use super::NESTING_MAX;
 use super::interface::{Declared, lay_out_or_report};
+use super::reuse::{Knows, Layout, Reuse, Stamp};
 use crate::scope::Scope;
 
 /// The interface of a function block with the layout of its instances.
@@ -21,6 +22,14 @@ pub(crate) struct BlockInterface {
     pub(crate) instance: Arc<Structure>,
 }
 
+impl BlockInterface {
+    /// Whether another interface has the same variables at the same addresses; where their names stand does not matter.
+    pub(crate) fn has_shape_of(&self, other: &Self) -> bool {
+        let same = Arc::ptr_eq(&self.interface, &other.interface) || self.interface.has_shape_of(&other.interface);
+        same && (Arc::ptr_eq(&self.instance, &other.instance) || self.instance == other.instance)
+    }
+}
+
 /// How far something is that is resolved once.
 pub(crate) enum State<T> {
     InProgress,
@@ -28,7 +37,9 @@ pub(crate) enum State<T> {
 }
 
 /// What the sources of one language declare. A language resolves its own syntax; the others see the result.
-pub(crate) trait Declares<'a, K> {
+pub(crate) trait Declares<'a, K: Knows> {
+    /// Which syntax a block or type has that it [has](Self::has).
+    fn stamp(&self, block: BlockId) -> Stamp;
     /// Whether a source declares this block.
     fn has(&self, block: BlockId) -> bool;
     /// The structure of a user-defined type; `None` if no source declares it, `Some(None)` if it is wrong, which is reported.
@@ -38,7 +49,7 @@ pub(crate) trait Declares<'a, K> {
 }
 
 /// Resolves types and interfaces, each once.
-pub(crate) struct Types<'a, K> {
+pub(crate) struct Types<'a, K: Knows> {
     pub(crate) scope: &'a Scope,
     /// The languages of the project; of two that have a block the first counts.
     languages: &'a [&'a dyn Declares<'a, K>],
@@ -48,17 +59,22 @@ pub(crate) struct Types<'a, K> {
     depth: usize,
     /// What the languages themselves have found out so far.
     pub(crate) known: K,
+    /// What was laid out before and still holds.
+    pub(crate) reuse: Reuse<'a, K::Own>,
     pub(crate) diagnostics: Vec<Diagnostic>,
 }
 
-impl<'a, K: Default> Types<'a, K> {
-    pub(crate) fn new(scope: &'a Scope, languages: &'a [&'a dyn Declares<'a, K>], system: &'a HashMap<BlockId, &'a SystemBlock>) -> Self {
+impl<'a, K: Knows> Types<'a, K> {
+    pub(crate) fn new(
+        scope: &'a Scope,
+        languages: &'a [&'a dyn Declares<'a, K>],
+        system: &'a HashMap<BlockId, &'a SystemBlock>,
+        reuse: Reuse<'a, K::Own>,
+    ) -> Self {
         let (udts, interfaces, known, diagnostics) = (HashMap::new(), HashMap::new(), K::default(), Vec::new());
-        Self { scope, languages, system, udts, interfaces, depth: 0, known, diagnostics }
+        Self { scope, languages, system, udts, interfaces, depth: 0, known, reuse, diagnostics }
     }
-}
 
-impl<'a, K> Types<'a, K> {
     /// The number of errors so far.
     pub(crate) fn errors(&self) -> usize {
         self.diagnostics.iter().filter(|diagnostic| diagnostic.severity() == Severity::Error).count()
@@ -72,6 +88,7 @@ impl<'a, K> Types<'a, K> {
     /// The structure of a user-defined type.
     pub(crate) fn udt(&mut self, number: u16, span: Span) -> Option<Arc<Structure>> {
         let id = BlockId::new(BlockKind::UserDefinedType, number);
+        self.reuse.ask(id);
         match self.udts.get(&number) {
             Some(State::Done(done)) => return done.clone(),
             Some(State::InProgress) => {
@@ -94,6 +111,7 @@ impl<'a, K> Types<'a, K> {
     pub(crate) fn keep_udt(
         &mut self,
         number: u16,
+        stamp: Stamp,
         span: Span,
         resolve: impl FnOnce(&mut Self) -> Option<Arc<Structure>>,
     ) -> Option<Arc<Structure>> {
@@ -101,10 +119,45 @@ impl<'a, K> Types<'a, K> {
             return None;
         }
         self.udts.insert(number, State::InProgress);
-        let structure = resolve(self);
+        let id = BlockId::new(BlockKind::UserDefinedType, number);
+        let structure = match self.as_before(id, stamp, span) {
+            Some((Layout::Type(structure), _)) => structure.clone(),
+            _ => {
+                let before = self.begin();
+                let structure = resolve(self);
+                self.end(id, stamp, Layout::Type(structure.clone()), before);
+                structure
+            }
+        };
         self.leave();
         self.udts.insert(number, State::Done(structure.clone()));
         structure
+    }
+
+    /// The layout of before, if it still holds: its syntax is the same, and so is all that it asked for.
+    fn as_before(&mut self, id: BlockId, stamp: Stamp, span: Span) -> Option<(&'a Layout, &'a K::Own)> {
+        for &(asked, version) in self.reuse.candidate(id, stamp)? {
+            match asked.kind {
+                BlockKind::UserDefinedType => drop(self.udt(asked.number, span)),
+                _ => drop(self.interface(asked, span)),
+            }
+            if self.reuse.version(asked) != version {
+                return None;
+            }
+        }
+        self.reuse.keep(id)
+    }
+
+    /// A layout begins: how much was said and known before it.
+    fn begin(&mut self) -> (usize, K::Mark) {
+        self.reuse.begin();
+        (self.diagnostics.len(), self.known.mark())
+    }
+
+    /// A layout ends. It can be taken again if nothing was said about it.
+    fn end(&mut self, id: BlockId, stamp: Stamp, layout: Layout, (said, known): (usize, K::Mark)) {
+        let own = self.known.own(id, &known).filter(|_| self.diagnostics.len() == said);
+        self.reuse.end(id, stamp, layout, own);
     }
 
     /// Whether the interface of a block is being laid out.
@@ -114,6 +167,7 @@ impl<'a, K> Types<'a, K> {
 
     /// The interface of a code block or system block; `None` if it does not exist (nothing is reported) or cannot be laid out.
     pub(crate) fn interface(&mut self, id: BlockId, span: Span) -> Option<BlockInterface> {
+        self.reuse.ask(id);
         match self.interfaces.get(&id) {
             Some(State::Done(done)) => return done.clone(),
             Some(State::InProgress) => {
@@ -127,7 +181,19 @@ impl<'a, K> Types<'a, K> {
                 return None;
             }
             self.interfaces.insert(id, State::InProgress);
-            let laid_out = language.interface(self, id);
+            let stamp = language.stamp(id);
+            let laid_out = match self.as_before(id, stamp, span) {
+                Some((Layout::Block(laid_out), own)) => {
+                    self.known.take_in(id, own);
+                    laid_out.clone()
+                }
+                _ => {
+                    let before = self.begin();
+                    let laid_out = language.interface(self, id);
+                    self.end(id, stamp, Layout::Block(laid_out.clone()), before);
+                    laid_out
+                }
+            };
             self.leave();
             laid_out
         } else {

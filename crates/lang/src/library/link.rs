@@ -13,12 +13,12 @@ use crate::scope::Scope;
 pub(crate) type Links = BTreeMap<BlockId, &'static LibraryBlock>;
 
 /// What may be a block of the library, as a source names it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mention<'a> {
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Mention {
     /// `FC 2`; the number unchecked.
     Number(BlockKind, u64),
     /// `CONCAT`.
-    Name(&'a str),
+    Name(String),
 }
 
 /// Finds the blocks of the library among those that a program mentions.
@@ -26,7 +26,7 @@ pub(crate) enum Mention<'a> {
 /// `needed` are blocks that something else than a name calls for. `scope` takes in the names that are used without a row in the symbol table. A block that the program defines itself
 /// always wins.
 pub(crate) fn link<'a>(
-    mentions: impl Iterator<Item = Mention<'a>>,
+    mentions: impl Iterator<Item = &'a Mention>,
     needed: &[&'static LibraryBlock],
     defined: &HashSet<BlockId>,
     scope: &mut Scope,
@@ -37,7 +37,7 @@ pub(crate) fn link<'a>(
     if selection.enabled {
         for mention in mentions {
             match mention {
-                Mention::Number(kind, number) => search.number(kind, number),
+                Mention::Number(kind, number) => search.number(*kind, *number),
                 Mention::Name(name) => search.name(name),
             }
         }

@@ -9,7 +9,7 @@ pub mod examples;
 use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
 
-use crate::project::Compiled;
+use crate::compiled::Compiled;
 use crate::sentences::Surroundings;
 use crate::sentences::table::Sentence;
 use crate::sentences::text::one_line;

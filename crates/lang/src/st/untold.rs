@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
-use sieben_model::source::Sources;
+use sieben_model::source::{FileId, Sources};
 
 use super::keywords::Keyword;
 use super::lexer::{Raw, Token};
@@ -34,8 +34,10 @@ const OF_LOST_DECLARATIONS: &[Problem] = &[Problem::P3008, Problem::P3009, Probl
 const OF_LOST_NAMES: &[Problem] = &[Problem::P3001, Problem::P3007, Problem::P3015];
 
 /// What is not known because the sources of ST have mistakes.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Untold {
+    /// The sources of ST.
+    files: HashSet<FileId>,
     blocks: bool,
     declarations: bool,
     /// The name itself is missing in a declaration: it may be any.
@@ -45,8 +47,23 @@ pub(crate) struct Untold {
 }
 
 impl Untold {
-    /// Looks at the mistakes of a source.
-    pub(crate) fn look(&mut self, parsed: &Parsed, text: &str) {
+    /// What is not known because of the mistakes of a source.
+    pub(crate) fn of(file: FileId, parsed: &Parsed, text: &str) -> Self {
+        let mut untold = Self { files: HashSet::from([file]), ..Self::default() };
+        untold.look(parsed, text);
+        untold
+    }
+
+    /// Takes in what is not known because of another source.
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.files.extend(&other.files);
+        self.blocks |= other.blocks;
+        self.declarations |= other.declarations;
+        self.any_name |= other.any_name;
+        self.words.extend(other.words.iter().cloned());
+    }
+
+    fn look(&mut self, parsed: &Parsed, text: &str) {
         self.blocks |= parsed.diagnostics.iter().any(|one| LOSES_BLOCKS.contains(&one.problem));
         for lost in parsed.diagnostics.iter().filter(|one| LOSES_DECLARATIONS.contains(&one.problem)) {
             self.declarations = true;
@@ -62,6 +79,9 @@ impl Untold {
     /// Whether a message may be no consequence of those mistakes.
     pub(crate) fn lets_through(&self, diagnostic: &Diagnostic, sources: &Sources) -> bool {
         let problem = diagnostic.problem;
+        if !self.files.contains(&diagnostic.span.file) {
+            return true;
+        }
         if self.blocks {
             return !OF_LOST_BLOCKS.contains(&problem);
         }

@@ -355,7 +355,7 @@ fn calls(known: &Known<'_>, statement: &Statement, diagnostics: &mut Vec<Diagnos
     if id == BlockId::db(0) {
         return;
     }
-    if !(known.exists)(id) {
+    if !known.blocks.exists(id) {
         let message = match kind {
             BlockKind::DataBlock => format!("`{id}` does not exist; the statement fails unless the program creates it"),
             _ => format!("`{id}` does not exist; the call fails at run time"),
@@ -366,7 +366,7 @@ fn calls(known: &Known<'_>, statement: &Statement, diagnostics: &mut Vec<Diagnos
     if kind == BlockKind::DataBlock {
         return;
     }
-    let Some(callee) = known.interfaces.get(&id) else { return };
+    let Some(callee) = known.blocks.interface(id) else { return };
     let parameters: Vec<&str> = callee.interface.parameters().map(|parameter| parameter.name.as_str()).collect();
     let statics = callee.interface.variables.iter().any(|variable| variable.section == Section::Static);
     if !parameters.is_empty() {
@@ -395,7 +395,7 @@ fn unavailable(known: &Known<'_>, statement: &Statement, diagnostics: &mut Vec<D
         Operand::Block(BlockOperand { kind, number: NumberOperand::Fixed(number), .. }) => BlockId::new(*kind, *number),
         _ => return,
     };
-    let Some((name, only)) = (known.only)(id) else { return };
+    let Some((name, only)) = known.blocks.only(id) else { return };
     let message = format!("`{id}` ({name}) is not available on this CPU: it needs {only}; the call answers with an error");
     diagnostics.push(Diagnostic::new(Problem::P5020, statement.span(), message));
 }

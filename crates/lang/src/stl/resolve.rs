@@ -32,14 +32,8 @@ pub(crate) struct Known<'a> {
     pub(crate) sources: &'a Sources,
     pub(crate) scope: &'a Scope,
     pub(crate) cpu: &'a CpuType,
-    /// Interfaces of all code and system blocks that exist and could be laid out.
-    pub(crate) interfaces: &'a HashMap<BlockId, BlockInterface>,
-    /// Every block that exists, laid out or not.
-    pub(crate) exists: &'a dyn Fn(BlockId) -> bool,
-    /// Name of a system block that the CPU does not have, and what has it.
-    pub(crate) only: &'a dyn Fn(BlockId) -> Option<(&'static str, &'static str)>,
-    /// Layouts of the data blocks.
-    pub(crate) data: &'a HashMap<u16, DataLayout>,
+    /// The blocks of the program, of which it is noted which ones are asked for.
+    pub(crate) blocks: &'a dyn Blocks,
     pub(crate) field_names: &'a FieldNames,
     /// Which reads of temporary variables are reported.
     pub(crate) temporaries: TemporaryReads,
@@ -49,6 +43,18 @@ pub(crate) struct Known<'a> {
     pub(crate) selection: &'a Selection,
     /// Whether extension words may be used.
     pub(crate) extended: bool,
+}
+
+/// The blocks of a program as the statements of one of them see them.
+pub(crate) trait Blocks {
+    /// The interface of a code or system block that exists and could be laid out.
+    fn interface(&self, id: BlockId) -> Option<&BlockInterface>;
+    /// Whether a block exists, laid out or not.
+    fn exists(&self, id: BlockId) -> bool;
+    /// The layout of a data block.
+    fn data(&self, number: u16) -> Option<&DataLayout>;
+    /// Name of a system block that the CPU does not have, and what has it.
+    fn only(&self, id: BlockId) -> Option<(&'static str, &'static str)>;
 }
 
 /// What an operand stands for.

@@ -126,7 +126,8 @@ fn load_bytes(actual: &Actual) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::project::{Options, compile};
+    use crate::options::Options;
+    use crate::project::compile;
     use sieben_model::block::BlockId;
     use sieben_model::source::Sources;
     use sieben_model::symbols::SymbolTable;

@@ -10,7 +10,7 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::interface::Interface;
 use sieben_model::problems::Problem;
-use sieben_model::testing::TestPlan;
+use sieben_model::testing::{Signal, TestPlan, WordCall};
 
 use super::access::operand;
 use super::ast;
@@ -23,7 +23,7 @@ use crate::coverage::Countable;
 use crate::declarations::interface::lay_out;
 use crate::scope::key;
 use crate::st::check::names::{Entity, Variable};
-use crate::st::check::{Block, check};
+use crate::st::check::{Block, Checked, check};
 use crate::st::dialect::{Construct, Judgement};
 use crate::st::lower::{lower, lower_counted};
 use crate::st::tree::{Base, Body, TypedBlock};
@@ -36,37 +36,61 @@ const COLD_RESTART: u16 = 102;
 /// What became of the statements.
 #[derive(Default)]
 pub(crate) struct Bodies {
+    /// What no source writes, lowered.
     pub(crate) code: BTreeMap<BlockId, CodeBlock>,
-    pub(crate) typed: BTreeMap<BlockId, TypedBlock>,
+    pub(crate) made: BTreeMap<BlockId, TypedBlock>,
     pub(crate) calls: BTreeMap<BlockId, BTreeSet<BlockId>>,
     pub(crate) intervals: BTreeMap<u16, u16>,
-    /// What can be counted in the blocks, if that is asked for.
-    pub(crate) countable: BTreeMap<BlockId, Countable>,
     pub(crate) diagnostics: Vec<Diagnostic>,
     /// The tests, if one of the files holds some.
     pub(crate) tests: TestPlan,
     /// A block could not be compiled.
     pub(crate) failed: bool,
-    /// Whether it is asked for what can be counted.
-    counted: bool,
+}
+
+/// A block of ST whose statements were checked.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct CheckedStatements {
+    /// Its statements, if all of them were understood.
+    pub(crate) typed: Option<TypedBlock>,
+    /// The blocks that it calls; `None` if it has no statements.
+    pub(crate) calls: Option<BTreeSet<BlockId>>,
+    /// The words of tests in it, and what they write, by the first byte of their place.
+    pub(crate) words: BTreeMap<u32, WordCall>,
+    pub(crate) writes: BTreeMap<u32, Signal>,
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    /// It could not be compiled.
+    pub(crate) failed: bool,
+}
+
+impl Bodies {
+    /// Takes in a block that was checked.
+    pub(crate) fn add(&mut self, id: BlockId, is_test: bool, checked: &CheckedStatements) {
+        self.failed |= checked.failed;
+        self.tests.words.extend(checked.words.iter().map(|(&place, word)| (place, word.clone())));
+        self.tests.writes.extend(checked.writes.iter().map(|(&place, signal)| (place, signal.clone())));
+        if let Some(calls) = &checked.calls {
+            self.calls.insert(id, calls.clone());
+            if is_test {
+                self.tests.blocks.insert(id);
+            }
+        }
+    }
 }
 
 impl Environment<'_> {
-    /// Compiles the statements of all blocks.
-    pub(crate) fn compile(&self, cpu: &CpuType, exists: &dyn Fn(BlockId) -> bool, counted: bool) -> Bodies {
-        let mut bodies = Bodies { counted, ..Bodies::default() };
-        for (&id, &code) in &self.items.code {
-            self.block(id, code, cpu, &mut bodies);
-        }
-        self.recursion(&mut bodies);
+    /// What stands outside of all blocks, when the statements of all blocks are checked: the organization blocks that run the programs
+    /// and the tests, and what is wrong between blocks.
+    pub(crate) fn finish(&self, cpu: &CpuType, exists: &dyn Fn(BlockId) -> bool, bodies: &mut Bodies) {
+        self.recursion(bodies);
         let wrong = self.object_rules();
         bodies.failed |= !wrong.is_empty();
         bodies.diagnostics.extend(wrong);
         let mut generated = match self.is_configured() {
-            true => self.configured(exists, &mut bodies),
+            true => self.configured(exists, bodies),
             false => organization_blocks(self.items, exists, &mut bodies.diagnostics),
         };
-        let beginning = self.beginning(&mut bodies);
+        let beginning = self.beginning(bodies);
         self.restarts(cpu, exists, &beginning, &mut generated, &mut bodies.diagnostics);
         for (id, generated) in generated {
             let Some(block) = lay_out(id, Vec::new()) else { continue };
@@ -80,11 +104,10 @@ impl Environment<'_> {
             }
             bodies.calls.entry(id).or_insert(calls);
             bodies.code.insert(id, lower(id, &block.interface, &generated.body, &|block| self.interface_of(block)));
-            bodies.typed.insert(id, TypedBlock { interface: block.interface, body: generated.body });
+            bodies.made.insert(id, TypedBlock { interface: block.interface, body: generated.body });
             bodies.intervals.extend(generated.interval_ms.map(|interval| (id.number, interval)));
         }
-        self.tests(&mut bodies);
-        bodies
+        self.tests(bodies);
     }
 
     /// The organization blocks of a restart write the initial values of variables with an address.
@@ -156,13 +179,15 @@ impl Environment<'_> {
     }
 
     pub(super) fn interface_of(&self, block: BlockId) -> Option<Arc<Interface>> {
+        self.ask(block);
         self.interfaces.get(&block).map(|found| Arc::clone(&found.interface))
     }
 
-    fn block(&self, id: BlockId, code: Code<'_>, cpu: &CpuType, bodies: &mut Bodies) {
+    /// Checks the statements of a block.
+    pub(crate) fn check_block(&self, id: BlockId, code: Code<'_>, cpu: &CpuType) -> CheckedStatements {
+        let mut done = CheckedStatements::default();
         let (Some(names), Some(interface)) = (self.names(id, code.dialect), self.interface_of(id)) else {
-            bodies.failed = true;
-            return;
+            return CheckedStatements { failed: true, ..done };
         };
         if interface.local_size > cpu.local_data_block {
             let message = format!(
@@ -172,14 +197,14 @@ impl Environment<'_> {
                 cpu.name,
                 cpu.local_data_block
             );
-            bodies.diagnostics.push(Diagnostic::new(Problem::P5007, code.block.name.span, message));
+            done.diagnostics.push(Diagnostic::new(Problem::P5007, code.block.name.span, message));
         }
         if !matches!(id.kind, BlockKind::Function | BlockKind::FunctionBlock | BlockKind::OrganizationBlock) {
-            return;
+            return done;
         }
         // Nothing calls it: what is called is the method of the block that the instance is of.
         if code.block.kind == ast::BlockKind::Interface || code.block.member.is_some() && code.block.modifiers.is_abstract {
-            return;
+            return done;
         }
         let block = Block {
             id,
@@ -192,33 +217,38 @@ impl Environment<'_> {
         };
         let mut checked = check(&block, &names);
         let sound = !checked.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error);
-        bodies.diagnostics.append(&mut checked.diagnostics);
-        self.words(id, &mut checked, &mut bodies.tests);
-        bodies.calls.insert(id, checked.called);
-        if code.dialect.is_test() {
-            bodies.tests.blocks.insert(id);
-        }
+        self.words(id, &mut checked);
+        let Checked { body, mut diagnostics, called, words, writes } = checked;
+        done.diagnostics.append(&mut diagnostics);
+        (done.calls, done.words, done.writes) = (Some(called), words, writes);
         let whole = sound && self.declared(id).is_some_and(|declared| !declared.broken);
-        let Some(mut body) = checked.body.filter(|_| whole) else {
-            bodies.failed = true;
-            return;
+        match body.filter(|_| whole) {
+            Some(body) => done.typed = Some(TypedBlock { interface, body }),
+            None => done.failed = true,
+        }
+        done
+    }
+
+    /// The code of a block, and what can be counted in it, if that is asked for.
+    pub(crate) fn lower_block(&self, id: BlockId, code: Code<'_>, typed: &TypedBlock, counted: bool) -> (CodeBlock, Option<Countable>) {
+        let place = code.block.name.span;
+        let mut statements = self.names(id, code.dialect).map(|names| names.starting_statements(place)).unwrap_or_default();
+        let with_starting;
+        let body = if statements.is_empty() {
+            &typed.body
+        } else {
+            statements.extend(typed.body.statements.iter().cloned());
+            with_starting = Body { statements, ..typed.body.clone() };
+            &with_starting
         };
-        bodies.typed.insert(id, TypedBlock { interface: Arc::clone(&interface), body: body.clone() });
-        let mut starting = names.starting_statements(code.block.name.span);
-        starting.append(&mut body.statements);
-        body.statements = starting;
         let known = |block| self.interface_of(block);
-        let lowered = match bodies.counted {
-            false => lower(id, &interface, &body, &known),
-            true => {
-                let (lowered, mut countable) = lower_counted(id, &interface, &body, &known);
-                // What gives variables their initial values is no statement of the source.
-                countable.statements.retain(|(span, _)| *span != code.block.name.span);
-                bodies.countable.insert(id, countable);
-                lowered
-            }
-        };
-        bodies.code.insert(id, lowered);
+        if !counted {
+            return (lower(id, &typed.interface, body, &known), None);
+        }
+        let (lowered, mut countable) = lower_counted(id, &typed.interface, body, &known);
+        // What gives variables their initial values is no statement of the source.
+        countable.statements.retain(|(span, _)| *span != place);
+        (lowered, Some(countable))
     }
 
     /// What people call the variables of the program.

@@ -151,8 +151,10 @@ impl Resolver<'_, '_> {
         }
         self.types.known.constants.insert(wanted.to_owned(), State::InProgress);
         let dialect = list.dialect;
+        self.types.reuse.begin_shared();
         let mut resolver = Resolver { list: Some(&list.name), ..Resolver::new(self.types, self.items, dialect) };
         let value = resolver.declared_constant(declaration);
+        self.types.reuse.end_shared();
         self.types.leave();
         self.types.known.constants.insert(wanted.to_owned(), State::Done(value.clone()));
         value

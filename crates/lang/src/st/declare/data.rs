@@ -27,7 +27,9 @@ pub(crate) fn layouts<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: &mu
             data.insert(instance, DataLayout { structure: interface.instance, based_on: Some(block) });
         }
     }
+    types.reuse.begin_shared();
     let globals = globals::globals(types, items, data);
+    types.reuse.end_shared();
     instances::tasks(items, data);
     access::rootless(types, items);
     for (number, structure) in &types.known.statics {

@@ -43,15 +43,28 @@ pub(crate) struct Environment<'a> {
     /// Types of TYPE sections by key.
     named: HashMap<String, Arc<Named>>,
     pub(super) globals: Globals,
-    blocks: HashMap<BlockId, Declared>,
+    blocks: HashMap<BlockId, Arc<Declared>>,
     /// How many suggestions were made; they cost a look at every name.
     suggestions: RefCell<BTreeSet<String>>,
     /// What of the library the program needs and does not have yet.
     demands: RefCell<Vec<Demand>>,
+    /// What the statements of the block that is checked now ask for.
+    questions: RefCell<Questions>,
     /// Variables with an address that begin with a value.
     pub(super) located: Vec<Located>,
     /// The references and pointers that begin with an address, by the initial value of their variable.
     pub(super) addresses: HashMap<Span, Vec<InitialAddress>>,
+}
+
+/// What the statements of one block ask for.
+#[derive(Default)]
+pub(crate) struct Questions {
+    /// Blocks of which the interface, the fields or the declarations are looked at.
+    pub(crate) blocks: BTreeSet<BlockId>,
+    /// What of the library they use, there or not.
+    pub(crate) uses: Vec<Demand>,
+    /// Whether a name was looked for that looks like another one: the answer depends on who asked before.
+    pub(crate) names: bool,
 }
 
 /// Puts together what is known when everything is declared.
@@ -78,6 +91,7 @@ pub(crate) fn environment<'a>(
         blocks: known.blocks,
         suggestions: RefCell::default(),
         demands: RefCell::new(known.demands),
+        questions: RefCell::default(),
         located: known.located,
         addresses: known.addresses,
     }
@@ -86,7 +100,18 @@ pub(crate) fn environment<'a>(
 impl<'a> Environment<'a> {
     /// What a block declares.
     pub(crate) fn declared(&self, block: BlockId) -> Option<&Declared> {
-        self.blocks.get(&block)
+        self.ask(block);
+        self.blocks.get(&block).map(|declared| &**declared)
+    }
+
+    /// Notes that a block is asked for.
+    pub(super) fn ask(&self, block: BlockId) {
+        self.questions.borrow_mut().blocks.insert(block);
+    }
+
+    /// What was asked for since this was called last.
+    pub(crate) fn take_questions(&self) -> Questions {
+        self.questions.take()
     }
 
     /// The names of a block.
@@ -97,17 +122,8 @@ impl<'a> Environment<'a> {
             None => (block.kind == BlockKind::FunctionBlock).then_some(block),
         };
         // A method knows what its block has, unless it declares the name itself.
-        let owner = this.filter(|&this| this != block).and_then(|this| self.blocks.get(&this));
-        Some(BlockNames {
-            environment: self,
-            declared: self.blocks.get(&block)?,
-            owner,
-            this,
-            dialect,
-            block,
-            space: code.space,
-            list: None,
-        })
+        let owner = this.filter(|&this| this != block).and_then(|this| self.declared(this));
+        Some(BlockNames { environment: self, declared: self.declared(block)?, owner, this, dialect, block, space: code.space, list: None })
     }
 
     /// What of the library the program needs and does not have yet.
@@ -177,6 +193,7 @@ impl<'a> Environment<'a> {
     /// A variable of a program: `PLC_PRG.x`.
     fn of_program(&self, program: &str, wanted: &str) -> Option<Entity> {
         let program = self.items.program(program)?;
+        self.ask(BlockId::db(program.instance));
         let structure = &self.data.get(&program.instance)?.structure;
         let field = structure.fields.iter().find(|field| key(&field.name) == wanted)?;
         Some(Entity::Variable(Variable {
@@ -276,10 +293,12 @@ impl Names for BlockNames<'_, '_> {
     }
 
     fn interface(&self, block: BlockId) -> Option<Arc<Interface>> {
+        self.environment.ask(block);
         self.environment.interfaces.get(&block).map(|found| Arc::clone(&found.interface))
     }
 
     fn data_block(&self, number: u16) -> Option<DataBlockView> {
+        self.environment.ask(BlockId::db(number));
         let layout = self.environment.data.get(&number)?;
         Some(DataBlockView { based_on: layout.based_on, structure: Arc::clone(&layout.structure) })
     }
@@ -291,6 +310,7 @@ impl Names for BlockNames<'_, '_> {
 
     fn nearest(&self, name: &str) -> Option<String> {
         let environment = self.environment;
+        environment.questions.borrow_mut().names = true;
         if !environment.suggestions.borrow_mut().insert(key(name)) {
             return None;
         }
@@ -323,6 +343,10 @@ impl Names for BlockNames<'_, '_> {
                 environment.scope.block(name).filter(|id| id.kind == block.block.kind && environment.interfaces.contains_key(id))
             }
         };
+        environment.questions.borrow_mut().uses.push(demand);
+        if let Demand::Block(_) = demand {
+            found.iter().for_each(|&id| environment.ask(id));
+        }
         if found.is_none() {
             environment.demands.borrow_mut().push(demand);
         }
@@ -367,6 +391,7 @@ impl Names for BlockNames<'_, '_> {
         let items = self.environment.items;
         let mut owner = Some(block);
         while let Some((block, code)) = owner.and_then(|owner| Some((owner, items.code.get(&owner)?))) {
+            self.environment.ask(block);
             let declares = |section: &&ast::VarSection| {
                 section.declarations.iter().any(|declaration| declaration.names.iter().any(|declared| declared.name.is(variable)))
             };
@@ -387,6 +412,7 @@ impl Names for BlockNames<'_, '_> {
 
     fn is_wrong_data(&self, number: u16) -> bool {
         let items = self.environment.items;
+        self.environment.ask(BlockId::db(number));
         !self.environment.data.contains_key(&number) && items.data.contains_key(&number)
     }
 
@@ -396,6 +422,7 @@ impl Names for BlockNames<'_, '_> {
     }
 
     fn has_initial(&self, block: BlockId, variable: &str) -> bool {
+        self.environment.ask(block);
         let Some(code) = self.environment.items.code.get(&block) else { return false };
         let mut declarations = code.block.sections.iter().flat_map(|section| &section.declarations);
         declarations.any(|one| one.initial.is_some() && one.names.iter().any(|declared| declared.name.is(variable)))
@@ -406,6 +433,7 @@ impl Names for BlockNames<'_, '_> {
     }
 
     fn instance(&self, block: BlockId) -> Option<Arc<Structure>> {
+        self.environment.ask(block);
         self.environment.interfaces.get(&block).map(|found| Arc::clone(&found.instance))
     }
 }

@@ -173,7 +173,7 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
     }
     declared.nameless = code.block.sections.iter().any(|section| section.nameless);
     declared.broken = partial || types.errors() > before;
-    types.known.blocks.insert(id, declared);
+    types.known.blocks.insert(id, Arc::new(declared));
     Some(block)
 }
 

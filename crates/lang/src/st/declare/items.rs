@@ -1,6 +1,7 @@
 //! What the ST sources of a project declare, by name and by number.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::hash::{Hash, Hasher};
 
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::cpu_type::CpuType;
@@ -12,6 +13,7 @@ use super::needed::Demand;
 use super::numbers::{Wanted, assign};
 use super::objects::objects;
 use super::{StFile, ast};
+use crate::declarations::reuse::Stamp;
 use crate::scope::{Scope, key};
 use crate::st::dialect::Dialect;
 use crate::st::objects::Objects;
@@ -23,6 +25,8 @@ pub(crate) struct Code<'a> {
     pub(crate) dialect: Dialect,
     /// Where it stands, in [`Items::spaces`].
     pub(crate) space: usize,
+    /// Which syntax it is.
+    pub(crate) stamp: Stamp,
 }
 
 /// A place where names are written: a file, or a namespace in it.
@@ -135,6 +139,8 @@ pub(crate) struct Items<'a> {
     pub(crate) objects: Objects,
     /// Sources of the library that blocks extend and that are not there yet.
     pub(crate) demands: Vec<Demand>,
+    /// What of the library blocks extend, there or not.
+    pub(crate) uses: Vec<Demand>,
 }
 
 /// The block that a name such as `FB10` means by itself.
@@ -196,6 +202,8 @@ pub(super) struct Collector<'a, 's> {
     usings: Vec<&'a ast::Path>,
     /// The path of the file, if it is one of the library.
     library: Option<&'static str>,
+    /// The stamps of the blocks of the file that are still to come.
+    stamps: std::slice::Iter<'a, Stamp>,
 }
 
 /// What may have the same name without being confused.
@@ -228,9 +236,11 @@ pub(crate) fn collect<'a>(
         space: 0,
         usings: Vec::new(),
         library: None,
+        stamps: [].iter(),
     };
     for file in files {
         collector.library = file.library.map(|source| source.path);
+        collector.stamps = file.stamps.iter();
         collector.space(&file.file.items, file.dialect);
     }
     collector.configured_instances();
@@ -288,9 +298,9 @@ pub(crate) fn collect<'a>(
     for (name, id) in items.blocks.iter().filter(|(_, id)| items.code.get(id).is_none_or(|code| code.block.member.is_none())) {
         scope.define_block(name, items.names.get(id).map_or(name.as_str(), String::as_str), *id);
     }
-    let mut demands = Vec::new();
-    items.objects = objects(&items, scope, &mut found, &mut demands);
-    items.demands = demands;
+    let (mut demands, mut uses) = (Vec::new(), Vec::new());
+    items.objects = objects(&items, scope, &mut found, (&mut demands, &mut uses));
+    (items.demands, items.uses) = (demands, uses);
     diagnostics.append(&mut found);
     items
 }
@@ -309,6 +319,37 @@ impl Items<'_> {
     /// Whether a block is one of the library.
     pub(crate) fn is_of_library(&self, block: BlockId) -> bool {
         self.library.values().any(|&known| known == block)
+    }
+
+    /// What there is and what it is called, without what the blocks declare. Of blocks that know one another's declarations by EXTENDS,
+    /// IMPLEMENTS or as members of one another it is their whole syntax.
+    pub(crate) fn hash_names(&self, state: &mut impl Hasher) {
+        for (id, code) in &self.code {
+            (id, code.block.kind, code.dialect, code.space, &code.block.name.text).hash(state);
+            let modifiers = ast::Modifiers { span: Span::default(), ..code.block.modifiers };
+            if code.block.member.is_some() || modifiers != ast::Modifiers::default() {
+                code.stamp.syntax.hash(state);
+            }
+        }
+        for (id, object) in self.objects.iter() {
+            let related = object.base.is_some() || object.lacks_base || !object.interfaces.is_empty() || !object.members.is_empty();
+            for block in object.base.into_iter().chain(related.then_some(id)) {
+                (block, self.code.get(&block).map(|code| code.stamp.syntax)).hash(state);
+            }
+        }
+        (&self.names, &self.kept, self.tasks, &self.twice, &self.twice_global, &self.qualifiers, &self.namespaces).hash(state);
+        for program in &self.programs {
+            (&program.name, &program.of, program.block, program.instance, program.retain, program.implicit).hash(state);
+        }
+        for test in &self.tests {
+            (test.block, test.instance).hash(state);
+        }
+        for space in &self.spaces {
+            (&space.prefix, &space.near, &space.usings).hash(state);
+        }
+        for list in &self.lists {
+            (&list.name, list.number).hash(state);
+        }
     }
 
     /// The instance of a PROGRAM of this name; the name of the PROGRAM itself is enough if there is one only.
@@ -466,6 +507,7 @@ impl<'a> Collector<'a, '_> {
     }
 
     fn block(&mut self, block: &'a ast::Block, dialect: Dialect) {
+        let stamp = self.stamps.next().copied().unwrap_or_default();
         let kind = match block.kind {
             ast::BlockKind::Function | ast::BlockKind::Method => BlockKind::Function,
             ast::BlockKind::OrganizationBlock => BlockKind::OrganizationBlock,
@@ -508,7 +550,7 @@ impl<'a> Collector<'a, '_> {
         {
             self.pending.push((Wanted { name: format!("{}{KEPT}", wanted.name), ..owner }, Pending::Kept(behind)));
         }
-        self.pending.push((wanted, Pending::Code(Code { block, dialect, space })));
+        self.pending.push((wanted, Pending::Code(Code { block, dialect, space, stamp })));
     }
 
     /// A name that no block has, made from this one.

@@ -30,7 +30,7 @@ use std::sync::Arc;
 
 use sieben_model::block::BlockId;
 use sieben_model::literal::Value;
-use sieben_model::source::{FileId, Span};
+use sieben_model::source::Span;
 use sieben_model::types::{DataType, Structure};
 
 use super::ast;
@@ -38,27 +38,29 @@ use super::check::names::{Constant, Entity, Variable};
 use super::dialect::Dialect;
 use super::standard::Source;
 use super::tree::Local;
+use crate::declarations::reuse::{Knows, Stamp};
 use crate::declarations::types::{self as shared, BlockInterface, Declares, State};
 
+pub(crate) use bodies::{Bodies, CheckedStatements};
 pub(crate) use data::{fill, layouts};
-pub(crate) use environment::{environment, starting};
-pub(crate) use items::{Items, collect};
+pub(crate) use environment::{Environment, Globals, environment, starting};
+pub(crate) use items::{Code, Items, collect};
 pub(crate) use members::expand;
-pub(crate) use needed::{Demand, Needed};
+pub(crate) use needed::{Demand, Needed, file as library_file};
 use programs::organization_blocks;
 pub(crate) use types::all_types;
 
 /// A source of ST that is parsed.
 #[derive(Clone, Debug)]
-pub struct StFile {
-    /// Which source.
-    pub id: FileId,
+pub(crate) struct StFile {
     /// Its dialect.
-    pub dialect: Dialect,
+    pub(crate) dialect: Dialect,
     /// Its syntax, which every attempt to compile reads and none changes.
-    pub file: Arc<ast::File>,
+    pub(crate) file: Arc<ast::File>,
     /// Which source of the library it is; `None` = the user's.
-    pub library: Option<&'static Source>,
+    pub(crate) library: Option<&'static Source>,
+    /// The stamps of its blocks, in their order.
+    pub(crate) stamps: Arc<[Stamp]>,
 }
 
 /// Gives the lists of global variables of a file that has nothing else the name of the file, as each list of codesys has one.
@@ -125,6 +127,10 @@ pub(crate) struct WatchedEdge {
 pub(crate) type Types<'a> = shared::Types<'a, Known>;
 
 impl<'a> Declares<'a, Known> for Items<'a> {
+    fn stamp(&self, block: BlockId) -> Stamp {
+        self.code.get(&block).map_or(Stamp::default(), |code| code.stamp)
+    }
+
     fn has(&self, block: BlockId) -> bool {
         self.code.contains_key(&block)
     }
@@ -146,11 +152,13 @@ pub(crate) struct Known {
     /// Global constants by key.
     pub(crate) constants: HashMap<String, State<Constant>>,
     /// What each block declares.
-    pub(crate) blocks: HashMap<BlockId, Declared>,
+    pub(crate) blocks: HashMap<BlockId, Arc<Declared>>,
     /// Data blocks that functions keep their VAR_STAT in: structure and initial values come from the declarations.
     pub(crate) statics: Vec<(u16, Arc<Structure>)>,
     /// What of the library is needed and not there yet.
     pub(crate) demands: Vec<Demand>,
+    /// What of the library is needed, there or not.
+    pub(crate) uses: Vec<Demand>,
     /// Variables with an address that begin with a value.
     pub(crate) located: Vec<Located>,
     /// The references and pointers that begin with an address, by the initial value of the variable that they are or belong to.
@@ -159,6 +167,41 @@ pub(crate) struct Known {
     pub(crate) open: Vec<access::OpenAddress>,
     /// It was said that a variable whose address nobody tells is memory.
     pub(crate) unlinked: bool,
+}
+
+/// What ST knows of a block besides its interface.
+#[derive(Clone, Debug)]
+pub(crate) struct Own {
+    declared: Option<Arc<Declared>>,
+    /// What of the library it uses.
+    uses: Vec<Demand>,
+}
+
+/// How much the declarations of blocks have left in lists that all of them write.
+pub(crate) struct Mark {
+    /// What belongs to no single block.
+    shared: [usize; 5],
+    uses: usize,
+}
+
+impl Knows for Known {
+    type Own = Own;
+    type Mark = Mark;
+
+    fn mark(&self) -> Mark {
+        let shared = [self.statics.len(), self.demands.len(), self.located.len(), self.open.len(), self.addresses.len()];
+        Mark { shared, uses: self.uses.len() }
+    }
+
+    fn own(&self, block: BlockId, since: &Mark) -> Option<Own> {
+        let own = Own { declared: self.blocks.get(&block).cloned(), uses: self.uses[since.uses..].to_vec() };
+        (!self.unlinked && self.mark().shared == since.shared).then_some(own)
+    }
+
+    fn take_in(&mut self, block: BlockId, own: &Own) {
+        self.blocks.extend(own.declared.iter().map(|declared| (block, Arc::clone(declared))));
+        self.uses.extend_from_slice(&own.uses);
+    }
 }
 
 /// A reference or a pointer that begins with an address.

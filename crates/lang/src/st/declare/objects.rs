@@ -23,11 +23,16 @@ const SEARCH_MAX: usize = 3 * DEPTH_MAX;
 
 /// Finds the objects among the blocks, what they extend and implement, and their members.
 ///
-/// `demands` gets the sources of the library that blocks extend and that are not there yet.
-pub(super) fn objects(items: &Items<'_>, scope: &Scope, diagnostics: &mut Vec<Diagnostic>, demands: &mut Vec<Demand>) -> Objects {
+/// `library` gets the sources of the library that blocks extend and that are not there yet, and all that they extend.
+pub(super) fn objects(
+    items: &Items<'_>,
+    scope: &Scope,
+    diagnostics: &mut Vec<Diagnostic>,
+    library: (&mut Vec<Demand>, &mut Vec<Demand>),
+) -> Objects {
     let mut all = BTreeMap::new();
     for (&id, &code) in items.code.iter().filter(|(id, _)| id.kind == BlockKind::FunctionBlock) {
-        all.insert(id, object(items, scope, id, code, (diagnostics, demands)));
+        all.insert(id, object(items, scope, id, code, (diagnostics, library.0, library.1)));
     }
     for (&id, code) in &items.code {
         let Some(member) = &code.block.member else { continue };
@@ -57,7 +62,7 @@ fn object(
     scope: &Scope,
     id: BlockId,
     code: Code<'_>,
-    (diagnostics, demands): (&mut Vec<Diagnostic>, &mut Vec<Demand>),
+    (diagnostics, demands, uses): (&mut Vec<Diagnostic>, &mut Vec<Demand>, &mut Vec<Demand>),
 ) -> Object {
     let block = code.block;
     let interface = block.kind == ast::BlockKind::Interface;
@@ -83,10 +88,12 @@ fn object(
     let of_system = |path: &ast::Path| interface && of_system(path) && code.dialect.judge(Construct::PointerTo) != Judgement::Reject;
     for (index, path) in block.extends.iter().enumerate().filter(|(_, path)| !of_system(path)) {
         let found = match of_library(items, code, path) {
-            Some(Ok(found)) => Some(found),
-            Some(Err(demand)) => {
-                demands.push(demand);
-                None
+            Some((demand, found)) => {
+                uses.push(demand);
+                if found.is_none() {
+                    demands.push(demand);
+                }
+                found
             }
             None if path.names.is_empty() || items.is_twice(code.space, &joined(path)) => None,
             None => upper(items, scope, code, path, &mut report),
@@ -142,16 +149,16 @@ fn object(
     object
 }
 
-/// The function block of the library that a path behind EXTENDS names, or what is needed to have it; `None` if it names none, or one of
-/// the project.
-fn of_library(items: &Items<'_>, code: Code<'_>, path: &ast::Path) -> Option<Result<BlockId, Demand>> {
+/// What is needed to have the function block of the library that a path behind EXTENDS names, and the block, if it is there; `None` if it
+/// names none, or one of the project.
+fn of_library(items: &Items<'_>, code: Code<'_>, path: &ast::Path) -> Option<(Demand, Option<BlockId>)> {
     let name = joined(path);
     if items.block_in(code.space, &name).is_some() {
         return None;
     }
     let Provided::Source { name, source } = block_type(&name, code.dialect)? else { return None };
     let found = items.library.get(&(source.path, key(name))).copied();
-    Some(found.ok_or(Demand::Source(source)))
+    Some((Demand::Source(source), found))
 }
 
 /// The block that a path behind EXTENDS or IMPLEMENTS names.

@@ -2,7 +2,7 @@
 
 use sieben_model::address::Area;
 use sieben_model::block::BlockId;
-use sieben_model::testing::{FIRST_TEST_BLOCK, Test, TestPlan};
+use sieben_model::testing::{FIRST_TEST_BLOCK, Test};
 
 use super::bodies::Bodies;
 use super::environment::Environment;
@@ -37,7 +37,7 @@ impl Environment<'_> {
     }
 
     /// The words of a block, with the data block that the variables of a test lie in.
-    pub(super) fn words(&self, block: BlockId, checked: &mut Checked, plan: &mut TestPlan) {
+    pub(super) fn words(&self, block: BlockId, checked: &mut Checked) {
         let own = self.items.tests.iter().find(|test| test.block == block).map(|test| test.instance);
         let of_words = checked.words.values_mut().flat_map(|call| &mut call.signals);
         for signal in of_words.chain(checked.writes.values_mut()) {
@@ -46,8 +46,6 @@ impl Environment<'_> {
                 signal.address.area = Area::SharedData;
             }
         }
-        plan.words.append(&mut checked.words);
-        plan.writes.append(&mut checked.writes);
     }
 
     /// An organization block that calls parts of a test file one after the other.
@@ -63,7 +61,7 @@ impl Environment<'_> {
             bodies.calls.entry(id).or_default().insert(part.block);
         }
         bodies.code.insert(id, lower(id, &laid_out.interface, &body, &|block| self.interface_of(block)));
-        bodies.typed.insert(id, TypedBlock { interface: laid_out.interface, body });
+        bodies.made.insert(id, TypedBlock { interface: laid_out.interface, body });
         bodies.tests.blocks.insert(id);
     }
 }

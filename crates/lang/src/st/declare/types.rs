@@ -419,6 +419,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 (id, Demand::Block(block))
             }
         };
+        self.types.known.uses.push(demand);
         if found.is_none() {
             self.types.known.demands.push(demand);
         }
@@ -443,8 +444,10 @@ impl<'t, 'a> Resolver<'t, 'a> {
         }
         self.types.known.named.insert(wanted.to_owned(), State::InProgress);
         let declaration = found.declaration;
+        self.types.reuse.begin_shared();
         let mut inner = Resolver::new(self.types, items, found.dialect).within(found.space);
         let resolved = inner.declared_type(declaration).map(Arc::new);
+        self.types.reuse.end_shared();
         self.types.leave();
         self.types.known.named.insert(wanted.to_owned(), State::Done(resolved.clone()));
         resolved

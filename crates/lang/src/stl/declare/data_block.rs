@@ -12,12 +12,13 @@ use sieben_model::types::DataType;
 use super::names::block_of_name;
 use super::path::{FieldNames, follow};
 use crate::declarations::data_block::{DataLayout, instance};
+use crate::declarations::reuse::Knows;
 use crate::declarations::types::{Types, describe};
 use crate::declarations::values::{coerce, write};
 use crate::stl::ast;
 
 /// The layout of a data block, without its values.
-pub(crate) fn layout<K>(types: &mut Types<'_, K>, number: u16, block: &ast::Block) -> Option<DataLayout> {
+pub(crate) fn layout<K: Knows>(types: &mut Types<'_, K>, number: u16, block: &ast::Block) -> Option<DataLayout> {
     let id = BlockId::db(number);
     match &block.body_type {
         Some(ast::TypeName { kind: ast::TypeKind::Struct(fields), span }) => {
@@ -75,7 +76,13 @@ pub(crate) fn layout<K>(types: &mut Types<'_, K>, number: u16, block: &ast::Bloc
 }
 
 /// A data block with the values that it starts with.
-pub(crate) fn fill<K>(types: &mut Types<'_, K>, names: &FieldNames, number: u16, block: &ast::Block, layout: &DataLayout) -> DataBlock {
+pub(crate) fn fill<K: Knows>(
+    types: &mut Types<'_, K>,
+    names: &FieldNames,
+    number: u16,
+    block: &ast::Block,
+    layout: &DataLayout,
+) -> DataBlock {
     let flag = |name: &str| block.header.flags.iter().any(|flag| flag.text.eq_ignore_ascii_case(name));
     let whole = DataType::Struct(Arc::clone(&layout.structure));
     let mut data = instance(number, layout);
@@ -112,7 +119,7 @@ pub(crate) fn fill<K>(types: &mut Types<'_, K>, names: &FieldNames, number: u16,
 }
 
 /// `ALL := value`: every elementary variable that can hold the value gets it.
-fn assign_all<K>(types: &mut Types<'_, K>, image: &mut [u8], whole: &DataType, assignment: &ast::Assignment) {
+fn assign_all<K: Knows>(types: &mut Types<'_, K>, image: &mut [u8], whole: &DataType, assignment: &ast::Assignment) {
     let [ast::Initial::Value(constant)] = assignment.values.as_slice() else {
         types.report(Problem::P4007, assignment.span, "`ALL` takes one value");
         return;
@@ -123,7 +130,7 @@ fn assign_all<K>(types: &mut Types<'_, K>, image: &mut [u8], whole: &DataType, a
     }
 }
 
-fn report_unused<K>(types: &mut Types<'_, K>, span: Span, whole: &DataType) {
+fn report_unused<K: Knows>(types: &mut Types<'_, K>, span: Span, whole: &DataType) {
     types.report(Problem::P4006, span, format!("no variable of this {} can hold this constant", describe(whole)));
 }
 

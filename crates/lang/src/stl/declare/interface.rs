@@ -10,6 +10,7 @@ use sieben_model::types::DataType;
 
 use super::types::Usage;
 use crate::declarations::interface::Declared;
+use crate::declarations::reuse::Knows;
 use crate::declarations::types::{Types, describe};
 use crate::scope::key;
 use crate::stl::ast;
@@ -34,7 +35,7 @@ fn allowed(kind: BlockKind) -> &'static [Section] {
 }
 
 /// All variables that a code block declares, sections in the order of the manual.
-pub(super) fn declared_of<K>(types: &mut Types<'_, K>, id: BlockId, block: &ast::Block) -> Vec<Declared> {
+pub(super) fn declared_of<K: Knows>(types: &mut Types<'_, K>, id: BlockId, block: &ast::Block) -> Vec<Declared> {
     let mut all = Vec::new();
     let mut names: HashMap<String, Span> = HashMap::new();
     for section in &block.sections {

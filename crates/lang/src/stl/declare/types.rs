@@ -10,6 +10,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::{DataType, Field, STRING_LENGTH_MAX, Structure, place};
 
+use crate::declarations::reuse::Knows;
 use crate::declarations::types::{Types, describe};
 use crate::declarations::values::{Misfit, coerce};
 use crate::declarations::{BLOCK_BYTES_MAX, NESTING_MAX};
@@ -48,7 +49,7 @@ pub(super) enum Usage {
 }
 
 /// The structure of a user-defined type of STL.
-pub(super) fn user_defined<K>(types: &mut Types<'_, K>, id: BlockId, block: &ast::Block) -> Option<Arc<Structure>> {
+pub(super) fn user_defined<K: Knows>(types: &mut Types<'_, K>, id: BlockId, block: &ast::Block) -> Option<Arc<Structure>> {
     match &block.body_type {
         Some(ast::TypeName { kind: ast::TypeKind::Struct(fields), span }) => types.structure(fields, Some(id.to_string()), *span),
         Some(other) => match types.data_type(other, Usage::Field) {
@@ -66,7 +67,7 @@ pub(super) fn user_defined<K>(types: &mut Types<'_, K>, id: BlockId, block: &ast
     }
 }
 
-impl<K> Types<'_, K> {
+impl<K: Knows> Types<'_, K> {
     /// The type as written, with its layout; `None` if something was wrong with it (which is reported).
     pub(super) fn data_type(&mut self, name: &ast::TypeName, usage: Usage) -> Option<DataType> {
         if !self.enter(name.span) {

@@ -124,10 +124,10 @@ impl Resolver<'_> {
                 };
                 (*position, limit, Problem::P5001)
             }
-            Location::InDataBlock { db, position } | Location::InInstanceBlock { db, position } => match self.known.data.get(db) {
+            Location::InDataBlock { db, position } | Location::InInstanceBlock { db, position } => match self.known.blocks.data(*db) {
                 Some(layout) => (*position, layout.structure.size, Problem::P5005),
                 None => {
-                    if !(self.known.exists)(BlockId::db(*db)) {
+                    if !self.known.blocks.exists(BlockId::db(*db)) {
                         let message = format!("`DB {db}` does not exist; the statement fails unless the program creates it");
                         self.report(Problem::P3018, span, message);
                     }
@@ -182,9 +182,9 @@ impl Resolver<'_> {
 
     /// `"DB".field[3]`.
     pub(super) fn field(&mut self, db: u16, path: &[ast::PathElement], span: Span) -> Option<Meaning> {
-        let Some(layout) = self.known.data.get(&db) else {
+        let Some(layout) = self.known.blocks.data(db) else {
             // A data block whose declaration is wrong is reported there.
-            if !(self.known.exists)(BlockId::db(db)) {
+            if !self.known.blocks.exists(BlockId::db(db)) {
                 self.report(Problem::P3008, span, format!("`DB {db}` does not exist, so it has no fields"));
             }
             return None;

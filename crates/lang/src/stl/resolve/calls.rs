@@ -25,8 +25,8 @@ impl Resolver<'_> {
         if is_negative(callee) && !self.extended(call.callee_span) {
             return None;
         }
-        let Some(BlockInterface { interface, .. }) = self.known.interfaces.get(&callee) else {
-            if !(self.known.exists)(callee) {
+        let Some(BlockInterface { interface, .. }) = self.known.blocks.interface(callee) else {
+            if !self.known.blocks.exists(callee) {
                 self.report(Problem::P3008, call.callee_span, format!("`{callee}` does not exist"));
             }
             return None;
@@ -175,7 +175,7 @@ impl Resolver<'_> {
             self.report(Problem::P3019, span, "`DB 0` is reserved and cannot be an instance");
             return None;
         }
-        if let Some(layout) = self.known.data.get(&number)
+        if let Some(layout) = self.known.blocks.data(number)
             && layout.based_on != Some(callee)
         {
             let message = match layout.based_on {

@@ -176,7 +176,7 @@ impl Resolver<'_> {
                 instance: false,
                 number: NumberOperand::Fixed(db),
             })) => {
-                let layout = self.known.data.get(&db)?;
+                let layout = self.known.blocks.data(db)?;
                 Some(Actual::Complex {
                     location: Location::InDataBlock { db, position: 0 },
                     data_type: DataType::Struct(Arc::clone(&layout.structure)),

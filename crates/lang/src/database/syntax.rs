@@ -1,0 +1,252 @@
+//! The first step: a source as its parser understood it.
+
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::Arc;
+
+use sieben_model::diagnostic::{Diagnostic, Severity};
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::problems::Problem;
+use sieben_model::source::{FileId, SourceFile, Span};
+
+use crate::declarations::reuse::Stamp;
+use crate::language::{Language, is_test_file};
+use crate::library::link::Mention;
+use crate::options::Options;
+use crate::st;
+use crate::st::ast::Item;
+use crate::st::declare::StFile;
+use crate::st::dialect::Dialect;
+use crate::st::untold::Untold;
+use crate::stl;
+use crate::stl::declare::links::mentions;
+
+/// A parsed source.
+#[derive(Clone, Debug)]
+pub(super) struct Syntax {
+    pub(super) tree: Tree,
+    /// What the parser has to say.
+    pub(super) diagnostics: Vec<Diagnostic>,
+    /// The first bytes of its errors, in their order.
+    errors: Vec<u32>,
+    /// Which syntax everything outside of its blocks is.
+    pub(super) rest: u64,
+}
+
+/// What a parser makes of a source.
+#[derive(Clone, Debug)]
+pub(super) enum Tree {
+    Stl(StlFile),
+    St(StFile, Untold),
+    /// A test file, and tests are not asked for.
+    Test,
+}
+
+/// A source of STL.
+#[derive(Clone, Debug)]
+pub(super) struct StlFile {
+    pub(super) id: FileId,
+    pub(super) file: stl::ast::File,
+    pub(super) mnemonics: Mnemonics,
+    /// The stamps of its blocks.
+    pub(super) stamps: Vec<Stamp>,
+    /// What each block mentions that may come from the library.
+    pub(super) mentions: Vec<Vec<Mention>>,
+    /// The statements of each block that call an instance by its data block.
+    pub(super) instances: Vec<Vec<usize>>,
+}
+
+/// Gives stamps.
+#[derive(Debug, Default)]
+pub(super) struct Stamps {
+    last: u64,
+}
+
+impl Stamps {
+    /// A stamp that nothing has.
+    pub(super) fn next(&mut self) -> u64 {
+        self.last += 1;
+        self.last
+    }
+}
+
+impl Syntax {
+    /// Parses a source; `before` is what was parsed there last, whose blocks keep their stamps where they are the same. A test file is
+    /// written in the dialect of the program.
+    pub(super) fn parse(
+        id: FileId,
+        source: &SourceFile,
+        language: Language,
+        options: &Options,
+        before: Option<&Self>,
+        stamps: &mut Stamps,
+    ) -> Self {
+        match language {
+            Language::Stl => {
+                let parsed = stl::parser::parse(id, &source.text, options.mnemonics);
+                Self::of_stl(id, &source.text, parsed, before, stamps)
+            }
+            Language::St(_) if is_test_file(&source.name) && !options.tests => {
+                let message = format!("`{}` is a test file, and tests are no part of a program", source.name);
+                let diagnostics = vec![Diagnostic::new(Problem::P6240, Span::new(id, 0, 0), message)];
+                Self { tree: Tree::Test, diagnostics, errors: Vec::new(), rest: 0 }
+            }
+            Language::St(dialect) => {
+                let mut parsed = st::parser::parse(id, &source.text, dialect);
+                let untold = Untold::of(id, &parsed, &source.text);
+                if dialect == Dialect::Codesys {
+                    st::declare::name_lists(&mut parsed.file, &source.name);
+                }
+                let file = StFile { dialect, file: Arc::new(st::declare::expand(parsed.file)), library: None, stamps: Arc::from([]) };
+                Self::of_st(&source.text, file, untold, parsed.diagnostics, before, stamps)
+            }
+        }
+    }
+
+    /// A source of STL that is parsed.
+    pub(super) fn of_stl(id: FileId, text: &str, parsed: stl::parser::Parsed, before: Option<&Self>, stamps: &mut Stamps) -> Self {
+        let stl::parser::Parsed { file, mnemonics, diagnostics, .. } = parsed;
+        let mentions = file.blocks.iter().map(mentions).collect();
+        let calls_instance =
+            |statement: &stl::ast::Statement| matches!(&statement.operand, stl::ast::Operand::Call(call) if call.instance.is_some());
+        let of_block = |block: &stl::ast::Block| {
+            block.statements.iter().enumerate().filter(|(_, statement)| calls_instance(statement)).map(|(index, _)| index).collect()
+        };
+        let instances = file.blocks.iter().map(of_block).collect();
+        let stl = StlFile { id, file, mnemonics, stamps: Vec::new(), mentions, instances };
+        let mut syntax = Self { tree: Tree::Stl(stl), errors: errors(&diagnostics), diagnostics, rest: 0 };
+        let before = before.and_then(|before| match &before.tree {
+            Tree::Stl(stl) if stl.mnemonics == mnemonics => Some((before, stl)),
+            _ => None,
+        });
+        let Tree::Stl(stl) = &syntax.tree else { unreachable!("it was made above") };
+        let all = stamped(
+            &stl.file.blocks.iter().collect::<Vec<_>>(),
+            before.map(|(_, stl)| (stl.file.blocks.iter().collect(), stl.stamps.as_slice())),
+            |one, other| one == other && before.is_some_and(|(before, _)| syntax.has_errors_of(before, one.span)),
+            |block| declarations_of(text, block.sections.iter().map(|section| section.span)),
+            stamps,
+        );
+        if let Tree::Stl(stl) = &mut syntax.tree {
+            stl.stamps = all;
+        }
+        syntax
+    }
+
+    /// A source of ST that is parsed.
+    pub(super) fn of_st(
+        text: &str,
+        file: StFile,
+        untold: Untold,
+        diagnostics: Vec<Diagnostic>,
+        before: Option<&Self>,
+        stamps: &mut Stamps,
+    ) -> Self {
+        let dialect = file.dialect;
+        let mut syntax = Self { tree: Tree::St(file, untold), errors: errors(&diagnostics), diagnostics, rest: 0 };
+        let before = before.and_then(|before| match &before.tree {
+            Tree::St(file, _) if file.dialect == dialect => Some((before, file)),
+            _ => None,
+        });
+        let Tree::St(file, _) = &syntax.tree else { unreachable!("it was made above") };
+        let (mut blocks, mut rest) = (Vec::new(), Vec::new());
+        take_apart(&file.file.items, &mut blocks, &mut rest);
+        let parts = before.map(|(before, file)| {
+            let (mut blocks, mut rest) = (Vec::new(), Vec::new());
+            take_apart(&file.file.items, &mut blocks, &mut rest);
+            (before, blocks, rest, file.stamps.as_ref())
+        });
+        let all = stamped(
+            &blocks,
+            parts.as_ref().map(|(_, blocks, _, stamps)| (blocks.clone(), *stamps)),
+            |one, other| one == other && parts.as_ref().is_some_and(|(before, ..)| syntax.has_errors_of(before, one.span)),
+            |block| declarations_of(text, block.sections.iter().map(|section| section.span)),
+            stamps,
+        );
+        let rest = match &parts {
+            Some((before, _, of_before, _)) if *of_before == rest => before.rest,
+            _ => stamps.next(),
+        };
+        syntax.rest = rest;
+        if let Tree::St(file, _) = &mut syntax.tree {
+            file.stamps = all.into();
+        }
+        syntax
+    }
+
+    /// Whether the parser found something wrong in a place.
+    pub(super) fn is_reported(&self, span: Span) -> bool {
+        let first = self.errors.partition_point(|&start| start < span.start);
+        self.errors.get(first).is_some_and(|&start| start < span.end.max(span.start + 1))
+    }
+
+    /// Whether another revision has its errors in the same places of a block.
+    fn has_errors_of(&self, other: &Self, block: Span) -> bool {
+        let inside = |errors: &[u32]| {
+            let first = errors.partition_point(|&start| start < block.start);
+            let end = errors.partition_point(|&start| start <= block.end);
+            errors[first..end].to_vec()
+        };
+        inside(&self.errors) == inside(&other.errors)
+    }
+}
+
+/// The first bytes of errors, in their order.
+fn errors(diagnostics: &[Diagnostic]) -> Vec<u32> {
+    let errors = diagnostics.iter().filter(|diagnostic| diagnostic.severity() == Severity::Error);
+    let mut errors: Vec<u32> = errors.map(|diagnostic| diagnostic.span.start).collect();
+    errors.sort_unstable();
+    errors
+}
+
+/// What the declarations of a block read.
+fn declarations_of(text: &str, sections: impl Iterator<Item = Span>) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for span in sections {
+        text.get(span.start as usize..span.end as usize).hash(&mut hasher);
+    }
+    hasher.finish()
+}
+
+/// The stamps of blocks: that of the same block of before, or a new one. Blocks that were put in or taken out move the others.
+fn stamped<'a, B>(
+    blocks: &[&'a B],
+    before: Option<(Vec<&'a B>, &[Stamp])>,
+    is_same: impl Fn(&B, &B) -> bool,
+    declarations: impl Fn(&B) -> u64,
+    stamps: &mut Stamps,
+) -> Vec<Stamp> {
+    let (old, known) = before.unwrap_or_default();
+    let moved = blocks.len() as isize - old.len() as isize;
+    let stamp = |(index, block): (usize, &&B)| {
+        let candidates = [Some(index), index.checked_add_signed(-moved)];
+        let same = candidates.into_iter().flatten().find(|&at| old.get(at).is_some_and(|old| is_same(block, old)));
+        match same.and_then(|at| known.get(at)) {
+            Some(&stamp) => stamp,
+            None => Stamp { syntax: stamps.next(), declarations: declarations(block) },
+        }
+    };
+    blocks.iter().enumerate().map(stamp).collect()
+}
+
+/// Something of a source of ST that is no block.
+#[derive(PartialEq)]
+enum Rest<'a> {
+    Item(&'a Item),
+    Namespace(&'a st::ast::Path),
+    EndOfNamespace,
+}
+
+/// The blocks of a source in their order, and everything else.
+fn take_apart<'a>(items: &'a [Item], blocks: &mut Vec<&'a st::ast::Block>, rest: &mut Vec<Rest<'a>>) {
+    for item in items {
+        match item {
+            Item::Block(block) => blocks.push(block),
+            Item::Namespace(namespace) => {
+                rest.push(Rest::Namespace(&namespace.name));
+                take_apart(&namespace.items, blocks, rest);
+                rest.push(Rest::EndOfNamespace);
+            }
+            other => rest.push(Rest::Item(other)),
+        }
+    }
+}
