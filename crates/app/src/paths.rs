@@ -3,13 +3,11 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use sieben_lang::language::is_test_file;
+use sieben_lang::language::{LANGUAGES, is_test_file};
 use sieben_model::problems::Problem;
 
 use crate::failure::Failure;
 
-/// Endings of sources.
-const SOURCE_ENDINGS: [&str; 5] = ["awl", "stl", "st", "iecst", "scl"];
 /// The settings of a project.
 const PROJECT_ENDING: &str = "toml";
 /// Endings of symbol tables of other tools; of `.csv` files only `symbols.csv` is one without being named.
@@ -35,7 +33,8 @@ pub(crate) fn is_program(path: &Path) -> bool {
 
 /// Whether a file is a source by its ending.
 pub(crate) fn is_source(path: &Path) -> bool {
-    has_ending(path, &SOURCE_ENDINGS)
+    let of_sources = LANGUAGES.iter().flat_map(|row| row.endings).filter(|one| one.in_folders);
+    of_sources.map(|one| one.ending).any(|ending| has_ending(path, &[ending]))
 }
 
 /// Whether a file is a project of awlsim by its name.
@@ -87,8 +86,7 @@ pub(crate) fn shown(path: &Path) -> String {
 
 /// Refuses to write results over a program: `--svg main.awl` is a slip that must not cost the source.
 pub(crate) fn spare_sources<'a>(results: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Failure> {
-    let is_part =
-        |path: &Path| has_ending(path, &SOURCE_ENDINGS) || has_ending(path, &SYMBOL_ENDINGS) || has_ending(path, &[PROJECT_ENDING]);
+    let is_part = |path: &Path| is_source(path) || has_ending(path, &SYMBOL_ENDINGS) || has_ending(path, &[PROJECT_ENDING]);
     match results.into_iter().find(|path| is_part(path) && path.is_file()) {
         Some(path) => Err(Failure::usage(Problem::P6013, format!("`{}` is a source, and results do not replace it", path.display()))
             .help("give the file another name; remove the old one first if it is none of your program")),

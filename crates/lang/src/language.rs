@@ -1,6 +1,10 @@
-//! Which language a source is written in.
+//! The table of languages, and which one a source is written in.
+
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::mnemonics::Mnemonics;
 
 use crate::st::dialect::Dialect;
+use crate::{st, stl};
 
 /// The language of a source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,8 +15,59 @@ pub enum Language {
     St(Dialect),
 }
 
-/// Endings of sources of ST, with the dialect that each has unless its text or the project says otherwise.
-const ST_ENDINGS: &[(&str, Dialect)] = &[("st", Dialect::Iec), ("iecst", Dialect::Iec), ("scl", Dialect::Scl), ("exp", Dialect::Codesys)];
+/// A language as people meet it: what its files are called, and what is done with one of them alone.
+///
+/// What is done with a whole project, to parse, declare, check and lower, stands in [`crate::database`], each step in its file.
+pub struct Row {
+    /// What it is called.
+    pub name: &'static str,
+    /// Endings of its files, in lower case.
+    pub endings: &'static [Ending],
+    /// The text of a source in the usual layout.
+    pub format: fn(&str, Language, Option<Mnemonics>) -> Result<String, Vec<Diagnostic>>,
+    /// The text of a source in the other mnemonic language: from one, if it is known, to another. What has no mnemonics stays as it is.
+    pub convert: fn(&str, Option<Mnemonics>, Mnemonics) -> Result<String, Vec<Diagnostic>>,
+}
+
+/// An ending of files.
+pub struct Ending {
+    /// Without its dot.
+    pub ending: &'static str,
+    /// The language, with the dialect that it has unless the text or the project says otherwise.
+    language: Language,
+    /// Whether such files are sources where a folder is searched, or only where they are named.
+    pub in_folders: bool,
+}
+
+const fn ending(ending: &'static str, language: Language, in_folders: bool) -> Ending {
+    Ending { ending, language, in_folders }
+}
+
+/// All languages.
+pub const LANGUAGES: &[Row] = &[
+    Row {
+        name: "STL",
+        endings: &[ending("awl", Language::Stl, true), ending("stl", Language::Stl, true)],
+        format: |text, _, mnemonics| stl::format(text, mnemonics),
+        convert: stl::convert::convert,
+    },
+    Row {
+        name: "Structured Text and SCL",
+        endings: &[
+            ending("st", Language::St(Dialect::Iec), true),
+            ending("iecst", Language::St(Dialect::Iec), true),
+            ending("scl", Language::St(Dialect::Scl), true),
+            ending("exp", Language::St(Dialect::Codesys), false),
+        ],
+        format: |text, language, _| st::format(text, language.dialect().unwrap_or_default()),
+        convert: |text, _, _| Ok(text.to_owned()),
+    },
+];
+
+/// The row of an ending; a source with another one is read as STL.
+fn found(ending: &str) -> Option<&'static Ending> {
+    LANGUAGES.iter().flat_map(|row| row.endings).find(|known| known.ending.eq_ignore_ascii_case(ending))
+}
 
 /// The ending of test files, which are sources of ST.
 const TEST_ENDING: &str = ".test.st";
@@ -50,18 +105,28 @@ impl Language {
     /// The language of a source by the ending of its name and what its text shows; `dialect` is what the user chose.
     pub fn of(name: &str, text: &str, dialect: Option<Dialect>) -> Self {
         let ending = name.rsplit(['/', '\\']).next().and_then(|file| file.rsplit_once('.')).map_or("", |(_, ending)| ending);
-        match ST_ENDINGS.iter().find(|(known, _)| ending.eq_ignore_ascii_case(known)) {
-            None => Self::Stl,
-            Some(&(_, usual)) => {
+        match found(ending).map(|known| known.language) {
+            None | Some(Self::Stl) => Self::Stl,
+            Some(Self::St(usual)) => {
                 let dialect = dialect.unwrap_or_else(|| shown(text, usual));
                 Self::St(if is_test_file(name) { dialect.for_tests() } else { dialect })
             }
         }
     }
 
-    /// Whether a file is a source of ST by the ending of its name.
-    pub fn is_st_ending(ending: &str) -> bool {
-        ST_ENDINGS.iter().any(|(known, _)| ending.eq_ignore_ascii_case(known))
+    /// Its row in the table.
+    pub fn row(self) -> &'static Row {
+        let is_of =
+            |row: &&Row| row.endings.iter().any(|one| matches!((one.language, self), (Self::Stl, Self::Stl) | (Self::St(_), Self::St(_))));
+        LANGUAGES.iter().find(is_of).expect("every language has a row")
+    }
+
+    /// The dialect of a source of ST.
+    pub fn dialect(self) -> Option<Dialect> {
+        match self {
+            Self::Stl => None,
+            Self::St(dialect) => Some(dialect),
+        }
     }
 }
 

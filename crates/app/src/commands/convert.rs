@@ -3,8 +3,6 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use sieben_lang::language::Language;
-use sieben_lang::stl::convert::convert;
 use sieben_model::mnemonics::Mnemonics;
 
 use crate::arguments::{EncodingArgument, MnemonicsArgument};
@@ -63,12 +61,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Target::De => Mnemonics::German,
     };
     let from = arguments.from.map(MnemonicsArgument::language);
-    Rewriting { destination, utf8: arguments.utf8, encoding: arguments.encoding.chosen(), done: "converted" }.run(
-        &arguments.paths,
-        |project, source| match source.language(None) {
-            Language::Stl => convert(&source.decoded.text, from.unwrap_or(project.settings.mnemonics), to),
-            // ST has no mnemonics.
-            Language::St(_) => Ok(source.decoded.text.clone()),
-        },
-    )
+    Rewriting { destination, utf8: arguments.utf8, encoding: arguments.encoding.chosen(), done: "converted" }
+        .run(&arguments.paths, |project, source| {
+            (source.language(None).row().convert)(&source.decoded.text, from.unwrap_or(project.settings.mnemonics), to)
+        })
 }

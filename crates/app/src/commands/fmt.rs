@@ -3,9 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use sieben_lang::language::Language;
 use sieben_lang::st::dialect::Dialect;
-use sieben_lang::{st, stl};
 
 use crate::arguments::{EncodingArgument, MnemonicsArgument, dialect_argument};
 use crate::failure::{Exit, Failure};
@@ -52,9 +50,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let mnemonics = arguments.mnemonics.map(MnemonicsArgument::language);
     Rewriting { destination, utf8: arguments.utf8, encoding: arguments.encoding.chosen(), done: "formatted" }.run(
         &arguments.paths,
-        |project, source| match source.language(arguments.dialect.or(project.settings.dialect)) {
-            Language::Stl => stl::format(&source.decoded.text, mnemonics.unwrap_or(project.settings.mnemonics)),
-            Language::St(dialect) => st::format(&source.decoded.text, dialect),
+        |project, source| {
+            let language = source.language(arguments.dialect.or(project.settings.dialect));
+            (language.row().format)(&source.decoded.text, language, mnemonics.unwrap_or(project.settings.mnemonics))
         },
     )
 }
