@@ -18,30 +18,6 @@ const LANGUAGE: &str = "rooms";
 /// Crates whose rooms are drawn.
 const DRAWN: &[&str] = &["lang", "cpu", "app"];
 
-/// An arrow that stands although the drawing says that it does not.
-struct Exception {
-    of: &'static str,
-    from: &'static str,
-    to: &'static str,
-    why: &'static str,
-}
-
-/// All of them. One that nothing needs any more is found, too.
-const EXCEPTIONS: &[Exception] = &[
-    lang("declarations", "st", "sources of ST declare types, and all types are laid out together"),
-    lang("library", "stl", "headers of the library are read by the parser of STL"),
-    lang("library", "project", "the library compiles its own sources"),
-    lang("stl", "reason", "the table of instructions says why an instruction did what it did"),
-    lang("st", "stl", "the calling convention lies in chapters of STL"),
-    lang("st", "coverage", "the lowering counts what runs"),
-    lang("st", "project", "the catalogue compiles its examples, and bodies name linked sources"),
-    lang("coverage", "reason", "what a jump decides is known there"),
-];
-
-const fn lang(from: &'static str, to: &'static str, why: &'static str) -> Exception {
-    Exception { of: "lang", from, to, why }
-}
-
 /// The rooms of a crate as they are drawn, from the top.
 ///
 /// A line is the number of a level and its rooms, two blanks between them: `2  io  process_image → io  (what lies outside)`.
@@ -120,14 +96,13 @@ pub fn check(files: &[TextFile]) -> Vec<Finding> {
         };
         let (drawing, wrong) = Drawing::read(&fence.text);
         findings.extend(wrong.into_iter().map(|(line, message)| Finding::line(PAGE, fence.line + 1 + line, message)));
-        let exceptions: Vec<&Exception> = EXCEPTIONS.iter().filter(|exception| exception.of == *name).collect();
-        findings.extend(crate_rooms(name, &drawing, &exceptions, files));
+        findings.extend(crate_rooms(name, &drawing, files));
     }
     findings
 }
 
 /// Holds the sources of a crate against its drawing.
-fn crate_rooms(name: &str, drawing: &Drawing, exceptions: &[&Exception], files: &[TextFile]) -> Vec<Finding> {
+fn crate_rooms(name: &str, drawing: &Drawing, files: &[TextFile]) -> Vec<Finding> {
     let folder = format!("crates/{name}/src/");
     let sources: Vec<(&TextFile, Vec<String>, Uses)> = files
         .iter()
@@ -145,7 +120,6 @@ fn crate_rooms(name: &str, drawing: &Drawing, exceptions: &[&Exception], files: 
     let given: BTreeMap<&str, &[String]> =
         root.filter_map(|one| Some((one.alias.as_deref().or(one.path.last().map(String::as_str))?, one.path.as_slice()))).collect();
     let mut findings = Vec::new();
-    let mut needed = BTreeSet::new();
     for (file, module, uses) in sources.iter().filter(|(_, module, _)| !module.is_empty() && !is_test(module)) {
         let Some(from) = drawing.room(module) else {
             let message = format!("`{}` has no place in the drawing of `{name}` in {PAGE}; say there what it stands on", module[0]);
@@ -165,18 +139,11 @@ fn crate_rooms(name: &str, drawing: &Drawing, exceptions: &[&Exception], files: 
                 }
                 continue;
             };
-            if drawing.allows(from, to) {
-                continue;
-            }
-            match exceptions.iter().position(|exception| (exception.from, exception.to) == (from, to)) {
-                Some(index) => drop(needed.insert(index)),
-                None => findings.push(Finding::line(
-                    &file.path,
-                    one.line,
-                    format!(
-                        "no arrow leads from `{from}` to `{to}` in the drawing of `{name}` in {PAGE}; one of the two lies in the wrong room"
-                    ),
-                )),
+            if !drawing.allows(from, to) {
+                let message = format!(
+                    "no arrow leads from `{from}` to `{to}` in the drawing of `{name}` in {PAGE}; one of the two lies in the wrong room"
+                );
+                findings.push(Finding::line(&file.path, one.line, message));
             }
         }
     }
@@ -185,10 +152,6 @@ fn crate_rooms(name: &str, drawing: &Drawing, exceptions: &[&Exception], files: 
         if !is_there {
             findings.push(Finding::file(PAGE, format!("`{room}` is drawn as a room of `{name}`, and there is no such module")));
         }
-    }
-    for (_, exception) in exceptions.iter().enumerate().filter(|(index, _)| !needed.contains(index)) {
-        let message = format!("nothing in `{name}` needs the exception `{} → {}` ({})", exception.from, exception.to, exception.why);
-        findings.push(Finding::file("xtask/src/tidy/rooms.rs", message));
     }
     findings.sort();
     findings.dedup();
@@ -209,12 +172,12 @@ mod tests {
     use super::*;
 
     /// What is found in a crate of these files with this drawing.
-    fn found(drawing: &str, exceptions: &[&Exception], files: &[(&str, &str)]) -> Vec<String> {
+    fn found(drawing: &str, files: &[(&str, &str)]) -> Vec<String> {
         let (drawing, wrong) = Drawing::read(drawing);
         assert!(wrong.is_empty(), "{wrong:?}");
         let file = |(path, text): &(&str, &str)| TextFile { path: format!("crates/x/src/{path}"), text: (*text).to_owned() };
         let files: Vec<TextFile> = files.iter().map(file).collect();
-        crate_rooms("x", &drawing, exceptions, &files).iter().map(Finding::to_string).collect()
+        crate_rooms("x", &drawing, &files).iter().map(Finding::to_string).collect()
     }
 
     const DRAWING: &str = "2  cpu/parts\n1  cpu  io → tape  tape  (what it runs on)\n0  mode\n";
@@ -231,7 +194,7 @@ mod tests {
             ("use crate::helper;", Some(":1: `helper` is an item of the root ")),
             ("#[cfg(test)]\nmod tests {\n    use crate::cpu::Cpu;\n}", None),
         ] {
-            let found = found(DRAWING, &[], &files(io));
+            let found = found(DRAWING, &files(io));
             assert_eq!(found.len(), usize::from(arrow.is_some()), "{io}: {found:?}");
             assert!(arrow.is_none_or(|arrow| found[0].starts_with(&format!("crates/x/src/io.rs{arrow}"))), "{io}: {found:?}");
         }
@@ -240,18 +203,9 @@ mod tests {
     #[test]
     fn a_module_without_a_place_and_a_place_without_a_module_are_found() {
         let files = [ROOT, ("cpu.rs", ""), ("cpu/parts.rs", ""), ("tape.rs", ""), ("mode.rs", ""), ("new/mod.rs", ""), ("new/part.rs", "")];
-        let found = found(DRAWING, &[], &files);
+        let found = found(DRAWING, &files);
         assert_eq!(found.len(), 3, "{found:?}");
         assert!(found[0].contains("`io` is drawn") && found[1].contains("`new` has no place"), "{found:?}");
-    }
-
-    #[test]
-    fn an_exception_holds_as_long_as_something_needs_it() {
-        let exception = Exception { of: "x", from: "mode", to: "tape", why: "not yet moved" };
-        let files = |mode: &'static str| [ROOT, ("cpu.rs", ""), ("cpu/parts.rs", ""), ("tape.rs", ""), ("mode.rs", mode), ("io.rs", "")];
-        assert!(found(DRAWING, &[&exception], &files("use crate::tape;")).is_empty());
-        let unused = found(DRAWING, &[&exception], &files(""));
-        assert!(unused.len() == 1 && unused[0].contains("nothing in `x` needs the exception `mode → tape`"), "{unused:?}");
     }
 
     #[test]
