@@ -186,6 +186,73 @@ fn changes_of_the_corpus_give_what_the_whole_gives() {
     }
 }
 
+/// Replaces a source by each of these texts in turn; each time all is as if it had been compiled from the beginning.
+fn replaced(files: &[(&str, &str)], file: u32, texts: &[&str]) {
+    let options = Options::default();
+    let mut database = Database::new(SymbolTable::default(), options.clone());
+    for (name, text) in files {
+        database.add(*name, *text);
+    }
+    for text in texts.iter().chain([&files[file as usize].1]).chain(texts.iter().rev()) {
+        database.replace(FileId(file), *text);
+        same(&mut database, &options, text);
+    }
+}
+
+#[test]
+fn circles_that_come_and_go_give_what_the_whole_gives() {
+    let fb = |number: u32, inner: &str| {
+        format!("FUNCTION_BLOCK FB {number}\nVAR\n a : INT;\n{inner}END_VAR\nBEGIN\nL #a;\nEND_FUNCTION_BLOCK\n")
+    };
+    let (one, two) = (fb(1, " in2 : FB 2;\n"), fb(2, ""));
+    let files = [("1.awl", one.as_str()), ("2.awl", two.as_str()), ("m.awl", "CALL FB 1, DB 1;\n")];
+    replaced(&files, 1, &[&fb(2, " in1 : FB 1;\n"), &fb(2, " in2 : FB 2;\n"), &fb(2, " in3 : FB 3;\n"), ""]);
+    let udt = |inner: &str| format!("TYPE UDT 1\nSTRUCT\n a : INT;\n{inner}END_STRUCT;\nEND_TYPE\n");
+    let plain = udt("");
+    let files = [
+        ("1.awl", plain.as_str()),
+        ("2.awl", "TYPE UDT 2\nSTRUCT\n b : UDT 1;\nEND_STRUCT;\nEND_TYPE\nDATA_BLOCK DB 1\nUDT 2\nBEGIN\n b.a := 4;\nEND_DATA_BLOCK\n"),
+        ("m.awl", "L DB1.DBW 0;\nT MW 0;\n"),
+    ];
+    replaced(&files, 0, &[&udt(" c : UDT 2;\n"), &udt(" c : DINT;\n"), &udt(" a : INT;\n")]);
+    let base = "FUNCTION_BLOCK A\nVAR a : INT; END_VAR\na := a + 1;\nEND_FUNCTION_BLOCK\n";
+    let files = [
+        ("a.st", base),
+        (
+            "b.st",
+            "FUNCTION_BLOCK B EXTENDS A\nVAR b : INT; END_VAR\nb := a;\nEND_FUNCTION_BLOCK\nPROGRAM Main\nVAR one : B; END_VAR\none();\nEND_PROGRAM\n",
+        ),
+    ];
+    let circle = base.replacen("A\n", "A EXTENDS B\n", 1);
+    let constant = base.replacen("VAR a", "VAR CONSTANT k : INT := 3; END_VAR\nVAR a", 1);
+    replaced(&files, 0, &[&circle, &constant, &base.replace("INT", "DINT"), &base.replace("VAR a", "VAR PRIVATE a"), ""]);
+}
+
+#[test]
+fn blocks_that_go_and_sources_that_never_parse_give_what_the_whole_gives() {
+    let files = [
+        (
+            "1.awl",
+            "FUNCTION FC 1 : INT\nVAR_INPUT\n a : INT;\nEND_VAR\nBEGIN\nL #a;\nT #RET_VAL;\nEND_FUNCTION\nFUNCTION FC 2 : VOID\nBEGIN\nEND_FUNCTION\n",
+        ),
+        ("2.scl", "FUNCTION FC3 : INT\nBEGIN\n FC3 := FC1(a := 2);\nEND_FUNCTION\n"),
+        ("m.awl", "CALL FC 1 (a := 1, RET_VAL := MW 0);\nUC FC 2;\nUC FC 3;\nL DB7.DBW 0;\n"),
+    ];
+    let garbage = "\u{0}\u{1}) ;; FUNCTION FUNCTION ( \"\nEND_FUNCTION VAR : = 'x\n";
+    replaced(
+        &files,
+        0,
+        &[
+            "",
+            "FUNCTION FC 2 : VOID\nBEGIN\nEND_FUNCTION\n",
+            garbage,
+            "DATA_BLOCK DB 7\nSTRUCT\n x : INT;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n",
+        ],
+    );
+    replaced(&files, 1, &["", garbage, "FUNCTION FC3 : REAL\nBEGIN\n FC3 := SQRT(2.0);\nEND_FUNCTION\n"]);
+    replaced(&files, 2, &["", garbage]);
+}
+
 fn fc(number: u16) -> BlockId {
     BlockId::new(sieben_model::block::BlockKind::Function, number)
 }

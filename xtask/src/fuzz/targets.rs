@@ -37,6 +37,7 @@ pub struct Target {
 #[rustfmt::skip] // A table.
 pub const TARGETS: &[Target] = &[
     Target { name: "lang-compile", fuzz: sieben_lang::project::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
+    Target { name: "lang-database", fuzz: sieben_lang::database::fuzz, corpus: "stl", fences: &["stl", "st"], words: stl_words },
     Target { name: "cpu-run", fuzz: run, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "engines", fuzz: super::engines::fuzz, corpus: "engines", fences: &["stl"], words: stl_words },
     Target { name: "trees", fuzz: super::trees::fuzz, corpus: "engines", fences: &[], words: no_words },

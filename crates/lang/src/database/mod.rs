@@ -8,6 +8,7 @@
 mod check;
 mod data_blocks;
 mod declarations;
+mod fuzz;
 mod headers;
 mod lower;
 mod syntax;
@@ -32,6 +33,7 @@ use crate::st::declare::{Demand, Needed, Own, StFile, library_file};
 use crate::st::untold::Untold;
 use crate::stl;
 use check::Checked;
+pub use fuzz::fuzz;
 use lower::Lowered;
 use syntax::{Stamps, Syntax, Tree};
 
@@ -187,7 +189,7 @@ impl Database {
             let (compiled, _, uses) = self.round(goal, &guess);
             if uses == self.uses {
                 self.needed = guess;
-                return compiled;
+                return self.finished(compiled);
             }
         }
         let mut needed = Needed::default();
@@ -195,9 +197,19 @@ impl Database {
             let (compiled, demands, uses) = self.round(goal, &needed);
             if !needed.add(&demands) {
                 (self.needed, self.uses) = (needed, uses);
-                return compiled;
+                return self.finished(compiled);
             }
         }
+    }
+
+    /// Forgets sources of the library that are not there any more.
+    fn finished(&mut self, compiled: Compiled) -> Compiled {
+        let there = |path: &str, file: FileId| {
+            let blocks = compiled.library.iter().any(|linked| (linked.block.path, linked.file) == (path, file));
+            blocks || compiled.st_library.iter().any(|linked| (linked.source.path, linked.file) == (path, file))
+        };
+        self.library.retain(|&(path, file), _| there(path, file));
+        compiled
     }
 
     /// Compiles with what the program is known to need of the library; tells what else it needs, and what it uses.
