@@ -1,6 +1,6 @@
-//! Documents: links and paths lead somewhere, every problem has its page, every decision its own number.
+//! Documents: links and paths lead somewhere, every page of the book can be found, every problem has its page, every decision its own number.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use sieben_model::problems::Problem;
@@ -11,6 +11,17 @@ use crate::workspace::TextFile;
 
 /// Where the pages of the problem codes lie.
 pub const PROBLEM_PAGES: &str = "docs/problems/";
+/// The page that lists them.
+pub const PROBLEM_LIST: &str = "docs/reference/problems.md";
+/// Where the decisions lie.
+const DECISION_PAGES: &str = "docs/decisions/";
+/// The page that lists them.
+pub const DECISION_LIST: &str = "docs/decisions/README.md";
+
+/// The table of contents of the book.
+const CONTENTS: &str = "docs/SUMMARY.md";
+/// Pages that list all pages of a kind, so that the table of contents need not.
+const LISTS: &[&str] = &[PROBLEM_LIST, DECISION_LIST, "docs/explanation/optimizer/README.md"];
 
 /// Code in a sentence that begins so is a path, and exists.
 const PATH_STARTS: &[&str] = &["crates/", "docs/", "spec/", "xtask/", "examples/", "library/", ".ci/", ".cargo/"];
@@ -24,9 +35,26 @@ pub fn check(root: &Path, files: &[TextFile]) -> Vec<Finding> {
     for file in files.iter().filter(|file| file.path.ends_with(".md")) {
         findings.extend(document(root, file, files));
     }
+    findings.extend(unlisted(files));
     findings.extend(problem_pages(files));
     findings.extend(decisions(files));
     findings
+}
+
+/// Pages of the book that a reader does not find: neither the table of contents leads to them nor one of the lists in it.
+fn unlisted(files: &[TextFile]) -> Vec<Finding> {
+    let links_of = |page: &TextFile| {
+        let links = markdown::read(&page.text).links;
+        links.into_iter().map(|(link, _)| join(&page.path, link.split('#').next().unwrap_or_default())).collect::<Vec<_>>()
+    };
+    let contents: BTreeSet<String> = files.iter().filter(|file| file.path == CONTENTS).flat_map(links_of).collect();
+    let lists = files.iter().filter(|file| LISTS.contains(&file.path.as_str()) && contents.contains(&file.path));
+    let listed: BTreeSet<String> = lists.flat_map(links_of).collect();
+    let pages = files.iter().filter(|file| file.path.starts_with("docs/") && file.path.ends_with(".md") && file.path != CONTENTS);
+    pages
+        .filter(|page| !contents.contains(&page.path) && !listed.contains(&page.path))
+        .map(|page| Finding::file(&page.path, format!("neither `{CONTENTS}` nor a list of pages in it links to this page")))
+        .collect()
 }
 
 fn document(root: &Path, file: &TextFile, files: &[TextFile]) -> Vec<Finding> {
@@ -117,17 +145,21 @@ fn begins_with_a_capital(title: &str) -> bool {
     word.starts_with(char::is_uppercase) && word.chars().any(char::is_lowercase)
 }
 
+/// The name of a page in the folder of decisions, but for the one that lists them.
+pub fn decision(path: &str) -> Option<&str> {
+    let name = path.strip_prefix(DECISION_PAGES)?.strip_suffix(".md")?;
+    (path != DECISION_LIST).then_some(name)
+}
+
 fn decisions(files: &[TextFile]) -> Vec<Finding> {
     let mut numbers: BTreeMap<&str, &str> = BTreeMap::new();
     let mut findings = Vec::new();
     for file in files {
-        let Some(name) = file.path.strip_prefix("docs/decisions/").and_then(|name| name.strip_suffix(".md")) else { continue };
+        let Some(name) = decision(&file.path) else { continue };
         let Some((number, _)) =
             name.split_once('-').filter(|(number, _)| number.len() == 3 && number.bytes().all(|digit| digit.is_ascii_digit()))
         else {
-            if name != "README" {
-                findings.push(Finding::file(&file.path, "a decision is named NNN-title.md"));
-            }
+            findings.push(Finding::file(&file.path, "a decision is named NNN-title.md"));
             continue;
         };
         if let Some(other) = numbers.insert(number, name) {
@@ -145,5 +177,22 @@ mod tests {
     fn a_link_is_resolved_from_its_file() {
         assert_eq!(join("docs/start/a.md", "../how-to/b.md"), "docs/how-to/b.md");
         assert_eq!(join("README.md", "./docs/"), "docs");
+    }
+
+    #[test]
+    fn a_page_that_nothing_lists_is_found() {
+        let page = |path: &str, text: &str| TextFile { path: path.to_owned(), text: text.to_owned() };
+        let files = [
+            page(CONTENTS, "[a](how-to/a.md) [all](decisions/README.md)"),
+            page("docs/how-to/a.md", "[b](b.md)"),
+            page("docs/how-to/b.md", ""),
+            page(DECISION_LIST, "[one](001-one.md#why)"),
+            page("docs/decisions/001-one.md", ""),
+            page(PROBLEM_LIST, "[P1001](../problems/P1001.md)"),
+            page("docs/problems/P1001.md", ""),
+            page("spec/page.md", ""),
+        ];
+        let found: Vec<String> = unlisted(&files).into_iter().map(|finding| finding.path).collect();
+        assert_eq!(found, ["docs/how-to/b.md", PROBLEM_LIST, "docs/problems/P1001.md"]);
     }
 }
