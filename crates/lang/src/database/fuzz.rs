@@ -5,7 +5,6 @@ use sieben_model::symbols::SymbolTable;
 
 use super::Database;
 use crate::options::Options;
-use crate::project::compile;
 
 /// Endings of the sources, each a language or dialect.
 const ENDINGS: [&str; 4] = ["awl", "scl", "st", "exp"];
@@ -28,7 +27,7 @@ pub fn fuzz(data: &[u8]) {
         let end = &rest[rest.len() / 2..];
         for text in [[begin.concat(), end.concat()].concat(), [begin.concat(), " ".to_owned(), rest.concat()].concat(), lines.concat()] {
             database.replace(file, text);
-            let expected = compile(database.sources(), &SymbolTable::default(), &options);
+            let expected = Database::of(database.sources(), &SymbolTable::default(), &options).into_compiled();
             assert_eq!(database.diagnostics(), expected.diagnostics, "what a change leaves to be said is what the whole says");
         }
     }
