@@ -253,6 +253,14 @@ fn blocks_that_go_and_sources_that_never_parse_give_what_the_whole_gives() {
     replaced(&files, 2, &["", garbage]);
 }
 
+#[test]
+fn blocks_of_the_library_go_when_nothing_needs_them() {
+    // The source of RAMP_INT uses blocks of its own source.
+    let ramp = "PROGRAM PLC_PRG\nVAR\n ramp : RAMP_INT;\n x, y : INT;\nEND_VAR\nramp(IN := x, OUT => y);\nEND_PROGRAM\n";
+    let files = [("m.exp", ramp), ("f.exp", "FUNCTION F : INT\nVAR_INPUT a : INT; END_VAR\nF := RAMP_INTS;\nEND_FUNCTION\n")];
+    replaced(&files, 0, &["PROGRAM PLC_PRG\nVAR y : INT; END_VAR\ny := F(1);\nEND_PROGRAM\n", &ramp.replace("RAMP_INT", "BLINK"), ""]);
+}
+
 fn fc(number: u16) -> BlockId {
     BlockId::new(sieben_model::block::BlockKind::Function, number)
 }

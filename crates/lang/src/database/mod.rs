@@ -50,7 +50,7 @@ pub struct Database {
     old: HashMap<FileId, Arc<Syntax>>,
     /// Parsed sources of the library by their path and place.
     library: HashMap<(&'static str, FileId), Arc<Syntax>>,
-    /// What of the library the program needed last, and what its blocks used.
+    /// What of the library the program needed last, and what the user's blocks used.
     needed: Needed,
     uses: Vec<Demand>,
     memory: Memory,

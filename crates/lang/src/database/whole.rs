@@ -79,7 +79,10 @@ impl Revision<'_> {
             if let Some(st) = &done.st {
                 bodies.add(id, code.dialect.is_test(), st);
             }
-            uses.extend_from_slice(&done.uses);
+            // What the library uses of itself is needed only while the user needs it.
+            if !compiled.is_of_library(id) {
+                uses.extend_from_slice(&done.uses);
+            }
             checked.insert(id, done);
         }
         environment.finish(&names.cpu, &|id| exists(names, &declared, id), &mut bodies);

@@ -139,7 +139,7 @@ pub(crate) struct Items<'a> {
     pub(crate) objects: Objects,
     /// Sources of the library that blocks extend and that are not there yet.
     pub(crate) demands: Vec<Demand>,
-    /// What of the library blocks extend, there or not.
+    /// What of the library the user's blocks extend, there or not.
     pub(crate) uses: Vec<Demand>,
 }
 

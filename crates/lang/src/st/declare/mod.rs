@@ -140,7 +140,13 @@ impl<'a> Declares<'a, Known> for Items<'a> {
     }
 
     fn interface(&'a self, types: &mut Types<'a>, block: BlockId) -> Option<BlockInterface> {
-        interface::interface_of(types, self, block)
+        let uses = types.known.uses.len();
+        let laid_out = interface::interface_of(types, self, block);
+        if self.is_of_library(block) {
+            // What the library uses of itself is needed only while the user needs it.
+            types.known.uses.truncate(uses);
+        }
+        laid_out
     }
 }
 
@@ -157,7 +163,7 @@ pub(crate) struct Known {
     pub(crate) statics: Vec<(u16, Arc<Structure>)>,
     /// What of the library is needed and not there yet.
     pub(crate) demands: Vec<Demand>,
-    /// What of the library is needed, there or not.
+    /// What of the library the user's blocks need, there or not.
     pub(crate) uses: Vec<Demand>,
     /// Variables with an address that begin with a value.
     pub(crate) located: Vec<Located>,

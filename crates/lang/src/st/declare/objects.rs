@@ -89,7 +89,9 @@ fn object(
     for (index, path) in block.extends.iter().enumerate().filter(|(_, path)| !of_system(path)) {
         let found = match of_library(items, code, path) {
             Some((demand, found)) => {
-                uses.push(demand);
+                if !items.is_of_library(id) {
+                    uses.push(demand);
+                }
                 if found.is_none() {
                     demands.push(demand);
                 }
