@@ -193,6 +193,7 @@ fn replaced(files: &[(&str, &str)], file: u32, texts: &[&str]) {
     for (name, text) in files {
         database.add(*name, *text);
     }
+    same(&mut database, &options, "all as it was");
     for text in texts.iter().chain([&files[file as usize].1]).chain(texts.iter().rev()) {
         database.replace(FileId(file), *text);
         same(&mut database, &options, text);
@@ -251,6 +252,15 @@ fn blocks_that_go_and_sources_that_never_parse_give_what_the_whole_gives() {
     );
     replaced(&files, 1, &["", garbage, "FUNCTION FC3 : REAL\nBEGIN\n FC3 := SQRT(2.0);\nEND_FUNCTION\n"]);
     replaced(&files, 2, &["", garbage]);
+}
+
+#[test]
+fn a_suggestion_goes_to_the_first_block_that_lacks_a_name() {
+    let function = |name: &str, used: &str| format!("FUNCTION {name} : INT\n{name} := {used};\nEND_FUNCTION\n");
+    let (first, second) = (function("A", "countt"), function("B", "countt"));
+    let files = [("a.st", first.as_str()), ("b.st", second.as_str()), ("g.st", "VAR_GLOBAL\n count : INT;\nEND_VAR\n")];
+    replaced(&files, 0, &[&function("A", "count"), &function("A", "1")]);
+    replaced(&files, 1, &[&function("B", "count"), &function("B", "1")]);
 }
 
 #[test]
