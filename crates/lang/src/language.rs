@@ -15,6 +15,9 @@ pub enum Language {
     St(Dialect),
 }
 
+/// A text that was written anew, or why it was not.
+pub type Rewritten = Result<String, Vec<Diagnostic>>;
+
 /// A language as people meet it: what its files are called, and what is done with one of them alone.
 ///
 /// What is done with a whole project, to parse, declare, check and lower, stands in [`crate::database`], each step in its file.
@@ -24,9 +27,9 @@ pub struct Row {
     /// Endings of its files, in lower case.
     pub endings: &'static [Ending],
     /// The text of a source in the usual layout.
-    pub format: fn(&str, Language, Option<Mnemonics>) -> Result<String, Vec<Diagnostic>>,
+    pub format: fn(&str, Language, Option<Mnemonics>) -> Rewritten,
     /// The text of a source in the other mnemonic language: from one, if it is known, to another. What has no mnemonics stays as it is.
-    pub convert: fn(&str, Option<Mnemonics>, Mnemonics) -> Result<String, Vec<Diagnostic>>,
+    pub convert: fn(&str, Option<Mnemonics>, Mnemonics) -> Rewritten,
 }
 
 /// An ending of files.

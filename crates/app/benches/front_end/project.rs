@@ -27,12 +27,12 @@ pub(crate) fn file(number: usize, edited: Option<usize>) -> String {
 
 /// Whether a file is written in SCL.
 pub(crate) fn is_scl(number: usize) -> bool {
-    number % SCL_EVERY == 0
+    number.is_multiple_of(SCL_EVERY)
 }
 
 fn callee(number: usize) -> usize {
     // Each function calls the one before it in groups of ten, so that nesting stays shallow.
-    if number % 10 == 0 { number } else { number - 1 }
+    if number.is_multiple_of(10) { number } else { number - 1 }
 }
 
 fn stl(number: usize, edited: Option<usize>) -> String {
@@ -91,7 +91,7 @@ fn scl_body(text: &mut String, number: usize, statements: usize) {
             0 => format!("t := t + {index}"),
             1 => format!("IF \"signal_{}\" THEN t := t - 1; END_IF", (number * 13 + index) % 1000),
             2 => format!("M{}.{} := \"signal_{}\" AND NOT Q{}.0", index % 200, index % 8, index % 1000, index % 100),
-            3 => format!("t := DB{}.DW{} * 2", (number + index) % FILES + 1, 2 * (index % 3)).replace(".DW", ".sum * 0 + t + "),
+            3 => format!("t := t + DB{}.sum * {index}", (number + index) % FILES + 1),
             _ => "t := t * 3".to_owned(),
         };
         let _ = writeln!(text, "   {line};");
@@ -103,7 +103,7 @@ pub(crate) fn project() -> Project {
     let mut sources = Sources::default();
     for number in 0..FILES {
         let ending = if is_scl(number) { "scl" } else { "awl" };
-        sources.add(&format!("file_{number:03}.{ending}"), file(number, None));
+        sources.add(format!("file_{number:03}.{ending}"), file(number, None));
     }
     let mut main = String::new();
     for number in 1..=FILES {

@@ -111,7 +111,7 @@ fn changed(text: &str, dice: &mut Dice) -> String {
         2 => lines[at] = format!(" {}", lines[at]),
         3 => {
             let line = &lines[at];
-            let digit = line.char_indices().filter(|(_, c)| c.is_ascii_digit()).map(|(index, _)| index).last();
+            let digit = line.char_indices().filter(|(_, c)| c.is_ascii_digit()).map(|(index, _)| index).next_back();
             if let Some(digit) = digit {
                 lines[at] = format!("{}{}{}", &line[..digit], dice.below(10), &line[digit + 1..]);
             }
@@ -141,7 +141,7 @@ fn same(database: &mut Database, options: &Options, what: &str) {
 
 /// Changes a project at random, each change on top of the ones before.
 fn change_at_random(name: &str, files: &[(String, String)], changes: usize) {
-    let options = Options { counted: name.len() % 2 == 0, extended: true, ..Options::default() };
+    let options = Options { counted: name.len().is_multiple_of(2), extended: true, ..Options::default() };
     let mut database = Database::new(SymbolTable::default(), options.clone());
     for (name, text) in files {
         database.add(name.clone(), text.clone());
