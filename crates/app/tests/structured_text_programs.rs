@@ -1,6 +1,8 @@
 //! The programs of `cargo bench -p sieben-app --bench structured_text` come to the same results as the same work in C, on all engines.
 
+use std::collections::BTreeMap;
 use std::fs;
+use std::path::PathBuf;
 
 use sieben_engine::{Interpreter, Layout, Program};
 use sieben_jit::{Jit, StatusBits};
@@ -14,6 +16,13 @@ mod programs;
 #[path = "../benches/side_by_side/mod.rs"]
 mod side_by_side;
 
+/// Sets of nine programs, by the beginning of their names.
+const SETS: [&str; 3] = ["glass14", "rail14", "ship13"];
+/// More programs would take longer to run than the other tests together.
+const PROGRAMS_MAX: usize = 60;
+/// Bytes of the corpus, with the twins in C: less than the sources of a crate.
+const BYTES_MAX: u64 = 500_000;
+
 #[test]
 fn all_engines_count_what_c_counts() {
     for case in programs::all() {
@@ -26,17 +35,19 @@ fn all_engines_count_what_c_counts() {
     }
 }
 
-/// Runs a program on all engines; memory is the same behind each scan. Optimized machine code does not write what finished blocks leave in
-/// their local data, and nobody may see it: it finds something else there in front of each scan, and so does the interpreter.
+/// Runs a program on all engines; memory is the same after each scan. Optimized machine code does not write what finished blocks leave in
+/// their local data, and no program may see it: it finds something else there before each scan, and so does the interpreter.
 fn same_on_all_engines(name: &str, text: &str, scans: usize) {
     let compiled = side_by_side::compiled("bench.st", text).expect("it compiles");
     let mut expected = side_by_side::load(&compiled, Interpreter::load);
     let local = expected.machine.memory.layout.local.clone();
-    let exact = program::ENGINES.iter().map(|(engine, load)| (*engine, side_by_side::load(&compiled, load), false));
-    let mut others: Vec<_> = exact.collect();
+    let exact = |program: &Program, layout: &Layout| Jit::compiled(program, layout, StatusBits::All).expect("machine code");
     let needed = |program: &Program, layout: &Layout| Jit::compiled(program, layout, StatusBits::Needed).expect("machine code");
-    others.push(("status bits as needed", side_by_side::load(&compiled, needed), true));
-    others.push(("interpreter with other local data", side_by_side::load(&compiled, Interpreter::load), true));
+    let mut others = [
+        ("status bits as written", side_by_side::load(&compiled, exact), false),
+        ("status bits as needed", side_by_side::load(&compiled, needed), true),
+        ("interpreter with other local data", side_by_side::load(&compiled, Interpreter::load), true),
+    ];
     for scan in 0..scans {
         expected.scan(None);
         for (engine, loaded, forgets) in &mut others {
@@ -44,23 +55,75 @@ fn same_on_all_engines(name: &str, text: &str, scans: usize) {
                 loaded.machine.memory.arena[local.clone()].fill(0xA5 ^ scan as u8);
             }
             loaded.scan(None);
-            let [expected, got] = [&expected, &*loaded].map(|loaded| &loaded.machine.memory.arena);
-            let is_seen = |at: &usize| !(*forgets && local.contains(at));
-            let differs = (0..expected.len()).filter(is_seen).find(|&at| expected[at] != got[at]);
+            let [expected, got] = [&expected, &*loaded].map(|loaded| &loaded.machine.memory.arena[..]);
+            let seen = [0..local.start, if *forgets { local.end } else { local.start }..expected.len()];
+            let differs = seen.into_iter().filter(|part| expected[part.clone()] != got[part.clone()]);
+            let differs = differs.flatten().find(|&at| expected[at] != got[at]);
             assert_eq!(differs, None, "{name}: {engine}, scan {scan}");
         }
     }
 }
 
-#[test]
-fn programs_in_other_styles_are_the_same_on_all_engines() {
-    let folder = side_by_side::root().join("benches/st/others");
-    let mut files: Vec<_> = fs::read_dir(&folder).expect("a folder").map(|entry| entry.expect("a file").path()).collect();
-    files.retain(|file| file.extension().is_some_and(|extension| extension == "st"));
-    assert!(files.len() > 10, "{files:?}");
-    for file in files {
-        same_on_all_engines(&file.display().to_string(), &fs::read_to_string(&file).expect("a text"), 12);
+/// The programs of the corpus, by name.
+fn corpus() -> BTreeMap<String, PathBuf> {
+    let folder = side_by_side::root().join("benches/st/corpus");
+    let files = fs::read_dir(&folder).expect("a folder").map(|entry| entry.expect("a file").path());
+    let programs = files.filter(|file| file.extension().is_some_and(|extension| extension == "st"));
+    programs.map(|file| (file.file_stem().expect("a name").to_string_lossy().into_owned(), file)).collect()
+}
+
+/// Which test runs a program of the corpus: each set of nine has its own, so that the tests run side by side.
+fn part_of(name: &str) -> &str {
+    let set = name.split_once('_').map_or("", |(set, _)| set);
+    if SETS.contains(&set) { set } else { "regressions" }
+}
+
+/// Runs the programs of one part of the corpus on all engines.
+fn run_corpus(part: &str) {
+    for (name, file) in corpus().into_iter().filter(|(name, _)| part_of(name) == part) {
+        same_on_all_engines(&name, &fs::read_to_string(&file).expect("a source"), 12);
     }
+}
+
+#[test]
+fn programs_of_a_glass_works_are_the_same_on_all_engines() {
+    run_corpus("glass14");
+}
+
+#[test]
+fn programs_of_a_railway_depot_are_the_same_on_all_engines() {
+    run_corpus("rail14");
+}
+
+#[test]
+fn programs_of_a_ship_are_the_same_on_all_engines() {
+    run_corpus("ship13");
+}
+
+#[test]
+fn programs_that_stand_for_regressions_are_the_same_on_all_engines() {
+    run_corpus("regressions");
+}
+
+#[test]
+fn the_corpus_is_small_and_each_program_has_a_reason() {
+    let programs = corpus();
+    let reasons = fs::read_to_string(side_by_side::root().join("benches/st/corpus/README.md")).expect("a page");
+    for (name, file) in &programs {
+        assert!(file.with_extension("c").exists(), "{name} has no twin in C");
+        let named = if part_of(name) == "regressions" { format!("| `{name}` |") } else { format!("| `{}_*` |", part_of(name)) };
+        assert!(reasons.contains(&named), "the page of the corpus has no line `{named}`");
+    }
+    let lines = reasons.lines().filter(|line| line.starts_with("| `")).count();
+    let alone = programs.keys().filter(|name| part_of(name) == "regressions").count();
+    assert_eq!(lines, SETS.len() + alone, "lines of the page for programs that are not there");
+    assert!(SETS.iter().all(|set| programs.keys().filter(|name| part_of(name) == *set).count() == 9));
+    let bytes: u64 = programs
+        .values()
+        .flat_map(|file| [file.clone(), file.with_extension("c")])
+        .map(|file| file.metadata().map_or(0, |data| data.len()))
+        .sum();
+    assert!(programs.len() <= PROGRAMS_MAX && bytes <= BYTES_MAX, "{} programs, {bytes} bytes", programs.len());
 }
 
 #[test]
