@@ -21,7 +21,9 @@ const USAGE: &str = "usage: cargo xtask TASK
   soak run [--minutes N]
                         run a program for N minutes (60) and watch its memory
   soak fuzz [--minutes N]
-                        all fuzz targets, round after round with other inputs";
+                        all fuzz targets, round after round with other inputs
+  soak programs [--times N]
+                        N times (10) as many random programs as the tests make";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

@@ -3,7 +3,7 @@
 
 use std::fmt::Write as _;
 
-use dice::Dice;
+use dice::{Dice, seeds};
 use sieben_engine::{Interpreter, Layout, Program};
 use sieben_jit::{Jit, StatusBits};
 
@@ -128,7 +128,7 @@ fn instances_choose_their_methods() {
     let needed: program::Load =
         |program: &Program, layout: &Layout| Jit::compiled(program, layout, StatusBits::Needed).expect("machine code");
     let mut faults = 0;
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let mut dice = Dice(seed);
         let classes = classes(&mut dice);
         let nothing = dice.roll(2) == 0;

@@ -3,7 +3,7 @@
 
 use std::fmt::Write as _;
 
-use dice::Dice;
+use dice::{Dice, seeds};
 use sieben_engine::{Interpreter, Layout, Program};
 use sieben_jit::{Jit, StatusBits};
 
@@ -17,7 +17,7 @@ mod program;
 mod side_by_side;
 
 /// Programs that are compared.
-const PROGRAMS: u64 = 60;
+const PROGRAMS: u64 = 40;
 /// Scans of each.
 const SCANS: i32 = 4;
 const VARIABLES: u64 = 4;
@@ -181,7 +181,7 @@ fn text(statements: &[Statement]) -> String {
 fn what_is_handed_to_blocks_is_there() {
     let needed: program::Load =
         |program: &Program, layout: &Layout| Jit::compiled(program, layout, StatusBits::Needed).expect("machine code");
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let mut dice = Dice(seed);
         let statements = statements(&mut dice, 0);
         let text = text(&statements);

@@ -1,18 +1,13 @@
 //! Counted loops over arrays of records with fields of every width: whatever they compute with them, whichever variables only some turns
 //! write, and whatever the Host makes of memory and budget, they do on all engines what the interpreter does.
 
-use dice::Dice;
-use noting::{all_engines_agree_beside, program};
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Exit, FaultPlace, Machine, Reaction, StopReason};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
-
-const PROGRAMS: u64 = 500;
+const PROGRAMS: u64 = 300;
 /// One in which a write needs, in order, what others of the turns side by side read behind it.
 const IN_ORDER: u64 = 1_682;
 /// Turns that call something choose between more than two ways, too.
@@ -52,6 +47,9 @@ enum Kind {
 }
 
 use Kind::{Bit, Byte, Double, Half, Lreal, Quad, Real};
+
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, all_engines_agree_beside, engines, program};
 
 /// Where the fields lie in a record, in bits.
 const FIELDS: &[(u32, Kind)] = &[
@@ -409,7 +407,7 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 #[test]
 fn records_hold_what_the_interpreter_writes() {
     let (mut asked, mut finished, mut beside) = (0, 0, 0);
-    for seed in (0..PROGRAMS).chain([IN_ORDER]) {
+    for seed in seeds(PROGRAMS).chain([IN_ORDER]) {
         let block = BlockId::ob(1);
         let (arrays, fields): (&[(u32, u32)], _) = match seed % 8 {
             5 => (&OVER_ONE_ANOTHER, FIELDS),
@@ -427,6 +425,7 @@ fn records_hold_what_the_interpreter_writes() {
         let layout = noting::layout(&program);
         let listing = Jit::listing(&program, &layout).expect("machine code");
         beside += usize::from(listing.contains("insertlane"));
+        let engines = engines(&program, &layout);
         for round in 0..3 {
             let prepare = |machine: &mut Machine| {
                 let mut dice = Dice(seed + 1_000_000 + round);
@@ -435,11 +434,11 @@ fn records_hold_what_the_interpreter_writes() {
                 memory.iter_mut().take(1_100).for_each(|byte| *byte = dice.of(&[0, 1, 2, 0x3F, 0x80, 0x7F, 0xC0, 0xFF]));
             };
             let dice = || Dice(seed + 2_000_000);
-            let expected = all_engines_agree_beside((&program, &layout), &prepare, &dice, &meddle, &format!("{seed} in round {round}"));
+            let expected = all_engines_agree_beside(&engines, &prepare, &dice, &meddle, &format!("{seed} in round {round}"));
             asked += expected.asked.len();
             finished += usize::from(expected.exit == Exit::Finished);
         }
     }
     const { assert!(ARRAYS[1].0 + ARRAYS[1].1 * RECORDS <= COUNTER) };
-    assert!(asked > 500 && finished > 1_000 && beside > 100, "{asked} questions, {finished} runs to the end, {beside} loops side by side");
+    assert!(asked > 300 && finished > 600 && beside > 60, "{asked} questions, {finished} runs to the end, {beside} loops side by side");
 }

@@ -1,12 +1,11 @@
 //! Choices between a bit and another number, in turns that are done side by side: the other number keeps all of its bits.
 
-use noting::{all_engines_agree_from, counted, element_at, get, program};
 use sieben_engine::Machine;
 use sieben_engine::ir::{Builder, Op, Place, Var};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod noting;
+use crate::noting::{self, all_engines_agree_from, counted, element_at, get, program};
 
 /// Elements of the array at the beginning of bit memory that turns look at, and behind it of the one that they write.
 const ELEMENTS: u64 = 40;

@@ -1,16 +1,14 @@
 //! Bits of numbers that a loop keeps in registers, read and written beside the numbers themselves: whatever else lies in their bytes and whoever
 //! changes memory, the code does what the interpreter does.
 
-use dice::Dice;
-use noting::{all_engines_agree_beside, fixed, get, layout_with, program};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Exit, Machine, Reaction, StopReason};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{all_engines_agree_beside, engines, fixed, get, layout_with, program};
 
 const PROGRAMS: u64 = 800;
 const QUESTIONS_MAX: usize = 30;
@@ -110,7 +108,7 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 #[test]
 fn bits_of_numbers_are_what_the_interpreter_makes_of_them() {
     let (mut asked, mut finished) = (0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let build = |b: &mut Builder| {
             let mut dice = Dice(seed);
             let (last, statements, strange) = (dice.of(&[0, 7, 15]), 1 + dice.roll(7) as u32, dice.roll(2) == 0);
@@ -125,7 +123,7 @@ fn bits_of_numbers_are_what_the_interpreter_makes_of_them() {
             memory[FIRST as usize..(FIRST + BYTES) as usize].iter_mut().for_each(|byte| *byte = dice.roll(256) as u8);
         };
         let dice = || Dice(seed + 2_000_000);
-        let expected = all_engines_agree_beside((&program, &layout), &prepare, &dice, &meddle, &seed.to_string());
+        let expected = all_engines_agree_beside(&engines(&program, &layout), &prepare, &dice, &meddle, &seed.to_string());
         asked += expected.asked.len();
         finished += usize::from(expected.exit == Exit::Finished);
     }

@@ -3,8 +3,6 @@
 
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{all_engines_agree, layout, program, run};
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, TextAction, TextRoom, Var};
 use sieben_engine::numbers_in_texts::{NumberForm, NumberKind, Spelling};
 use sieben_engine::{Engine, Entry, Machine, Reaction};
@@ -12,10 +10,10 @@ use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{all_engines_agree, engines, layout, program, run};
 
-const PROGRAMS: u64 = 200;
+const PROGRAMS: u64 = 120;
 /// Local data of the caller, in front of which its texts lie, and of the function.
 const CALLER_LOCAL: u32 = 120;
 const OWN_LOCAL: u32 = 60;
@@ -179,7 +177,7 @@ fn function(b: &mut Builder, dice: &mut Dice) {
 #[test]
 fn texts_of_callers_are_the_same_on_all_engines() {
     let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let calls = |b: &mut Builder| caller(b, &mut Dice(seed));
         let body = |b: &mut Builder| function(b, &mut Dice(seed + PROGRAMS));
         let middle = |b: &mut Builder| between(b, &mut Dice(seed + 2 * PROGRAMS));
@@ -193,6 +191,7 @@ fn texts_of_callers_are_the_same_on_all_engines() {
         ];
         let program = program(&blocks);
         let layout = layout(&program);
+        let engines = engines(&program, &layout);
         for memory in 0..3 {
             let outcome = |engine: Arc<dyn Engine>| {
                 let prepare = |machine: &mut Machine| {
@@ -210,7 +209,7 @@ fn texts_of_callers_are_the_same_on_all_engines() {
             };
             let code = &program.code;
             let what = || format!("program {seed}, memory {memory}\n{}\n{}", code[&BlockId::ob(1)].code, code[&BlockId::fc(1)].code);
-            all_engines_agree((&program, &layout), false, &outcome, &what);
+            all_engines_agree(&engines, false, &outcome, &what);
         }
     }
 }

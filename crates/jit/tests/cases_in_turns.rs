@@ -3,16 +3,14 @@
 
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{all_engines_agree, program, run};
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Engine, Entry, Machine, Reaction};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, all_engines_agree, engines, program, run};
 
 const PROGRAMS: u64 = 80;
 /// Turns that call something choose between more than two ways.
@@ -124,7 +122,7 @@ impl Maker<'_> {
 #[test]
 fn choices_one_behind_the_other_are_those_of_the_interpreter() {
     let mut beside = 0;
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let block = BlockId::ob(1);
         let nothing = |b: &mut Builder| {
             b.begin_statement();
@@ -146,7 +144,7 @@ fn choices_one_behind_the_other_are_those_of_the_interpreter() {
             }
         };
         let outcome = |engine: Arc<dyn Engine>| run(engine.as_ref(), &layout, &entry, &prepare, &|_, _, _| Reaction::Continue);
-        all_engines_agree((&program, &layout), true, &outcome, &|| format!("{seed}\n{}", program.code[&block].code));
+        all_engines_agree(&engines(&program, &layout), true, &outcome, &|| format!("{seed}\n{}", program.code[&block].code));
     }
     assert!(beside > PROGRAMS as usize / 2, "{beside} loops side by side");
 }

@@ -1,16 +1,14 @@
 //! One assignment under a condition, or one of two to the same variable, or constants in the branches of a CASE, of every width: whatever is
 //! written, whether it is entered from elsewhere, and in whatever loop it stands, it does on all engines what the interpreter does.
 
-use dice::Dice;
-use noting::{all_engines_agree_from, counted, fixed, get, program};
 use sieben_engine::Machine;
 use sieben_engine::ir::{Builder, Inst, Op, Place, Target, Var};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, all_engines_agree_from, counted, fixed, get, program};
 
 const PROGRAMS: u64 = 500;
 /// Memories from which each program runs.
@@ -191,7 +189,7 @@ fn fill(machine: &mut Machine, seed: u64) {
 #[test]
 fn what_is_chosen_is_what_the_interpreter_writes() {
     let mut silent = 0;
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let in_loop = seed % 2 == 0;
         let write = |b: &mut Builder| {
             let mut dice = Dice(seed);

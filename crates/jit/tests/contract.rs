@@ -1,6 +1,5 @@
 //! A Host that does what a CPU seldom does sees the same of both engines, and machine code keeps its promises.
 
-use noting::{Answer, Blocks, Outcome, layout, program, run};
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::memory::DataBlockEntry;
 use sieben_engine::machine::{Register, Registers};
@@ -9,7 +8,7 @@ use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
 
-mod noting;
+use crate::noting::{Answer, Blocks, Outcome, layout, program, run};
 
 const fn sfc(number: u16) -> BlockId {
     BlockId::new(BlockKind::SystemFunction, number)

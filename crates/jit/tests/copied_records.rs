@@ -1,18 +1,16 @@
 //! Counted loops over records that copy parts of records, over one another now and then, and that write a variable on each way of a CASE:
 //! whatever the Host makes of memory and budget, they do on all engines what the interpreter does.
 
-use dice::Dice;
-use noting::{all_engines_agree_beside, program};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Exit, FaultPlace, Machine, Reaction, StopReason};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, all_engines_agree_beside, engines, program};
 
-const PROGRAMS: u64 = 400;
+const PROGRAMS: u64 = 250;
 const QUESTIONS_MAX: usize = 30;
 /// Two arrays of records: where they begin, and bytes of a record.
 const ARRAYS: [(u32, u32); 2] = [(32, 32), (560, 36)];
@@ -173,12 +171,13 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 #[test]
 fn records_are_copied_as_the_interpreter_does() {
     let (mut asked, mut finished, mut beside) = (0, 0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let block = BlockId::ob(1);
         let program = program(&[(block, 16, &|b| Maker { b, dice: Dice(seed), statements: 0 }.looping())]);
         let layout = noting::layout(&program);
         let listing = Jit::listing(&program, &layout).expect("machine code");
         beside += usize::from(listing.contains("insertlane") || listing.contains("shuffle"));
+        let engines = engines(&program, &layout);
         for round in 0..3 {
             let prepare = |machine: &mut Machine| {
                 let mut dice = Dice(seed + 1_000_000 + round);
@@ -187,11 +186,11 @@ fn records_are_copied_as_the_interpreter_does() {
                 memory.iter_mut().take(1_100).for_each(|byte| *byte = dice.roll(256) as u8);
             };
             let dice = || Dice(seed + 2_000_000);
-            let expected = all_engines_agree_beside((&program, &layout), &prepare, &dice, &meddle, &format!("{seed} in round {round}"));
+            let expected = all_engines_agree_beside(&engines, &prepare, &dice, &meddle, &format!("{seed} in round {round}"));
             asked += expected.asked.len();
             finished += usize::from(expected.exit == Exit::Finished);
         }
     }
     const { assert!(ARRAYS[0].0 + ARRAYS[0].1 * RECORDS <= ARRAYS[1].0 && ARRAYS[1].0 + ARRAYS[1].1 * RECORDS <= COUNTER) };
-    assert!(asked > 300 && finished > 800 && beside > 150, "{asked} questions, {finished} runs to the end, {beside} loops side by side");
+    assert!(asked > 180 && finished > 500 && beside > 90, "{asked} questions, {finished} runs to the end, {beside} loops side by side");
 }

@@ -3,14 +3,13 @@
 
 use std::sync::Arc;
 
-use noting::{all_engines_agree, program, run};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Entry, Layout, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 
-mod noting;
+use crate::noting::{all_engines_agree, engines, program, run};
 
 const COUNTER: Place = Place::Fixed { area: Area::BitMemory, position: 8 * 1_000 };
 /// Where the results begin, behind as many REALs as there are turns.
@@ -104,7 +103,7 @@ fn reals_are_cut_as_the_interpreter_cuts_them() {
                 };
                 let answer = |_: &mut Machine, _: &str, _: usize| Reaction::Stop(StopReason { event: 0x4562, place: None });
                 let outcome = |engine: Arc<dyn sieben_engine::Engine>| run(engine.as_ref(), &layout, &entry, &prepare, &answer);
-                all_engines_agree((&program, &layout), false, &outcome, &|| format!("{whole:?} {last:?} {of_lreal}"));
+                all_engines_agree(&engines(&program, &layout), false, &outcome, &|| format!("{whole:?} {last:?} {of_lreal}"));
             }
         }
     }

@@ -4,8 +4,6 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{program, run};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
 use sieben_engine::{Entry, Exit, FaultPlace, Interpreter, Machine, Reaction, StopReason};
@@ -13,8 +11,8 @@ use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, program, run};
 
 const PROGRAMS: u64 = 400;
 const QUESTIONS_MAX: usize = 30;
@@ -127,7 +125,7 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 #[test]
 fn sums_with_the_variable_of_a_loop_are_divided_alike_whatever_their_sign() {
     let (mut asked, mut finished) = (0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let block = BlockId::ob(1);
         let program = program(&[(block, 16, &|b| looping(b, seed))]);
         let layout = noting::layout(&program);

@@ -3,16 +3,14 @@
 
 use std::cell::RefCell;
 
-use dice::Dice;
-use noting::{all_engines_agree_beside, layout_with, program};
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Exit, Machine, Reaction, StopReason};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{all_engines_agree_beside, engines, layout_with, program};
 
 const PROGRAMS: u64 = 500;
 const QUESTIONS_MAX: usize = 30;
@@ -244,7 +242,7 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 #[test]
 fn fields_of_elements_are_what_the_interpreter_makes_of_them() {
     let (mut asked, mut finished) = (0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let block = BlockId::ob(1);
         let build = |b: &mut Builder| {
             let mut dice = Dice(seed);
@@ -261,7 +259,7 @@ fn fields_of_elements_are_what_the_interpreter_makes_of_them() {
             INDEXES.iter().for_each(|&at| machine.memory.area_mut(Area::BitMemory)[at as usize + 1] = dice.roll(16) as u8);
         };
         let dice = || Dice(seed + 2_000_000);
-        let expected = all_engines_agree_beside((&program, &layout), &prepare, &dice, &meddle, &seed.to_string());
+        let expected = all_engines_agree_beside(&engines(&program, &layout), &prepare, &dice, &meddle, &seed.to_string());
         asked += expected.asked.len();
         finished += usize::from(expected.exit == Exit::Finished);
     }

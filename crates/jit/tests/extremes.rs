@@ -4,16 +4,14 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{counted, element_at, fixed, get, program, run};
 use sieben_engine::ir::{Builder, Inst, Op, Target};
 use sieben_engine::{Engine, Entry, Exit, FaultPlace, Interpreter, Machine, Program, Reaction, StopReason};
 use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, counted, element_at, fixed, get, program, run};
 
 const PROGRAMS: u64 = 400;
 /// Runs of each program.
@@ -165,7 +163,7 @@ fn fill(machine: &mut Machine, kind: &Kind, seed: u64) {
 #[test]
 fn least_and_greatest_numbers_are_those_of_the_interpreter() {
     let (mut asked, mut finished) = (0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let block = BlockId::ob(1);
         let program = program(&[(block, 16, &|b| looping(b, seed))]);
         let layout = noting::layout(&program);

@@ -1,15 +1,13 @@
 //! Functions that write texts into a structure that their caller gave them, behind its beginning and at indexes that are checked: the caller
 //! keeps what it knows of memory that they do not reach, and nothing else.
 
-use dice::Dice;
-use noting::{all_engines_agree_from, layout, program};
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, TextAction, TextRoom, Var};
 use sieben_engine::{Layout, Machine, Program};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{all_engines_agree_from, layout, program};
 
 const PROGRAMS: u64 = 700;
 const MEMORIES: u64 = 4;
@@ -130,7 +128,7 @@ fn caller(b: &mut Builder, dice: &mut Dice) {
 #[test]
 fn what_a_function_writes_into_a_structure_is_the_same_on_all_engines() {
     let mut silent = 0;
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let (outer, inner) = (|b: &mut Builder| caller(b, &mut Dice(2 * seed)), |b: &mut Builder| writes(b, &mut Dice(2 * seed + 1)));
         let program = program(&[(BlockId::ob(1), 100, &outer), (BlockId::fc(1), 16, &inner)]);
         let layout = data(&program);

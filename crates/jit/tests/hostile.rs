@@ -11,7 +11,7 @@ use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 
-mod noting;
+use crate::noting;
 
 /// Far more than any of them takes, also on a busy machine and without optimization.
 const LIMIT: Duration = Duration::from_secs(60);

@@ -4,8 +4,6 @@
 
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{all_engines_agree, fixed, get, layout_with, program, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Engine, Entry, Exit, Machine, Reaction, StopReason};
@@ -13,8 +11,8 @@ use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, all_engines_agree, engines, fixed, get, layout_with, program, run_beside};
 
 const PROGRAMS: u64 = 700;
 const QUESTIONS_MAX: usize = 60;
@@ -173,7 +171,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
 fn where_an_index_is_outside_the_rest_is_what_the_interpreter_makes_of_it() {
     let (mut asked, mut silent, mut finished) = (0, 0, 0);
     let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let increment = |b: &mut Builder| {
             b.begin_statement();
             let (number, one) = (get(b, NUMBERS[2], Width::Word), b.constant(1));
@@ -191,7 +189,8 @@ fn where_an_index_is_outside_the_rest_is_what_the_interpreter_makes_of_it() {
             memory[..120].iter_mut().for_each(|byte| *byte = dice.of(&[0, 0, 1, 2, 5, 7, 8, 200]));
         };
         let outcome = |engine: Arc<dyn Engine>| run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(seed + 2_000_000), &meddle);
-        let expected = all_engines_agree((&program, &layout), false, &outcome, &|| format!("{seed}\n{}", program.code[&entry.block].code));
+        let expected =
+            all_engines_agree(&engines(&program, &layout), false, &outcome, &|| format!("{seed}\n{}", program.code[&entry.block].code));
         asked += expected.asked.len();
         silent += usize::from(expected.asked.is_empty());
         finished += usize::from(expected.exit == Exit::Finished);

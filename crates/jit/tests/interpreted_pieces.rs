@@ -4,8 +4,6 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{Blocks, all_engines_agree, layout, program, run};
 use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target};
 use sieben_engine::{Engine, Entry, Exit, Machine, Reaction, StopReason};
@@ -13,11 +11,11 @@ use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{Blocks, all_engines_agree, engines, layout, program, run};
 
 /// Programs that are compared.
-const PROGRAMS: u64 = 600;
+const PROGRAMS: u64 = 350;
 /// Questions after which the Host stops a run.
 const QUESTIONS_MAX: usize = 80;
 /// The function with the loop, which organization block 1 calls, and those that it enters.
@@ -168,7 +166,7 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, what: &str, asked: usize) -> R
 #[test]
 fn what_the_interpreter_does_in_between_changes_nothing_on_any_engine() {
     let (mut asked, mut finished) = (0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let dice = |number: u16| Dice(seed * 100 + u64::from(number));
         let main = |b: &mut Builder| {
             if seed % 3 == 0 {
@@ -204,11 +202,11 @@ fn what_the_interpreter_does_in_between_changes_nothing_on_any_engine() {
             run(engine.as_ref(), &layout, &entry, &prepare, &answer)
         };
         let listing = || program.code.iter().map(|(id, block)| format!("{id}\n{}", block.code)).collect::<String>();
-        let outcome = all_engines_agree((&program, &layout), true, &outcome, &|| format!("seed {seed}\n{}", listing()));
+        let outcome = all_engines_agree(&engines(&program, &layout), true, &outcome, &|| format!("seed {seed}\n{}", listing()));
         asked += outcome.asked.len();
         finished += usize::from(outcome.exit == Exit::Finished);
     }
-    assert!(asked > 2_000 && finished > 450, "{asked} questions, {finished} runs to the end");
+    assert!(asked > 1_200 && finished > 260, "{asked} questions, {finished} runs to the end");
 }
 
 /// The pieces that are handed over in a function with such statements, as their first and last statement.
@@ -366,6 +364,7 @@ fn a_counter_that_the_program_computes_is_found_in_all_blocks_of_a_piece() {
     ]);
     let layout = layout(&program);
     let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+    let engines = engines(&program, &layout);
     for number in [0, 3, 200, 0xFFFF_u16] {
         for budget in [1, 100] {
             let outcome = |engine: Arc<dyn Engine>| {
@@ -375,7 +374,7 @@ fn a_counter_that_the_program_computes_is_found_in_all_blocks_of_a_piece() {
                 };
                 run(engine.as_ref(), &layout, &entry, &prepare, &|_, _, _| Reaction::Continue)
             };
-            all_engines_agree((&program, &layout), true, &outcome, &|| format!("counter {number}"));
+            all_engines_agree(&engines, true, &outcome, &|| format!("counter {number}"));
         }
     }
 }

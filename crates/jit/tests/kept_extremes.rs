@@ -1,15 +1,13 @@
 //! Loops that keep the greatest or least number of several groups, in a record of the group to which each turn belongs: whatever the Host makes
 //! of memory and budget, they do on all engines what the interpreter does.
 
-use dice::Dice;
-use noting::{all_engines_agree_beside, program};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Exit, FaultPlace, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, all_engines_agree_beside, engines, program};
 
 const PROGRAMS: u64 = 300;
 const QUESTIONS_MAX: usize = 40;
@@ -153,10 +151,11 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 #[test]
 fn the_greatest_and_least_of_groups_are_those_of_the_interpreter() {
     let (mut asked, mut finished) = (0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let main = |b: &mut Builder| Maker { b, dice: Dice(seed), statements: 0 }.main();
         let program = program(&[(BlockId::ob(1), 0, &main)]);
         let layout = noting::layout(&program);
+        let engines = engines(&program, &layout);
         for round in 0..3 {
             let prepare = |machine: &mut Machine| {
                 let mut dice = Dice(seed + 1_000_000 + round);
@@ -166,7 +165,7 @@ fn the_greatest_and_least_of_groups_are_those_of_the_interpreter() {
                 memory.iter_mut().skip(4).take(244).for_each(|byte| *byte = dice.of(&[0, 0, 1, 2, 3, 0x3F, 0x7F, 0x80, 0xFF]));
             };
             let dice = || Dice(seed + 2_000_000);
-            let expected = all_engines_agree_beside((&program, &layout), &prepare, &dice, &meddle, &format!("{seed} in round {round}"));
+            let expected = all_engines_agree_beside(&engines, &prepare, &dice, &meddle, &format!("{seed} in round {round}"));
             asked += expected.asked.len();
             finished += usize::from(expected.exit == Exit::Finished);
         }

@@ -1,16 +1,14 @@
 //! Turns of a loop that branch on a bit and a number that is not the greatest or least one, as counters do, or on two comparisons one of
 //! which is that a number is below 0, as timers do: whatever is looked at first, memory is as the interpreter leaves it.
 
-use dice::Dice;
-use noting::{all_engines_agree_from, count_on, fixed, get, layout_with, program};
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Layout, Machine, Program};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{all_engines_agree_from, count_on, fixed, get, layout_with, program};
 
 const PROGRAMS: u64 = 600;
 const MEMORIES: u64 = 4;
@@ -141,7 +139,7 @@ fn some_turns(b: &mut Builder, seed: u64) {
 
 #[test]
 fn conditions_are_those_of_the_interpreter() {
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let program = program(&[(BlockId::ob(1), 0, &|b| some_turns(b, seed))]);
         let layout = records(&program);
         let prepare = |machine: &mut Machine, memory: u64| {

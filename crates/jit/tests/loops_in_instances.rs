@@ -4,8 +4,6 @@
 
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{all_engines_agree, begin_with_instance, layout_with, next_turn, program, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
@@ -13,11 +11,11 @@ use sieben_engine::{Engine, Entry, FaultPlace, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, all_engines_agree, begin_with_instance, engines, layout_with, next_turn, program, run_beside};
 
 /// Programs that are compared.
-const PROGRAMS: u64 = 600;
+const PROGRAMS: u64 = 250;
 /// Questions after which the Host stops a run.
 const QUESTIONS_MAX: usize = 60;
 /// The blocks: one that loops over `MIDDLE`, which loops over `INNER`.
@@ -223,7 +221,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
 #[test]
 fn blocks_that_loop_over_instances_in_their_own_are_the_same_on_all_engines() {
     let (mut asked, mut silent) = (0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let rolls = |block: u16| Dice(seed * 100 + u64::from(block));
         let outer_array = Array { counter: own(0), first: MIDDLES, bytes: MIDDLE_BYTES, callee: MIDDLE };
         let counter = match seed % 6 {
@@ -260,9 +258,9 @@ fn blocks_that_loop_over_instances_in_their_own_are_the_same_on_all_engines() {
             outcome
         };
         let listing = || program.code.iter().map(|(id, block)| format!("{id}\n{}", block.code)).collect::<String>();
-        let questions = all_engines_agree((&program, &layout), false, &outcome, &|| format!("{seed}\n{}", listing())).asked.len();
+        let questions = all_engines_agree(&engines(&program, &layout), false, &outcome, &|| format!("{seed}\n{}", listing())).asked.len();
         asked += questions;
         silent += usize::from(questions == 0);
     }
-    assert!(asked > 500 && silent > 60, "{asked} questions, {silent} programs without any");
+    assert!(asked > 200 && silent > 25, "{asked} questions, {silent} programs without any");
 }

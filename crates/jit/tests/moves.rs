@@ -3,16 +3,14 @@
 
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{all_engines_agree, count_on, layout_with, program, run};
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
 use sieben_engine::{Engine, Entry, FaultPlace, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{all_engines_agree, count_on, engines, layout_with, program, run};
 
 /// Programs that are compared.
 const PROGRAMS: u64 = 300;
@@ -118,7 +116,7 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 #[test]
 fn copies_behind_unknown_pointers_are_the_same_on_all_engines() {
     let (mut faults, mut finished) = (0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let build = |number: u16| move |b: &mut Builder| block(b, Dice(seed * 10 + u64::from(number)), (number < 2).then_some(number + 1));
         let builders = [build(0), build(1), build(2)];
         let parts = [(BlockId::ob(1), 0), (BlockId::fc(1), 1), (BlockId::fc(2), 2)];
@@ -146,7 +144,7 @@ fn copies_behind_unknown_pointers_are_the_same_on_all_engines() {
             run(engine.as_ref(), &layout, &entry, &prepare, &answer)
         };
         let listing = || program.code.iter().map(|(id, block)| format!("{id}\n{}", block.code)).collect::<String>();
-        let expected = all_engines_agree((&program, &layout), false, &outcome, &|| format!("{seed}\n{}", listing()));
+        let expected = all_engines_agree(&engines(&program, &layout), false, &outcome, &|| format!("{seed}\n{}", listing()));
         faults += expected.asked.iter().filter(|asked| !asked.starts_with("safe")).count();
         finished += usize::from(expected.asked.len() < QUESTIONS_MAX);
     }

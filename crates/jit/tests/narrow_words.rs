@@ -3,15 +3,13 @@
 
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{all_engines_agree, layout, program, run};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Engine, Entry, Machine, Reaction};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{all_engines_agree, engines, layout, program, run};
 
 const PROGRAMS: u64 = 500;
 /// Variables of every width, which share no bytes, in local data or bit memory.
@@ -102,10 +100,11 @@ fn looping(b: &mut Builder, dice: &mut Dice) {
 #[test]
 fn word_logic_in_loops_is_the_same_on_all_engines() {
     let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let body = |b: &mut Builder| looping(b, &mut Dice(seed));
         let program = program(&[(BlockId::ob(1), 40, &body)]);
         let layout = layout(&program);
+        let engines = engines(&program, &layout);
         for memory in 0..3 {
             let outcome = |engine: Arc<dyn Engine>| {
                 let prepare = |machine: &mut Machine| {
@@ -119,7 +118,7 @@ fn word_logic_in_loops_is_the_same_on_all_engines() {
                 run(engine.as_ref(), &layout, &entry, &prepare, &|_, _, _| Reaction::Continue)
             };
             let what = || format!("program {seed}, memory {memory}\n{}", program.code[&BlockId::ob(1)].code);
-            all_engines_agree((&program, &layout), false, &outcome, &what);
+            all_engines_agree(&engines, false, &outcome, &what);
         }
     }
 }

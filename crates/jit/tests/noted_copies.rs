@@ -3,8 +3,6 @@
 
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{all_engines_agree, fixed, get, layout_with, program, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Inst, Op, Place, Target, Var};
 use sieben_engine::{Engine, Entry, Exit, Machine, Reaction, StopReason};
@@ -12,8 +10,8 @@ use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, all_engines_agree, engines, fixed, get, layout_with, program, run_beside};
 
 const PROGRAMS: u64 = 600;
 const QUESTIONS_MAX: usize = 40;
@@ -133,7 +131,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
 fn copies_with_indexes_that_are_looked_at_do_what_the_interpreter_does() {
     let (mut asked, mut finished) = (0, 0);
     let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let build = |b: &mut Builder| {
             let mut dice = Dice(seed);
             let (last, statements) = (dice.of(&[0, 5, 12]), 1 + dice.roll(6) as u32);
@@ -150,7 +148,7 @@ fn copies_with_indexes_that_are_looked_at_do_what_the_interpreter_does() {
         };
         let outcome = |engine: Arc<dyn Engine>| run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(seed + 2_000_000), &meddle);
         let what = || format!("{seed}\n{}", program.code[&BlockId::ob(1)].code);
-        let expected = all_engines_agree((&program, &layout), true, &outcome, &what);
+        let expected = all_engines_agree(&engines(&program, &layout), true, &outcome, &what);
         asked += expected.asked.len();
         finished += usize::from(expected.exit == Exit::Finished);
     }

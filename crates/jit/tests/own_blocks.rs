@@ -4,8 +4,6 @@
 
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{all_engines_agree, layout, program, run};
 use sieben_engine::access::data_registers;
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::verify::verify;
@@ -14,8 +12,8 @@ use sieben_engine::{Engine, Entry, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{all_engines_agree, engines, layout, program, run};
 
 const PROGRAMS: u64 = 400;
 const OWN: u64 = 1;
@@ -143,7 +141,7 @@ fn called(b: &mut Builder, dice: &mut Dice) {
 fn loops_that_call_instances_in_other_data_blocks_do_what_the_interpreter_does() {
     let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
     let mut valid = 0;
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let begins = |b: &mut Builder| {
             b.begin_statement();
             for (register, number) in [(DataRegister::Instance, OWN), (DataRegister::Shared, SMALL)] {
@@ -166,6 +164,7 @@ fn loops_that_call_instances_in_other_data_blocks_do_what_the_interpreter_does()
             layout.data_blocks.insert(number, layout.size..layout.size + bytes);
             layout.size += 64;
         }
+        let engines = engines(&program, &layout);
         for memory in 0..6 {
             let outcome = |engine: Arc<dyn Engine>| {
                 let prepare = |machine: &mut Machine| {
@@ -182,7 +181,7 @@ fn loops_that_call_instances_in_other_data_blocks_do_what_the_interpreter_does()
                 })
             };
             let what = || format!("program {seed}, memory {memory}\n{}", program.code[&BlockId::fb(LOOPS)].code);
-            all_engines_agree((&program, &layout), true, &outcome, &what);
+            all_engines_agree(&engines, true, &outcome, &what);
         }
     }
     assert!(valid > PROGRAMS / 4, "{valid} programs were valid");

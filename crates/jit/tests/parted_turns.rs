@@ -1,18 +1,16 @@
 //! Counted loops whose turns go different ways: with much to do on one of them, places that are written on one only, the greatest number and
 //! where it was, and what the last turn left that went there. Whatever the numbers are, the loops do on all engines what the interpreter does.
 
-use dice::Dice;
-use noting::{all_engines_agree_from, counted, fixed, get, program};
 use sieben_engine::Machine;
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, all_engines_agree_from, counted, fixed, get, program};
 
-const PROGRAMS: u64 = 700;
+const PROGRAMS: u64 = 350;
 /// Memories from which each program runs.
 const MEMORIES: u64 = 10;
 /// Rows of double words at the beginning of bit memory, of so many each, and where bits and variables lie behind them.
@@ -246,7 +244,7 @@ fn fill(machine: &mut Machine, seed: u64) {
 #[test]
 fn turns_that_part_do_what_the_interpreter_does() {
     let mut silent = 0;
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let mut dice = Dice(seed);
         let mut parts = Part::some(&mut dice, 3, 4);
         if dice.roll(2) == 0 {
@@ -259,7 +257,7 @@ fn turns_that_part_do_what_the_interpreter_does() {
         let prepare = |machine: &mut Machine, memory: u64| fill(machine, seed + 1_000_000 + (memory << 32));
         silent += all_engines_agree_from((&program, &noting::layout(&program)), MEMORIES, &prepare, &seed.to_string());
     }
-    assert!(silent > 1_000, "{silent} runs in which nobody was asked");
+    assert!(silent > 500, "{silent} runs in which nobody was asked");
 }
 
 /// Choices without a jump in the machine code of a loop.

@@ -4,19 +4,17 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{layout, program, run};
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, TextAction, TextRoom, Var};
 use sieben_engine::{Engine, Entry, Exit, FaultPlace, Interpreter, Machine, Reaction, StopReason};
 use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{layout, program, run};
 
 /// Programs that are compared.
-const PROGRAMS: u64 = 300;
+const PROGRAMS: u64 = 150;
 /// Questions after which the Host stops a run.
 const QUESTIONS_MAX: usize = 60;
 /// Functions of a program; each calls those behind it.
@@ -295,7 +293,7 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, what: &str, asked: usize) -> R
 #[test]
 fn pointers_to_pointers_lead_to_the_same_places_on_all_engines() {
     let (mut asked, mut finished) = (0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let build =
             |number: u16| move |b: &mut Builder| Block { b, dice: Dice(seed * 100 + u64::from(number)), number, statements: 0 }.write();
         let builders: Vec<_> = (0..=FUNCTIONS).map(build).collect();
@@ -346,5 +344,5 @@ fn pointers_to_pointers_lead_to_the_same_places_on_all_engines() {
         asked += expected.asked.len();
         finished += usize::from(expected.exit == Exit::Finished);
     }
-    assert!(asked > 1_000 && finished > 100, "{asked} questions, {finished} runs to the end");
+    assert!(asked > 500 && finished > 50, "{asked} questions, {finished} runs to the end");
 }

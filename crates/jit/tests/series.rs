@@ -4,8 +4,6 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{all_engines_agree, layout_with, program, run};
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
 use sieben_engine::{Engine, Entry, Exit, FaultPlace, Machine, Reaction, StopReason};
@@ -13,10 +11,10 @@ use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{all_engines_agree, engines, layout_with, program, run};
 
-const PROGRAMS: u64 = 600;
+const PROGRAMS: u64 = 200;
 const QUESTIONS_MAX: usize = 30;
 const MAIN: BlockId = BlockId::fb(1);
 const MEMBER: BlockId = BlockId::fb(2);
@@ -320,7 +318,7 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 #[test]
 fn calls_by_name_do_what_the_interpreter_does() {
     let (mut asked, mut finished, mut beside) = (0, 0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let seldom = [4, 12, 60][seed as usize % 3];
         let bytes = if seed % 8 == 0 { FEWER_BYTES } else { BYTES };
         let of = |number: u64| Dice(3 * seed + number);
@@ -342,6 +340,7 @@ fn calls_by_name_do_what_the_interpreter_does() {
         let layout = layout_with(&program, 1_000);
         let listing = Jit::listing(&program, &layout).expect("machine code");
         beside += usize::from(listing.contains("insertlane") || listing.contains("shuffle"));
+        let engines = engines(&program, &layout);
         for round in 0..3 {
             let prepare = |machine: &mut Machine| {
                 let mut dice = Dice(seed + 1_000_000 + round);
@@ -360,11 +359,11 @@ fn calls_by_name_do_what_the_interpreter_does() {
                 outcome
             };
             let what = || format!("{seed} in round {round}\n{}\n{}", program.code[&MAIN].code, program.code[&MEMBER].code);
-            let expected = all_engines_agree((&program, &layout), true, &outcome, &what);
+            let expected = all_engines_agree(&engines, true, &outcome, &what);
             asked += expected.asked.len();
             finished += usize::from(expected.exit == Exit::Finished);
         }
     }
     const { assert!(INSTANCES + COUNT * BYTES <= 1_000) };
-    assert!(asked > 500 && finished > 800 && beside > 200, "{asked} questions, {finished} runs to the end, {beside} series");
+    assert!(asked > 170 && finished > 260 && beside > 60, "{asked} questions, {finished} runs to the end, {beside} series");
 }

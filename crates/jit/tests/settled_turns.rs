@@ -1,15 +1,13 @@
 //! Counted loops with conditions that are the same in all turns: whatever they are when the loop begins, and whatever the Host makes of them
 //! between turns, the loops do on all engines what the interpreter does.
 
-use dice::Dice;
-use noting::{all_engines_agree_beside, program};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Exit, FaultPlace, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, all_engines_agree_beside, engines, program};
 
 const PROGRAMS: u64 = 300;
 const QUESTIONS_MAX: usize = 30;
@@ -188,10 +186,11 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 #[test]
 fn conditions_that_all_turns_share_are_what_they_are() {
     let (mut asked, mut finished) = (0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let block = BlockId::ob(1);
         let program = program(&[(block, 16, &|b| Maker { b, dice: Dice(seed), statements: 0 }.looping())]);
         let layout = noting::layout(&program);
+        let engines = engines(&program, &layout);
         for flags in [0, 1, 2, 3, 5, 7] {
             let prepare = |machine: &mut Machine| {
                 let mut dice = Dice(seed + 1_000_000 + flags);
@@ -202,7 +201,7 @@ fn conditions_that_all_turns_share_are_what_they_are() {
                 memory[FLAGS as usize] = flags as u8;
             };
             let dice = || Dice(seed + 2_000_000);
-            let expected = all_engines_agree_beside((&program, &layout), &prepare, &dice, &meddle, &format!("{seed} with {flags}"));
+            let expected = all_engines_agree_beside(&engines, &prepare, &dice, &meddle, &format!("{seed} with {flags}"));
             asked += expected.asked.len();
             finished += usize::from(expected.exit == Exit::Finished);
         }

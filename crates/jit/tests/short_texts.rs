@@ -1,8 +1,6 @@
 //! Text instructions nobody wrote, on STRINGs of a few characters that say anything: machine code works on their characters side by side,
 //! and leaves the same bytes, behind the texts too, as the interpreter.
 
-use dice::Dice;
-use noting::{all_engines_agree_from, layout, program, run};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, TextAction, TextRoom, Var};
 use sieben_engine::numbers_in_texts::{NumberForm, NumberKind, Spelling};
 use sieben_engine::{Engine, Entry, Interpreter, Machine, Reaction};
@@ -10,8 +8,8 @@ use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{all_engines_agree_from, layout, program, run};
 
 const PROGRAMS: u64 = 500;
 /// Memories with which a program runs.
@@ -268,7 +266,7 @@ fn fill(machine: &mut Machine, dice: &mut Dice) {
 
 #[test]
 fn short_texts_are_the_same_on_all_engines() {
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let body = |b: &mut Builder| statements(b, &mut Dice(seed));
         let program = program(&[(BlockId::ob(1), LOCAL, &body)]);
         let layout = layout(&program);

@@ -1,15 +1,13 @@
 //! Bits of numbers that programs take out with AND and a comparison, or by their number, and write to bits one behind the other: the word
 //! that a bit network works with. Wherever they are taken from and go to, memory is as the interpreter leaves it.
 
-use dice::Dice;
-use noting::{all_engines_agree_from, layout, program};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{all_engines_agree_from, layout, program};
 
 const PROGRAMS: u64 = 400;
 const MEMORIES: u64 = 4;
@@ -112,7 +110,7 @@ fn some_statements(b: &mut Builder, seed: u64) {
 #[test]
 fn tested_bits_are_those_of_the_interpreter() {
     let mut silent = 0;
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let program = program(&[(BlockId::ob(1), 0, &|b| some_statements(b, seed))]);
         let layout = layout(&program);
         let prepare = |machine: &mut sieben_engine::Machine, memory: u64| {
@@ -122,7 +120,7 @@ fn tested_bits_are_those_of_the_interpreter() {
         };
         silent += all_engines_agree_from((&program, &layout), MEMORIES, &prepare, &seed.to_string());
     }
-    assert_eq!(silent, PROGRAMS * MEMORIES);
+    assert_eq!(silent, seeds(PROGRAMS).count() as u64 * MEMORIES);
 }
 
 /// How often the code of 32 tests turns a number, compares and masks.

@@ -1,15 +1,13 @@
 //! Numbers that text instructions deliver, as indexes: how long a text is, where it has something, how long a piece of it is. An array that
 //! is one element too short for them is left, and one that is not is not looked at; whatever the texts say, memory is that of the interpreter.
 
-use dice::Dice;
-use noting::{all_engines_agree_from, layout_with, program};
 use sieben_engine::Machine;
 use sieben_engine::ir::{Builder, DataRegister, Inst, Op, Place, TextAction, TextRoom};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::Dice;
+use crate::noting::{all_engines_agree_from, layout_with, program};
 
 const MEMORIES: u64 = 60;
 /// Where the texts lie in bit memory.

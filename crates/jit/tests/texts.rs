@@ -1,14 +1,13 @@
 //! Texts behind pointers that a caller hands on, as inputs of functions are: what machine code does with them where it knows the pointer,
 //! and where the text says itself how long it is.
 
-use noting::{Outcome, program, run};
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, TextAction, TextRoom, Var};
 use sieben_engine::{Engine, Entry, Interpreter, Layout, Machine, Program, Reaction};
 use sieben_jit::{Jit, StatusBits};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod noting;
+use crate::noting::{self, Outcome, program, run};
 
 /// The bit memory where the other text of an instruction lies, which has room for six characters.
 const OTHER: u32 = 20;

@@ -1,15 +1,13 @@
 //! Loops that call functions which work on texts, those of their caller among them, and texts at computed places of an open data block:
 //! variables of the loop stay in registers, and every engine leaves the same memory.
 
-use dice::Dice;
-use noting::{all_engines_agree_from, layout, program};
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, TextAction, TextRoom, Var};
 use sieben_engine::{Layout, Machine, Program};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{all_engines_agree_from, layout, program};
 
 const PROGRAMS: u64 = 400;
 const MEMORIES: u64 = 4;
@@ -217,7 +215,7 @@ fn data(program: &Program, read_only: bool) -> Layout {
 #[test]
 fn loops_that_call_functions_of_texts_are_the_same_on_all_engines() {
     let mut silent = 0;
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let (outer, inner) = (|b: &mut Builder| caller(b, &mut Dice(2 * seed)), |b: &mut Builder| function(b, &mut Dice(2 * seed + 1)));
         let program = program(&[(BlockId::ob(1), 120, &outer), (BlockId::fc(1), 60, &inner)]);
         let layout = data(&program, seed % 16 == 0);

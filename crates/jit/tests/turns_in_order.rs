@@ -3,16 +3,14 @@
 
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{all_engines_agree, program, run};
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Engine, Entry, Exit, Machine};
 use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, all_engines_agree, engines, program, run};
 
 const PROGRAMS: u64 = 300;
 /// The records: where they begin, and the bytes of one.
@@ -115,7 +113,7 @@ impl Maker<'_> {
 fn numbers_made_in_order_are_those_of_the_interpreter() {
     let block = BlockId::ob(1);
     let mut beside = 0;
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let program = program(&[(block, 16, &|b| Maker { b, dice: Dice(seed) }.looping())]);
         let layout = noting::layout(&program);
         let listing = Jit::listing(&program, &layout).expect("machine code");
@@ -128,7 +126,7 @@ fn numbers_made_in_order_are_those_of_the_interpreter() {
         let entry = Entry { block, start_information: [7; 20], registers: None };
         let outcome = |engine: Arc<dyn Engine>| run(engine.as_ref(), &layout, &entry, &prepare, &|_, _, _| unreachable!("nothing fails"));
         let what = || format!("{seed}\n{}", program.code[&block].code);
-        let expected = all_engines_agree((&program, &layout), true, &outcome, &what);
+        let expected = all_engines_agree(&engines(&program, &layout), true, &outcome, &what);
         assert_eq!(expected.exit, Exit::Finished, "{seed}");
     }
     const { assert!(RECORDS.0 + RECORDS.1 * COUNT <= COUNTER) };

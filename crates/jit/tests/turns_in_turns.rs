@@ -2,13 +2,12 @@
 
 use std::sync::Arc;
 
-use noting::{all_engines_agree, layout_with, program, run};
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target};
 use sieben_engine::{Entry, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod noting;
+use crate::noting::{all_engines_agree, engines, layout_with, program, run};
 
 fn counter(number: u32) -> Place {
     Place::Fixed { area: Area::BitMemory, position: 8 * (200 + 4 * number) }
@@ -49,7 +48,7 @@ fn compare(middle: &dyn Fn(&mut Builder)) {
     let prepare = |machine: &mut Machine| machine.budget = 100_000;
     let answer = |_: &mut Machine, _: &str, _: usize| Reaction::Stop(StopReason { event: 0x4562, place: None });
     let outcome = |engine: Arc<dyn sieben_engine::Engine>| run(engine.as_ref(), &layout, &entry, &prepare, &answer);
-    all_engines_agree((&program, &layout), false, &outcome, &|| String::new());
+    all_engines_agree(&engines(&program, &layout), false, &outcome, &|| String::new());
 }
 
 #[test]

@@ -4,8 +4,6 @@
 
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{all_engines_agree, fixed, get, layout_with, next_turn, program, run_beside};
 use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
@@ -14,10 +12,10 @@ use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{self, all_engines_agree, engines, fixed, get, layout_with, next_turn, program, run_beside};
 
-const PROGRAMS: u64 = 400;
+const PROGRAMS: u64 = 200;
 /// Questions after which the Host stops a run.
 const QUESTIONS_MAX: usize = 40;
 /// Instances, and bytes of one.
@@ -364,7 +362,7 @@ fn meddle(machine: &mut Machine, what: &str, dice: &mut Dice, asked: usize) -> R
 #[test]
 fn loops_of_few_turns_in_the_turns_of_others_do_what_the_interpreter_does() {
     let (mut asked, mut silent, mut beside) = (0, 0, 0);
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let reals = seed % 3 == 0;
         let main = |b: &mut Builder| Maker { b, dice: Dice(10 * seed), statements: 0, reals }.all_instances();
         let block = |b: &mut Builder| Maker { b, dice: Dice(10 * seed + 1), statements: 0, reals }.block();
@@ -390,9 +388,9 @@ fn loops_of_few_turns_in_the_turns_of_others_do_what_the_interpreter_does() {
         };
         let outcome = |engine: Arc<dyn Engine>| run_beside(engine.as_ref(), &layout, &entry, &prepare, Dice(seed + 2_000_000), &meddle);
         let listing = || program.code.iter().map(|(id, block)| format!("{id}\n{}", block.code)).collect::<String>();
-        let questions = all_engines_agree((&program, &layout), false, &outcome, &|| format!("{seed}\n{}", listing())).asked.len();
+        let questions = all_engines_agree(&engines(&program, &layout), false, &outcome, &|| format!("{seed}\n{}", listing())).asked.len();
         asked += questions;
         silent += usize::from(questions == 0);
     }
-    assert!(asked > 500 && silent > 60 && beside > 100, "{asked} questions, {silent} programs without any, {beside} side by side");
+    assert!(asked > 250 && silent > 30 && beside > 50, "{asked} questions, {silent} programs without any, {beside} side by side");
 }

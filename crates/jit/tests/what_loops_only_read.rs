@@ -4,16 +4,14 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use dice::Dice;
-use noting::{all_engines_agree, fixed, get, layout_with, next_turn, program, run};
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
 use sieben_engine::{Engine, Entry, FaultPlace, Machine, Reaction, StopReason};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
-mod dice;
-mod noting;
+use crate::dice::{Dice, seeds};
+use crate::noting::{all_engines_agree, engines, fixed, get, layout_with, next_turn, program, run};
 
 const PROGRAMS: u64 = 400;
 /// Questions after which the Host stops a run.
@@ -163,7 +161,7 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 #[test]
 fn what_a_loop_only_reads_is_in_memory_what_its_functions_left_there() {
     let mut asked = 0;
-    for seed in 0..PROGRAMS {
+    for seed in seeds(PROGRAMS) {
         let of = |number: u64| Dice(10 * seed + number);
         let program = program(&[
             (BlockId::ob(1), LOCAL_BYTES, &|b: &mut Builder| looping(b, &mut of(0))),
@@ -187,7 +185,7 @@ fn what_a_loop_only_reads_is_in_memory_what_its_functions_left_there() {
             outcome
         };
         let listing = || program.code.iter().map(|(id, block)| format!("{id}\n{}", block.code)).collect::<String>();
-        asked += all_engines_agree((&program, &layout), false, &outcome, &|| format!("{seed}\n{}", listing())).asked.len();
+        asked += all_engines_agree(&engines(&program, &layout), false, &outcome, &|| format!("{seed}\n{}", listing())).asked.len();
     }
     assert!(asked > 100, "{asked} questions");
 }

@@ -6,6 +6,7 @@
 //! the next one has to begin with that count, or with the one before it.
 
 use std::fs;
+use std::io::BufRead;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
@@ -296,10 +297,19 @@ impl Seen {
     }
 }
 
-/// Where a mark stands in memory: data blocks and their double words lie at multiples of 4.
+/// Where a mark stands in memory: data blocks and their double words lie at multiples of 4. What searches for its first byte is fast without
+/// optimization, too.
 fn positions<'a>(bytes: &'a [u8], mark: &'a [u8]) -> impl Iterator<Item = usize> + 'a {
-    let words = bytes.chunks_exact(4).enumerate().filter(|(_, word)| *word == &mark[..4]);
-    words.map(|(index, _)| index * 4).filter(|&at| bytes[at..].starts_with(mark))
+    let mut rest = bytes;
+    std::iter::from_fn(move || {
+        while rest.skip_until(mark[0]).is_ok_and(|skipped| skipped > 0) {
+            let at = bytes.len() - rest.len() - 1;
+            if at.is_multiple_of(4) && bytes[at..].starts_with(mark) {
+                return Some(at);
+            }
+        }
+        None
+    })
 }
 
 /// The memory that a process can write.

@@ -19,7 +19,8 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
             long_run::run(&binary(&options)?, &folder, options.time)
         }
         "fuzz" => fuzz_rounds(options.time),
-        unknown => Err(format!("`{unknown}` is no soak: kill, run or fuzz")),
+        "programs" => many_programs(options.times),
+        unknown => Err(format!("`{unknown}` is no soak: kill, run, fuzz or programs")),
     }
 }
 
@@ -27,12 +28,13 @@ struct Options {
     name: String,
     count: u32,
     time: Duration,
+    times: u32,
     binary: Option<PathBuf>,
 }
 
 fn read_options(arguments: &[String]) -> Result<Options, String> {
     let (name, rest) = arguments.split_first().ok_or("say what: `cargo xtask soak kill`")?;
-    let mut options = Options { name: name.clone(), count: 1000, time: Duration::from_secs(3600), binary: None };
+    let mut options = Options { name: name.clone(), count: 1000, time: Duration::from_secs(3600), times: 10, binary: None };
     let mut words = rest.iter();
     while let Some(word) = words.next() {
         let mut value = |what: &str| words.next().cloned().ok_or(format!("`{word}` is followed by {what}"));
@@ -46,8 +48,12 @@ fn read_options(arguments: &[String]) -> Result<Options, String> {
                 let minutes: u32 = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
                 options.time = Duration::from_secs(60) * minutes;
             }
+            "--times" => {
+                let text = value("a number")?;
+                options.times = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
+            }
             "--binary" => options.binary = Some(value("a file")?.into()),
-            unknown => return Err(format!("`{unknown}` is no option of soak: --count, --minutes or --binary")),
+            unknown => return Err(format!("`{unknown}` is no option of soak: --count, --minutes, --times or --binary")),
         }
     }
     Ok(options)
@@ -106,6 +112,25 @@ fn fuzz_rounds(time: Duration) -> Result<(), String> {
         }
         let seconds = left.min(ROUND_SECONDS).to_string();
         fuzz::run(&["--seconds".to_owned(), seconds, "--seed".to_owned(), (first + round).to_string()])?;
+    }
+    Ok(())
+}
+
+/// Tests of many programs that make more of them when `SIEBEN_TIMES` says so.
+const MANY_PROGRAMS: &[&[&str]] = &[
+    &["-p", "sieben-jit", "--test", "programs"],
+    &["-p", "sieben-app", "--test", "chosen_methods", "--test", "handed_values", "--test", "st_lost_tokens"],
+];
+
+/// Runs so many times as many programs as the tests do.
+fn many_programs(times: u32) -> Result<(), String> {
+    for test in MANY_PROGRAMS {
+        let mut command = Command::new(env!("CARGO"));
+        command.arg("test").args(*test).env("SIEBEN_TIMES", times.to_string()).current_dir(workspace::root());
+        let status = command.status().map_err(|error| format!("cannot start cargo: {error}"))?;
+        if !status.success() {
+            return Err("soak programs: a test failed, and says above for which program".to_owned());
+        }
     }
     Ok(())
 }

@@ -1,5 +1,14 @@
 //! Random numbers that programs nobody wrote are made with: the same ones in each run.
 
+use std::ops::Range;
+
+/// The numbers that random programs are made from. `cargo xtask soak programs` asks for so many times as many.
+#[allow(clippy::disallowed_methods)] // Only how many there are is said from outside.
+pub(crate) fn seeds(programs: u64) -> Range<u64> {
+    let times = std::env::var("SIEBEN_TIMES").ok().and_then(|times| times.parse().ok());
+    0..programs * times.unwrap_or(1)
+}
+
 /// Numbers that follow one another in no order.
 pub(crate) struct Dice(pub(crate) u64);
 

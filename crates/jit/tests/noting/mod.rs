@@ -27,9 +27,11 @@ impl Outcome {
     /// Both were asked the same, left the same memory and ended in the same way; registers are for the caller to compare, who knows which count.
     pub(crate) fn assert_ends_as(&self, expected: &Self, what: &dyn Fn() -> String) {
         assert_eq!(self.asked, expected.asked, "{}", what());
-        let differ = self.arena.iter().zip(&expected.arena).position(|(got, expected)| got != expected);
-        assert_eq!(differ, None, "memory differs: {}", what());
         assert_eq!(self.arena.len(), expected.arena.len(), "{}", what());
+        if self.arena != expected.arena {
+            let differ = self.arena.iter().zip(&expected.arena).position(|(got, expected)| got != expected);
+            panic!("memory differs at {differ:?}: {}", what());
+        }
         assert_eq!((&self.exit, self.budget), (&expected.exit, expected.budget), "{}", what());
     }
 }
@@ -69,7 +71,6 @@ impl Host for Noting<'_> {
 }
 
 /// Whether a question tells of an index that is noted: who is told of that changes nothing.
-#[allow(dead_code)] // Not every test that shares this file notes indexes.
 pub(crate) fn is_noted(what: &str) -> bool {
     what.contains(&format!("code: {}", NOTED | 0x22))
 }
@@ -96,7 +97,6 @@ pub(crate) fn layout(program: &Program) -> Layout {
 }
 
 /// A layout in which data block 1 has so many bytes.
-#[allow(dead_code)] // Not every test that shares this file needs so much data.
 pub(crate) fn layout_with(program: &Program, bytes: usize) -> Layout {
     let mut layout = layout(program);
     layout.size += bytes;
@@ -105,7 +105,6 @@ pub(crate) fn layout_with(program: &Program, bytes: usize) -> Layout {
 }
 
 /// Opens data block 1 twice and calls a function block whose instance begins there.
-#[allow(dead_code)] // Not every test that shares this file has an instance.
 pub(crate) fn begin_with_instance(b: &mut Builder, function_block: u16) {
     b.begin_statement();
     for register in [DataRegister::Instance, DataRegister::Shared] {
@@ -117,7 +116,6 @@ pub(crate) fn begin_with_instance(b: &mut Builder, function_block: u16) {
 }
 
 /// Ends a block that counts turns: see [`next_turn`].
-#[allow(dead_code)] // Not every test that shares this file counts turns.
 pub(crate) fn count_on(b: &mut Builder, counter: Place, limit: (Op, u64), first: Target) {
     next_turn(b, counter, limit, first);
     b.begin_statement();
@@ -125,7 +123,6 @@ pub(crate) fn count_on(b: &mut Builder, counter: Place, limit: (Op, u64), first:
 }
 
 /// The next number, and the first statement of a turn again if that holds, compared with a limit.
-#[allow(dead_code)] // The same.
 pub(crate) fn next_turn(b: &mut Builder, counter: Place, (op, limit): (Op, u64), first: Target) {
     let (number, one) = (b.load(counter, Width::Word, OnFault::SkipStatement), b.constant(1));
     let next = b.compute(Op::AddU16, &[number, one]);
@@ -136,19 +133,16 @@ pub(crate) fn next_turn(b: &mut Builder, counter: Place, (op, limit): (Op, u64),
 }
 
 /// A variable in bit memory that begins with a byte.
-#[allow(dead_code)] // Not every test that shares this file has such variables.
 pub(crate) fn fixed(byte: u32) -> Place {
     Place::Fixed { area: Area::BitMemory, position: 8 * byte }
 }
 
 /// What it holds.
-#[allow(dead_code)] // The same.
 pub(crate) fn get(b: &mut Builder, byte: u32, width: Width) -> Var {
     b.load(fixed(byte), width, OnFault::SkipStatement)
 }
 
 /// The element of an array at the beginning of bit memory whose number is in a variable.
-#[allow(dead_code)] // The same.
 pub(crate) fn element_at(b: &mut Builder, counter: u32, width: Width) -> Var {
     let counter = get(b, counter, Width::DoubleWord);
     let bits = b.constant(u64::from(8 * width.bytes()));
@@ -157,7 +151,6 @@ pub(crate) fn element_at(b: &mut Builder, counter: u32, width: Width) -> Var {
 }
 
 /// `FOR counter := 0 TO last DO … END_FOR`; what is in it begins with statement 1 and says where it ends.
-#[allow(dead_code)] // The same.
 pub(crate) fn counted(b: &mut Builder, counter: u32, last: u64, turn: impl FnOnce(&mut Builder) -> u32) {
     b.begin_statement();
     let zero = b.constant(0);
@@ -185,7 +178,6 @@ pub(crate) fn run(engine: &dyn Engine, layout: &Layout, entry: &Entry, prepare: 
 }
 
 /// The same beside somebody who meddles with the machine whenever it asks, as dice tell.
-#[allow(dead_code)] // Not every test that shares this file meddles.
 pub(crate) fn run_beside<D>(
     engine: &dyn Engine,
     layout: &Layout,
@@ -198,29 +190,41 @@ pub(crate) fn run_beside<D>(
     run(engine, layout, entry, prepare, &|machine, what, asked| meddle(machine, what, &mut dice.borrow_mut(), asked))
 }
 
-/// Runs a program in the interpreter and as machine code, with all status bits and with those that are needed: all have to end alike, with
-/// all status bits in their `registers` too if these count. What the interpreter left.
-#[allow(dead_code)] // Not every test that shares this file compares programs alone.
+/// A program in the interpreter and as machine code, with all status bits and with those that are needed.
+pub(crate) struct Engines<'a> {
+    program: &'a Program,
+    layout: &'a Layout,
+    reference: Arc<dyn Engine>,
+    native: [(StatusBits, Arc<dyn Engine>); 2],
+}
+
+/// Compiles a program for all engines.
+pub(crate) fn engines<'a>(program: &'a Program, layout: &'a Layout) -> Engines<'a> {
+    let native = |status| (status, Jit::compiled(program, layout, status).expect("machine code"));
+    Engines { program, layout, reference: Interpreter::load(program, layout), native: [StatusBits::All, StatusBits::Needed].map(native) }
+}
+
+/// Runs a program on all engines: all have to end alike, with all status bits in their `registers` too if these count. What the interpreter
+/// left.
 pub(crate) fn all_engines_agree(
-    (program, layout): (&Program, &Layout),
+    engines: &Engines<'_>,
     registers: bool,
     outcome: &dyn Fn(Arc<dyn Engine>) -> Outcome,
     what: &dyn Fn() -> String,
 ) -> Outcome {
-    let expected = outcome(Interpreter::load(program, layout));
-    for status in [StatusBits::All, StatusBits::Needed] {
-        let got = outcome(Jit::compiled(program, layout, status).expect("machine code"));
+    let expected = outcome(engines.reference.clone());
+    for (status, engine) in &engines.native {
+        let got = outcome(engine.clone());
         got.assert_ends_as(&expected, &|| format!("{status:?} {}", what()));
-        if registers && status == StatusBits::All {
+        if registers && *status == StatusBits::All {
             assert_eq!(got.registers, expected.registers, "{}", what());
         }
     }
     expected
 }
 
-/// Compiles a program once and runs it from so many memories, in the interpreter and as machine code, with answers that change nothing: all
-/// have to end alike. In how many of these runs nobody was asked.
-#[allow(dead_code)] // Not every test that shares this file runs a program more than once.
+/// Runs a program from so many memories on all engines, with answers that change nothing: all have to end alike. In how many of these runs
+/// the Host was asked nothing.
 pub(crate) fn all_engines_agree_from(
     (program, layout): (&Program, &Layout),
     memories: u64,
@@ -228,26 +232,21 @@ pub(crate) fn all_engines_agree_from(
     what: &str,
 ) -> u64 {
     let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
-    let engines = [StatusBits::All, StatusBits::Needed].map(|status| Jit::compiled(program, layout, status).expect("machine code"));
-    let reference = Interpreter::load(program, layout);
+    let engines = engines(program, layout);
     let code = || program.code.iter().map(|(id, block)| format!("\n{id}\n{}", block.code)).collect::<String>();
     let mut silent = 0;
     for memory in 0..memories {
         let prepare = |machine: &mut Machine| prepare(machine, memory);
-        let outcome = |engine: &dyn Engine| run(engine, layout, &entry, &prepare, &|_, _, _| Reaction::Continue);
-        let expected = outcome(reference.as_ref());
+        let outcome = |engine: Arc<dyn Engine>| run(engine.as_ref(), layout, &entry, &prepare, &|_, _, _| Reaction::Continue);
+        let expected = all_engines_agree(&engines, false, &outcome, &|| format!("{what}, memory {memory}{}", code()));
         silent += u64::from(expected.asked.is_empty());
-        for engine in &engines {
-            outcome(engine.as_ref()).assert_ends_as(&expected, &|| format!("{what}, memory {memory}{}", code()));
-        }
     }
     silent
 }
 
 /// The same as [`all_engines_agree`] for a random run of OB 1: beside each engine somebody meddles with the machine whenever it asks, as dice that begin anew tell.
-#[allow(dead_code)] // Not every test that shares this file meddles.
 pub(crate) fn all_engines_agree_beside<D>(
-    (program, layout): (&Program, &Layout),
+    engines: &Engines<'_>,
     prepare: &dyn Fn(&mut Machine),
     dice: &dyn Fn() -> D,
     meddle: &dyn Fn(&mut Machine, &mut D, usize) -> Reaction,
@@ -256,20 +255,19 @@ pub(crate) fn all_engines_agree_beside<D>(
     let block = BlockId::ob(1);
     let entry = Entry { block, start_information: [7; 20], registers: None };
     let outcome = |engine: Arc<dyn Engine>| {
-        run_beside(engine.as_ref(), layout, &entry, prepare, dice(), &|machine, _, dice, asked| meddle(machine, dice, asked))
+        run_beside(engine.as_ref(), engines.layout, &entry, prepare, dice(), &|machine, _, dice, asked| meddle(machine, dice, asked))
     };
-    let what = || format!("{what}\n{}", program.code[&block].code);
-    all_engines_agree((program, layout), true, &outcome, &what)
+    let what = || format!("{what}\n{}", engines.program.code[&block].code);
+    all_engines_agree(engines, true, &outcome, &what)
 }
 
 /// The same for a program that asks one question, behind which it may go on for long.
-#[allow(dead_code)] // Not every test that shares this file asks once.
 pub(crate) fn all_engines_ask_once(program: &Program, layout: &Layout, what: &str) {
     let prepare = |machine: &mut Machine| machine.budget = 1000;
     let answer = |machine: &mut Machine, (): &mut (), _: usize| {
         machine.budget = 1000;
         Reaction::Continue
     };
-    let ended = all_engines_agree_beside((program, layout), &prepare, &|| (), &answer, what);
+    let ended = all_engines_agree_beside(&engines(program, layout), &prepare, &|| (), &answer, what);
     assert_eq!(ended.asked.len(), 1, "{:?}", ended.asked);
 }
