@@ -255,6 +255,19 @@ fn blocks_that_go_and_sources_that_never_parse_give_what_the_whole_gives() {
 }
 
 #[test]
+fn what_a_function_keeps_is_where_its_type_says() {
+    let inner = |more: &str| {
+        format!(
+            "FUNCTION_BLOCK Inner\nVAR_INPUT\n{more} on : BOOL;\nEND_VAR\nVAR_OUTPUT\n done : BOOL;\nEND_VAR\ndone := on;\nEND_FUNCTION_BLOCK\n"
+        )
+    };
+    let plain = inner("");
+    let keeps = "FUNCTION F : BOOL\nVAR_STAT\n one : Inner;\nEND_VAR\nF := one.done;\nEND_FUNCTION\nPROGRAM PLC_PRG\nVAR b : BOOL; x AT %MX1.0 : BOOL := TRUE; END_VAR\nb := F();\nEND_PROGRAM\n";
+    let files = [("a.exp", plain.as_str()), ("b.exp", keeps)];
+    replaced(&files, 0, &[&inner(" more : DINT;\n"), &inner(" x, y : INT;\n")]);
+}
+
+#[test]
 fn a_suggestion_goes_to_the_first_block_that_lacks_a_name() {
     let function = |name: &str, used: &str| format!("FUNCTION {name} : INT\n{name} := {used};\nEND_FUNCTION\n");
     let (first, second) = (function("A", "countt"), function("B", "countt"));

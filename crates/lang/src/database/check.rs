@@ -49,10 +49,10 @@ pub(super) struct Asked {
 }
 
 impl Asked {
-    /// Whether everything is as it was.
-    pub(super) fn holds(&self, stamp: Stamp, around: u64, layouts: &Layouts<Own>) -> bool {
+    /// Whether everything is as it was when the statements of the block were checked.
+    pub(super) fn holds(&self, id: BlockId, stamp: Stamp, around: u64, layouts: &Layouts<Own>) -> bool {
         let same = |&(id, version): &(BlockId, u64)| layouts.version(id) == version;
-        !self.passing && self.stamp == stamp && self.around == around && self.blocks.iter().all(same)
+        !self.passing && layouts.is_whole(id) && self.stamp == stamp && self.around == around && self.blocks.iter().all(same)
     }
 
     fn new(stamp: Stamp, around: u64, blocks: impl IntoIterator<Item = BlockId>, layouts: &Layouts<Own>, passing: bool) -> Self {
@@ -130,7 +130,7 @@ impl Checking<'_> {
     pub(super) fn stl(&self, found: &Found<'_>, before: Option<&Arc<Checked>>) -> Arc<Checked> {
         let (names, layouts) = (self.names, &self.declared.layouts);
         let around = names.surroundings;
-        if let Some(before) = before.filter(|before| before.asked.holds(found.stamp, around, layouts)) {
+        if let Some(before) = before.filter(|before| before.asked.holds(found.id, found.stamp, around, layouts)) {
             return Arc::clone(before);
         }
         let asked = RefCell::new(BTreeSet::from([found.id]));
@@ -183,7 +183,7 @@ impl Checking<'_> {
     /// A block of ST.
     pub(super) fn st(&self, id: BlockId, code: Code<'_>, before: Option<&Arc<Checked>>) -> Arc<Checked> {
         let layouts = &self.declared.layouts;
-        if let Some(before) = before.filter(|before| before.asked.holds(code.stamp, self.around_st, layouts)) {
+        if let Some(before) = before.filter(|before| before.asked.holds(id, code.stamp, self.around_st, layouts)) {
             return Arc::clone(before);
         }
         drop(self.environment.take_questions());

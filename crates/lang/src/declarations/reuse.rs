@@ -102,6 +102,11 @@ impl<O> Layouts<O> {
         }
     }
 
+    /// Whether a block declares nothing beyond its interface, so that its version stands for all of it.
+    pub(crate) fn is_whole(&self, id: BlockId) -> bool {
+        self.all.get(&id).is_some_and(|laid_out| laid_out.own.is_some())
+    }
+
     /// Gives the data blocks their versions.
     pub(crate) fn version_data(&mut self, before: &Self, data: &HashMap<u16, DataLayout>) {
         let mut last = self.last_version;
