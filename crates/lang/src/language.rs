@@ -15,7 +15,7 @@ pub enum Language {
     St(Dialect),
 }
 
-/// A text that was written anew, or why it was not.
+/// The new text, or why there is none.
 pub type Rewritten = Result<String, Vec<Diagnostic>>;
 
 /// A language as people meet it: what its files are called, and what is done with one of them alone.

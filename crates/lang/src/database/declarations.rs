@@ -102,7 +102,7 @@ impl<'a> Names<'a> {
         self.blocks = self.found.iter().map(|found| (found.id, (found.block, found.stamp))).collect();
     }
 
-    /// What does not belong to one block: whoever depends on more than one block is looked at again when this changes.
+    /// What does not belong to one block: when this changes, every block is checked again.
     fn hash(&self, parts: &Parts<'_>) -> u64 {
         let mut hasher = DefaultHasher::new();
         self.cpu.accumulators.hash(&mut hasher);

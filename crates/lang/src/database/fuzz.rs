@@ -9,7 +9,7 @@ use crate::options::Options;
 /// Endings of the sources, each a language or dialect.
 const ENDINGS: [&str; 4] = ["awl", "scl", "st", "exp"];
 
-/// Takes the bytes as two sources and changes one after the other: each time a database knows what the whole compiled anew tells.
+/// Takes the bytes as two sources and changes one after the other: each time a database has the diagnostics of the whole project compiled from scratch.
 pub fn fuzz(data: &[u8]) {
     let text = String::from_utf8_lossy(data);
     let lines: Vec<&str> = text.split_inclusive('\n').collect();

@@ -1,5 +1,5 @@
-//! The front end of a project that goes on living: what it knows of each source and each block is kept, and a change makes only that anew
-//! which it touches.
+//! The front end of a project that stays open: what it knows of each source and each block is kept, and a change renews only what it
+//! touches.
 //!
 //! Four steps, each with a result of its own: a source is parsed ([`syntax`]), a project declared ([`declarations`]), a block checked
 //! ([`check`]) and lowered ([`lower`]). What a step gave is taken again while its syntax is the same (*stamps*) and so is all that it asked
@@ -65,7 +65,7 @@ struct Memory {
     lowered: HashMap<BlockId, Arc<Lowered>>,
 }
 
-/// What the last evaluation had to do anew.
+/// What the last evaluation could not take from before.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// Sources that were parsed.
@@ -124,7 +124,7 @@ impl Database {
         &self.sources
     }
 
-    /// What the last evaluation had to do anew.
+    /// What the last evaluation could not take from before.
     pub fn work(&self) -> &Work {
         &self.work
     }
@@ -179,8 +179,8 @@ impl Database {
         }
     }
 
-    /// Compiles as far as the goal asks for. What a program needs of the library shows while it is declared and checked: then all begins
-    /// anew with that. What was needed last is tried first; when the blocks use something else now, the search begins at nothing.
+    /// Compiles as far as the goal asks for. What a program needs of the library shows while it is declared and checked: then both are done
+    /// again with that. What was needed last is tried first; when the blocks use something else now, the search begins with nothing.
     fn evaluate(&mut self, goal: Goal) -> Compiled {
         self.work = Work::default();
         self.parse();

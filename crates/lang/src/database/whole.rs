@@ -110,7 +110,7 @@ impl Revision<'_> {
         diagnostics.sort_by_key(|diagnostic| (diagnostic.span.file, diagnostic.span.start));
         compiled.diagnostics = diagnostics;
         let demands = environment.demands();
-        // Where something of the library is lacking, all begins anew.
+        // A block of the library is missing: the caller begins again with it.
         if self.goal != Goal::Diagnostics && self.needed.has_all(&demands) {
             let mut lowered: HashMap<BlockId, Arc<Lowered>> = HashMap::with_capacity(checked.len());
             for (&id, checked) in &checked {
