@@ -83,7 +83,7 @@ enum Goal {
     Diagnostics,
     /// Its blocks are code.
     Code,
-    /// The same, and nobody asks again.
+    /// The same, and nothing is kept for a next time.
     CodeOnce,
 }
 

@@ -155,7 +155,7 @@ impl<'a, O: Clone> Reuse<'a, O> {
         Self { before, trusting, now, frames: vec![Some(Vec::new())], outside: HashSet::new() }
     }
 
-    /// Somebody asks for a block or type.
+    /// A block or type is asked for.
     pub(crate) fn ask(&mut self, id: BlockId) {
         match self.frames.last_mut() {
             Some(Some(frame)) => {
