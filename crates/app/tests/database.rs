@@ -296,6 +296,18 @@ fn a_name_of_the_library_comes_and_goes_with_the_block_that_writes_it() {
 }
 
 #[test]
+fn a_block_of_the_library_stays_when_one_of_its_users_goes() {
+    let files = [
+        ("m.awl", "CALL FC 11 (RET_VAL := MW 2);\nCALL \"CONCAT\";\n"),
+        (
+            "f.scl",
+            "FUNCTION FC11 : INT\nVAR_TEMP\n s : STRING[20];\nEND_VAR\nBEGIN\n s := CONCAT(IN1 := 'a', IN2 := 'b');\n s := DELETE(IN := s, L := 1, P := 1);\n FC11 := LEN(s);\nEND_FUNCTION\n",
+        ),
+    ];
+    replaced(&files, 0, &["CALL FC 11 (RET_VAL := MW 2);\n"]);
+}
+
+#[test]
 fn messages_quote_what_the_source_says_now() {
     let function = |statements: &str| format!("FUNCTION FC 1 : VOID\nBEGIN\n{statements}END_FUNCTION\n");
     let lower = function("T W#16#ab;\nCALL mw 10;\n");

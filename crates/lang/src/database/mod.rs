@@ -186,8 +186,9 @@ impl Database {
         self.parse();
         let guess = std::mem::take(&mut self.needed);
         if !guess.is_empty() {
-            let (compiled, _, uses) = self.round(goal, &guess);
-            if uses == self.uses {
+            let (compiled, demands, uses) = self.round(goal, &guess);
+            // What a source of STL does not name any more may be used all the same.
+            if uses == self.uses && guess.has_all(&demands) {
                 self.needed = guess;
                 return self.finished(compiled);
             }
