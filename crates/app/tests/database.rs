@@ -284,6 +284,66 @@ fn blocks_of_the_library_go_when_nothing_needs_them() {
     replaced(&files, 0, &["PROGRAM PLC_PRG\nVAR y : INT; END_VAR\ny := F(1);\nEND_PROGRAM\n", &ramp.replace("RAMP_INT", "BLINK"), ""]);
 }
 
+#[test]
+fn a_name_of_the_library_comes_and_goes_with_the_block_that_writes_it() {
+    let by_number = "CALL FB 41, DB 41;\n";
+    let files = [
+        ("m.awl", by_number),
+        ("f.awl", "FUNCTION FC 12 : VOID\nBEGIN\nUC \"CONT_C\";\nEND_FUNCTION\n"),
+        ("f.scl", "FUNCTION FC11 : VOID\nBEGIN\n CONT_C.DB42();\nEND_FUNCTION\n"),
+    ];
+    replaced(&files, 0, &["CALL \"CONT_C\", DB 41;\n"]);
+}
+
+#[test]
+fn a_block_of_the_library_stays_when_one_of_its_users_goes() {
+    let files = [
+        ("m.awl", "CALL FC 11 (RET_VAL := MW 2);\nCALL \"CONCAT\";\n"),
+        (
+            "f.scl",
+            "FUNCTION FC11 : INT\nVAR_TEMP\n s : STRING[20];\nEND_VAR\nBEGIN\n s := CONCAT(IN1 := 'a', IN2 := 'b');\n s := DELETE(IN := s, L := 1, P := 1);\n FC11 := LEN(s);\nEND_FUNCTION\n",
+        ),
+    ];
+    replaced(&files, 0, &["CALL FC 11 (RET_VAL := MW 2);\n"]);
+}
+
+#[test]
+fn messages_quote_what_the_source_says_now() {
+    let function = |statements: &str| format!("FUNCTION FC 1 : VOID\nBEGIN\n{statements}END_FUNCTION\n");
+    let lower = function("T W#16#ab;\nCALL mw 10;\n");
+    replaced(&[("f.awl", lower.as_str())], 0, &[&function("T W#16#AB;\nCALL mw 10;\n"), &function("T W#16#ab;\nCALL MW 10;\n")]);
+}
+
+#[test]
+fn a_change_that_breaks_many_declarations_has_all_suggestions() {
+    let block = |type_name: &str| {
+        let variables: String = (0..70).map(|index| format!(" v{index} : {type_name};\n")).collect();
+        format!("FUNCTION_BLOCK Fb\nVAR\n{variables}END_VAR\nv0.x := 1;\nEND_FUNCTION_BLOCK\n")
+    };
+    let right = block("Point");
+    let files = [("f.st", right.as_str()), ("t.st", "TYPE Point : STRUCT x, y : INT; END_STRUCT; END_TYPE\n")];
+    replaced(&files, 0, &[&block("Poimt")]);
+}
+
+#[test]
+fn initial_values_at_addresses_are_written_in_the_same_order() {
+    // The type has an instance with an address; which block asks for the type first decides when its value is written.
+    let first = |type_name: &str| format!("FUNCTION_BLOCK A\nVAR\n q : {type_name};\nEND_VAR\nEND_FUNCTION_BLOCK\n");
+    let with_type = first("Shared");
+    let files = [
+        ("first.exp", with_type.as_str()),
+        ("second.exp", "FUNCTION_BLOCK B\nVAR\n q : Shared;\nEND_VAR\nEND_FUNCTION_BLOCK\n"),
+        (
+            "addresses.exp",
+            "FUNCTION_BLOCK C\nVAR\n o AT %MW10 : INT := 4;\nEND_VAR\no := 1;\nEND_FUNCTION_BLOCK\n\
+             FUNCTION_BLOCK D\nVAR\n o AT %MW10 : INT := 5;\nEND_VAR\no := 2;\nEND_FUNCTION_BLOCK\n\
+             TYPE Shared : STRUCT a : INT; inner : C; END_STRUCT; END_TYPE\n",
+        ),
+        ("main.exp", "PROGRAM PLC_PRG\nVAR\n first : A;\n second : B;\n third : D;\nEND_VAR\nfirst(); second(); third();\nEND_PROGRAM\n"),
+    ];
+    replaced(&files, 0, &[&first("INT")]);
+}
+
 fn fc(number: u16) -> BlockId {
     BlockId::new(sieben_model::block::BlockKind::Function, number)
 }
@@ -343,6 +403,19 @@ fn a_change_checks_its_block_and_what_depends_on_its_interface() {
     assert_eq!(checked_after(&files, 3, " v : INT;", " v : DINT;"), [fc(10), fc(11)]);
     // The whole text again: nothing.
     assert_eq!(checked_after(&files, 2, "FB 2", "FB 2"), []);
+}
+
+#[test]
+fn what_blocks_take_from_the_library_is_known_after_a_change() {
+    // The outer block uses the library itself, and through what it contains.
+    let files = [
+        ("a.st", "FUNCTION_BLOCK Outer\nVAR\n t : TON;\n inner : Inner;\n e : R_TRIG;\nEND_VAR\nt(); inner(); e();\nEND_FUNCTION_BLOCK\n"),
+        ("b.st", "FUNCTION_BLOCK Inner\nVAR\n c : CTU;\nEND_VAR\nc();\nEND_FUNCTION_BLOCK\n"),
+        ("c.st", "FUNCTION_BLOCK A\nVAR\n n : INT;\nEND_VAR\nn := 1;\nEND_FUNCTION_BLOCK\n"),
+        ("m.st", "PROGRAM Main\nVAR\n outer : Outer;\n a : A;\nEND_VAR\nouter(); a();\nEND_PROGRAM\n"),
+    ];
+    let files = files.map(|(name, text)| (name.to_owned(), text.to_owned()));
+    assert_eq!(checked_after(&files, 2, "n := 1", "n := 2").len(), 1);
 }
 
 #[test]

@@ -20,7 +20,7 @@ pub type Bodies = BTreeMap<BlockId, Arc<CheckedBody>>;
 
 /// A code block whose statements are checked and whose names are resolved.
 ///
-/// Each language answers in its folder (`stl/body.rs`, `st/body.rs`); nobody else needs to know which one it is. Statements are those of the IR, by their number from 0.
+/// Each language answers in its folder (`stl/body.rs`, `st/body.rs`); code outside of it need not know which one it is. Statements are those of the IR, by their number from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CheckedBody {
     /// A block of STL.

@@ -30,7 +30,7 @@ pub struct Options {
     pub library: Selection,
     /// The dialect of all sources of ST; `None` = judged over each whole file.
     pub dialect: Option<Dialect>,
-    /// Whether test files among the sources are compiled; else they are told to be none of a program.
+    /// Whether test files among the sources are compiled; else it is reported that they are no part of a program.
     pub tests: bool,
     /// Whether it is known of each statement and each decision how to count it ([`Compiled::countable`]): for the coverage of tests.
     pub counted: bool,

@@ -158,9 +158,14 @@ impl Scope {
         if made < SUGGESTIONS_MAX { nearest(name, candidates) } else { None }
     }
 
-    /// How often a name was looked for that looks like another one. Whoever asks for that gets an answer that depends on who asked before.
+    /// How many suggestions were asked for: there is a limit, so that an answer depends on the questions before it.
     pub(crate) fn suggestions(&self) -> u32 {
         self.suggestions.get()
+    }
+
+    /// Forgets the suggestions since there were so many: they do not count, because nothing that they are part of is reported.
+    pub(crate) fn take_back_suggestions(&self, made: u32) {
+        self.suggestions.set(made);
     }
 }
 

@@ -112,7 +112,8 @@ impl<'a> Names<'a> {
                 word.text.hash(&mut hasher);
             }
         }
-        self.links.keys().for_each(|id| id.hash(&mut hasher));
+        // A block of the library that only its number is written of has no name.
+        self.links.iter().for_each(|(id, block)| (id, self.scope.block(block.name)).hash(&mut hasher));
         parts.files.iter().for_each(|syntax| syntax.rest.hash(&mut hasher));
         parts.needed.sources.iter().for_each(|source| source.path.hash(&mut hasher));
         self.items.hash_names(&mut hasher);
@@ -120,13 +121,18 @@ impl<'a> Names<'a> {
     }
 
     /// Lays out everything that is declared. The order of the sources does not matter, types resolve one another. What `before` says of
-    /// blocks that are the same holds, unless something is wrong now: then all is laid out, so that all is said.
+    /// blocks that are the same holds, unless something is wrong now: then all is laid out, so that all is said. So it is where the order matters.
     pub(super) fn declare(&self, before: &Layouts<Own>) -> Declared {
         let trusting = before.surroundings == Some(self.surroundings);
-        let first = self.lay_out(Reuse::new(before, trusting));
-        let again = trusting && (first.is_wrong() || first.layouts.asked_outside != before.asked_outside);
-        let mut declared = if again { self.lay_out(Reuse::new(before, false)) } else { first };
-        declared.layouts.surroundings = (!declared.is_wrong()).then_some(self.surroundings);
+        let suggestions = self.scope.suggestions();
+        let mut declared = self.lay_out(Reuse::new(before, trusting));
+        if trusting && (declared.is_wrong() || declared.layouts.asked_outside != before.asked_outside) {
+            // The suggestions of the first attempt are not said.
+            self.scope.take_back_suggestions(suggestions);
+            declared = self.lay_out(Reuse::new(before, false));
+        }
+        let holds = !declared.is_wrong() && !declared.layouts.depends_on_order;
+        declared.layouts.surroundings = holds.then_some(self.surroundings);
         declared.layouts.version_data(before, &declared.data);
         declared
     }

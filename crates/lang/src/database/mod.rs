@@ -83,7 +83,7 @@ enum Goal {
     Diagnostics,
     /// Its blocks are code.
     Code,
-    /// The same, and nobody asks again.
+    /// The same, and nothing is kept for a next time.
     CodeOnce,
 }
 
@@ -186,8 +186,9 @@ impl Database {
         self.parse();
         let guess = std::mem::take(&mut self.needed);
         if !guess.is_empty() {
-            let (compiled, _, uses) = self.round(goal, &guess);
-            if uses == self.uses {
+            let (compiled, demands, uses) = self.round(goal, &guess);
+            // What a source of STL does not name any more may be used all the same.
+            if uses == self.uses && guess.has_all(&demands) {
                 self.needed = guess;
                 return self.finished(compiled);
             }

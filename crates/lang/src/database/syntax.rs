@@ -123,7 +123,8 @@ impl Syntax {
             &stl.file.blocks.iter().collect::<Vec<_>>(),
             before.map(|(_, stl)| (stl.file.blocks.iter().collect(), stl.stamps.as_slice())),
             |one, other| one == other && before.is_some_and(|(before, _)| syntax.has_errors_of(before, one.span)),
-            |block| declarations_of(text, block.sections.iter().map(|section| section.span)),
+            |block| written(text, [block.span]),
+            |block| written(text, block.sections.iter().map(|section| section.span)),
             stamps,
         );
         if let Tree::Stl(stl) = &mut syntax.tree {
@@ -159,7 +160,8 @@ impl Syntax {
             &blocks,
             parts.as_ref().map(|(_, blocks, _, stamps)| (blocks.clone(), *stamps)),
             |one, other| one == other && parts.as_ref().is_some_and(|(before, ..)| syntax.has_errors_of(before, one.span)),
-            |block| declarations_of(text, block.sections.iter().map(|section| section.span)),
+            |block| written(text, [block.span]),
+            |block| written(text, block.sections.iter().map(|section| section.span)),
             stamps,
         );
         let rest = match &parts {
@@ -198,10 +200,10 @@ fn errors(diagnostics: &[Diagnostic]) -> Vec<u32> {
     errors
 }
 
-/// What the declarations of a block read.
-fn declarations_of(text: &str, sections: impl Iterator<Item = Span>) -> u64 {
+/// What stands in these places.
+fn written(text: &str, places: impl IntoIterator<Item = Span>) -> u64 {
     let mut hasher = DefaultHasher::new();
-    for span in sections {
+    for span in places {
         text.get(span.start as usize..span.end as usize).hash(&mut hasher);
     }
     hasher.finish()
@@ -212,17 +214,19 @@ fn stamped<'a, B>(
     blocks: &[&'a B],
     before: Option<(Vec<&'a B>, &[Stamp])>,
     is_same: impl Fn(&B, &B) -> bool,
+    text: impl Fn(&B) -> u64,
     declarations: impl Fn(&B) -> u64,
     stamps: &mut Stamps,
 ) -> Vec<Stamp> {
     let (old, known) = before.unwrap_or_default();
     let moved = blocks.len() as isize - old.len() as isize;
     let stamp = |(index, block): (usize, &&B)| {
-        let candidates = [Some(index), index.checked_add_signed(-moved)];
-        let same = candidates.into_iter().flatten().find(|&at| old.get(at).is_some_and(|old| is_same(block, old)));
-        match same.and_then(|at| known.get(at)) {
-            Some(&stamp) => stamp,
-            None => Stamp { syntax: stamps.next(), declarations: declarations(block) },
+        let text = text(block);
+        let candidates = [Some(index), index.checked_add_signed(-moved)].into_iter().flatten();
+        let mut known = candidates.filter_map(|at| Some((old.get(at)?, known.get(at)?)));
+        match known.find(|(old, stamp)| stamp.text == text && is_same(block, old)) {
+            Some((_, &stamp)) => stamp,
+            None => Stamp { syntax: stamps.next(), text, declarations: declarations(block) },
         }
     };
     blocks.iter().enumerate().map(stamp).collect()

@@ -18,6 +18,8 @@ use super::types::BlockInterface;
 pub(crate) struct Stamp {
     /// Another one as soon as anything of the block, or its place, is another one.
     pub(crate) syntax: u64,
+    /// How it is written: messages quote the source, and another spelling may be the same syntax.
+    pub(crate) text: u64,
     /// What its declarations read, wherever they stand.
     pub(crate) declarations: u64,
 }
@@ -35,8 +37,8 @@ pub(crate) trait Knows: Default {
     fn mark(&self) -> Self::Mark;
     /// What was found out about a block since then; `None` if more was found out than this can hold.
     fn own(&self, block: BlockId, since: &Self::Mark) -> Option<Self::Own>;
-    /// Takes in what was found out about a block that is as before.
-    fn take_in(&mut self, block: BlockId, own: &Self::Own);
+    /// Takes in what was found out about a block that is as before; `since` is what was known before the blocks that it asks for.
+    fn take_in(&mut self, block: BlockId, own: &Self::Own, since: &Self::Mark);
 }
 
 /// The layout of a block or type, with what it was made of.
@@ -81,15 +83,18 @@ pub(crate) struct Layouts<O> {
     data: HashMap<u16, (DataLayout, u64)>,
     /// What named types, constants and global variables asked for.
     pub(crate) asked_outside: Vec<(BlockId, u64)>,
-    /// Which blocks and names there were, if nothing was wrong with what they declare.
+    /// Which blocks and names there were, if what they declare may be taken again: nothing is wrong, and the order does not matter.
     pub(crate) surroundings: Option<u64>,
+    /// Whether something that several blocks share left more than its layout, so that it matters which of them asks first.
+    pub(crate) depends_on_order: bool,
     /// The last version that was given away.
     last_version: u64,
 }
 
 impl<O> Default for Layouts<O> {
     fn default() -> Self {
-        Self { all: HashMap::new(), data: HashMap::new(), asked_outside: Vec::new(), surroundings: None, last_version: ABSENT }
+        let (all, data, asked_outside) = (HashMap::new(), HashMap::new(), Vec::new());
+        Self { all, data, asked_outside, surroundings: None, depends_on_order: false, last_version: ABSENT }
     }
 }
 
@@ -150,7 +155,7 @@ impl<'a, O: Clone> Reuse<'a, O> {
         Self { before, trusting, now, frames: vec![Some(Vec::new())], outside: HashSet::new() }
     }
 
-    /// Somebody asks for a block or type.
+    /// A block or type is asked for.
     pub(crate) fn ask(&mut self, id: BlockId) {
         match self.frames.last_mut() {
             Some(Some(frame)) => {
@@ -170,6 +175,11 @@ impl<'a, O: Clone> Reuse<'a, O> {
     /// It ends.
     pub(crate) fn end_shared(&mut self) {
         self.frames.pop();
+    }
+
+    /// What ended left more than its layout.
+    pub(crate) fn depends_on_order(&mut self) {
+        self.now.depends_on_order = true;
     }
 
     /// The layout of before whose syntax is the same, and what it asked for; whether that is the same, the caller finds out.

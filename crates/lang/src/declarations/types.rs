@@ -182,9 +182,10 @@ impl<'a, K: Knows> Types<'a, K> {
             }
             self.interfaces.insert(id, State::InProgress);
             let stamp = language.stamp(id);
+            let since = self.known.mark();
             let laid_out = match self.as_before(id, stamp, span) {
                 Some((Layout::Block(laid_out), own)) => {
-                    self.known.take_in(id, own);
+                    self.known.take_in(id, own, &since);
                     laid_out.clone()
                 }
                 _ => {

@@ -33,7 +33,7 @@ impl ResolvedBlock {
         (statement as usize) < self.statements.len()
     }
 
-    /// What stands behind the instruction.
+    /// What stands after the instruction.
     pub(crate) fn value_in<'t>(&self, text: &'t str) -> Option<&'t str> {
         text.split_once(' ').map(|(_, operand)| operand.trim())
     }

@@ -201,12 +201,22 @@ impl Knows for Known {
 
     fn own(&self, block: BlockId, since: &Mark) -> Option<Own> {
         let own = Own { declared: self.blocks.get(&block).cloned(), uses: self.uses[since.uses..].to_vec() };
-        (!self.unlinked && self.mark().shared == since.shared).then_some(own)
+        (!self.unlinked && self.has_only_blocks_since(since)).then_some(own)
     }
 
-    fn take_in(&mut self, block: BlockId, own: &Own) {
+    fn take_in(&mut self, block: BlockId, own: &Own, since: &Mark) {
         self.blocks.extend(own.declared.iter().map(|declared| (block, Arc::clone(declared))));
+        // The blocks that it asks for were looked at first; when it was laid out, they had their turn at their places in it.
+        let asked = self.uses.split_off(since.uses);
         self.uses.extend_from_slice(&own.uses);
+        self.uses.extend(asked);
+    }
+}
+
+impl Known {
+    /// Whether nothing was found out since then but what belongs to single blocks.
+    fn has_only_blocks_since(&self, since: &Mark) -> bool {
+        self.mark().shared == since.shared
     }
 }
 

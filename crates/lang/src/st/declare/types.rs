@@ -14,6 +14,7 @@ use super::initial::range;
 use super::items::{Items, numbered};
 use super::{Demand, InitialAddress, Named, Types, ast};
 use crate::declarations::BLOCK_BYTES_MAX;
+use crate::declarations::reuse::Knows;
 use crate::declarations::types::State;
 use crate::scope::{did_you_mean, key};
 use crate::st::ast::{Dimension, TypeKind, TypeSpec};
@@ -444,10 +445,15 @@ impl<'t, 'a> Resolver<'t, 'a> {
         }
         self.types.known.named.insert(wanted.to_owned(), State::InProgress);
         let declaration = found.declaration;
+        let before = self.types.known.mark();
         self.types.reuse.begin_shared();
         let mut inner = Resolver::new(self.types, items, found.dialect).within(found.space);
         let resolved = inner.declared_type(declaration).map(Arc::new);
         self.types.reuse.end_shared();
+        if !self.types.known.has_only_blocks_since(&before) {
+            // Initial values at addresses are written in the order in which they are found.
+            self.types.reuse.depends_on_order();
+        }
         self.types.leave();
         self.types.known.named.insert(wanted.to_owned(), State::Done(resolved.clone()));
         resolved

@@ -1,4 +1,4 @@
-//! One walk through the typed tree, in the order of the source: what someone looks for overrides the steps that it is about.
+//! One walk through the typed tree, in the order of the source: a visitor overrides the steps that it is about.
 
 use sieben_model::types::DataType;
 
@@ -34,7 +34,7 @@ pub enum Extent<'t> {
     Unknown,
 }
 
-/// Who walks through the tree. Each step goes on into what belongs to it, unless it is overridden; an overriding one may do the same with the function of this module that has its name.
+/// A visitor of the tree. Each step goes on into what belongs to it, unless it is overridden; an overriding one may do the same with the function of this module that has its name.
 pub trait Visit<'t> {
     /// A statement of a body.
     fn statement(&mut self, statement: &'t Statement) {
