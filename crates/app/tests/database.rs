@@ -8,7 +8,7 @@ use sieben_lang::database::Database;
 use sieben_lang::{Options, compile, encoding};
 use sieben_model::block::BlockId;
 use sieben_model::source::{FileId, Sources};
-use sieben_model::symbols::SymbolTable;
+use sieben_model::symbols::{Symbol, SymbolTable};
 
 /// Random changes of each project.
 const CHANGES: usize = 60;
@@ -416,6 +416,21 @@ fn what_blocks_take_from_the_library_is_known_after_a_change() {
     ];
     let files = files.map(|(name, text)| (name.to_owned(), text.to_owned()));
     assert_eq!(checked_after(&files, 2, "n := 1", "n := 2").len(), 1);
+}
+
+#[test]
+fn another_symbol_table_is_that_of_the_project() {
+    let symbol =
+        |address: &str| Symbol { name: "lamp".to_owned(), address: address.to_owned(), data_type: "BOOL".to_owned(), ..Symbol::default() };
+    let mut database = Database::new(SymbolTable::new(vec![symbol("Q 0.0")]), Options::default());
+    database.add("main.awl", "A I 0.0;\n= \"lamp\";\n");
+    database.compiled();
+    for table in [vec![symbol("Q 4.1")], vec![symbol("QW 2")], vec![]] {
+        let table = SymbolTable::new(table);
+        database.set_symbols(table.clone());
+        let (got, expected) = (database.compiled(), compile(database.sources(), &table, &Options::default()));
+        assert_eq!((got.diagnostics, got.bodies), (expected.diagnostics, expected.bodies));
+    }
 }
 
 #[test]

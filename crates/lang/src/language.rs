@@ -22,8 +22,6 @@ pub type Rewritten = Result<String, Vec<Diagnostic>>;
 ///
 /// What is done with a whole project, to parse, declare, check and lower, stands in [`crate::database`], each step in its file.
 pub struct Row {
-    /// What it is called.
-    pub name: &'static str,
     /// Endings of its files, in lower case.
     pub endings: &'static [Ending],
     /// The text of a source in the usual layout.
@@ -49,13 +47,11 @@ const fn ending(ending: &'static str, language: Language, in_folders: bool) -> E
 /// All languages.
 pub const LANGUAGES: &[Row] = &[
     Row {
-        name: "STL",
         endings: &[ending("awl", Language::Stl, true), ending("stl", Language::Stl, true)],
         format: |text, _, mnemonics| stl::format(text, mnemonics),
         convert: stl::convert::convert,
     },
     Row {
-        name: "Structured Text and SCL",
         endings: &[
             ending("st", Language::St(Dialect::Iec), true),
             ending("iecst", Language::St(Dialect::Iec), true),

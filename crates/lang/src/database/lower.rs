@@ -22,7 +22,8 @@ pub(super) struct Lowered {
     pub(super) countable: Option<Countable>,
 }
 
-/// The code of a block that could be checked; that of before, if it was made of the same.
+/// The code of a block that could be checked; that of before, if it was made of the same. Lowering asks only for interfaces that the check
+/// asked for, and for members of objects, which belong to the surroundings.
 pub(super) fn block(
     names: &Names<'_>,
     environment: &Environment<'_>,

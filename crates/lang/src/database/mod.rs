@@ -116,7 +116,7 @@ impl Database {
     /// Gives the project another symbol table.
     pub fn set_symbols(&mut self, symbols: SymbolTable) {
         self.symbols = Arc::new(symbols);
-        self.memory = Memory::default();
+        (self.memory, self.needed, self.uses) = (Memory::default(), Needed::default(), Vec::new());
     }
 
     /// The sources.
