@@ -1,5 +1,5 @@
-//! What a database knows after changes is what it would know of the same sources from the beginning, and a change makes only that anew
-//! which it touches.
+//! What a database knows after changes is what it would know of the same sources from the beginning, and a change renews only what it
+//! touches.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -14,10 +14,11 @@ use super::declarations::{Declared, Names};
 use super::headers::Found;
 use crate::body::CheckedBody;
 use crate::declarations::data_block::DataLayout;
+use crate::declarations::interface::too_much_local_data;
 use crate::declarations::reuse::{Layouts, Stamp};
 use crate::declarations::types::BlockInterface;
 use crate::options::Options;
-use crate::st::declare::{CheckedStatements, Code, Demand, Environment, Own};
+use crate::st::declare::{CheckedStatements, Code, Demand, Environment, Own, Questions, Told};
 use crate::stl::check;
 use crate::stl::resolve::{Blocks, Known};
 use crate::stl::size::code_bytes;
@@ -30,15 +31,15 @@ pub(super) struct Checked {
     /// What there is to say about them.
     pub(super) diagnostics: Vec<Diagnostic>,
     /// What a block of ST tells besides.
-    pub(super) st: Option<CheckedStatements>,
-    pub(super) asked: Asked,
+    pub(super) told: Option<Told>,
+    asked: Asked,
     /// What of the library its statements use.
     pub(super) uses: Vec<Demand>,
 }
 
 /// What the statements of a block depend on.
 #[derive(Clone, Debug)]
-pub(super) struct Asked {
+struct Asked {
     stamp: Stamp,
     /// Which blocks and names there were, and what does not belong to one block.
     around: u64,
@@ -50,15 +51,31 @@ pub(super) struct Asked {
 
 impl Asked {
     /// Whether everything is as it was when the statements of the block were checked.
-    pub(super) fn holds(&self, id: BlockId, stamp: Stamp, around: u64, layouts: &Layouts<Own>) -> bool {
+    fn holds(&self, block: &Subject, layouts: &Layouts<Own>) -> bool {
         let same = |&(id, version): &(BlockId, u64)| layouts.version(id) == version;
-        !self.passing && layouts.is_whole(id) && self.stamp == stamp && self.around == around && self.blocks.iter().all(same)
+        !self.passing
+            && layouts.is_whole(block.id)
+            && (self.stamp, self.around) == (block.stamp, block.around)
+            && self.blocks.iter().all(same)
     }
+}
 
-    fn new(stamp: Stamp, around: u64, blocks: impl IntoIterator<Item = BlockId>, layouts: &Layouts<Own>, passing: bool) -> Self {
-        let blocks = blocks.into_iter().map(|id| (id, layouts.version(id))).collect();
-        Self { stamp, around, blocks, passing }
-    }
+/// A block that is to be checked.
+struct Subject {
+    id: BlockId,
+    stamp: Stamp,
+    /// The whole block.
+    span: Span,
+    /// Which blocks and names there are, and what does not belong to one block.
+    around: u64,
+}
+
+/// What a check gives.
+struct Outcome {
+    body: Option<CheckedBody>,
+    diagnostics: Vec<Diagnostic>,
+    told: Option<Told>,
+    questions: Questions,
 }
 
 /// Whether all that is said is about a place in the block.
@@ -128,73 +145,73 @@ pub(super) struct Checking<'a> {
 impl Checking<'_> {
     /// A block of STL.
     pub(super) fn stl(&self, found: &Found<'_>, before: Option<&Arc<Checked>>) -> Arc<Checked> {
-        let (names, layouts) = (self.names, &self.declared.layouts);
-        let around = names.surroundings;
-        if let Some(before) = before.filter(|before| before.asked.holds(found.id, found.stamp, around, layouts)) {
-            return Arc::clone(before);
-        }
-        let asked = RefCell::new(BTreeSet::from([found.id]));
-        let blocks = Noting { names, declared: self.declared, asked };
-        let known = Known {
-            sources: self.sources,
-            scope: &names.scope,
-            cpu: &names.cpu,
-            blocks: &blocks,
-            field_names: &self.declared.field_names,
-            temporaries: self.options.temporaries,
-            library: &names.links,
-            selection: &self.options.library,
-            extended: self.options.extended,
-        };
-        let suggestions = names.scope.suggestions();
-        let (body, diagnostics) = match self.declared.interfaces.get(&found.id) {
-            Some(BlockInterface { interface, .. }) => self.statements(&known, found, interface),
-            None => (None, Vec::new()),
-        };
-        let passing = names.scope.suggestions() != suggestions || !stays_inside(&diagnostics, found.block.span);
-        let asked = Asked::new(found.stamp, around, blocks.asked.into_inner(), layouts, passing);
-        Arc::new(Checked { body, diagnostics, st: None, asked, uses: Vec::new() })
-    }
-
-    fn statements(&self, known: &Known<'_>, found: &Found<'_>, interface: &Interface) -> (Option<Arc<CheckedBody>>, Vec<Diagnostic>) {
-        let &Found { id, block, mnemonics, syntax, .. } = found;
-        let cpu = known.cpu;
-        let mut diagnostics = Vec::new();
-        if interface.local_size > cpu.local_data_block {
-            let message = format!(
-                "`{id}` declares {} bytes of local data; CPU {} has {} for a block",
-                interface.local_size, cpu.name, cpu.local_data_block
-            );
-            diagnostics.push(Diagnostic::new(Problem::P5007, block.name.span(), message));
-        }
-        let mut checked = check::block(known, id, block, interface, mnemonics, &|span| syntax.is_reported(span));
-        let bytes = code_bytes(&checked.block.statements);
-        if bytes > u64::from(cpu.block_size_max) {
-            let message = format!(
-                "`{id}` has at least {bytes} bytes of code in a CPU; a block of CPU {} has at most {}",
-                cpu.name, cpu.block_size_max
-            );
-            checked.diagnostics.push(Diagnostic::new(Problem::P5009, block.name.span(), message));
-        }
-        diagnostics.append(&mut checked.diagnostics);
-        (checked.whole.then(|| Arc::new(CheckedBody::Stl(checked.block))), diagnostics)
+        let names = self.names;
+        let subject = Subject { id: found.id, stamp: found.stamp, span: found.block.span, around: names.surroundings };
+        self.renewed(&subject, before, || {
+            let blocks = Noting { names, declared: self.declared, asked: RefCell::default() };
+            let known = Known {
+                sources: self.sources,
+                scope: &names.scope,
+                cpu: &names.cpu,
+                blocks: &blocks,
+                field_names: &self.declared.field_names,
+                temporaries: self.options.temporaries,
+                library: &names.links,
+                selection: &self.options.library,
+                extended: self.options.extended,
+            };
+            let (body, diagnostics) = match self.declared.interfaces.get(&found.id) {
+                Some(BlockInterface { interface, .. }) => statements(&known, found, interface),
+                None => (None, Vec::new()),
+            };
+            let questions = Questions { blocks: blocks.asked.into_inner(), ..Questions::default() };
+            Outcome { body, diagnostics, told: None, questions }
+        })
     }
 
     /// A block of ST.
     pub(super) fn st(&self, id: BlockId, code: Code<'_>, before: Option<&Arc<Checked>>) -> Arc<Checked> {
+        let subject = Subject { id, stamp: code.stamp, span: code.block.span, around: self.around_st };
+        self.renewed(&subject, before, || {
+            drop(self.environment.take_questions());
+            let CheckedStatements { typed, diagnostics, told } = self.environment.check_block(id, code, &self.names.cpu);
+            let questions = self.environment.take_questions();
+            Outcome { body: typed.map(CheckedBody::St), diagnostics, told: Some(told), questions }
+        })
+    }
+
+    /// What is known of a block from before, if it still holds; else the outcome of a check, with what it depends on.
+    fn renewed(&self, block: &Subject, before: Option<&Arc<Checked>>, check: impl FnOnce() -> Outcome) -> Arc<Checked> {
         let layouts = &self.declared.layouts;
-        if let Some(before) = before.filter(|before| before.asked.holds(id, code.stamp, self.around_st, layouts)) {
+        if let Some(before) = before.filter(|before| before.asked.holds(block, layouts)) {
             return Arc::clone(before);
         }
-        drop(self.environment.take_questions());
         let suggestions = self.names.scope.suggestions();
-        let mut st = self.environment.check_block(id, code, &self.names.cpu);
-        let diagnostics = std::mem::take(&mut st.diagnostics);
-        let body = st.typed.take().map(|typed| Arc::new(CheckedBody::St(typed)));
-        let questions = self.environment.take_questions();
-        let passing = questions.names || self.names.scope.suggestions() != suggestions || !stays_inside(&diagnostics, code.block.span);
-        let asked = questions.blocks.into_iter().chain([id]);
-        let asked = Asked::new(code.stamp, self.around_st, asked, layouts, passing);
-        Arc::new(Checked { body, diagnostics, st: Some(st), asked, uses: questions.uses })
+        let Outcome { body, diagnostics, told, questions } = check();
+        let suggested = questions.names || self.names.scope.suggestions() != suggestions;
+        let asked = questions.blocks.into_iter().chain([block.id]);
+        let asked = Asked {
+            stamp: block.stamp,
+            around: block.around,
+            blocks: asked.map(|id| (id, layouts.version(id))).collect(),
+            passing: suggested || !stays_inside(&diagnostics, block.span),
+        };
+        Arc::new(Checked { body: body.map(Arc::new), diagnostics, told, asked, uses: questions.uses })
     }
+}
+
+/// Checks the statements of a block of STL.
+fn statements(known: &Known<'_>, found: &Found<'_>, interface: &Interface) -> (Option<CheckedBody>, Vec<Diagnostic>) {
+    let &Found { id, block, mnemonics, syntax, .. } = found;
+    let cpu = known.cpu;
+    let mut diagnostics: Vec<Diagnostic> = too_much_local_data(|| id.to_string(), interface, cpu, block.name.span()).into_iter().collect();
+    let mut checked = check::block(known, id, block, interface, mnemonics, &|span| syntax.is_reported(span));
+    diagnostics.append(&mut checked.diagnostics);
+    let bytes = code_bytes(&checked.block.statements);
+    if bytes > u64::from(cpu.block_size_max) {
+        let message =
+            format!("`{id}` has at least {bytes} bytes of code in a CPU; a block of CPU {} has at most {}", cpu.name, cpu.block_size_max);
+        diagnostics.push(Diagnostic::new(Problem::P5009, block.name.span(), message));
+    }
+    (checked.whole.then_some(CheckedBody::Stl(checked.block)), diagnostics)
 }

@@ -10,7 +10,7 @@ use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::interface::SystemBlock;
 use sieben_model::problems::Problem;
 use sieben_model::program::DataBlock;
-use sieben_model::source::{FileId, Span};
+use sieben_model::source::Span;
 use sieben_model::symbols::SymbolTable;
 
 use super::data_blocks::{fill_data, missing_instances};
@@ -24,7 +24,7 @@ use crate::library::{Linked, Selection};
 use crate::options::Options;
 use crate::scope::Scope;
 use crate::st;
-use crate::st::declare::{Globals, Items, Known, Needed, Own, StFile, Types, collect};
+use crate::st::declare::{Globals, Items, Known, Needed, Own, StFile, Types, collect, library_file};
 use crate::stl::ast;
 use crate::stl::declare::Blocks;
 use crate::stl::declare::data_block::layout;
@@ -87,8 +87,7 @@ impl<'a> Names<'a> {
 
     /// The linked blocks with their places among the sources, from this one on.
     pub(super) fn linked(&self, first: usize) -> Vec<Linked> {
-        let file = |index: usize| FileId(u32::try_from(first + index).expect("fewer than 2^32 source files"));
-        self.links.iter().enumerate().map(|(index, (&id, &block))| Linked { id, block, file: file(index) }).collect()
+        self.links.iter().enumerate().map(|(index, (&id, &block))| Linked { id, block, file: library_file(first, index) }).collect()
     }
 
     /// Takes in the linked blocks, parsed.

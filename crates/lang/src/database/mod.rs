@@ -36,6 +36,7 @@ use check::Checked;
 pub use fuzz::fuzz;
 use lower::Lowered;
 use syntax::{Stamps, Syntax, Tree};
+use whole::Blocks;
 
 /// The sources of a project, and what is known of them.
 #[derive(Debug, Default)]
@@ -44,25 +45,32 @@ pub struct Database {
     symbols: Arc<SymbolTable>,
     options: Arc<Options>,
     stamps: Stamps,
-    /// The parsed sources with the language that each was read in; `None` since its text is another one.
-    files: Vec<Option<(Language, Arc<Syntax>)>>,
-    /// What was parsed before a text became another one.
-    old: HashMap<FileId, Arc<Syntax>>,
+    /// What is known of each source.
+    files: Vec<Parsed>,
     /// Parsed sources of the library by their path and place.
     library: HashMap<(&'static str, FileId), Arc<Syntax>>,
     /// What of the library the program needed last, and what the user's blocks used.
     needed: Needed,
-    uses: Vec<Demand>,
+    uses: Needed,
     memory: Memory,
     work: Work,
+}
+
+/// What is known of a source.
+#[derive(Clone, Debug, Default)]
+struct Parsed {
+    /// The language that it was read in; `None` where its text is another one since then.
+    language: Option<Language>,
+    /// What was parsed last.
+    syntax: Option<Arc<Syntax>>,
 }
 
 /// What is known of blocks.
 #[derive(Debug, Default)]
 struct Memory {
     layouts: Layouts<Own>,
-    checked: HashMap<BlockId, Arc<Checked>>,
-    lowered: HashMap<BlockId, Arc<Lowered>>,
+    checked: Blocks<Checked>,
+    lowered: Blocks<Lowered>,
 }
 
 /// What the last evaluation could not take from before.
@@ -95,28 +103,26 @@ impl Database {
 
     /// A project with these sources.
     pub(crate) fn of(sources: &Sources, symbols: &SymbolTable, options: &Options) -> Self {
-        let files = sources.iter().map(|_| None).collect();
+        let files = vec![Parsed::default(); sources.iter().len()];
         Self { sources: sources.clone(), files, ..Self::new(symbols.clone(), options.clone()) }
     }
 
     /// Takes in a source.
     pub fn add(&mut self, name: impl Into<String>, text: impl Into<String>) -> FileId {
-        self.files.push(None);
+        self.files.push(Parsed::default());
         self.sources.add(name, text)
     }
 
     /// Gives a source another text.
     pub fn replace(&mut self, file: FileId, text: impl Into<String>) {
         self.sources.replace(file, text);
-        if let Some((_, syntax)) = self.files[file.0 as usize].take() {
-            self.old.insert(file, syntax);
-        }
+        self.files[file.0 as usize].language = None;
     }
 
     /// Gives the project another symbol table.
     pub fn set_symbols(&mut self, symbols: SymbolTable) {
         self.symbols = Arc::new(symbols);
-        (self.memory, self.needed, self.uses) = (Memory::default(), Needed::default(), Vec::new());
+        (self.memory, self.needed, self.uses) = (Memory::default(), Needed::default(), Needed::default());
     }
 
     /// The sources.
@@ -150,9 +156,9 @@ impl Database {
             .sources
             .iter()
             .zip(&self.files)
-            .map(|((_, source), file)| match file {
+            .map(|((_, source), file)| match file.language {
                 // The text says which language it is, and it is the same.
-                Some((language, _)) if !is_test_file(&source.name) => *language,
+                Some(language) if !is_test_file(&source.name) => language,
                 _ => Language::of(&source.name, &source.text, self.options.dialect),
             })
             .collect();
@@ -169,13 +175,12 @@ impl Database {
                 first.get_or_insert(dialect);
             }
             let file = &mut self.files[id.0 as usize];
-            if file.as_ref().is_some_and(|(known, _)| *known == language) {
+            if file.language == Some(language) {
                 continue;
             }
-            let before = self.old.remove(&id);
             self.work.parsed += 1;
-            let syntax = Syntax::parse(id, source, language, &self.options, before.as_deref(), &mut self.stamps);
-            *file = Some((language, Arc::new(syntax)));
+            let syntax = Syntax::parse(id, source, language, &self.options, file.syntax.as_deref(), &mut self.stamps);
+            *file = Parsed { language: Some(language), syntax: Some(Arc::new(syntax)) };
         }
     }
 
@@ -214,13 +219,13 @@ impl Database {
     }
 
     /// Compiles with what the program is known to need of the library; tells what else it needs, and what it uses.
-    fn round(&mut self, goal: Goal, needed: &Needed) -> (Compiled, Vec<Demand>, Vec<Demand>) {
+    fn round(&mut self, goal: Goal, needed: &Needed) -> (Compiled, Vec<Demand>, Needed) {
         let user = self.sources.iter().len();
         let mut files = Vec::with_capacity(user);
         let mut st = Vec::new();
         let mut untold = Untold::default();
         let mut mnemonics: Vec<(FileId, Mnemonics)> = Vec::new();
-        for (_, syntax) in self.files.iter().flatten() {
+        for syntax in self.files.iter().filter_map(|file| file.syntax.as_ref()) {
             match &syntax.tree {
                 Tree::Stl(file) => mnemonics.push((file.id, file.mnemonics)),
                 Tree::St(file, of_file) => {
@@ -234,7 +239,7 @@ impl Database {
         for (index, &source) in needed.sources.iter().enumerate() {
             let syntax = self.library_source(source, library_file(user, index));
             if let Tree::St(file, _) = &syntax.tree {
-                st.push(StFile { library: Some(source), ..file.clone() });
+                st.push(file.clone());
             }
         }
         let parts = declarations::Parts { symbols: &self.symbols, options: &self.options, files: &files, st: &st, needed };

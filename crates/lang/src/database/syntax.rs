@@ -112,25 +112,15 @@ impl Syntax {
             block.statements.iter().enumerate().filter(|(_, statement)| calls_instance(statement)).map(|(index, _)| index).collect()
         };
         let instances = file.blocks.iter().map(of_block).collect();
-        let stl = StlFile { id, file, mnemonics, stamps: Vec::new(), mentions, instances };
-        let mut syntax = Self { tree: Tree::Stl(stl), errors: errors(&diagnostics), diagnostics, rest: 0 };
         let before = before.and_then(|before| match &before.tree {
-            Tree::Stl(stl) if stl.mnemonics == mnemonics => Some((before, stl)),
+            Tree::Stl(stl) if stl.mnemonics == mnemonics => Some(Known::new(&stl.file.blocks, &stl.stamps, &before.errors)),
             _ => None,
         });
-        let Tree::Stl(stl) = &syntax.tree else { unreachable!("it was made above") };
-        let all = stamped(
-            &stl.file.blocks.iter().collect::<Vec<_>>(),
-            before.map(|(_, stl)| (stl.file.blocks.iter().collect(), stl.stamps.as_slice())),
-            |one, other| one == other && before.is_some_and(|(before, _)| syntax.has_errors_of(before, one.span)),
-            |block| written(text, [block.span]),
-            |block| written(text, block.sections.iter().map(|section| section.span)),
-            stamps,
-        );
-        if let Tree::Stl(stl) = &mut syntax.tree {
-            stl.stamps = all;
-        }
-        syntax
+        let errors = errors(&diagnostics);
+        let blocks: Vec<&stl::ast::Block> = file.blocks.iter().collect();
+        let of_blocks = stamped(&blocks, text, &errors, before, stamps);
+        let stl = StlFile { id, file, mnemonics, stamps: of_blocks, mentions, instances };
+        Self { tree: Tree::Stl(stl), diagnostics, errors, rest: 0 }
     }
 
     /// A source of ST that is parsed.
@@ -142,53 +132,29 @@ impl Syntax {
         before: Option<&Self>,
         stamps: &mut Stamps,
     ) -> Self {
-        let dialect = file.dialect;
-        let mut syntax = Self { tree: Tree::St(file, untold), errors: errors(&diagnostics), diagnostics, rest: 0 };
         let before = before.and_then(|before| match &before.tree {
-            Tree::St(file, _) if file.dialect == dialect => Some((before, file)),
+            Tree::St(known, _) if known.dialect == file.dialect => Some((before, known)),
             _ => None,
         });
-        let Tree::St(file, _) = &syntax.tree else { unreachable!("it was made above") };
-        let (mut blocks, mut rest) = (Vec::new(), Vec::new());
-        take_apart(&file.file.items, &mut blocks, &mut rest);
-        let parts = before.map(|(before, file)| {
-            let (mut blocks, mut rest) = (Vec::new(), Vec::new());
-            take_apart(&file.file.items, &mut blocks, &mut rest);
-            (before, blocks, rest, file.stamps.as_ref())
-        });
-        let all = stamped(
-            &blocks,
-            parts.as_ref().map(|(_, blocks, _, stamps)| (blocks.clone(), *stamps)),
-            |one, other| one == other && parts.as_ref().is_some_and(|(before, ..)| syntax.has_errors_of(before, one.span)),
-            |block| written(text, [block.span]),
-            |block| written(text, block.sections.iter().map(|section| section.span)),
-            stamps,
-        );
-        let rest = match &parts {
-            Some((before, _, of_before, _)) if *of_before == rest => before.rest,
-            _ => stamps.next(),
+        let errors = errors(&diagnostics);
+        let (blocks, rest) = take_apart(&file.file.items);
+        let (known, same_rest) = match before {
+            Some((before, known)) => {
+                let (blocks, of_before) = take_apart(&known.file.items);
+                (Some(Known::new(blocks, &known.stamps, &before.errors)), (of_before == rest).then_some(before.rest))
+            }
+            None => (None, None),
         };
-        syntax.rest = rest;
-        if let Tree::St(file, _) = &mut syntax.tree {
-            file.stamps = all.into();
-        }
-        syntax
+        let of_blocks = stamped(&blocks, text, &errors, known, stamps);
+        let rest = same_rest.unwrap_or_else(|| stamps.next());
+        let file = StFile { stamps: of_blocks.into(), ..file };
+        Self { tree: Tree::St(file, untold), diagnostics, errors, rest }
     }
 
     /// Whether the parser found something wrong in a place.
     pub(super) fn is_reported(&self, span: Span) -> bool {
         let first = self.errors.partition_point(|&start| start < span.start);
         self.errors.get(first).is_some_and(|&start| start < span.end.max(span.start + 1))
-    }
-
-    /// Whether another revision has its errors in the same places of a block.
-    fn has_errors_of(&self, other: &Self, block: Span) -> bool {
-        let inside = |errors: &[u32]| {
-            let first = errors.partition_point(|&start| start < block.start);
-            let end = errors.partition_point(|&start| start <= block.end);
-            errors[first..end].to_vec()
-        };
-        inside(&self.errors) == inside(&other.errors)
     }
 }
 
@@ -209,27 +175,70 @@ fn written(text: &str, places: impl IntoIterator<Item = Span>) -> u64 {
     hasher.finish()
 }
 
+/// A block of any language, as far as its stamp is concerned.
+trait Stamped: PartialEq {
+    /// Where it stands.
+    fn span(&self) -> Span;
+    /// Where its declarations stand.
+    fn sections(&self) -> impl Iterator<Item = Span>;
+}
+
+impl Stamped for stl::ast::Block {
+    fn span(&self) -> Span {
+        self.span
+    }
+
+    fn sections(&self) -> impl Iterator<Item = Span> {
+        self.sections.iter().map(|section| section.span)
+    }
+}
+
+impl Stamped for st::ast::Block {
+    fn span(&self) -> Span {
+        self.span
+    }
+
+    fn sections(&self) -> impl Iterator<Item = Span> {
+        self.sections.iter().map(|section| section.span)
+    }
+}
+
+/// The blocks of a source before its text became another one, with their stamps.
+struct Known<'a, B> {
+    blocks: Vec<(&'a B, Stamp)>,
+    errors: &'a [u32],
+}
+
+impl<'a, B> Known<'a, B> {
+    fn new(blocks: impl IntoIterator<Item = &'a B>, stamps: &[Stamp], errors: &'a [u32]) -> Self {
+        Self { blocks: blocks.into_iter().zip(stamps.iter().copied()).collect(), errors }
+    }
+}
+
 /// The stamps of blocks: that of the same block of before, or a new one. Blocks that were put in or taken out move the others.
-fn stamped<'a, B>(
-    blocks: &[&'a B],
-    before: Option<(Vec<&'a B>, &[Stamp])>,
-    is_same: impl Fn(&B, &B) -> bool,
-    text: impl Fn(&B) -> u64,
-    declarations: impl Fn(&B) -> u64,
-    stamps: &mut Stamps,
-) -> Vec<Stamp> {
-    let (old, known) = before.unwrap_or_default();
+fn stamped<B: Stamped>(blocks: &[&B], text: &str, errors: &[u32], before: Option<Known<'_, B>>, stamps: &mut Stamps) -> Vec<Stamp> {
+    let (old, old_errors) = before.map_or((Vec::new(), &[][..]), |known| (known.blocks, known.errors));
     let moved = blocks.len() as isize - old.len() as isize;
     let stamp = |(index, block): (usize, &&B)| {
-        let text = text(block);
-        let candidates = [Some(index), index.checked_add_signed(-moved)].into_iter().flatten();
-        let mut known = candidates.filter_map(|at| Some((old.get(at)?, known.get(at)?)));
-        match known.find(|(old, stamp)| stamp.text == text && is_same(block, old)) {
-            Some((_, &stamp)) => stamp,
-            None => Stamp { syntax: stamps.next(), text, declarations: declarations(block) },
+        let written_now = written(text, [block.span()]);
+        let is_same = |(old, stamp): &&(&B, Stamp)| {
+            let same_errors = || errors_in(errors, block.span()) == errors_in(old_errors, block.span());
+            stamp.text == written_now && *old == *block && same_errors()
+        };
+        let mut candidates = [Some(index), index.checked_add_signed(-moved)].into_iter().flatten().filter_map(|at| old.get(at));
+        match candidates.find(is_same) {
+            Some(&(_, stamp)) => stamp,
+            None => Stamp { syntax: stamps.next(), text: written_now, declarations: written(text, block.sections()) },
         }
     };
     blocks.iter().enumerate().map(stamp).collect()
+}
+
+/// The errors in a block.
+fn errors_in(errors: &[u32], block: Span) -> &[u32] {
+    let first = errors.partition_point(|&start| start < block.start);
+    let end = errors.partition_point(|&start| start <= block.end);
+    &errors[first..end]
 }
 
 /// Something of a source of ST that is no block.
@@ -241,13 +250,19 @@ enum Rest<'a> {
 }
 
 /// The blocks of a source in their order, and everything else.
-fn take_apart<'a>(items: &'a [Item], blocks: &mut Vec<&'a st::ast::Block>, rest: &mut Vec<Rest<'a>>) {
+fn take_apart(items: &[Item]) -> (Vec<&st::ast::Block>, Vec<Rest<'_>>) {
+    let (mut blocks, mut rest) = (Vec::new(), Vec::new());
+    collect(items, &mut blocks, &mut rest);
+    (blocks, rest)
+}
+
+fn collect<'a>(items: &'a [Item], blocks: &mut Vec<&'a st::ast::Block>, rest: &mut Vec<Rest<'a>>) {
     for item in items {
         match item {
             Item::Block(block) => blocks.push(block),
             Item::Namespace(namespace) => {
                 rest.push(Rest::Namespace(&namespace.name));
-                take_apart(&namespace.items, blocks, rest);
+                collect(&namespace.items, blocks, rest);
                 rest.push(Rest::EndOfNamespace);
             }
             other => rest.push(Rest::Item(other)),

@@ -20,7 +20,7 @@ use crate::coverage::Countable;
 use crate::library::Linked;
 use crate::options::Options;
 use crate::scope::Scope;
-use crate::st::declare::{Bodies, Demand, Needed, environment};
+use crate::st::declare::{Bodies, Demand, Environment, Needed, environment};
 use crate::st::lower::mocking;
 use crate::st::standard::LinkedSource;
 use crate::st::untold::Untold;
@@ -44,66 +44,52 @@ pub(super) struct Revision<'a> {
 impl Revision<'_> {
     /// Compiles as far as the goal asks for; tells what of the library is needed and not there, and what is used.
     pub(super) fn compile(
-        self,
+        mut self,
         mut diagnostics: Vec<Diagnostic>,
         memory: &mut Memory,
         work: &mut Work,
-    ) -> (Compiled, Vec<Demand>, Vec<Demand>) {
-        let Self { options, names, .. } = self;
-        let mut compiled = Compiled { library: self.linked, st_library: self.linked_sources, ..Compiled::default() };
+    ) -> (Compiled, Vec<Demand>, Needed) {
+        let names = self.names;
+        let (library, st_library) = (std::mem::take(&mut self.linked), std::mem::take(&mut self.linked_sources));
+        let mut compiled = Compiled { library, st_library, ..Compiled::default() };
         let mut sources = self.sources.clone();
         compiled.add_library_sources(&mut sources);
         let mut declared = names.declare(&memory.layouts);
         diagnostics.append(&mut declared.diagnostics);
         let (known, globals) = (std::mem::take(&mut declared.known), std::mem::take(&mut declared.globals));
-        let mut uses = known.uses.clone();
+        let mut uses = Needed::default();
+        uses.add(&known.uses);
         let environment = environment(&names.items, (&names.scope, &names.links), &declared.interfaces, &declared.data, known, globals);
         let mut hasher = DefaultHasher::new();
         (names.surroundings, &declared.layouts.asked_outside).hash(&mut hasher);
         let around_st = hasher.finish();
-        let checking = Checking { sources: &sources, options, names, declared: &declared, environment: &environment, around_st };
+        let checking =
+            Checking { sources: &sources, options: self.options, names, declared: &declared, environment: &environment, around_st };
 
-        let mut checked: HashMap<BlockId, Arc<Checked>> = HashMap::new();
-        for found in names.found.iter().filter(|found| has_statements(found.id.kind)) {
-            let done = checking.stl(found, memory.checked.get(&found.id));
-            // What a check finds in a block of the library is no matter of the user's; that there are no errors is a test.
-            if !compiled.is_of_library(found.id) {
-                diagnostics.extend(done.diagnostics.iter().cloned());
-            }
-            checked.insert(found.id, done);
-        }
+        let checked = check_all(&checking, &memory.checked);
         let mut bodies = Bodies::default();
+        for found in names.found.iter().filter(|found| !compiled.is_of_library(found.id)) {
+            // What a check finds in a block of the library is no matter of the user's; that there are no errors is a test.
+            diagnostics.extend(checked.get(&found.id).into_iter().flat_map(|done| &done.diagnostics).cloned());
+        }
         for (&id, &code) in &names.items.code {
-            let done = checking.st(id, code, memory.checked.get(&id));
+            let Some(done) = checked.get(&id) else { continue };
             bodies.diagnostics.extend(done.diagnostics.iter().cloned());
-            if let Some(st) = &done.st {
-                bodies.add(id, code.dialect.is_test(), st);
+            if let Some(told) = &done.told {
+                bodies.add(id, code.dialect.is_test(), told);
             }
             // What the library uses of itself is needed only while the user needs it.
             if !compiled.is_of_library(id) {
-                uses.extend_from_slice(&done.uses);
+                uses.add(&done.uses);
             }
-            checked.insert(id, done);
         }
         environment.finish(&names.cpu, &|id| exists(names, &declared, id), &mut bodies);
-        uses.extend_from_slice(&names.items.uses);
-
-        let has_code = |id: BlockId| {
-            let of_source = checked.get(&id).is_some_and(|checked| checked.body.is_some());
-            of_source || bodies.code.contains_key(&id)
-        };
-        let has_main = names.blocks.contains_key(&BlockId::ob(1)) || has_code(BlockId::ob(1)) || bodies.failed;
-        diagnostics
-            .extend(std::mem::take(&mut bodies.diagnostics).into_iter().filter(|diagnostic| compiled.is_of_user(diagnostic.span.file)));
+        uses.add(&names.items.uses);
+        let of_bodies = std::mem::take(&mut bodies.diagnostics);
+        diagnostics.extend(of_bodies.into_iter().filter(|diagnostic| compiled.is_of_user(diagnostic.span.file)));
         compiled.program.names = environment.program_names(&mut diagnostics);
-        // Tasks of a CONFIGURATION may all have intervals.
-        let configured = names.items.configurations.iter().any(|(configuration, _)| !configuration.resources.is_empty());
-        if self.has_sources && !has_main && !configured {
-            let stl = names.found.iter().find(|found| !compiled.is_of_library(found.id)).map(|found| found.block.name.span());
-            let place = stl.or_else(|| names.items.code.values().next().map(|code| code.block.name.span)).unwrap_or_default();
-            diagnostics.push(Diagnostic::new(Problem::P3013, place, "there is no OB 1, so nothing runs in the cycle"));
-        }
-        if options.syntax_only {
+        diagnostics.extend(self.without_main(&compiled, &checked, &bodies));
+        if self.options.syntax_only {
             diagnostics.retain(|diagnostic| !needs_other_files(diagnostic.problem));
         }
         diagnostics.retain(|diagnostic| self.untold.lets_through(diagnostic, self.sources));
@@ -112,16 +98,8 @@ impl Revision<'_> {
         let demands = environment.demands();
         // A block of the library is missing: the caller begins again with it.
         if self.goal != Goal::Diagnostics && self.needed.has_all(&demands) {
-            let mut lowered: HashMap<BlockId, Arc<Lowered>> = HashMap::with_capacity(checked.len());
-            for (&id, checked) in &checked {
-                let before = memory.lowered.get(&id);
-                if let Some(code) = lower::block(names, &environment, id, checked, options.counted, before) {
-                    if before.is_none_or(|before| !Arc::ptr_eq(before, &code)) {
-                        work.lowered.insert(id);
-                    }
-                    lowered.insert(id, code);
-                }
-            }
+            let lowered = lower_all(names, &environment, &checked, self.options.counted, &memory.lowered);
+            work.lowered.extend(renewed(&lowered, &memory.lowered));
             if self.goal == Goal::Code {
                 memory.lowered.clone_from(&lowered);
             }
@@ -129,44 +107,73 @@ impl Revision<'_> {
             compiled.block_names = block_names(&names.found, &names.scope);
             compiled.block_names.extend(names.items.names.iter().map(|(&id, name)| (id, name.clone())));
         }
-        let is_new = |(&id, checked): (&BlockId, &Arc<Checked>)| {
-            memory.checked.get(&id).is_none_or(|before| !Arc::ptr_eq(before, checked)).then_some(id)
-        };
-        work.checked.extend(checked.iter().filter_map(is_new));
+        work.checked.extend(renewed(&checked, &memory.checked));
         compiled.program.data = std::mem::take(&mut declared.filled);
         memory.layouts = declared.layouts;
         memory.checked = checked;
-        (compiled, demands, once(uses))
+        (compiled, demands, uses)
+    }
+
+    /// The warning that nothing runs in the cycle.
+    fn without_main(&self, compiled: &Compiled, checked: &Blocks<Checked>, bodies: &Bodies) -> Option<Diagnostic> {
+        let (names, main) = (self.names, BlockId::ob(1));
+        let of_source = names.blocks.contains_key(&main) || checked.get(&main).is_some_and(|checked| checked.body.is_some());
+        let has_main = of_source || bodies.code.contains_key(&main) || bodies.failed;
+        // Tasks of a CONFIGURATION may all have intervals.
+        let configured = names.items.configurations.iter().any(|(configuration, _)| !configuration.resources.is_empty());
+        if !self.has_sources || has_main || configured {
+            return None;
+        }
+        let stl = names.found.iter().find(|found| !compiled.is_of_library(found.id)).map(|found| found.block.name.span());
+        let place = stl.or_else(|| names.items.code.values().next().map(|code| code.block.name.span)).unwrap_or_default();
+        Some(Diagnostic::new(Problem::P3013, place, "there is no OB 1, so nothing runs in the cycle"))
     }
 }
 
-/// Each once, in the order of their first places.
-fn once(uses: Vec<Demand>) -> Vec<Demand> {
-    let mut once: Vec<Demand> = Vec::new();
-    for demand in uses {
-        if !once.contains(&demand) {
-            once.push(demand);
-        }
-    }
-    once
+/// What a step gave, by block.
+pub(super) type Blocks<T> = HashMap<BlockId, Arc<T>>;
+
+/// Checks all blocks, as far as nothing of before holds.
+fn check_all(checking: &Checking<'_>, before: &Blocks<Checked>) -> Blocks<Checked> {
+    let names = checking.names;
+    let stl = names.found.iter().filter(|found| has_statements(found.id.kind));
+    let stl = stl.map(|found| (found.id, checking.stl(found, before.get(&found.id))));
+    stl.chain(names.items.code.iter().map(|(&id, &code)| (id, checking.st(id, code, before.get(&id))))).collect()
+}
+
+/// Lowers all blocks that could be checked, as far as nothing of before holds.
+fn lower_all(
+    names: &Names<'_>,
+    environment: &Environment<'_>,
+    checked: &Blocks<Checked>,
+    counted: bool,
+    before: &Blocks<Lowered>,
+) -> Blocks<Lowered> {
+    let lowered =
+        |(&id, checked): (&BlockId, &Arc<Checked>)| Some((id, lower::block(names, environment, id, checked, counted, before.get(&id))?));
+    checked.iter().filter_map(lowered).collect()
+}
+
+/// The blocks of which a step gave something else than before.
+fn renewed<T>(now: &Blocks<T>, before: &Blocks<T>) -> impl Iterator<Item = BlockId> {
+    let is_new = |(&id, one): (&BlockId, &Arc<T>)| before.get(&id).is_none_or(|before| !Arc::ptr_eq(before, one)).then_some(id);
+    now.iter().filter_map(is_new)
 }
 
 impl Compiled {
     /// Takes in the blocks with their code.
-    fn take_in(&mut self, lowered: HashMap<BlockId, Arc<Lowered>>, checked: &HashMap<BlockId, Arc<Checked>>, bodies: Bodies) {
+    fn take_in(&mut self, lowered: Blocks<Lowered>, checked: &Blocks<Checked>, bodies: Bodies) {
         let Bodies { code, made, intervals, tests, .. } = bodies;
+        (self.intervals, self.tests) = (intervals, tests);
         for (id, lowered) in lowered {
             let Lowered { code, countable, .. } = Arc::unwrap_or_clone(lowered);
             self.program.code.insert(id, code);
-            self.countable.extend(countable.map(|countable| (id, countable)));
+            let is_mine = !self.is_of_library(id) && !self.tests.blocks.contains(&id);
+            self.countable.extend(countable.filter(|_| is_mine).map(|countable| (id, countable)));
         }
         self.program.code.extend(code);
         self.bodies = checked.iter().filter_map(|(&id, checked)| Some((id, Arc::clone(checked.body.as_ref()?)))).collect();
         self.bodies.extend(made.into_iter().map(|(id, typed)| (id, Arc::new(CheckedBody::St(typed)))));
-        (self.intervals, self.tests) = (intervals, tests);
-        let strangers = |id: &BlockId| self.library.iter().any(|linked| linked.id == *id) || self.tests.blocks.contains(id);
-        let of_library = |id: &BlockId| self.st_library.iter().any(|linked| linked.blocks.contains(id));
-        self.countable.retain(|id, _| !strangers(id) && !of_library(id));
         for moved in mocking::prepare(&mut self.program, &self.tests) {
             self.countable.entry(moved).and_modify(Countable::moved_by_one);
         }

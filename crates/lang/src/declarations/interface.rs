@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::cpu_type::CpuType;
+use sieben_model::diagnostic::Diagnostic;
 use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::literal::Value;
 use sieben_model::problems::Problem;
@@ -128,6 +130,13 @@ pub(crate) fn lay_out_behind(id: BlockId, base: Option<&BlockInterface>, mut dec
         interface.local_size = interface.local_size.max(START_INFORMATION_BYTES);
     }
     Some(BlockInterface { interface: Arc::new(interface), instance: Arc::new(instance) })
+}
+
+/// What is wrong where a block declares more local data than a block of the CPU has; `shown` is what people call it.
+pub(crate) fn too_much_local_data(shown: impl FnOnce() -> String, interface: &Interface, cpu: &CpuType, named: Span) -> Option<Diagnostic> {
+    let (declared, most) = (interface.local_size, cpu.local_data_block);
+    let message = || format!("`{}` declares {declared} bytes of local data; CPU {} has {most} for a block", shown(), cpu.name);
+    (declared > most).then(|| Diagnostic::new(Problem::P5007, named, message()))
 }
 
 /// What lies in the instance: the value, or for a complex VAR_IN_OUT a POINTER to it.

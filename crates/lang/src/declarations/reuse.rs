@@ -48,7 +48,7 @@ pub(crate) struct LaidOut<O> {
     /// The blocks and types that it asked for, with their versions.
     asked: Vec<(BlockId, u64)>,
     /// What it is.
-    pub(crate) is: Layout,
+    is: Layout,
     /// What its language found out besides; `None` if it cannot be taken again because something was said about it, or found out that
     /// does not belong to it alone.
     own: Option<O>,
@@ -114,7 +114,7 @@ impl<O> Layouts<O> {
 
     /// Gives the data blocks their versions.
     pub(crate) fn version_data(&mut self, before: &Self, data: &HashMap<u16, DataLayout>) {
-        let mut last = self.last_version;
+        let last = &mut self.last_version;
         let versioned = data.iter().map(|(&number, layout)| {
             let same = |other: &DataLayout| {
                 let same_fields = Arc::ptr_eq(&other.structure, &layout.structure) || other.structure == layout.structure;
@@ -123,14 +123,13 @@ impl<O> Layouts<O> {
             let version = match before.data.get(&number) {
                 Some((other, version)) if same(other) => *version,
                 _ => {
-                    last += 1;
-                    last
+                    *last += 1;
+                    *last
                 }
             };
             (number, (layout.clone(), version))
         });
         self.data = versioned.collect();
-        self.last_version = last;
     }
 }
 
@@ -210,8 +209,7 @@ impl<'a, O: Clone> Reuse<'a, O> {
         let asked = self.frames.pop().flatten().unwrap_or_default();
         let asked = asked.into_iter().map(|id| (id, self.version(id))).collect();
         let same = |before: &LaidOut<O>| {
-            let known_alike = own.is_some() && before.own.is_some() || own.is_none() && before.own.is_none();
-            known_alike && before.stamp.declarations == stamp.declarations && before.is.has_shape_of(&is)
+            own.is_some() == before.own.is_some() && before.stamp.declarations == stamp.declarations && before.is.has_shape_of(&is)
         };
         let version = match self.before.all.get(&id) {
             Some(before) if same(before) => before.version,

@@ -120,18 +120,28 @@ impl<'a, K: Knows> Types<'a, K> {
         }
         self.udts.insert(number, State::InProgress);
         let id = BlockId::new(BlockKind::UserDefinedType, number);
-        let structure = match self.as_before(id, stamp, span) {
-            Some((Layout::Type(structure), _)) => structure.clone(),
-            _ => {
-                let before = self.begin();
-                let structure = resolve(self);
-                self.end(id, stamp, Layout::Type(structure.clone()), before);
-                structure
-            }
+        let structure = match self.layout(id, stamp, span, |types| Layout::Type(resolve(types))) {
+            Layout::Type(structure) => structure,
+            Layout::Block(_) => None,
         };
         self.leave();
         self.udts.insert(number, State::Done(structure.clone()));
         structure
+    }
+
+    /// The layout of before, if it still holds; else a new one, which can be taken again if nothing was said about it.
+    fn layout(&mut self, id: BlockId, stamp: Stamp, span: Span, lay_out: impl FnOnce(&mut Self) -> Layout) -> Layout {
+        let since = self.known.mark();
+        if let Some((before, own)) = self.as_before(id, stamp, span) {
+            self.known.take_in(id, own, &since);
+            return before.clone();
+        }
+        self.reuse.begin();
+        let (said, since) = (self.diagnostics.len(), self.known.mark());
+        let layout = lay_out(self);
+        let own = self.known.own(id, &since).filter(|_| self.diagnostics.len() == said);
+        self.reuse.end(id, stamp, layout.clone(), own);
+        layout
     }
 
     /// The layout of before, if it still holds: its syntax is the same, and so is all that it asked for.
@@ -146,18 +156,6 @@ impl<'a, K: Knows> Types<'a, K> {
             }
         }
         self.reuse.keep(id)
-    }
-
-    /// A layout begins: how much was said and known before it.
-    fn begin(&mut self) -> (usize, K::Mark) {
-        self.reuse.begin();
-        (self.diagnostics.len(), self.known.mark())
-    }
-
-    /// A layout ends. It can be taken again if nothing was said about it.
-    fn end(&mut self, id: BlockId, stamp: Stamp, layout: Layout, (said, known): (usize, K::Mark)) {
-        let own = self.known.own(id, &known).filter(|_| self.diagnostics.len() == said);
-        self.reuse.end(id, stamp, layout, own);
     }
 
     /// Whether the interface of a block is being laid out.
@@ -181,19 +179,9 @@ impl<'a, K: Knows> Types<'a, K> {
                 return None;
             }
             self.interfaces.insert(id, State::InProgress);
-            let stamp = language.stamp(id);
-            let since = self.known.mark();
-            let laid_out = match self.as_before(id, stamp, span) {
-                Some((Layout::Block(laid_out), own)) => {
-                    self.known.take_in(id, own, &since);
-                    laid_out.clone()
-                }
-                _ => {
-                    let before = self.begin();
-                    let laid_out = language.interface(self, id);
-                    self.end(id, stamp, Layout::Block(laid_out.clone()), before);
-                    laid_out
-                }
+            let laid_out = match self.layout(id, language.stamp(id), span, |types| Layout::Block(language.interface(types, id))) {
+                Layout::Block(laid_out) => laid_out,
+                Layout::Type(_) => None,
             };
             self.leave();
             laid_out
@@ -204,6 +192,16 @@ impl<'a, K: Knows> Types<'a, K> {
         };
         self.interfaces.insert(id, State::Done(laid_out.clone()));
         laid_out
+    }
+
+    /// A STRUCT whose fields are placed, up to this bit; `None` if it has none, which is reported.
+    pub(crate) fn closed(&mut self, mut structure: Structure, end: u64, span: Span) -> Option<Arc<Structure>> {
+        if structure.fields.is_empty() {
+            self.report(Problem::P2211, span, "this STRUCT has no fields");
+            return None;
+        }
+        structure.size = (end.next_multiple_of(16) / 8) as u32;
+        Some(Arc::new(structure))
     }
 
     /// Goes one level deeper; `false` if that is too deep, which is reported.

@@ -20,7 +20,7 @@ use super::items::Code;
 use super::programs::Generated;
 use super::{Located, organization_blocks};
 use crate::coverage::Countable;
-use crate::declarations::interface::lay_out;
+use crate::declarations::interface::{lay_out, too_much_local_data};
 use crate::scope::key;
 use crate::st::check::names::{Entity, Variable};
 use crate::st::check::{Block, Checked, check};
@@ -49,27 +49,33 @@ pub(crate) struct Bodies {
 }
 
 /// A block of ST whose statements were checked.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub(crate) struct CheckedStatements {
     /// Its statements, if all of them were understood.
     pub(crate) typed: Option<TypedBlock>,
-    /// The blocks that it calls; `None` if it has no statements.
-    pub(crate) calls: Option<BTreeSet<BlockId>>,
-    /// The words of tests in it, and what they write, by the first byte of their place.
-    pub(crate) words: BTreeMap<u32, WordCall>,
-    pub(crate) writes: BTreeMap<u32, Signal>,
     pub(crate) diagnostics: Vec<Diagnostic>,
+    pub(crate) told: Told,
+}
+
+/// What a block of ST tells besides its statements.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Told {
+    /// The blocks that it calls; `None` if it has no statements.
+    calls: Option<BTreeSet<BlockId>>,
+    /// The words of tests in it, and what they write, by the first byte of their place.
+    words: BTreeMap<u32, WordCall>,
+    writes: BTreeMap<u32, Signal>,
     /// It could not be compiled.
-    pub(crate) failed: bool,
+    failed: bool,
 }
 
 impl Bodies {
-    /// Takes in a block that was checked.
-    pub(crate) fn add(&mut self, id: BlockId, is_test: bool, checked: &CheckedStatements) {
-        self.failed |= checked.failed;
-        self.tests.words.extend(checked.words.iter().map(|(&place, word)| (place, word.clone())));
-        self.tests.writes.extend(checked.writes.iter().map(|(&place, signal)| (place, signal.clone())));
-        if let Some(calls) = &checked.calls {
+    /// Takes in what a block tells.
+    pub(crate) fn add(&mut self, id: BlockId, is_test: bool, told: &Told) {
+        self.failed |= told.failed;
+        self.tests.words.extend(told.words.iter().map(|(&place, word)| (place, word.clone())));
+        self.tests.writes.extend(told.writes.iter().map(|(&place, signal)| (place, signal.clone())));
+        if let Some(calls) = &told.calls {
             self.calls.insert(id, calls.clone());
             if is_test {
                 self.tests.blocks.insert(id);
@@ -187,18 +193,10 @@ impl Environment<'_> {
     pub(crate) fn check_block(&self, id: BlockId, code: Code<'_>, cpu: &CpuType) -> CheckedStatements {
         let mut done = CheckedStatements::default();
         let (Some(names), Some(interface)) = (self.names(id, code.dialect), self.interface_of(id)) else {
-            return CheckedStatements { failed: true, ..done };
+            done.told.failed = true;
+            return done;
         };
-        if interface.local_size > cpu.local_data_block {
-            let message = format!(
-                "`{}` declares {} bytes of local data; CPU {} has {} for a block",
-                names.shown(),
-                interface.local_size,
-                cpu.name,
-                cpu.local_data_block
-            );
-            done.diagnostics.push(Diagnostic::new(Problem::P5007, code.block.name.span, message));
-        }
+        done.diagnostics.extend(too_much_local_data(|| names.shown(), &interface, cpu, code.block.name.span));
         if !matches!(id.kind, BlockKind::Function | BlockKind::FunctionBlock | BlockKind::OrganizationBlock) {
             return done;
         }
@@ -220,12 +218,9 @@ impl Environment<'_> {
         self.words(id, &mut checked);
         let Checked { body, mut diagnostics, called, words, writes } = checked;
         done.diagnostics.append(&mut diagnostics);
-        (done.calls, done.words, done.writes) = (Some(called), words, writes);
         let whole = sound && self.declared(id).is_some_and(|declared| !declared.broken);
-        match body.filter(|_| whole) {
-            Some(body) => done.typed = Some(TypedBlock { interface, body }),
-            None => done.failed = true,
-        }
+        done.typed = body.filter(|_| whole).map(|body| TypedBlock { interface, body });
+        done.told = Told { calls: Some(called), words, writes, failed: done.typed.is_none() };
         done
     }
 

@@ -41,9 +41,9 @@ use super::tree::Local;
 use crate::declarations::reuse::{Knows, Stamp};
 use crate::declarations::types::{self as shared, BlockInterface, Declares, State};
 
-pub(crate) use bodies::{Bodies, CheckedStatements};
+pub(crate) use bodies::{Bodies, CheckedStatements, Told};
 pub(crate) use data::{fill, layouts};
-pub(crate) use environment::{Environment, Globals, environment, starting};
+pub(crate) use environment::{Environment, Globals, Questions, environment, starting};
 pub(crate) use items::{Code, Items, collect};
 pub(crate) use members::expand;
 pub(crate) use needed::{Demand, Needed, file as library_file};

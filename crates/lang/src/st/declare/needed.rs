@@ -7,7 +7,7 @@ use crate::library::LibraryBlock;
 use crate::st::standard::{LinkedSource, Source};
 
 /// Something of the library that a program needs.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) enum Demand {
     /// A block in STL.
     Block(&'static LibraryBlock),
@@ -15,8 +15,8 @@ pub(crate) enum Demand {
     Source(&'static Source),
 }
 
-/// What is known to be needed.
-#[derive(Clone, Debug, Default)]
+/// What is known to be needed, each once, in the order in which it was asked for.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Needed {
     pub(crate) blocks: Vec<&'static LibraryBlock>,
     pub(crate) sources: Vec<&'static Source>,
@@ -28,22 +28,33 @@ impl Needed {
         self.blocks.is_empty() && self.sources.is_empty()
     }
 
+    /// Whether this is known to be needed.
+    pub(crate) fn has(&self, demand: Demand) -> bool {
+        match demand {
+            Demand::Block(block) => self.blocks.contains(&block),
+            Demand::Source(source) => self.sources.iter().any(|known| std::ptr::eq(*known, source)),
+        }
+    }
+
     /// Whether all of this is known to be needed.
     pub(crate) fn has_all(&self, demands: &[Demand]) -> bool {
-        !self.clone().add(demands)
+        demands.iter().all(|&demand| self.has(demand))
     }
 
     /// Takes in what is needed; whether something is new.
     pub(crate) fn add(&mut self, demands: &[Demand]) -> bool {
-        let before = (self.blocks.len(), self.sources.len());
-        for demand in demands {
-            match *demand {
-                Demand::Block(block) if !self.blocks.contains(&block) => self.blocks.push(block),
-                Demand::Source(source) if !self.sources.iter().any(|known| std::ptr::eq(*known, source)) => self.sources.push(source),
-                _ => {}
+        let mut is_new = false;
+        for &demand in demands {
+            if self.has(demand) {
+                continue;
+            }
+            is_new = true;
+            match demand {
+                Demand::Block(block) => self.blocks.push(block),
+                Demand::Source(source) => self.sources.push(source),
             }
         }
-        before != (self.blocks.len(), self.sources.len())
+        is_new
     }
 
     /// The sources of the library with their blocks.
@@ -57,6 +68,7 @@ impl Needed {
     }
 }
 
+/// The place of a source of the library, after those of the user.
 pub(crate) fn file(user: usize, index: usize) -> FileId {
     FileId(u32::try_from(user + index).expect("fewer than 2^32 source files"))
 }

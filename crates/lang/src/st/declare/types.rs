@@ -718,15 +718,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 });
             }
         }
-        if !whole {
-            return None;
-        }
-        if structure.fields.is_empty() {
-            self.report(Problem::P2211, span, "this STRUCT has no fields");
-            return None;
-        }
-        structure.size = (end.next_multiple_of(16) / 8) as u32;
-        Some(Arc::new(structure))
+        if whole { self.types.closed(structure, end, span) } else { None }
     }
 }
 

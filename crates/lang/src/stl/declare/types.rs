@@ -203,15 +203,7 @@ impl<K: Knows> Types<'_, K> {
                 });
             }
         }
-        if !whole {
-            return None;
-        }
-        if structure.fields.is_empty() {
-            self.report(Problem::P2211, span, "this STRUCT has no fields");
-            return None;
-        }
-        structure.size = (cursor.next_multiple_of(16) / 8) as u32;
-        Some(Arc::new(structure))
+        if whole { self.closed(structure, cursor, span) } else { None }
     }
 
     /// Initial values as canonical values of the type, one per array element.
