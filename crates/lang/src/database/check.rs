@@ -114,7 +114,7 @@ impl Blocks for Noting<'_> {
     }
 
     fn only(&self, id: BlockId) -> Option<(&'static str, &'static str)> {
-        self.names.system.get(&id).and_then(|block| Some((block.name, block.only?)))
+        self.names.system.get(&id).and_then(|resident| Some((resident.name, resident.only?)))
     }
 }
 

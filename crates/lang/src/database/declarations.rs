@@ -7,7 +7,6 @@ use std::sync::Arc;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::{Diagnostic, Severity};
-use sieben_model::interface::SystemBlock;
 use sieben_model::problems::Problem;
 use sieben_model::program::DataBlock;
 use sieben_model::source::Span;
@@ -18,6 +17,7 @@ use super::headers::{Found, find_blocks};
 use super::syntax::{Syntax, Tree};
 use crate::declarations::data_block::DataLayout;
 use crate::declarations::reuse::{Layouts, Reuse};
+use crate::declarations::system::System;
 use crate::declarations::types::{BlockInterface, Declares};
 use crate::library::link::{Links, link};
 use crate::library::{Linked, Selection};
@@ -34,6 +34,7 @@ use crate::stl::extension;
 /// What all declarations are made of.
 pub(super) struct Parts<'a> {
     pub(super) symbols: &'a SymbolTable,
+    pub(super) system: &'a System,
     pub(super) options: &'a Options,
     /// The sources of the user, in their order.
     pub(super) files: &'a [Arc<Syntax>],
@@ -52,7 +53,7 @@ pub(super) struct Names<'a> {
     /// The blocks of STL; of a number that exists twice the first.
     pub(super) found: Vec<Found<'a>>,
     pub(super) blocks: Blocks<'a>,
-    pub(super) system: HashMap<BlockId, &'a SystemBlock>,
+    pub(super) system: &'a System,
     /// Which blocks and names there are, and all that does not belong to one block.
     pub(super) surroundings: u64,
 }
@@ -79,8 +80,7 @@ impl<'a> Names<'a> {
         let selection = Selection { enabled: options.library.enabled && !options.syntax_only, ..options.library.clone() };
         let mentions = found.iter().flat_map(|found| found.mentions);
         let links = link(mentions, &parts.needed.blocks, &defined, &mut scope, &selection, &cpu);
-        let system = options.system_blocks.iter().map(|block| (block.block, block)).collect();
-        let mut names = Self { scope, cpu, items, links, found, blocks: HashMap::new(), system, surroundings: 0 };
+        let mut names = Self { scope, cpu, items, links, found, blocks: HashMap::new(), system: parts.system, surroundings: 0 };
         names.surroundings = names.hash(parts);
         names
     }
@@ -140,13 +140,9 @@ impl<'a> Names<'a> {
         let Self { scope, items, found, blocks, system, .. } = self;
         let languages: [&dyn Declares<'_, _>; 2] = [items, blocks];
         let mut types = Types::new(scope, &languages, system, reuse);
-        let mut interfaces: HashMap<BlockId, BlockInterface> = HashMap::new();
+        let mut interfaces: HashMap<BlockId, BlockInterface> =
+            system.iter().map(|(&block, resident)| (block, resident.interface.clone())).collect();
         let mut data: HashMap<u16, DataLayout> = HashMap::new();
-        for &block in system.keys() {
-            if let Some(interface) = types.interface(block, Span::default()) {
-                interfaces.insert(block, interface);
-            }
-        }
         for Found { id, block, .. } in found {
             match id.kind {
                 BlockKind::UserDefinedType => {

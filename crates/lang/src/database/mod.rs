@@ -25,6 +25,7 @@ use sieben_model::symbols::SymbolTable;
 
 use crate::compiled::Compiled;
 use crate::declarations::reuse::Layouts;
+use crate::declarations::system::{System, system};
 use crate::language::{Language, is_test_file};
 use crate::library::Linked;
 use crate::options::Options;
@@ -42,8 +43,10 @@ use whole::Blocks;
 #[derive(Debug, Default)]
 pub struct Database {
     sources: Sources,
-    symbols: Arc<SymbolTable>,
-    options: Arc<Options>,
+    symbols: SymbolTable,
+    options: Options,
+    /// The blocks of the CPU itself.
+    system: System,
     stamps: Stamps,
     /// What is known of each source.
     files: Vec<Parsed>,
@@ -98,7 +101,7 @@ enum Goal {
 impl Database {
     /// A project without sources.
     pub fn new(symbols: SymbolTable, options: Options) -> Self {
-        Self { symbols: Arc::new(symbols), options: Arc::new(options), ..Self::default() }
+        Self { system: system(&options.system_blocks), symbols, options, ..Self::default() }
     }
 
     /// A project with these sources.
@@ -121,7 +124,7 @@ impl Database {
 
     /// Gives the project another symbol table.
     pub fn set_symbols(&mut self, symbols: SymbolTable) {
-        self.symbols = Arc::new(symbols);
+        self.symbols = symbols;
         (self.memory, self.needed, self.uses) = (Memory::default(), Needed::default(), Needed::default());
     }
 
@@ -242,7 +245,8 @@ impl Database {
                 st.push(file.clone());
             }
         }
-        let parts = declarations::Parts { symbols: &self.symbols, options: &self.options, files: &files, st: &st, needed };
+        let parts =
+            declarations::Parts { symbols: &self.symbols, system: &self.system, options: &self.options, files: &files, st: &st, needed };
         let mut diagnostics: Vec<Diagnostic> = files.iter().flat_map(|syntax| &syntax.diagnostics).cloned().collect();
         let mut names = declarations::Names::of(&parts, &mut diagnostics);
         let linked = names.linked(user + needed.sources.len());

@@ -3,6 +3,7 @@
 pub(crate) mod data_block;
 pub(crate) mod interface;
 pub(crate) mod reuse;
+pub(crate) mod system;
 pub(crate) mod types;
 pub(crate) mod values;
 

@@ -5,14 +5,14 @@ use std::sync::Arc;
 
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::diagnostic::{Diagnostic, Severity};
-use sieben_model::interface::{Interface, SystemBlock};
+use sieben_model::interface::Interface;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::{DataType, Structure};
 
 use super::NESTING_MAX;
-use super::interface::{Declared, lay_out_or_report};
 use super::reuse::{Knows, Layout, Reuse, Stamp};
+use super::system::System;
 use crate::scope::Scope;
 
 /// The interface of a function block with the layout of its instances.
@@ -53,7 +53,7 @@ pub(crate) struct Types<'a, K: Knows> {
     pub(crate) scope: &'a Scope,
     /// The languages of the project; of two that have a block the first counts.
     languages: &'a [&'a dyn Declares<'a, K>],
-    system: &'a HashMap<BlockId, &'a SystemBlock>,
+    system: &'a System,
     udts: HashMap<u16, State<Arc<Structure>>>,
     interfaces: HashMap<BlockId, State<BlockInterface>>,
     depth: usize,
@@ -65,12 +65,7 @@ pub(crate) struct Types<'a, K: Knows> {
 }
 
 impl<'a, K: Knows> Types<'a, K> {
-    pub(crate) fn new(
-        scope: &'a Scope,
-        languages: &'a [&'a dyn Declares<'a, K>],
-        system: &'a HashMap<BlockId, &'a SystemBlock>,
-        reuse: Reuse<'a, K::Own>,
-    ) -> Self {
+    pub(crate) fn new(scope: &'a Scope, languages: &'a [&'a dyn Declares<'a, K>], system: &'a System, reuse: Reuse<'a, K::Own>) -> Self {
         let (udts, interfaces, known, diagnostics) = (HashMap::new(), HashMap::new(), K::default(), Vec::new());
         Self { scope, languages, system, udts, interfaces, depth: 0, known, reuse, diagnostics }
     }
@@ -186,9 +181,7 @@ impl<'a, K: Knows> Types<'a, K> {
             self.leave();
             laid_out
         } else {
-            let variables = self.system.get(&id)?.interface.variables.iter();
-            let declared = variables.map(|variable| Declared::from_variable(variable.clone())).collect();
-            lay_out_or_report(self, id, declared, span)
+            Some(self.system.get(&id)?.interface.clone())
         };
         self.interfaces.insert(id, State::Done(laid_out.clone()));
         laid_out
