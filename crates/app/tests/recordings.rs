@@ -308,9 +308,9 @@ fn a_stop_and_a_power_failure_are_in_the_recording() {
     assert!(String::from_utf8_lossy(&folder.read("stop.scenario")).contains("scan\nexpect stop 16#457F\nend 4\n"));
     folder.run(&["test", "main.awl", "stop.scenario"]).code(0);
     folder.write("mended.awl", b"      AN    I 0.0\n      =     Q 0.0\n");
-    folder.run(&["test", "mended.awl", "stop.scenario"]).code(1).stdout("`Q 0.0` should be 1 behind scan 3 at 30ms, and is 0");
+    folder.run(&["test", "mended.awl", "stop.scenario"]).code(1).stdout("`Q 0.0` should be 1 after scan 3 at 30 ms, and is 0");
     folder.write("worse.awl", b"      CALL  SFC 46\n");
-    folder.run(&["test", "worse.awl", "stop.scenario"]).code(1).stdout("the CPU is in STOP, event 16#457F").stdout("scan 0 at 0ms");
+    folder.run(&["test", "worse.awl", "stop.scenario"]).code(1).stdout("the CPU is in STOP, event 16#457F").stdout("after scan 0 at 0 ms");
     assert_eq!(OperatingMode::Stop.to_string(), "STOP");
 }
 

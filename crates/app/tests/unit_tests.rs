@@ -343,7 +343,7 @@ fn a_failing_test_shows_the_trail_and_who_wrote_last() {
     let folder = folder(tests);
     let seen = folder.run(&["test", "--svg", "diagrams"]).code(1);
     for wanted in [
-        "`%Q0.0` was changed last by motor.awl:39 `= Q 0.0` (OB 1, statement 3), in the 4th scan, at 40 ms",
+        "`%Q0.0` was changed last by motor.awl:39 `= Q 0.0` (OB 1, statement 3), in scan 3 at 30 ms",
         "%Q0.0",
         "%I0.1",
         "timing diagram: diagrams/the-motor.svg",
@@ -400,7 +400,7 @@ fn variables_of_a_program_of_structured_text_are_seen() {
         ),
         ("sieben.toml", "[project]\nname = \"counter\"\n[cpu]\ncycle = \"100ms\"\n"),
     ]);
-    folder.run(&["test"]).code(0).stdout("ok    main.test.st: it counts  (4 scans, 400 ms of virtual time)").stdout("1 passed, 0 failed");
+    folder.run(&["test"]).code(0).stdout("ok    main.test.st: it counts  (4 scans, 300 ms of virtual time)").stdout("1 passed, 0 failed");
     folder.run(&["check"]).code(0);
 }
 
@@ -413,7 +413,7 @@ fn what_setup_declares_is_there_for_each_test_and_fresh() {
     let folder = Folder::with(&[("main.st", program), ("main.test.st", tests)]);
     folder.run(&["test"]).code(0).stdout("2 passed, 0 failed");
     folder.write("main.test.st", b"TEST 'named'\n  SCAN(2);\n  ASSERT_EQ(Main.p.n, 7);\nEND_TEST\n");
-    folder.run(&["test"]).code(1).stdout("`Main.p.n` was changed last by main.st:4 `n := n + 1` (in `Pump`), in the 2nd scan, at 20 ms");
+    folder.run(&["test"]).code(1).stdout("`Main.p.n` was changed last by main.st:4 `n := n + 1` (in `Pump`), in scan 1 at 10 ms");
 }
 
 #[test]

@@ -251,13 +251,13 @@ impl<'a, 'o> Run<'a, 'o> {
             return;
         }
         let (expected, actual) = (held.show(&difference.expected), held.show(&difference.actual));
-        let Moment { scan, time_us } = difference.moment;
+        let moment = difference.moment;
         let of = difference.name.trim_matches('"');
         let here =
             if difference.place.text().trim_matches('"') == of { String::new() } else { format!(", here `{}`,", difference.place.text()) };
         let message = match difference.missed {
-            true => format!("`{of}`{here} should come to {expected} behind scan {scan} at {}, and did not", spelling::time(time_us)),
-            false => format!("`{of}`{here} should be {expected} behind scan {scan} at {}, and is {actual}", spelling::time(time_us)),
+            true => format!("`{of}`{here} should come to {expected} after {moment}, and did not"),
+            false => format!("`{of}`{here} should be {expected} after {moment}, and is {actual}"),
         };
         let line = std::mem::replace(&mut self.line, difference.line);
         self.onlooker.borrow_mut().see(Happened::Differs(difference));
@@ -430,9 +430,8 @@ impl<'a, 'o> Run<'a, 'o> {
         let surprise = self.cpu.mode() == OperatingMode::Stop && !self.stop_expected;
         if surprise {
             self.stop_expected = true;
-            let when = self
-                .last_us
-                .map_or_else(String::new, |last| format!(", behind scan {} at {}", self.scans.saturating_sub(1), spelling::time(last)));
+            let moment = |time_us| Moment { scan: self.scans.saturating_sub(1), time_us };
+            let when = self.last_us.map_or_else(String::new, |last| format!(", after {}", moment(last)));
             self.fail(format!("{}{}", self.why_stopped().trim_start_matches("; "), if self.held.is_empty() { "" } else { &when }));
         }
         !surprise

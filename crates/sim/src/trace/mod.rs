@@ -5,6 +5,7 @@
 
 mod code;
 pub mod csv;
+pub mod moment;
 pub mod recorder;
 pub mod recording;
 pub mod store;
@@ -15,6 +16,7 @@ pub mod vcd;
 use std::fmt;
 use std::ops::RangeInclusive;
 
+pub use moment::Moment;
 pub use recorder::{Keep, Recorder};
 pub use store::{Memory, Store, StoreError};
 pub use summary::Summary;
@@ -63,15 +65,6 @@ pub fn identity<'a>(texts: impl IntoIterator<Item = &'a str>) -> u64 {
         words.fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3))
     };
     texts.into_iter().fold(0, |sum, text| sum.wrapping_add(hash(text)))
-}
-
-/// A moment of a trace.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Moment {
-    /// The number of the scan, from 0 at the beginning of the run.
-    pub scan: u64,
-    /// When it began, in microseconds of virtual time.
-    pub time_us: u64,
 }
 
 /// Some scans in a row that saw the same values.
