@@ -29,8 +29,11 @@ pub(crate) fn details(change: &OnlineChange) -> String {
         text.push_str(&format!("  and {} more\n", change.losses.len() - LISTED_MAX));
     }
     if !change.initial_values.is_empty() {
-        let blocks = sieben_cpu::retain::data_blocks(&change.initial_values);
-        text.push_str(&format!("New initial values come with a cold restart: {blocks}.\n"));
+        let mut names = change.initial_names.iter().take(LISTED_MAX).cloned().collect::<Vec<_>>().join(", ");
+        if change.initial_names.len() > LISTED_MAX {
+            names.push_str(&format!(" and {} more", change.initial_names.len() - LISTED_MAX));
+        }
+        text.push_str(&format!("New initial values come with a cold restart: {names}.\n"));
     }
     text
 }
@@ -45,5 +48,5 @@ pub(crate) fn to_json(change: &OnlineChange) -> Value {
         })
     };
     let losses: Vec<Value> = change.losses.iter().map(loss).collect();
-    json!({ "blocks": blocks, "losses": losses, "initial_values": change.initial_values })
+    json!({ "blocks": blocks, "losses": losses, "initial_values": change.initial_values, "initial_names": change.initial_names })
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use sieben_engine::{CodeBlock, Program};
 use sieben_model::block::BlockId;
+use sieben_model::interface::{Interface, Variable};
 use sieben_model::program::DataBlock;
 use sieben_model::types::{DataType, Field, Structure};
 
@@ -18,6 +19,8 @@ pub struct OnlineChange {
     pub losses: Vec<Loss>,
     /// Data blocks that keep their values although the sources give other initial values: those come with a memory reset or a cold restart.
     pub initial_values: Vec<u16>,
+    /// The variables of them, as far as the sources name them: `DB1.motor.speed`.
+    pub initial_names: Vec<String>,
     /// How the values of each data block with another declaration come over.
     moves: Vec<(u16, Vec<Move>)>,
 }
@@ -160,12 +163,8 @@ impl OnlineChange {
         let attributes = |block: &DataBlock| (block.read_only, block.non_retain, block.unlinked);
         if !same_layout || attributes(old) != attributes(new) {
             self.blocks.push((BlockId::db(number), BlockChange::Changed));
-        } else if old.image != new.image {
-            if has_values(new) {
-                self.initial_values.push(number);
-            } else {
-                self.blocks.push((BlockId::db(number), BlockChange::Changed));
-            }
+        } else if old.image != new.image && !has_values(new) {
+            self.blocks.push((BlockId::db(number), BlockChange::Changed));
         }
         if !has_values(old) {
             return;
@@ -180,6 +179,21 @@ impl OnlineChange {
         } else {
             matching.structure("", (&old.structure, 0), (&new.structure, 0));
         }
+        // Values that come over and are not the ones that the new sources give.
+        let stays = |one: &&Move| !same_bits((&old.image, one.from), (&new.image, one.to), one.bits);
+        let mut stay: Vec<Move> = matching.moves.iter().filter(stays).copied().collect();
+        if !stay.is_empty() {
+            stay.sort_by_key(|one| one.to);
+            let before = self.initial_names.len();
+            named(&mut self.initial_names, &format!("DB{number}"), &new.structure, 0, &|at, bits| {
+                let Some(one) = stay[..stay.partition_point(|one| one.to <= at)].last() else { return false };
+                at + bits <= one.to + one.bits && !same_bits((&old.image, one.from + (at - one.to)), (&new.image, at), bits)
+            });
+            if self.initial_names.len() == before {
+                self.initial_names.push(format!("DB{number}"));
+            }
+            self.initial_values.push(number);
+        }
         self.losses.append(&mut matching.losses);
         self.moves.push((number, matching.moves));
     }
@@ -193,6 +207,38 @@ impl OnlineChange {
         let Ok(index) = self.moves.binary_search_by_key(&number, |(number, _)| *number) else { return };
         for Move { from, to, bits } in &self.moves[index].1 {
             copy_bits(old, *from, new, *to, *bits);
+        }
+    }
+}
+
+/// Whether two blocks hold the same bits; those outside of a block are 0.
+fn same_bits((old, from): (&[u8], u64), (new, to): (&[u8], u64), bits: u64) -> bool {
+    if [from, to, bits].iter().all(|bits| bits.is_multiple_of(8)) {
+        let part = |image: &[u8], at: u64| -> Vec<u8> {
+            let image = image.get((at / 8) as usize..).unwrap_or(&[]);
+            image.iter().copied().chain(std::iter::repeat(0)).take((bits / 8) as usize).collect()
+        };
+        return part(old, from) == part(new, to);
+    }
+    let bit = |image: &[u8], at: u64| image.get((at / 8) as usize).copied().unwrap_or(0) >> (at % 8) & 1;
+    (0..bits).all(|index| bit(old, from + index) == bit(new, to + index))
+}
+
+/// Names the variables of a structure, which begins at a bit, of which `differs` is true; an array as a whole.
+fn named(names: &mut Vec<String>, path: &str, structure: &Arc<Structure>, begin: u64, differs: &dyn Fn(u64, u64) -> bool) {
+    for field in structure.fields.iter().filter(|field| field.data_type.bits() > 0) {
+        let (name, at) = (format!("{path}.{}", field.name), begin + u64::from(field.offset));
+        match (&field.data_type, fields_of(&field.data_type)) {
+            (_, Some(inner)) => named(names, &name, inner, at, differs),
+            (DataType::Array { bounds, element }, _) if element.bits() > 0 => {
+                let count = bounds.iter().map(|&(low, high)| u64::from(high.abs_diff(low)) + 1).fold(1, u64::saturating_mul);
+                let mut elements = (0..count).map(|index| at + field.data_type.element_offset(index));
+                if elements.any(|at| differs(at, element.bits())) {
+                    names.push(name);
+                }
+            }
+            (data_type, _) if differs(at, data_type.bits()) => names.push(name),
+            _ => {}
         }
     }
 }
@@ -220,7 +266,17 @@ fn has_values(block: &DataBlock) -> bool {
 }
 
 fn same_code(old: &CodeBlock, new: &CodeBlock) -> bool {
-    old.local_size == new.local_size && old.code == new.code
+    old.local_size == new.local_size && old.code == new.code && same_variables(&old.interface, &new.interface)
+}
+
+/// Whether two blocks declare the same variables, without regard to initial values and comments.
+fn same_variables(old: &Interface, new: &Interface) -> bool {
+    let same = |(old, new): (&Variable, &Variable)| {
+        (old.section, old.offset) == (new.section, new.offset)
+            && old.name.eq_ignore_ascii_case(&new.name)
+            && same_type(&old.data_type, &new.data_type)
+    };
+    old.variables.len() == new.variables.len() && old.variables.iter().zip(&new.variables).all(same)
 }
 
 /// Whether two structures have the same names, types and places; initial values and comments do not count.
