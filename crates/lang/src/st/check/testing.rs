@@ -171,8 +171,13 @@ impl Checker<'_> {
                 Typed::Scalar { value: load, data_type }
             }
             other => {
-                question.operands.push(Operand { span: expression.span, data_type: None, bytes: 4 });
-                question.values.push(Value { kind: ValueKind::Constant(0), scalar: Scalar::U32, span: expression.span });
+                // A literal says its value; what is computed of constants does not.
+                let literal = matches!(expression.kind, ExpressionKind::Literal(_));
+                let shown = if literal { None } else { shown_constant(&other) };
+                let (data_type, scalar, bits) =
+                    shown.map_or((None, Scalar::U32, 0), |(data_type, scalar, bits)| (Some(data_type), scalar, bits));
+                question.operands.push(Operand { span: expression.span, data_type, bytes: scalar.bits().div_ceil(8) as u8 });
+                question.values.push(Value { kind: ValueKind::Constant(bits), scalar, span: expression.span });
                 other
             }
         }
@@ -549,6 +554,15 @@ impl Checker<'_> {
         let value = operators::convert(value, Scalar::U32);
         let arguments = [number(u64::from(target.place.offset / 8), span), number(bytes, span), value];
         Some(call_of(SET_INPUT, in_order(arguments), span).kind)
+    }
+}
+
+/// A number without a type as a report shows it: with all its digits.
+fn shown_constant(typed: &Typed) -> Option<(DataType, Scalar, u64)> {
+    match *typed {
+        Typed::Integer { value, .. } => Some((DataType::LongInt, Scalar::I64, i64::try_from(value).ok()? as u64)),
+        Typed::Real { value, .. } => Some((DataType::LongReal, Scalar::F64, value.to_bits())),
+        _ => None,
     }
 }
 
