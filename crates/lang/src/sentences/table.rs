@@ -414,6 +414,22 @@ StAssign { en: "{values}, so {target} becomes {value}", de: "{values}, also wird
 StAssignConstant { en: "{target} becomes {value}", de: "{target} wird {value}" }
 /// An assignment whose parts cannot be shown.
 StAssignPart { en: "{target} is assigned the value of `{text}`", de: "{target} bekommt den Wert von `{text}`" }
+/// The index of a target is outside its array.
+StIndexWrite { en: "index {index} of {place} is outside its array ({low} to {high}), so nothing is written", de: "Index {index} von {place} liegt außerhalb des Feldes ({low} bis {high}), also wird nichts geschrieben" }
+/// An index is outside its array, and the statement fails.
+StIndexLeft { en: "index {index} of {place} is outside its array ({low} to {high}), so the statement is left out", de: "Index {index} von {place} liegt außerhalb des Feldes ({low} bis {high}), also entfällt die Anweisung" }
+/// An index of what is read is outside its array.
+StIndexRead { en: "index {index} of {place} is outside its array ({low} to {high}), so 0 is read", de: "Index {index} von {place} liegt außerhalb des Feldes ({low} bis {high}), also wird 0 gelesen" }
+/// A division by 0.
+StDividesByZero { en: "{text} divides by 0", de: "{text} teilt durch 0" }
+/// A result that does not fit.
+StOverflow { en: "the result of {text} does not fit its type", de: "das Ergebnis von {text} passt nicht in seinen Typ" }
+/// A REAL that is no number.
+StNoNumber { en: "the result of {text} is infinite or no number", de: "das Ergebnis von {text} ist unendlich oder keine Zahl" }
+/// A conversion of a value that does not fit, or a function without a result.
+StNoResult { en: "{text} has no result that fits its type", de: "{text} hat kein Ergebnis, das in seinen Typ passt" }
+/// What failed, and what came of it all the same.
+StFailed { en: "{reason}: {rest}", de: "{reason}: {rest}" }
 /// A condition that holds.
 StTrue { en: "{values}: `{text}` is TRUE, so what follows it runs", de: "{values}: `{text}` ist TRUE, also läuft, was folgt" }
 /// A condition that does not.

@@ -1,5 +1,6 @@
 //! Why a statement of Structured Text did what it did: what was read, and what came of it.
 
+mod failed;
 mod values;
 
 use sieben_engine::ir::{self, Inst};
@@ -130,15 +131,47 @@ fn whole(statement: &Statement, span: Span) -> Option<Part<'_>> {
 
 /// What can be said of a part; `whole` tells that the step is the only one of it, so that what it read is what lies there now.
 fn explain(part: Part<'_>, values: &Values<'_>, text: &str, whole: bool) -> Option<Clause> {
+    let value = match part {
+        Part::Condition(value) | Part::Until(value) => Some(value),
+        Part::Next(_) => None,
+        Part::Statement(statement) => match &statement.kind {
+            StatementKind::Assign { value, .. } => Some(value),
+            StatementKind::If { branches, .. } => branches.first().map(|(condition, _)| condition),
+            StatementKind::While { condition, .. } => Some(condition),
+            StatementKind::Case { selector, .. } => Some(selector),
+            _ => None,
+        },
+    };
+    let failed = value.filter(|_| whole && values.has_before()).and_then(|value| failed::of_value(value, values));
+    match failed {
+        Some(failed) if failed.ends => Some(failed.clause),
+        Some(failed) => {
+            let rest = came_of(part, values, text, whole)?.words(&|_| None);
+            Some(Clause::new(S::StFailed).with("reason", failed.clause.words(&|_| None)).with("rest", rest))
+        }
+        None => came_of(part, values, text, whole),
+    }
+}
+
+/// What came of a part in which nothing fails, or in spite of that.
+fn came_of(part: Part<'_>, values: &Values<'_>, text: &str, whole: bool) -> Option<Clause> {
     let statement = match part {
         Part::Condition(condition) => return Some(decision(condition, values, [S::StTrue, S::StFalse], whole)),
         Part::Until(condition) => return Some(decision(condition, values, [S::StUntilTrue, S::StUntilFalse], whole)),
         Part::Next(for_loop) => return counts(for_loop, values),
         Part::Statement(statement) => statement,
     };
+    if let StatementKind::Copy { target, .. } | StatementKind::AssignString { target, .. } = &statement.kind
+        && let Some(failed) = failed::of_target(target, values).filter(|_| values.has_before())
+    {
+        return Some(failed.clause);
+    }
     let named = |span: Span| one_line(values.slice(span));
     Some(match &statement.kind {
         StatementKind::Assign { target, value } => {
+            if let Some(failed) = failed::of_target(target, values).filter(|_| values.has_before()) {
+                return Some(failed.clause);
+            }
             let name = named(target.span);
             let Some(bits) = values.read_behind(target, value.scalar) else {
                 return Some(Clause::new(S::StAssignPart).with("target", name).with("text", named(value.span)));

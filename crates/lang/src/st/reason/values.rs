@@ -14,7 +14,7 @@ use crate::sentences::memory::{Found, Reader};
 use crate::sentences::text::{Words, one_line, real};
 use crate::sentences::{Moment, Surroundings};
 use crate::st::tree::visit::{self, Extent, Use, Visit};
-use crate::st::tree::{Base, Bounds, Place, Scalar, Value, ValueKind};
+use crate::st::tree::{Base, Bounds, Index, Place, Scalar, Value, ValueKind};
 
 /// Depth of expressions that are looked into; the parser allows more than anyone reads.
 const DEPTH_MAX: u32 = 32;
@@ -112,9 +112,9 @@ impl<'a> Values<'a> {
                 let found = self.find(place, depth + 1)?;
                 self.before().read(&found, width(value.scalar))
             }
-            ValueKind::Compute { op, args } => {
+            ValueKind::Compute { op, args } | ValueKind::Checked { op, args, .. } => {
                 let mut values = [0; 4];
-                for (slot, arg) in values.iter_mut().zip(args) {
+                for (slot, arg) in values.iter_mut().zip(args.iter().take(op.arity())) {
                     *slot = of(arg)?;
                 }
                 Some(op.eval(values))
@@ -142,6 +142,16 @@ impl<'a> Values<'a> {
             }
             _ => None,
         }
+    }
+
+    /// The first index of a place that is outside its array, with what it is.
+    pub(super) fn index_outside<'p>(&self, place: &'p Place) -> Option<(&'p Index, i64)> {
+        place.indexes.iter().filter(|index| matches!(index.check, Bounds::Fault | Bounds::Skip)).find_map(|index| {
+            let bits = self.value(&index.value, 0)?;
+            let number = if index.value.scalar == Scalar::I64 { bits as i64 } else { i64::from(bits as u32 as i32) };
+            let inside = number >= index.low && (number.saturating_sub(index.low) as u64) < index.count;
+            (!inside).then_some((index, number))
+        })
     }
 
     /// Whether the caller gave a POINTER for a parameter of the function.
