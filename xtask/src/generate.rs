@@ -266,6 +266,9 @@ fn severity(problem: Problem) -> &'static str {
 fn problem_page(problem: Problem, old: Option<&str>) -> String {
     let kind = match problem.severity() {
         Severity::Error => "Error: the program does not compile or run.",
+        Severity::Warning if problem.is_refused() => {
+            "Warning: the program runs all the same. With `--strict` it is an error: STEP 7 refuses it."
+        }
         Severity::Warning => "Warning: the program runs all the same.",
     };
     let head = format!("# {}: {}\n\n{kind}\n\n**What to do.** {}\n\n{HEAD_END}", problem.code(), problem.title(), problem.help());

@@ -5,6 +5,19 @@
 
 use crate::diagnostic::Severity;
 
+/// Error or warning, and whether `--strict` makes an error of it.
+macro_rules! kind {
+    (Error) => {
+        (Severity::Error, false)
+    };
+    (Warning) => {
+        (Severity::Warning, false)
+    };
+    (Refused) => {
+        (Severity::Warning, true)
+    };
+}
+
 macro_rules! problems {
     ($( $Code:ident $Severity:ident $title:literal $help:literal; )*) => {
         /// A problem that a source, a project or a command line can have.
@@ -17,7 +30,9 @@ macro_rules! problems {
             /// The code, `P2001`.
             pub fn code(self) -> &'static str { match self { $(Self::$Code => stringify!($Code)),* } }
             /// Error or warning.
-            pub fn severity(self) -> Severity { match self { $(Self::$Code => Severity::$Severity),* } }
+            pub fn severity(self) -> Severity { match self { $(Self::$Code => kind!($Severity).0),* } }
+            /// Whether it is a warning about something that STEP 7 refuses: with `--strict` it is an error.
+            pub fn is_refused(self) -> bool { match self { $(Self::$Code => kind!($Severity).1),* } }
             /// What is wrong, in one sentence.
             pub fn title(self) -> &'static str { match self { $(Self::$Code => $title),* } }
             /// What to do about it.
@@ -48,7 +63,7 @@ problems! {
     P2003 Warning "a word that both mnemonic languages have, and no other word to tell which" "Name the language of the file with --mnemonics.";
     P2004 Error "more text where a statement has ended" "Separate statements by `;` or a line end, and begin a comment with `//`.";
     P2005 Error "an operand that is not understood" "Write an address such as `M 1.0`, a symbol in quotes, `#local` or a constant.";
-    P2006 Error "a label of more than four characters" "Use at most four letters and digits, beginning with a letter.";
+    P2006 Refused "a label of more than four characters" "STEP 7 takes at most four letters and digits; shorten the label if the program is for a real CPU.";
     P2007 Error "a misprint of the assignment sign" "Write `:=`.";
     P2008 Error "a known misprint of an instruction or operand" "Write what the message names.";
     P2010 Error "a block without a name" "Write the kind and number of the block, such as `FC 1`, or a symbol in quotes.";
