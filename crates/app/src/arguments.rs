@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use sieben_cpu::Cpu;
+use sieben_lang::LostResults;
 use sieben_lang::encoding::Encoding;
 use sieben_lang::st::dialect::Dialect;
 use sieben_model::cpu_type::CpuType;
@@ -110,6 +111,41 @@ impl MnemonicsArgument {
     }
 }
 
+/// How much is let pass.
+#[derive(Args, Clone, Copy, Debug)]
+pub(crate) struct StrictArgument {
+    /// What STEP 7 refuses is an error (exit code 3), and so is a statement that fails while the program runs (exit code 1)
+    #[arg(long)]
+    strict: bool,
+}
+
+impl StrictArgument {
+    /// Whether nothing is let pass.
+    pub(crate) fn is_strict(self) -> bool {
+        self.strict
+    }
+
+    /// What it says about the program.
+    pub(crate) fn overrides(self, overrides: Overrides) -> Overrides {
+        Overrides { strict: self.strict, ..overrides }
+    }
+}
+
+/// Whether the diagnostic buffer is shown.
+#[derive(Args, Clone, Copy, Debug)]
+pub(crate) struct DiagnosticsArgument {
+    /// Print the diagnostic buffer at the end, the newest entry first
+    #[arg(long)]
+    diagnostics: bool,
+}
+
+impl DiagnosticsArgument {
+    /// Whether it is.
+    pub(crate) fn wanted(self) -> bool {
+        self.diagnostics
+    }
+}
+
 /// How the plants of the project fail.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct FaultArguments {
@@ -146,6 +182,11 @@ impl ProgramArguments {
         self.encoding.chosen()
     }
 
+    /// The same for a run at full speed: what costs time in a program in which nothing fails is left out.
+    pub(crate) fn overrides_at_speed(&self) -> Result<Overrides, Failure> {
+        Ok(Overrides { tells_lost: LostResults::Quotients, ..self.overrides()? })
+    }
+
     /// What these arguments say about the program.
     pub(crate) fn overrides(&self) -> Result<Overrides, Failure> {
         let cpu = match &self.cpu {
@@ -158,6 +199,7 @@ impl ProgramArguments {
             dialect: self.dialect,
             extended: self.extended,
             profile: self.profile.map(Profile::from),
+            tells_lost: LostResults::All,
             ..Overrides::default()
         })
     }

@@ -88,6 +88,11 @@ pub(crate) fn name_in_source(build: &Build, block: BlockId) -> Option<&str> {
     build.compiled.block_names.get(&block).filter(|_| is_called_by_name).map(String::as_str)
 }
 
+/// What people call a block.
+pub(crate) fn block_text(build: &Build, block: BlockId) -> String {
+    name_in_source(build, block).map_or_else(|| block.to_string(), |name| format!("`{name}`"))
+}
+
 /// What people call the place of a statement.
 pub(crate) fn place_text(build: &Build, place: FaultPlace) -> String {
     let named = name_in_source(build, place.block);

@@ -8,6 +8,7 @@ mod document;
 mod duration;
 mod engines;
 mod examples;
+mod failed;
 mod failure;
 mod files;
 mod fixing;

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use sieben_lang::encoding::{self, Decoded, Encoding};
 use sieben_lang::language::Language;
 use sieben_lang::st::dialect::Dialect;
-use sieben_lang::{Compiled, Options, TemporaryReads};
+use sieben_lang::{Compiled, LostResults, Options, TemporaryReads};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
@@ -48,6 +48,10 @@ pub(crate) struct Overrides {
     pub(crate) tests: bool,
     /// It is told how statements and decisions are counted.
     pub(crate) counted: bool,
+    /// Which lost results the CPU is told of.
+    pub(crate) tells_lost: LostResults,
+    /// `--strict`: what STEP 7 refuses is an error.
+    pub(crate) strict: bool,
 }
 
 /// A source file as it lies on the disk.
@@ -156,6 +160,7 @@ impl Project {
             dialect: overrides.dialect.or(self.settings.dialect),
             tests: overrides.tests,
             counted: overrides.counted,
+            tells_lost: overrides.tells_lost,
         };
         let nothing = self.findings.iter().any(|finding| finding.diagnostic.problem == Problem::P6005);
         let compiled = match nothing {
@@ -168,6 +173,7 @@ impl Project {
         findings.extend(settings::modules::problems(&self.settings.modules, cpu).into_iter().map(Finding::document));
         findings.extend(compiled.diagnostics.iter().cloned().map(Finding::program));
         report::sort(&mut findings);
+        findings.iter_mut().for_each(|finding| finding.strict = overrides.strict);
         Build { project: self, compiled, cpu, findings }
     }
 

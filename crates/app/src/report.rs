@@ -36,12 +36,14 @@ pub(crate) struct Finding {
     pub(crate) diagnostic: Diagnostic,
     /// What the span points into.
     pub(crate) origin: Origin,
+    /// What STEP 7 refuses is an error, too.
+    pub(crate) strict: bool,
 }
 
 impl Finding {
     /// A finding about a whole file.
     pub(crate) fn file(problem: Problem, path: impl Into<String>, message: impl Into<String>) -> Self {
-        Self { diagnostic: Diagnostic::new(problem, Span::default(), message), origin: Origin::File(path.into()) }
+        Self { diagnostic: Diagnostic::new(problem, Span::default(), message), origin: Origin::File(path.into()), strict: false }
     }
     /// A file with bytes that mean nothing in its encoding.
     pub(crate) fn lost_bytes(path: &str, encoding: Encoding) -> Self {
@@ -49,11 +51,18 @@ impl Finding {
     }
     /// A finding in a file that is no program.
     pub(crate) fn document(diagnostic: Diagnostic) -> Self {
-        Self { diagnostic, origin: Origin::Document }
+        Self { diagnostic, origin: Origin::Document, strict: false }
     }
     /// A finding in a source of the program.
     pub(crate) fn program(diagnostic: Diagnostic) -> Self {
-        Self { diagnostic, origin: Origin::Program }
+        Self { diagnostic, origin: Origin::Program, strict: false }
+    }
+    /// Error or warning.
+    pub(crate) fn severity(&self) -> Severity {
+        match self.diagnostic.problem {
+            problem if self.strict && problem.is_refused() => Severity::Error,
+            problem => problem.severity(),
+        }
     }
     fn key(&self) -> (&Origin, FileId, u32, u32, Problem) {
         let span = self.diagnostic.span;
@@ -88,7 +97,7 @@ impl Texts {
 
 /// Whether any of them keeps the program from running.
 pub(crate) fn has_errors(findings: &[Finding]) -> bool {
-    findings.iter().any(|finding| finding.diagnostic.severity() == Severity::Error)
+    findings.iter().any(|finding| finding.severity() == Severity::Error)
 }
 
 /// Puts findings into the order of files and places and drops repetitions.
@@ -121,7 +130,7 @@ pub(crate) fn render(findings: &[Finding], texts: &Texts, colour: bool) -> Strin
 
 /// `2 errors, 1 warning. …`, with how to learn more; empty if there are no findings.
 fn count(findings: &[Finding]) -> String {
-    let Some(first) = findings.iter().find(|finding| finding.diagnostic.severity() == Severity::Error).or(findings.first()) else {
+    let Some(first) = findings.iter().find(|finding| finding.severity() == Severity::Error).or(findings.first()) else {
         return String::new();
     };
     format!("{}. `sieben explain {}` says more.\n", tally(findings), first.diagnostic.problem.code())
@@ -129,7 +138,7 @@ fn count(findings: &[Finding]) -> String {
 
 /// `2 errors, 1 warning`, or `no errors`.
 pub(crate) fn tally(findings: &[Finding]) -> String {
-    let errors = findings.iter().filter(|finding| finding.diagnostic.severity() == Severity::Error).count();
+    let errors = findings.iter().filter(|finding| finding.severity() == Severity::Error).count();
     let warnings = findings.len() - errors;
     let plural = |count: usize, word: &str| match count {
         1 => format!("1 {word}"),
@@ -145,7 +154,7 @@ pub(crate) fn tally(findings: &[Finding]) -> String {
 
 fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, out: &mut Vec<u8>) {
     let diagnostic = &finding.diagnostic;
-    let (kind, shade) = match diagnostic.severity() {
+    let (kind, shade) = match finding.severity() {
         Severity::Error => (ReportKind::Error, Color::Red),
         Severity::Warning => (ReportKind::Warning, Color::Yellow),
     };
@@ -188,7 +197,7 @@ fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, out: &
 /// Without the source lines: for whole files and for lines too long to draw.
 fn render_plain(finding: &Finding, texts: &Texts, colour: bool, out: &mut Vec<u8>) {
     let diagnostic = &finding.diagnostic;
-    let (word, shade) = match diagnostic.severity() {
+    let (word, shade) = match finding.severity() {
         Severity::Error => ("Error", "\x1b[31m"),
         Severity::Warning => ("Warning", "\x1b[33m"),
     };
@@ -221,7 +230,7 @@ type Lines = BTreeMap<(Origin, FileId), Vec<usize>>;
 
 fn one_to_json(finding: &Finding, texts: &Texts, lines: &mut Lines) -> Value {
     let diagnostic = &finding.diagnostic;
-    let severity = match diagnostic.severity() {
+    let severity = match finding.severity() {
         Severity::Error => "error",
         Severity::Warning => "warning",
     };

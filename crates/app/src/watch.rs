@@ -57,7 +57,7 @@ impl Watch {
     pub(crate) fn start(
         stamps: Stamps,
         paths: &[PathBuf],
-        program: &ProgramArguments,
+        (program, overrides): (&ProgramArguments, Overrides),
         engine: EngineArgument,
         build: &Build,
         accept_losses: bool,
@@ -66,7 +66,7 @@ impl Watch {
         let looking = Looking {
             paths: paths.to_vec(),
             program: program.clone(),
-            overrides: program.overrides()?,
+            overrides,
             engine,
             cpu: build.cpu,
             settings: build.project.settings.clone(),

@@ -26,6 +26,7 @@ use sieben_model::cpu_type::CpuType;
 use crate::clock::{BcdClock, DateAndTime};
 use crate::cycle::{Cycle, CycleTimes};
 use crate::diagnostic_buffer::DiagnosticBuffer;
+use crate::failed_statements::FailedStatements;
 use crate::forcing::Forced;
 use crate::host::{Requests, Slice, Watchdog};
 use crate::interrupts::Interrupts;
@@ -64,6 +65,7 @@ pub struct Cpu {
     restart: Restart,
     cycle: Cycle,
     diagnostics: DiagnosticBuffer,
+    failed_statements: FailedStatements,
     cause: Option<StopCause>,
     now_us: u64,
     bcd_clock: BcdClock,
@@ -134,6 +136,7 @@ impl Cpu {
             restart: Restart::Warm,
             cycle: Cycle::default(),
             diagnostics: DiagnosticBuffer::new(cpu_type.diagnostic_buffer),
+            failed_statements: FailedStatements::default(),
             cause: None,
             now_us: 0,
             bcd_clock: BcdClock::default(),
@@ -229,6 +232,11 @@ impl Cpu {
     /// The diagnostic buffer.
     pub fn diagnostic_buffer(&self) -> &DiagnosticBuffer {
         &self.diagnostics
+    }
+
+    /// The statements that failed while the program went on.
+    pub fn failed_statements(&self) -> &FailedStatements {
+        &self.failed_statements
     }
 
     /// The time up to which the CPU has run, in microseconds of the clock that its scans are given.

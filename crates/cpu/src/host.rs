@@ -8,6 +8,7 @@ use sieben_model::cpu_type::CpuType;
 
 use crate::clock::DateAndTime;
 use crate::diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
+use crate::failed_statements::FailedStatements;
 use crate::interrupts::{Interrupts, Now};
 use crate::io::Rack;
 use crate::organization_blocks as ob;
@@ -168,6 +169,9 @@ pub(crate) struct CpuHost<'a> {
     pub(crate) engine: &'a dyn Engine,
     pub(crate) rack: &'a mut Rack,
     pub(crate) diagnostics: &'a mut DiagnosticBuffer,
+    pub(crate) failed_statements: &'a mut FailedStatements,
+    /// How many scans have begun.
+    pub(crate) scans: u64,
     pub(crate) requests: &'a Requests,
     pub(crate) time: Time<'a>,
     pub(crate) watchdog: &'a mut Watchdog,

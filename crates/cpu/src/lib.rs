@@ -7,6 +7,7 @@
 mod cpu;
 mod created_data_blocks;
 mod diagnostic_events;
+mod failed_statements;
 mod host;
 mod reactions;
 mod slots;
@@ -35,6 +36,7 @@ pub use clock::DateAndTime;
 pub use cpu::{ChangeRefused, Cpu, DataLoss, Loaded, ScanReport, Snapshot, StopRequest, TestStep};
 pub use cycle::CycleTimes;
 pub use diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
+pub use failed_statements::{FailedStatement, FailedStatements};
 pub use forcing::Forced;
 pub use host::BUDGET_MAX;
 pub use interrupts::{Coming, CyclicInterrupt, Interrupt};

@@ -16,6 +16,11 @@ use crate::system;
 impl Host for CpuHost<'_> {
     fn fault(&mut self, machine: &mut Machine, fault: &Fault, place: FaultPlace) -> Reaction {
         self.time.read(machine);
+        if fault.lost().is_some() {
+            let info = StartInformation::fault(fault, place, &self.class);
+            self.failed_statements.add(info, place, self.scans);
+            return Reaction::Continue;
+        }
         if system::own_errors::keeps(&mut self.system.handlers, machine, fault, place) {
             return Reaction::Continue;
         }
@@ -30,6 +35,7 @@ impl Host for CpuHost<'_> {
         let info = StartInformation::fault(fault, place, &class);
         let entry = self.enter(info, Some(place));
         if fault.is_noted() {
+            self.failed_statements.add(info, place, self.scans);
             return Reaction::Continue;
         }
         self.first = Some(entry);
@@ -47,6 +53,7 @@ impl Host for CpuHost<'_> {
         let block = if matches!(fault, Fault::IoAccess { .. }) { ob::IO_ACCESS_ERROR } else { ob::PROGRAMMING_ERROR };
         if self.engine.has_block(block) {
             self.first = None;
+            self.failed_statements.add(info, place, self.scans);
             self.system.interrupt(machine, info);
             Reaction::Enter { block, start_information: info.bytes(self.date_and_time()) }
         } else {

@@ -16,6 +16,24 @@ pub struct Place {
 /// and the statement goes on with its next instruction, whatever the Host answers.
 pub const NOTED: u8 = 0x80;
 
+/// What a statement of Structured Text lost without an error of the CPU: its code, always with [`NOTED`]. No CPU has these numbers.
+pub mod lost {
+    /// A division by 0 (FLT_REG is 0), or a quotient beyond its type.
+    pub const QUOTIENT: u8 = 0x01;
+    /// The result of an integer operation does not fit its type.
+    pub const OVERFLOW: u8 = 0x02;
+    /// The result of a computation with REAL or LREAL is infinite or no number.
+    pub const NO_NUMBER: u8 = 0x03;
+    /// A value does not fit the type that it becomes, or the function has no result for it.
+    pub const CONVERSION: u8 = 0x04;
+    /// A FOR with a step of 0 is left out.
+    pub const STEP: u8 = 0x05;
+    /// A character does not exist in the STRING that the text becomes.
+    pub const CHARACTER: u8 = 0x06;
+    /// The greatest of them.
+    pub const LAST: u8 = CHARACTER;
+}
+
 /// A synchronous error of a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
@@ -71,6 +89,13 @@ impl Fault {
     /// Whether it is only told ([`NOTED`]).
     pub fn is_noted(&self) -> bool {
         matches!(self, Self::Programming { code, .. } if code & NOTED != 0)
+    }
+    /// What a statement of Structured Text lost, if that is all: a code of [`lost`].
+    pub fn lost(&self) -> Option<u8> {
+        match self {
+            Self::Programming { code, .. } if code & NOTED != 0 => Some(code & !NOTED).filter(|&code| code <= lost::LAST),
+            _ => None,
+        }
     }
     /// A programming error with FLT_REG.
     pub(crate) fn programming(code: u8, register: u16) -> Self {

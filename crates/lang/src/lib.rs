@@ -31,4 +31,5 @@ pub use database::Database;
 pub use language::Language;
 pub use options::Options;
 pub use project::compile;
+pub use scope::LostResults;
 pub use stl::check::TemporaryReads;

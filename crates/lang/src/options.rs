@@ -6,6 +6,7 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
 
 use crate::library::Selection;
+use crate::scope::LostResults;
 use crate::st::dialect::Dialect;
 use crate::stl::check;
 
@@ -34,4 +35,6 @@ pub struct Options {
     pub tests: bool,
     /// Whether it is known of each statement and each decision how to count it ([`Compiled::countable`]): for the coverage of tests.
     pub counted: bool,
+    /// Which lost results the code of Structured Text tells the Host of, as far as its dialect does not call them right.
+    pub tells_lost: LostResults,
 }

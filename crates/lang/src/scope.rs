@@ -40,11 +40,25 @@ impl Global {
     }
 }
 
+/// Which results that are lost the CPU is told of, where the block does not look at ENO or OK.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum LostResults {
+    /// None.
+    #[default]
+    None,
+    /// Integers divided by 0.
+    Quotients,
+    /// All that clear ENO: overflows and conversions too.
+    All,
+}
+
 /// The global names.
 #[derive(Debug, Default)]
 pub(crate) struct Scope {
     globals: HashMap<String, Global>,
     suggestions: Cell<u32>,
+    /// Which lost results the code of Structured Text tells the Host of, where the dialect does not call them right.
+    pub(crate) tells_lost: LostResults,
 }
 
 impl Scope {
@@ -63,7 +77,7 @@ impl Scope {
                 }
             });
         }
-        let mut scope = Self { globals, suggestions: Cell::new(0) };
+        let mut scope = Self { globals, suggestions: Cell::new(0), tells_lost: LostResults::None };
         // Of blocks that the CPU does not have only the numbers count: `"START"` and `"COUNT"` are everybody's words.
         for block in system.iter().filter(|block| block.only.is_none()) {
             scope.add_block(block.name, block.block);

@@ -138,7 +138,7 @@ fn time_of_quick(program: &Program, layout: &Layout) -> Quick {
 /// Compiles, warms up, measures.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let started = now();
-    let overrides = arguments.program.overrides()?;
+    let overrides = arguments.program.overrides_at_speed()?;
     let project = arguments.program.load(&arguments.paths)?;
     let build = match super::or_report(project.compile(overrides, false), arguments.json) {
         Ok(build) => build,

@@ -8,7 +8,7 @@ use sieben_cpu::OnlineChange;
 use sieben_lang::TemporaryReads;
 use sieben_model::problems::Problem;
 
-use crate::arguments::ProgramArguments;
+use crate::arguments::{ProgramArguments, StrictArgument};
 use crate::failure::{Exit, Failure};
 use crate::project::{Build, Overrides};
 use crate::report::{Finding, Texts};
@@ -35,6 +35,8 @@ pub(crate) struct Arguments {
     /// Also report temporary variables that are read, but not written on every path to that statement
     #[arg(long)]
     temp: bool,
+    #[command(flatten)]
+    strict: StrictArgument,
     /// Also list what an online change from the program in this file or folder would change, and what it could not keep
     #[arg(long, value_name = "OLD", conflicts_with_all = ["syntax_only", "fix"])]
     against: Option<PathBuf>,
@@ -64,7 +66,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 
 fn check(arguments: &Arguments) -> Result<Exit, Failure> {
     let temporaries = if arguments.temp { TemporaryReads::Possible } else { TemporaryReads::Certain };
-    let overrides = Overrides { temporaries, ..arguments.program.overrides()? };
+    let overrides = Overrides { temporaries, ..arguments.strict.overrides(arguments.program.overrides()?) };
     let compile = || Ok::<_, Failure>(arguments.program.load(&arguments.paths)?.compile(overrides, arguments.syntax_only));
     let mut build = compile()?;
     for _ in 0..if arguments.fix { ROUNDS_MAX } else { 0 } {

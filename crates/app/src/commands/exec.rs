@@ -8,12 +8,15 @@ use sieben_cpu::{Cpu, OperatingMode, Restart};
 use sieben_engine::Tracer;
 use sieben_jit::StatusBits;
 use sieben_sim::names::Name;
+use sieben_sim::trace::Moment;
 
-use crate::arguments::{FaultArguments, ProgramArguments};
+use crate::arguments::{DiagnosticsArgument, FaultArguments, ProgramArguments, StrictArgument};
 use crate::engines::EngineArgument;
+use crate::failed::{self, Failed};
 use crate::failure::{Exit, Failure};
 use crate::local_check::LocalCheck;
 use crate::names;
+use crate::project::Build;
 use crate::report::{self, Finding};
 use crate::schedule::ScheduleArguments;
 use crate::{controller, duration, output};
@@ -29,7 +32,7 @@ Time is virtual: scan k begins at k x cycle, the first at 0. A file of bare\n\
 statements is the body of OB 1. A register gets what `L` would load\n\
 (`ACCU1=-1` is 16#0000_FFFF), an address or variable the number in its own\n\
 width. STW is nine characters: BR CC1 CC0 OV OS OR STA RLO /FC.\n\n\
-Exit codes: 0 ok, 1 --check-temp found something, 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
+Exit codes: 0 ok, 1 --check-temp found something or a statement failed (--strict), 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
 pub(crate) struct Arguments {
     /// Source files, symbol tables, or a project folder
     #[arg(required = true, value_name = "FILE")]
@@ -52,6 +55,10 @@ pub(crate) struct Arguments {
     /// Watch the local data: report every temporary variable that is read before it is written (exit code 1)
     #[arg(long)]
     check_temp: bool,
+    #[command(flatten)]
+    strict: StrictArgument,
+    #[command(flatten)]
+    diagnostics: DiagnosticsArgument,
     /// Print one JSON object per printed scan
     #[arg(long)]
     json: bool,
@@ -59,7 +66,7 @@ pub(crate) struct Arguments {
 
 /// Runs the scans and prints the values.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let overrides = arguments.program.overrides()?;
+    let overrides = arguments.strict.overrides(arguments.program.overrides()?);
     let project = arguments.program.load(&arguments.paths)?;
     let schedule = arguments.schedule.schedule(&project.settings, 1)?;
     let build = match super::or_report(project.compile(overrides, false), arguments.json) {
@@ -83,7 +90,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         cpu.scan_with(&mut || now_us, check.as_mut().map(|check| check as &mut dyn Tracer));
         let stopped = cpu.mode() == OperatingMode::Stop;
         if arguments.every || stopped || scan + 1 == count {
-            print_scan(arguments, &cpu, &shown, scan, now_us)?;
+            print_scan(arguments, &build, &cpu, &shown, Moment { scan, time_us: now_us })?;
         }
         if stopped {
             break;
@@ -93,6 +100,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     if !findings.is_empty() {
         report::print(&findings, &build.project.texts, arguments.json);
     }
+    let failed = Failed::of(&build, &cpu);
+    if !arguments.json {
+        if let Some(failed) = &failed {
+            output::message(&format!("{}\n", failed.line()));
+        }
+        if arguments.diagnostics.wanted() {
+            output::print(&failed::buffer_text(&build, &cpu, usize::MAX))?;
+        }
+    }
     match cpu.stop_cause() {
         Some(cause) if cpu.mode() == OperatingMode::Stop => {
             if !arguments.json {
@@ -100,9 +116,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             }
             Ok(Exit::Stopped)
         }
-        _ if !findings.is_empty() => Ok(Exit::CheckFailed),
+        _ if !findings.is_empty() || arguments.strict.is_strict() && failed.is_some() => Ok(Exit::CheckFailed),
         _ => {
-            if shown.is_empty() && !arguments.json && !arguments.check_temp {
+            if shown.is_empty() && !arguments.json && !arguments.check_temp && !arguments.diagnostics.wanted() {
                 output::message("Nothing was asked for: `--show MW0,Q0.0` prints values.\n");
             }
             Ok(Exit::Success)
@@ -113,13 +129,20 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 /// Longest name whose column is lined up.
 const WIDTH_MAX: usize = 160;
 
-fn print_scan(arguments: &Arguments, cpu: &Cpu, shown: &[Name], scan: u64, now_us: u64) -> Result<(), Failure> {
+fn print_scan(arguments: &Arguments, build: &Build, cpu: &Cpu, shown: &[Name], moment: Moment) -> Result<(), Failure> {
     if arguments.json {
-        return output::print_json(&scan_json(cpu, shown, scan, now_us), false);
+        let mut object = scan_json(cpu, shown, moment);
+        if let Some(failed) = Failed::of(build, cpu) {
+            object["failed_statements"] = failed.json();
+        }
+        if arguments.diagnostics.wanted() {
+            object["diagnostic_buffer"] = failed::buffer_json(build, cpu);
+        }
+        return output::print_json(&object, false);
     }
     let mut text = String::new();
     if arguments.every || shown.is_empty() {
-        text.push_str(&format!("scan {scan} at {} ms: {}\n", duration::milliseconds(now_us), cpu.mode()));
+        text.push_str(&format!("{moment}: {}\n", cpu.mode()));
     }
     let indent = if arguments.every { "  " } else { "" };
     let width = shown.iter().map(|name| name.text().chars().count()).max().unwrap_or(0).min(WIDTH_MAX);
@@ -129,9 +152,9 @@ fn print_scan(arguments: &Arguments, cpu: &Cpu, shown: &[Name], scan: u64, now_u
     output::print(&text)
 }
 
-fn scan_json(cpu: &Cpu, shown: &[Name], scan: u64, now_us: u64) -> Value {
+fn scan_json(cpu: &Cpu, shown: &[Name], Moment { scan, time_us }: Moment) -> Value {
     let values: serde_json::Map<String, Value> = shown.iter().map(|name| (name.text().to_owned(), names::to_json(name, cpu))).collect();
-    let mut object = json!({ "scan": scan, "time_ms": duration::milliseconds(now_us), "values": values, "mode": cpu.mode().to_string() });
+    let mut object = json!({ "scan": scan, "time_ms": duration::milliseconds(time_us), "values": values, "mode": cpu.mode().to_string() });
     if let Some(cause) = cpu.stop_cause().filter(|_| cpu.mode() == OperatingMode::Stop) {
         object["stop"] = controller::stop_json(cause);
     }

@@ -19,6 +19,7 @@ use sieben_sim::trace::CHANNELS_MAX;
 use super::run::{Speed, now, speed_argument};
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::engines::EngineArgument;
+use crate::failed::Heard;
 use crate::failure::{Exit, Failure};
 use crate::paths::{self, is_scenario, shown};
 use crate::places::Places;
@@ -196,7 +197,8 @@ fn record(
     // Who records a recording again wants to know what this program does, not what another one did.
     rules.expects_nothing = scenario.recorded.is_some();
     scenario.run_with(&build.project.symbols, &rules, &mut fresh, &mut live);
-    let Live { recorder, mut file, failure, mut failures, stop, interrupted, .. } = live;
+    let Live { recorder, mut file, failure, mut failures, stop, interrupted, heard, .. } = live;
+    let failed = heard.failed(build);
     let (scans, time, outputs) = (recorder.scans(), Duration::from_micros(recorder.time_us()), recorder.outputs());
     let trouble = recorder.trouble().map(str::to_owned);
     if let Some(failure) = failure {
@@ -225,6 +227,9 @@ fn record(
         if let Some(cause) = &stop {
             object["stop"] = controller::stop_json(cause);
         }
+        if let Some(failed) = &failed {
+            object["failed_statements"] = failed.json();
+        }
         // What was printed is the recording.
         if arguments.output.as_os_str() != "-" {
             output::print_json(&object, false)?;
@@ -234,6 +239,9 @@ fn record(
         let of = if outputs == 1 { "1 output".to_owned() } else { format!("{outputs} outputs") };
         let place = if arguments.output.as_os_str() == "-" { String::new() } else { format!(": `{}`", shown(&arguments.output)) };
         output::message(&format!("{} ({}) with {of}{how}{place}\n", in_scans(scans), duration::show(time)));
+        if let Some(failed) = &failed {
+            output::message(&format!("{}\n", failed.line()));
+        }
         if let Some(cause) = &stop {
             output::message(&controller::stop_text(build, cause));
         }
@@ -307,6 +315,8 @@ struct Live {
     stop: Option<StopCause>,
     /// A STOP ends the run.
     ends_with_stop: bool,
+    /// Statements that failed while the program went on.
+    heard: Heard,
 }
 
 impl Live {
@@ -327,6 +337,7 @@ impl Live {
             failures: Vec::new(),
             stop: None,
             ends_with_stop: !arguments.paths.iter().any(|path| is_scenario(path)),
+            heard: Heard::default(),
         })
     }
 
@@ -363,6 +374,7 @@ impl Onlooker for Live {
             Happened::Due { time_us, .. } => self.wait(*time_us),
             Happened::Failed(error) => self.failures.push((*error).clone()),
             Happened::Scan { cpu, .. } => {
+                self.heard.hear(cpu);
                 self.stop = cpu.stop_cause().filter(|_| cpu.mode() == OperatingMode::Stop).cloned();
             }
             _ => {}

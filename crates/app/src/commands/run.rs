@@ -14,9 +14,10 @@ use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Restart, Settings, TimeSource}
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 
-use crate::arguments::{FaultArguments, ProgramArguments};
+use crate::arguments::{DiagnosticsArgument, FaultArguments, ProgramArguments, StrictArgument};
 use crate::duration::duration_argument;
 use crate::engines::EngineArgument;
+use crate::failed::{self, Failed};
 use crate::failure::{Exit, Failure};
 use crate::project::Build;
 use crate::retain::{RetainArguments, Retention, RunTime};
@@ -45,7 +46,7 @@ const STOP_BY_SWITCH: u16 = 0x4303;
   sieben run pump --restart cold        with all values as the program declares them\n  \
   sieben run pump --watch               changed sources take over while it runs\n\n\
 Ctrl-C stops cleanly; a second Ctrl-C stops at once. Retentive data of a project survives both, and a kill.\n\
-Exit codes: 0 ok, 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
+Exit codes: 0 ok, 1 a statement failed (--strict), 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
 pub(crate) struct Arguments {
     /// Source files, symbol tables, or a project folder [default: this folder]
     #[arg(value_name = "PATH")]
@@ -74,6 +75,10 @@ pub(crate) struct Arguments {
     /// With --watch: do not ask when values of data blocks cannot be kept
     #[arg(long, requires = "watch")]
     accept_losses: bool,
+    #[command(flatten)]
+    strict: StrictArgument,
+    #[command(flatten)]
+    diagnostics: DiagnosticsArgument,
     /// Print the result as one JSON object
     #[arg(long)]
     json: bool,
@@ -102,7 +107,10 @@ pub(crate) fn speed_argument(text: &str) -> Result<Speed, String> {
 
 /// Runs the project.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let overrides = arguments.program.overrides()?;
+    let overrides = match arguments.strict.is_strict() {
+        true => arguments.strict.overrides(arguments.program.overrides()?),
+        false => arguments.program.overrides_at_speed()?,
+    };
     let stamps = if arguments.watch { watch::stamps(&arguments.paths) } else { watch::Stamps::new() };
     let mut build = match super::or_report(arguments.program.load(&arguments.paths)?.compile(overrides, false), arguments.json) {
         Ok(build) => build,
@@ -138,22 +146,40 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let status = Status::new();
     let end_us = arguments.duration.map_or(u64::MAX, duration::micros);
     let watch = match arguments.watch {
-        true => Some(Watch::start(stamps, &arguments.paths, &arguments.program, arguments.engine, &build, arguments.accept_losses)?),
+        true => Some(Watch::start(
+            stamps,
+            &arguments.paths,
+            (&arguments.program, overrides),
+            arguments.engine,
+            &build,
+            arguments.accept_losses,
+        )?),
         false => None,
     };
     let (restart, quiet) = (arguments.retain.restart, arguments.json);
-    let mut pace =
-        Pace { speed: arguments.speed, restart, cycle_us: duration::micros(cycle), end_us, retention, watch, build: &mut build, quiet };
+    let mut pace = Pace {
+        speed: arguments.speed,
+        restart,
+        cycle_us: duration::micros(cycle),
+        end_us,
+        retention,
+        watch,
+        build: &mut build,
+        quiet,
+        failed: None,
+    };
     let outcome = match arguments.speed {
         Speed::Max => pace.run_virtual(&mut cpu, &interrupt, &status),
         Speed::Factor(factor) => pace.run_timed(factor, &mut cpu, &interrupt, &status),
     };
     status.clear();
-    let Pace { mut retention, watch, .. } = pace;
+    let Pace { mut retention, watch, failed, .. } = pace;
     if let Some(retention) = &mut retention {
         retention.close(&mut cpu);
     }
-    report(arguments, &build, &cpu, &outcome, retention.as_ref(), watch.as_ref())
+    let count = cpu.failed_statements().count;
+    let failed = failed.map(|first| first.in_all(count)).or_else(|| Failed::of(&build, &cpu));
+    report(arguments, &build, &cpu, &outcome, failed.as_ref(), retention.as_ref(), watch.as_ref())
 }
 
 /// The time of day of this computer, UTC.
@@ -216,12 +242,18 @@ struct Pace<'a> {
     build: &'a mut Build,
     /// Nothing is said about online changes: the result is for a program.
     quiet: bool,
+    /// The first statement that failed, with its place in the program that ran then.
+    failed: Option<Failed>,
 }
 
 impl Pace<'_> {
     /// Lets changed sources take over before the next scan.
     fn change(&mut self, cpu: &mut Cpu, status: &Status) {
         if let Some(watch) = &mut self.watch {
+            // Its place is one of the program that still runs.
+            if self.failed.is_none() {
+                self.failed = Failed::of(self.build, cpu);
+            }
             let quiet = self.quiet;
             watch.poll(cpu, self.build, &|text| {
                 if !quiet {
@@ -358,6 +390,7 @@ fn report(
     build: &Build,
     cpu: &Cpu,
     outcome: &Outcome,
+    failed: Option<&Failed>,
     retention: Option<&Retention>,
     watch: Option<&Watch>,
 ) -> Result<Exit, Failure> {
@@ -383,24 +416,36 @@ fn report(
         if let Some(cause) = stopped {
             object["stop"] = controller::stop_json(cause);
         }
+        if let Some(failed) = failed {
+            object["failed_statements"] = failed.json();
+        }
+        if arguments.diagnostics.wanted() {
+            object["diagnostic_buffer"] = failed::buffer_json(build, cpu);
+        }
         output::print_json(&object, false)?;
     } else {
         let time = duration::show(Duration::from_micros(outcome.time_us));
         let how = if outcome.interrupted { "stopped by Ctrl-C after" } else { "ran for" };
         let scans = if outcome.scans == 1 { "1 scan".to_owned() } else { format!("{} scans", outcome.scans) };
         output::print(&format!("{mode}: {how} {time}, {scans}{}\n", cycle_text(cpu)))?;
+        if let Some(failed) = failed {
+            output::message(&format!("{}\n", failed.line()));
+        }
     }
     match stopped {
         Some(_) if arguments.json => Ok(Exit::Stopped),
         Some(cause) => {
             output::message(&controller::stop_text(build, cause));
-            let entries = cpu.diagnostic_buffer().entries().take(ENTRIES_SHOWN);
-            let lines: String =
-                entries.map(|entry| format!("  {}  16#{:04X}  {}\n", entry.time.display(), entry.event(), entry.text())).collect();
-            output::message(&format!("Diagnostic buffer, newest first:\n{lines}"));
+            let most = if arguments.diagnostics.wanted() { usize::MAX } else { ENTRIES_SHOWN };
+            output::message(&failed::buffer_text(build, cpu, most));
             Ok(Exit::Stopped)
         }
-        None => Ok(Exit::Success),
+        None => {
+            if arguments.diagnostics.wanted() && !arguments.json {
+                output::print(&failed::buffer_text(build, cpu, usize::MAX))?;
+            }
+            Ok(if arguments.strict.is_strict() && failed.is_some() { Exit::CheckFailed } else { Exit::Success })
+        }
     }
 }
 

@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use sieben_model::problems::Problem;
 use sieben_sim::scenario::Rules;
 
-use crate::arguments::ProgramArguments;
+use crate::arguments::{DiagnosticsArgument, ProgramArguments, StrictArgument};
 use crate::duration::duration_argument;
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
@@ -71,6 +71,10 @@ pub(crate) struct Arguments {
     /// Run so many tests at once [default: one per processor]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     jobs: Option<u16>,
+    #[command(flatten)]
+    strict: StrictArgument,
+    #[command(flatten)]
+    diagnostics: DiagnosticsArgument,
     /// Which engine runs the programs
     #[arg(long, value_name = "ENGINE", default_value = "auto")]
     engine: EngineArgument,
@@ -128,7 +132,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 /// Runs the tests once.
 fn once(arguments: &Arguments) -> Result<Exit, Failure> {
     let mut conditions = Conditions {
-        overrides: arguments.program.overrides()?,
+        overrides: arguments.strict.overrides(arguments.program.overrides()?),
+        diagnostics: arguments.diagnostics.wanted(),
         encoding: arguments.program.encoding(),
         engine: arguments.engine,
         cycle: arguments.cycle,
@@ -219,6 +224,11 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
         }
     }
     written?;
+    if !arguments.json
+        && let Some(line) = report::failed_statements(&finished)
+    {
+        output::message(&format!("{line}\n"));
+    }
     Ok(report::exit(&finished))
 }
 

@@ -18,6 +18,7 @@ use sieben_sim::trace::{Keep, Moment, Recorder, Store, Trace, TraceError, Trigge
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::duration::duration_argument;
 use crate::engines::EngineArgument;
+use crate::failed::{Failed, Heard};
 use crate::failure::{Exit, Failure};
 use crate::paths::{self, is_scenario};
 use crate::project::Build;
@@ -158,6 +159,9 @@ struct Outcome {
     /// The trigger did not come.
     untriggered: bool,
     scans: u64,
+    /// Statements that failed while the program went on.
+    heard: Heard,
+    failed: Option<Failed>,
 }
 
 /// Records and draws.
@@ -205,6 +209,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
                 let now_us = schedule.begin_us(scan);
                 changes.apply(&mut cpu, now_us)?;
                 cpu.scan(now_us);
+                outcome.heard.hear(&cpu);
                 recorder.scan(&cpu, scan, now_us).map_err(|error| unwritable(&error))?;
                 outcome.scans += 1;
                 if cpu.mode() == OperatingMode::Stop || recorder.is_complete() {
@@ -216,6 +221,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             (recorder.finish().map_err(|error| unwritable(&error))?, outcome)
         }
     };
+    let outcome = Outcome { failed: outcome.heard.failed(&build), ..outcome };
     show(arguments, &trace, &outcome)?;
     told(arguments, &build, &outcome)
 }
@@ -274,6 +280,7 @@ fn follow(scenario: &Scenario, build: &Build, mut recorder: Recorder, fresh: &mu
         Happened::Scan { cpu, time_us, .. } => {
             let moment = Moment { scan: outcome.scans, time_us: begin_us.saturating_add(time_us) };
             outcome.scans += 1;
+            outcome.heard.hear(cpu);
             last = Some(moment);
             if failed.is_none() {
                 failed = recorder.scan(cpu, moment.scan, moment.time_us).err();
@@ -486,6 +493,9 @@ fn print_json(trace: &Trace, range: &RangeInclusive<u64>, outcome: &Outcome) -> 
     if let Some(cause) = &outcome.stop {
         object["stop"] = controller::stop_json(cause);
     }
+    if let Some(failed) = &outcome.failed {
+        object["failed_statements"] = failed.json();
+    }
     output::print_json(&json!({ "trace": object }), false)
 }
 
@@ -494,6 +504,9 @@ fn told(arguments: &Arguments, build: &Build, outcome: &Outcome) -> Result<Exit,
     for (error, _) in &outcome.failures {
         let message = format!("{}:{}: {}", outcome.scenario.display(), error.line, error.message);
         output::message(&Failure::usage(Problem::P6261, message).render(output::colour()));
+    }
+    if let Some(failed) = outcome.failed.as_ref().filter(|_| !arguments.json) {
+        output::message(&format!("{}\n", failed.line()));
     }
     if let Some(cause) = &outcome.stop {
         if !arguments.json {

@@ -39,6 +39,7 @@ pub(crate) enum Verb {
     Where,
     Stack,
     List,
+    Diagnostics,
     Help,
     Quit,
 }
@@ -99,6 +100,8 @@ rows! {
         ["shows the last statement again: place, registers, reason", "zeigt die letzte Anweisung noch einmal: Stelle, Register, Grund"];
     Verb::Stack, ["stack"], NOTHING, ["the blocks that run, outermost first", "die Bausteine, die laufen, der äußerste zuerst"];
     Verb::List, ["list", "l"], NOTHING, ["the source around the next statement", "die Quelle um die nächste Anweisung"];
+    Verb::Diagnostics, ["diagnostics", "d"], NOTHING,
+        ["the diagnostic buffer, newest entry first, and how often a statement failed", "der Diagnosepuffer, der neueste Eintrag zuerst, und wie oft eine Anweisung fehlschlug"];
     Verb::Help, ["help", "?"], NOTHING, ["these commands", "diese Befehle"];
     Verb::Quit, ["quit", "q"], NOTHING, ["ends", "Ende"];
 }
@@ -122,6 +125,8 @@ pub(crate) enum Answer {
     Breakpoint(u32, String),
     /// All breakpoints, or what is left of them.
     Breakpoints,
+    /// The diagnostic buffer, and the statements that failed.
+    Diagnostics,
     /// Nothing was asked.
     Nothing,
     /// The end.
@@ -238,6 +243,7 @@ fn verb(stepper: &mut Stepper<'_>, found: &Row, operand: &str, row: &mut dyn FnM
         Verb::Where => Answer::Moved(Halt::Reached),
         Verb::Stack => Answer::Text(stack(stepper)),
         Verb::List => Answer::Text(around(stepper)),
+        Verb::Diagnostics => Answer::Diagnostics,
         Verb::Help => Answer::Text(help(stepper.language)),
         Verb::Quit => Answer::Quit,
     })

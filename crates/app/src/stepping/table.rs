@@ -9,6 +9,7 @@ use sieben_sim::names::Name;
 
 use super::commands::Answer;
 use super::{Change, Language, Line, LocalValue, Stepper, View, Who, texts};
+use crate::failed::{self, Failed};
 use crate::failure::{Failure, capitalized};
 use crate::{controller, names};
 
@@ -99,6 +100,15 @@ pub(crate) fn answer(stepper: &mut Stepper<'_>, answer: &Answer) -> String {
             text
         }
         Answer::Text(text) => text.clone(),
+        Answer::Diagnostics => {
+            let failed = match Failed::of(stepper.build(), stepper.cpu()) {
+                Some(failed) => stepper.say(texts::FAILED_TIMES, &[&failed.count, &failed.first_line()]),
+                None => stepper.say(texts::NONE_FAILED, &[]),
+            };
+            let entries = stepper.cpu().diagnostic_buffer().entries();
+            let lines: String = entries.map(|entry| format!("    {}\n", failed::entry_text(stepper.build(), entry))).collect();
+            format!("  {failed}\n  {}\n{lines}", stepper.say(texts::DIAGNOSTIC_BUFFER, &[]))
+        }
         Answer::Values(names) => names.iter().map(|name| format!("  {} = {}\n", name.text(), stepper.value(name))).collect(),
         Answer::Locals(locals) => locals_text(stepper, locals.as_ref()),
         Answer::Set(name, value) => {
@@ -280,6 +290,11 @@ pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Ans
         Answer::Breakpoints => {
             let all = stepper.breakpoints().iter().map(|one| json!({ "number": one.number, "text": one.text, "times": one.times }));
             object["breakpoints"] = Value::Array(all.collect());
+        }
+        Answer::Diagnostics => {
+            let (build, cpu) = (stepper.build(), stepper.cpu());
+            object["diagnostic_buffer"] = failed::buffer_json(build, cpu);
+            object["failed_statements"] = Failed::of(build, cpu).map(|failed| failed.json()).into();
         }
         Answer::Text(text) => object["text"] = json!(text),
         Answer::Nothing | Answer::Quit => {}

@@ -74,6 +74,15 @@ pub(crate) const NOT_HERE: Text =
 pub(crate) const NOT_LOADED: Text = ["not loaded", "nicht geladen"];
 pub(crate) const NOT_THERE: Text = ["not there", "nicht da"];
 
+// What the CPU has to say.
+
+pub(crate) const DIAGNOSTIC_BUFFER: Text = ["diagnostic buffer, newest entry first:", "Diagnosepuffer, der neueste Eintrag zuerst:"];
+pub(crate) const NONE_FAILED: Text = ["no statement has failed", "keine Anweisung ist fehlgeschlagen"];
+pub(crate) const FAILED_TIMES: Text = [
+    "statements that failed while the program went on: {0}; {1}",
+    "Anweisungen, die fehlschlugen, während das Programm weiterlief: {0}; {1}",
+];
+
 // Breakpoints.
 
 pub(crate) const BREAKPOINT: Text = ["breakpoint {0}: {1}", "Haltepunkt {0}: {1}"];

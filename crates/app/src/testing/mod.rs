@@ -15,6 +15,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
+use sieben_cpu::Cpu;
 use sieben_lang::encoding::Encoding;
 
 use crate::engines::EngineArgument;
@@ -23,8 +24,9 @@ use sieben_sim::devices::random::Random;
 use sieben_sim::scenario::Rules;
 use sieben_sim::trace::Moment;
 
+use crate::failed::{self, Failed};
 use crate::failure::Failure;
-use crate::project::Overrides;
+use crate::project::{Build, Overrides};
 
 /// One test: a name, and what runs it. Whatever kind of test it is, it answers with an [`Outcome`].
 pub(crate) struct Case {
@@ -47,6 +49,8 @@ pub(crate) struct Conditions {
     pub(crate) overrides: Overrides,
     /// The encoding of files without a byte order mark; `None` = guessed.
     pub(crate) encoding: Option<Encoding>,
+    /// Whether the diagnostic buffer is shown of each test.
+    pub(crate) diagnostics: bool,
     /// What runs the programs.
     pub(crate) engine: EngineArgument,
     /// Time from one scan to the next; `None` = the project's, else 10 ms.
@@ -74,6 +78,43 @@ pub(crate) struct Outcome {
     pub(crate) scans: u64,
     /// Virtual time at its end.
     pub(crate) simulated: Duration,
+    /// What the CPU has to say at its end.
+    pub(crate) after: After,
+}
+
+/// What a CPU has to say after a test, whether it passed or not.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct After {
+    /// Statements that failed while the program went on.
+    pub(crate) failed: Option<Failed>,
+    /// The diagnostic buffer, line by line, if that is wanted.
+    pub(crate) diagnostics: Vec<String>,
+}
+
+impl After {
+    /// What this one has to say.
+    fn of(build: &Build, cpu: &Cpu, conditions: &Conditions) -> Self {
+        let entries = cpu.diagnostic_buffer().entries().filter(|_| conditions.diagnostics);
+        Self { failed: Failed::of(build, cpu), diagnostics: entries.map(|entry| failed::entry_text(build, entry)).collect() }
+    }
+}
+
+impl Outcome {
+    /// What came of a run; with `--strict` a statement that failed fails the test.
+    fn new(verdict: Verdict, scans: u64, simulated: Duration, after: After, conditions: &Conditions) -> Self {
+        let verdict = match (verdict, &after.failed) {
+            (Verdict::Passed, Some(failed)) if conditions.overrides.strict => {
+                Verdict::Failed(Box::new(Wrong { message: failed.line(), ..Wrong::default() }))
+            }
+            (verdict, _) => verdict,
+        };
+        Self { verdict, scans, simulated, after }
+    }
+
+    /// Nothing was run.
+    fn nothing_ran(verdict: Verdict) -> Self {
+        Self { verdict, scans: 0, simulated: Duration::ZERO, after: After::default() }
+    }
 }
 
 /// Passed, or why not.

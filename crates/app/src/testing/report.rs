@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::{Finished, Verdict, Wrong};
 use crate::duration;
+use crate::failed::Failed;
 use crate::failure::{Exit, Failure, capitalized};
 
 /// How many tests ended how.
@@ -103,6 +104,7 @@ pub(crate) fn text(finished: &[Finished]) -> String {
                 _ => format!("{scans}, {time} of virtual time"),
             };
             let _ = writeln!(out, "ok    {}  ({took})", test.name);
+            notes(&mut out, test);
             continue;
         };
         // A unit test has a name of its own beside the place.
@@ -117,9 +119,30 @@ pub(crate) fn text(finished: &[Finished]) -> String {
         for line in first.into_iter().chain(lines) {
             let _ = writeln!(out, "{}", format!("        {line}").trim_end());
         }
+        notes(&mut out, test);
     }
     let _ = writeln!(out, "{}", count(finished));
     out
+}
+
+/// What there is to say of a test whether it passed or not.
+fn notes(out: &mut String, test: &Finished) {
+    // With `--strict` it is the headline.
+    let told = |failed: &&Failed| matches!(&test.outcome.verdict, Verdict::Failed(wrong) if wrong.message == failed.line());
+    if let Some(failed) = test.outcome.after.failed.as_ref().filter(|failed| !told(failed)) {
+        let _ = writeln!(out, "        note: {}", failed.line());
+    }
+    for (index, line) in test.outcome.after.diagnostics.iter().enumerate() {
+        let head = if index == 0 { "        diagnostic buffer, newest first:\n" } else { "" };
+        let _ = writeln!(out, "{head}          {line}");
+    }
+}
+
+/// The statements that failed in all tests, in one line.
+pub(crate) fn failed_statements(finished: &[Finished]) -> Option<String> {
+    let all: Vec<&Failed> = finished.iter().filter_map(|test| test.outcome.after.failed.as_ref()).collect();
+    let tests = plural(all.len() as u64, "test");
+    Some(format!("{} (in {tests} of {})", Failed::of_all(all)?.line(), finished.len()))
 }
 
 /// `4 passed, 1 failed`.
@@ -162,7 +185,7 @@ fn one_to_json(test: &Finished, seconds: f64) -> Value {
         Verdict::Misread(failures) => failures.first().map(|failure| failure.problem.code()),
         _ => None,
     };
-    json!({
+    let mut object = json!({
         "name": test.name, "test_file": test.file, "verdict": verdict, "message": message,
         "file": wrong.place.as_ref().map(|place| &place.0), "line": wrong.place.as_ref().map(|place| place.1),
         "statement": wrong.statement, "block": wrong.block,
@@ -171,7 +194,14 @@ fn one_to_json(test: &Finished, seconds: f64) -> Value {
         "said": wrong.said, "more": wrong.lines, "problem": problem,
         "at_scan": wrong.moment.map(|moment| moment.scan), "at_ms": wrong.moment.map(|moment| duration::milliseconds(moment.time_us)),
         "scans": test.outcome.scans, "time_ms": test.outcome.simulated.as_secs_f64() * 1e3, "duration_s": seconds,
-    })
+    });
+    if let Some(failed) = &test.outcome.after.failed {
+        object["failed_statements"] = failed.json();
+    }
+    if !test.outcome.after.diagnostics.is_empty() {
+        object["diagnostic_buffer"] = json!(test.outcome.after.diagnostics);
+    }
+    object
 }
 
 /// JUnit XML, as build servers read it.
@@ -252,7 +282,7 @@ mod tests {
         let test = |name: &str, verdict| Finished {
             name: name.to_owned(),
             file: None,
-            outcome: Outcome { verdict, scans: 1, simulated: Duration::ZERO },
+            outcome: Outcome { scans: 1, ..Outcome::nothing_ran(verdict) },
             took: Duration::from_millis(2),
         };
         vec![

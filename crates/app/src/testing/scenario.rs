@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use sieben_cpu::{Cpu, Loaded};
+use sieben_cpu::{Cpu, DiagnosticBuffer, Loaded};
 use sieben_engine::{Interpreter, Tracer};
 use sieben_jit::StatusBits;
 use sieben_model::address::{Area, Operand};
@@ -19,9 +19,10 @@ use sieben_sim::timing_diagram::{Mark, Options};
 use sieben_sim::trace::{Channel, Keep, Memory, Moment, Origin, Recorder, Trace};
 
 use super::coverage::{Counting, Looking, looking};
-use super::last_change::{self, Scans};
-use super::{Case, Conditions, Outcome, Verdict, Wrong, drawing};
+use super::last_change;
+use super::{After, Case, Conditions, Outcome, Verdict, Wrong, drawing};
 use crate::engines::EngineArgument;
+use crate::failed::{self, Heard};
 use crate::failure::Failure;
 use crate::paths::shown;
 use crate::places::Places;
@@ -53,11 +54,8 @@ pub(super) fn is_test(file: &Path) -> bool {
     files::read(file).map_or(true, |scenario| scenario.expects())
 }
 
-fn nothing_ran(verdict: Verdict) -> Outcome {
-    Outcome { verdict, scans: 0, simulated: Duration::ZERO }
-}
-
 fn run(program: &[PathBuf], file: &Path, named: bool, conditions: &Conditions) -> Outcome {
+    let nothing_ran = Outcome::nothing_ran;
     let scenario = match files::read(file) {
         Ok(scenario) => scenario,
         Err(Unusable::File(failure)) => return nothing_ran(Verdict::Unreadable(failure)),
@@ -113,6 +111,7 @@ struct Test<'a> {
 
 /// The first run: what is wrong.
 struct Judge<'a> {
+    diagnostics: bool,
     begun: Instant,
     timeout: Duration,
     late: bool,
@@ -121,14 +120,20 @@ struct Judge<'a> {
     failures: Vec<ScenarioError>,
     differences: Vec<Difference>,
     counting: Option<Counting<'a>>,
+    heard: Heard,
+    buffer: Option<DiagnosticBuffer>,
 }
 
 impl Onlooker for Judge<'_> {
     fn see(&mut self, happened: Happened<'_>) {
         match happened {
-            Happened::Scan { time_us, .. } => {
+            Happened::Scan { cpu, time_us, .. } => {
                 self.scans += 1;
                 self.time_us = time_us;
+                self.heard.hear(cpu);
+                if self.diagnostics && self.buffer.as_ref() != Some(cpu.diagnostic_buffer()) {
+                    self.buffer = Some(cpu.diagnostic_buffer().clone());
+                }
             }
             Happened::Failed(error) => self.failures.push(error.clone()),
             Happened::Differs(difference) => self.differences.push(difference.clone()),
@@ -154,6 +159,9 @@ impl Test<'_> {
     fn run(&self) -> Outcome {
         let engine = if self.conditions.coverage.is_some() { EngineArgument::Interpreter } else { self.conditions.engine };
         let mut judge = Judge {
+            diagnostics: self.conditions.diagnostics,
+            heard: Heard::default(),
+            buffer: None,
             begun: Instant::now(),
             timeout: self.conditions.timeout,
             late: false,
@@ -187,7 +195,10 @@ impl Test<'_> {
         if matches!(verdict, Verdict::Passed) {
             files::warn_if_cut_off(&self.file, &self.scenario);
         }
-        Outcome { verdict, scans: judge.scans, simulated: Duration::from_micros(judge.time_us) }
+        let entries = judge.buffer.iter().flat_map(|buffer| buffer.entries());
+        let diagnostics = entries.map(|entry| failed::entry_text(&self.build, entry)).collect();
+        let after = After { failed: judge.heard.failed(&self.build), diagnostics };
+        Outcome::new(verdict, judge.scans, Duration::from_micros(judge.time_us), after, self.conditions)
     }
 
     fn wrong(&self, first: &ScenarioError, judge: &Judge<'_>) -> Wrong {
@@ -209,9 +220,7 @@ impl Test<'_> {
             wrong.lines.extend(self.again(difference));
         }
         for other in others.iter().take(OTHERS_MAX) {
-            let Moment { scan, time_us } = other.moment;
-            let at = duration::show(Duration::from_micros(time_us));
-            wrong.lines.push(format!("`{}` differs, too: first behind scan {scan} at {at}", other.name.trim_matches('"')));
+            wrong.lines.push(format!("`{}` differs, too: first after {}", other.name.trim_matches('"'), other.moment));
         }
         // What differs is told above; the rest, such as a STOP, is not.
         let told = |error: &&ScenarioError| {
@@ -244,7 +253,7 @@ impl Test<'_> {
         let mut lines = Vec::new();
         if let Some(Operand::Address(address) | Operand::InDataBlock { address, .. }) = difference.place.operand() {
             let name = difference.place.text().trim_matches('"');
-            lines.push(last_change::sentence(&self.build, name, address.area, looking.written, Scans::Numbered));
+            lines.push(last_change::sentence(&self.build, name, address.area, looking.written));
         }
         let diagram = looking.diagram().map(|(trail, mark)| {
             let options = Options { marks: vec![mark], ..Options::text() };

@@ -15,7 +15,7 @@ use sieben_ide::target::Target;
 use sieben_model::block::{BlockId, BlockKind};
 
 use super::coverage::{Counting, looking};
-use super::{Conditions, Outcome, Verdict, Wrong};
+use super::{After, Conditions, Outcome, Verdict, Wrong};
 use crate::engines::EngineArgument;
 use crate::project::{Build, Overrides, Project};
 use crate::{controller, duration, report, schedule};
@@ -27,7 +27,7 @@ const STOP_BY_PROGRAM: u16 = 0x457F;
 
 /// Runs a program until it ends; one that is not `named` as a test must have words to check itself. The blocks of `test`, if there is one, take the place of those of the program.
 pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, conditions: &Conditions) -> Outcome {
-    let nothing_ran = |verdict| Outcome { verdict, scans: 0, simulated: Duration::ZERO };
+    let nothing_ran = Outcome::nothing_ran;
     let mut all: Vec<PathBuf> = test.into_iter().cloned().collect();
     all.extend(paths.iter().cloned());
     let project = match Project::load(&all, conditions.encoding) {
@@ -79,11 +79,12 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
         })),
         None => cpu.stop_cause().map_or(Verdict::Passed, |cause| verdict(&build, &cpu, cause)),
     };
+    let outcome = Outcome::new(verdict, scans, simulated, After::of(&build, &cpu, conditions), conditions);
     if let Some((collector, counting)) = conditions.coverage.as_ref().zip(counting) {
         // The first file is the test, if there is one.
         collector.add(&Arc::new(build), test.map(|_| FileId(0)), counting.counts);
     }
-    Outcome { verdict, scans, simulated }
+    outcome
 }
 
 fn tracer<'a>(counting: &'a mut Option<Counting<'_>>) -> Option<&'a mut dyn Tracer> {

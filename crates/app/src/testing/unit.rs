@@ -17,8 +17,8 @@ use sieben_sim::timing_diagram;
 use sieben_sim::trace::{Keep, Memory, Origin, Recorder, Trace};
 
 use super::coverage::{Counting, Looking, looking};
-use super::last_change::{self, Scans};
-use super::{Case, Conditions, Outcome, Verdict, Wrong, drawing};
+use super::last_change;
+use super::{After, Case, Conditions, Outcome, Verdict, Wrong, drawing};
 use crate::engines::EngineArgument;
 use crate::paths::shown;
 use crate::project::{Build, Overrides, Project};
@@ -57,7 +57,7 @@ pub(super) fn cases(program: &[PathBuf], file: &Path, conditions: &Conditions) -
             let verdict = std::sync::Mutex::new(Some(verdict));
             let run = move |_: &Conditions| {
                 let told = verdict.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
-                nothing_ran(told.unwrap_or(Verdict::NoTest))
+                Outcome::nothing_ran(told.unwrap_or(Verdict::NoTest))
             };
             vec![Case { name: name.clone(), file: Some(name), perhaps: None, scenario: None, run: Box::new(run) }]
         }
@@ -78,10 +78,6 @@ pub(super) fn cases(program: &[PathBuf], file: &Path, conditions: &Conditions) -
             tests.into_iter().map(case).collect()
         }
     }
-}
-
-fn nothing_ran(verdict: Verdict) -> Outcome {
-    Outcome { verdict, scans: 0, simulated: Duration::ZERO }
 }
 
 fn compile(program: &[PathBuf], file: &Path, conditions: &Conditions) -> Result<Ready, Verdict> {
@@ -148,12 +144,12 @@ impl Watcher for Again {
         self.writers.before_scan(cpu);
     }
     fn scanned(&mut self, cpu: &Cpu) {
-        self.scans += 1;
         if let Some(trail) = &mut self.trail
             && trail.scan(cpu, self.scans, cpu.now_us()).is_err()
         {
             self.trail = None;
         }
+        self.scans += 1;
     }
     fn tracer(&mut self) -> Option<&mut dyn Tracer> {
         self.writers.tracer()
@@ -183,7 +179,7 @@ fn run(ready: &Ready, test: &Test, conditions: &Conditions) -> Outcome {
     if let Some((collector, counting)) = conditions.coverage.as_ref().zip(watcher.counting) {
         collector.add(build, None, counting.counts);
     }
-    Outcome { verdict, scans: report.scans, simulated }
+    Outcome::new(verdict, report.scans, simulated, After::of(build, &cpu, conditions), conditions)
 }
 
 /// Runs a test that failed once more, in the interpreter, and says which statements wrote what its assertion reads; and draws the last
@@ -209,7 +205,7 @@ fn again(ready: &Ready, test: &Test, wrong: &runner::Wrong, limits: Limits, cond
     }
     let each = wrong.signals.iter().zip(watcher.writers.written());
     let mut lines: Vec<String> =
-        each.map(|(signal, written)| last_change::sentence(build, &signal.name, signal.address.area, written, Scans::Counted)).collect();
+        each.map(|(signal, written)| last_change::sentence(build, &signal.name, signal.address.area, written)).collect();
     lines.extend(watcher.trail.and_then(|trail| trail.finish().ok()).map_or_else(Vec::new, |trail| diagram(&trail, test, conditions)));
     lines
 }

@@ -59,6 +59,8 @@ impl Cpu {
                 engine,
                 rack: &mut self.rack,
                 diagnostics: &mut self.diagnostics,
+                failed_statements: &mut self.failed_statements,
+                scans: self.cycle.number,
                 requests: &self.requests,
                 time: Time { source, clock: &mut *clock, now_us: self.now_us, start: self.settings.date_and_time },
                 watchdog: &mut self.watchdog,

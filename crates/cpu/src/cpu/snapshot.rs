@@ -13,6 +13,7 @@ use super::stack::Stack;
 use super::stop::Held;
 use crate::cycle::Cycle;
 use crate::diagnostic_buffer::DiagnosticBuffer;
+use crate::failed_statements::FailedStatements;
 use crate::forcing::Forced;
 use crate::host::{Slice, Watchdog};
 use crate::interrupts::Interrupts;
@@ -125,6 +126,7 @@ state! {
     restart: Restart,
     cycle: Cycle,
     diagnostics: DiagnosticBuffer,
+    failed_statements: FailedStatements,
     cause: Option<StopCause>,
     now_us: u64,
     rack_us: u64,

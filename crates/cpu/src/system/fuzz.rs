@@ -10,6 +10,7 @@ use sieben_model::program::DataBlock;
 use super::*;
 use crate::clock::DateAndTime;
 use crate::diagnostic_buffer::DiagnosticBuffer;
+use crate::failed_statements::FailedStatements;
 use crate::host::{Requests, Time, Watchdog};
 use crate::interrupts::Interrupts;
 use crate::io::Rack;
@@ -99,6 +100,7 @@ pub(super) fn with_host(cpu_type: &'static CpuType, memory: &[u8], parameters: &
         vec![frame(BlockId::ob(1), Origin::Start, 0), frame(BlockId::ob(121), Origin::Interrupt { registers, deliver: Some((30, 0)) }, 64)];
     let mut rack = Rack::simulated(cpu_type);
     let mut diagnostics = DiagnosticBuffer::new(100);
+    let mut failed_statements = FailedStatements::default();
     let requests = Requests::default();
     let mut clock = || 0;
     let mut watchdog = Watchdog::default();
@@ -110,6 +112,8 @@ pub(super) fn with_host(cpu_type: &'static CpuType, memory: &[u8], parameters: &
         engine: &*engine,
         rack: &mut rack,
         diagnostics: &mut diagnostics,
+        failed_statements: &mut failed_statements,
+        scans: 1,
         requests: &requests,
         time: Time { source: TimeSource::Virtual, clock: &mut clock, now_us: 5_000_000, start: DateAndTime::DEFAULT },
         watchdog: &mut watchdog,

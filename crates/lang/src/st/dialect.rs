@@ -5,6 +5,7 @@
 use sieben_model::types::DataType;
 
 use crate::declarations::types::describe;
+pub use crate::scope::LostResults;
 
 /// A dialect of ST.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -312,6 +313,8 @@ pub struct Switches {
     pub index_fault: IndexFault,
     /// What an integer division by 0 does.
     pub division_fault: DivisionFault,
+    /// Which lost results the CPU is told of.
+    pub lost_results: LostResults,
     /// What DATE and DATE_AND_TIME hold.
     pub calendar: Calendar,
     /// TIME has a sign (32 bits of milliseconds).
@@ -375,7 +378,7 @@ const TEST_SWITCHES: [Switches; 4] = {
     all
 };
 
-use {AddressUnit as Unit, Calendar::*, DivisionFault as Division, ForBounds::*, IndexFault as Index, PowerRank::*};
+use {AddressUnit as Unit, Calendar::*, DivisionFault as Division, ForBounds::*, IndexFault as Index, LostResults as Lost, PowerRank::*};
 
 #[rustfmt::skip] // A table.
 switches! {
@@ -384,6 +387,7 @@ switches! {
     address_unit:            Unit::Byte,      Unit::OwnWidth,    Unit::Byte,              Unit::Byte;
     index_fault:             Index::Skip,     Index::CheckBounds, Index::ProgrammingError, Index::ProgrammingError;
     division_fault:          Division::Zero,  Division::CheckDiv, Division::Zero,         Division::Zero;
+    lost_results:            Lost::All,       Lost::Quotients,   Lost::Quotients,         Lost::Quotients;
     calendar:                Long,            Long,              S7,                      S7;
     time_signed:             true,            false,             true,                    true;
     string_length:           254,             80,                254,                     254;

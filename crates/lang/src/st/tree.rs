@@ -70,6 +70,8 @@ pub struct Body {
     pub local_size: u32,
     /// Whether anything in the block reads or writes ENO/OK, or computes something that may clear it; else BR is 1 at its end.
     pub uses_ok: bool,
+    /// Whether the Host is told of what [`ValueKind::Checked`] finds, where ENO/OK is not looked at.
+    pub tells_lost: bool,
     /// Whether it is a function that works on an instance of a function block: a method.
     pub is_method: bool,
     /// Whether it handles its synchronous errors itself.
@@ -213,7 +215,7 @@ pub enum ValueKind {
     Load(Place),
     /// An operation of the engine.
     Compute { op: Op, args: Vec<Value> },
-    /// The same, and ENO/OK of the block is cleared if `failed(args)` is true.
+    /// The same, and ENO/OK of the block is cleared if `failed(args)` is true; where the block does not look at it the Host is told.
     Checked { op: Op, failed: Op, args: Vec<Value> },
     /// AND_THEN: `b` is computed only if `a` is 1.
     AndThen(Box<Value>, Box<Value>),

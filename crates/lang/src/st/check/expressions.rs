@@ -12,7 +12,7 @@ use super::typed::Typed;
 use super::types::{Class, Implicit, Kind, common, implicit};
 use super::{Checker, operators};
 use crate::st::ast::{BinaryOperator, DateAndTimeForm, Expression, ExpressionKind, Literal, LiteralKind, UnaryOperator};
-use crate::st::dialect::{Calendar, Construct, Dialect, Judgement};
+use crate::st::dialect::{Calendar, Construct, Dialect, Judgement, LostResults};
 use crate::st::dtl;
 use crate::st::standard::{self, Given, GivenKind};
 use crate::st::tree::{Scalar, Text, Value, ValueKind};
@@ -504,11 +504,23 @@ impl Checker<'_> {
         }
     }
 
-    /// An operation that tells ENO or OK if it fails, in a block that looks at them.
+    /// An operation that tells ENO or OK if it fails, in a block that looks at them, or else the Host.
     fn operation(&mut self, operation: operators::Operation, args: Vec<Value>, scalar: Scalar) -> Value {
-        match self.reads_ok {
-            true => operators::checked(operation, args, scalar),
-            false => operators::compute(operation.0, args, scalar),
+        let told = match self.lost {
+            LostResults::All => true,
+            LostResults::Quotients => operation.1.is_some_and(standard::operators::fails_of_division),
+            LostResults::None => false,
+        };
+        if !self.reads_ok && !told {
+            return operators::compute(operation.0, args, scalar);
+        }
+        let value = operators::checked(operation, args, scalar);
+        match standard::operators::lost_real(scalar) {
+            // In a block that looks at ENO the operators of REAL leave it as it is.
+            Some(failed) if told && !self.reads_ok && matches!(value.kind, ValueKind::Compute { .. }) => {
+                operators::checked((Op::Copy, Some(failed)), vec![value], scalar)
+            }
+            _ => value,
         }
     }
 

@@ -15,7 +15,7 @@ use super::types::{Class, Kind};
 use super::{Checker, literals, operators};
 use crate::scope::nearest;
 use crate::st::ast::{self, Direction, Expression, ExpressionKind, Name};
-use crate::st::dialect::{Construct, Judgement};
+use crate::st::dialect::{Construct, Judgement, LostResults};
 use crate::st::open_arrays::End;
 use crate::st::standard::s5::S5Function;
 use crate::st::standard::{self, Building, Given, GivenKind, Meaning, Refusal, Resolved};
@@ -287,10 +287,10 @@ impl Checker<'_> {
                 if values.len() != resolved.parameters.len() {
                     return Typed::Poison;
                 }
-                let checked = self.reads_ok;
+                let (checked, quotients) = (self.reads_ok || self.lost == LostResults::All, self.lost != LostResults::None);
                 let locals = &mut self.locals;
                 let mut temporary = |scalar: Scalar| locals.place(scalar.bits().div_ceil(8), span);
-                let value = build(values, &mut Building { span, checked, temporary: &mut temporary });
+                let value = build(values, &mut Building { span, checked, quotients, temporary: &mut temporary });
                 Typed::Scalar { value: Value { span, ..value }, data_type: resolved.result }
             }
             Meaning::Choose { block, inputs, last } => self.chosen_text((block, inputs, last), &resolved.parameters, call, arguments, span),

@@ -15,7 +15,7 @@ use super::typed::{Target, Typed};
 use super::types::{Class, Kind};
 use crate::scope::nearest;
 use crate::st::ast::{self, Expression, ExpressionKind, Name};
-use crate::st::dialect::{Construct, Judgement};
+use crate::st::dialect::{Construct, Judgement, LostResults};
 use crate::st::open_arrays::End;
 use crate::st::standard::build::compute;
 use crate::st::standard::operators::{Operation, compares, op_for};
@@ -320,10 +320,17 @@ impl Checker<'_> {
         Statement { kind: StatementKind::For(Box::new(repeated)), span }
     }
 
-    /// ENO is FALSE from here on, if the block looks at it.
+    /// ENO is FALSE from here on, if the block looks at it; else the Host is told, if it is told of all that is lost.
     pub(super) fn not_ok(&self, span: Span) -> Vec<Statement> {
-        let failed = Statement { kind: StatementKind::SetOk(number(0, Scalar::Bool, span)), span };
-        if self.reads_ok { vec![failed] } else { Vec::new() }
+        let no = number(0, Scalar::Bool, span);
+        let failed = match self.lost {
+            _ if self.reads_ok => no,
+            LostResults::All => {
+                Value { kind: ValueKind::Checked { op: Op::Copy, failed: Op::Not, args: vec![no] }, scalar: Scalar::Bool, span }
+            }
+            _ => return Vec::new(),
+        };
+        vec![Statement { kind: StatementKind::SetOk(failed), span }]
     }
 
     /// An element of an array as the first of several.

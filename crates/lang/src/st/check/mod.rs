@@ -43,7 +43,7 @@ use sieben_model::testing::{Signal, WordCall};
 use sieben_model::types::DataType;
 
 use super::ast;
-use super::dialect::{Construct, Dialect, Judgement};
+use super::dialect::{Construct, Dialect, Judgement, LostResults};
 use super::tree;
 use locals::Locals;
 use names::{Names, Variable};
@@ -110,8 +110,9 @@ pub fn check(block: &Block<'_>, names: &dyn Names) -> Checked {
     let statements = checker.statements(block.body);
     let local_size = checker.locals.bytes();
     let is_method = names.this().is_some_and(|this| this != block.id);
+    let (uses_ok, tells_lost) = (checker.reads_ok, checker.lost != LostResults::None);
     let body =
-        tree::Body { statements, locals: names.locals(), local_size, uses_ok: checker.reads_ok, is_method, own_errors: checker.own_errors };
+        tree::Body { statements, locals: names.locals(), local_size, uses_ok, tells_lost, is_method, own_errors: checker.own_errors };
     if !checker.failed {
         checker.usage(&body);
     }
@@ -134,6 +135,10 @@ pub fn place_of(path: &ast::Expression, dialect: Dialect, names: &dyn Names) -> 
 
 impl<'a> Checker<'a> {
     fn new(block: &'a Block<'a>, names: &'a dyn Names) -> Self {
+        let reads_ok = statements::mentions_ok(block);
+        // A block that looks at ENO or OK handles what is lost; those of the library are not the user's.
+        let told = !reads_ok && !names.is_of_library(names.this().unwrap_or(block.id));
+        let lost = names.tells_lost().min(block.dialect.switches().lost_results);
         Checker {
             names,
             block,
@@ -144,7 +149,8 @@ impl<'a> Checker<'a> {
             labels: HashMap::new(),
             known: Vec::new(),
             called: BTreeSet::new(),
-            reads_ok: statements::mentions_ok(block),
+            reads_ok,
+            lost: if told { lost } else { LostResults::None },
             own_errors: own_errors::asks_for_errors(block, names),
             counts_characters: false,
             quiet: false,
@@ -192,6 +198,8 @@ struct Checker<'a> {
     called: BTreeSet<BlockId>,
     /// Whether the block reads or writes ENO or OK, so that operations that fail must tell it.
     reads_ok: bool,
+    /// Which results that are lost the block tells the Host.
+    lost: LostResults,
     /// Whether the block asks for its errors, so that it handles them itself.
     own_errors: bool,
     /// Whether a pointer to a text became one to something else.

@@ -9,6 +9,7 @@ use sieben_model::source::Span;
 use sieben_model::types::{DataType, Structure};
 
 use crate::library::LibraryBlock;
+use crate::scope::LostResults;
 use crate::st::ast::{Access, LiteralKind};
 use crate::st::objects::Objects;
 use crate::st::standard::Provided;
@@ -142,6 +143,8 @@ pub trait Names {
     fn provided(&self, block: &Provided) -> Option<BlockId>;
     /// Whether a block comes with Sieben: as part of the language it tells its caller's ENO/OK that it failed.
     fn is_of_library(&self, block: BlockId) -> bool;
+    /// Which results that are lost are told to the Host.
+    fn tells_lost(&self) -> LostResults;
     /// The block of the S7 library that has this number.
     fn linked(&self, block: BlockId) -> Option<&'static LibraryBlock>;
     /// Bytes of the declared variables in the local data.

@@ -478,13 +478,7 @@ impl Checker<'_> {
         };
         let inside = Value { kind: ValueKind::AndThen(Box::new(above), Box::new(below)), scalar: Scalar::Bool, span };
         let store = Statement { kind: plain(value), span };
-        let otherwise = match self.reads_ok {
-            true => {
-                let value = Value { kind: ValueKind::Constant(0), scalar: Scalar::Bool, span };
-                vec![Statement { kind: StatementKind::SetOk(value), span }]
-            }
-            false => Vec::new(),
-        };
+        let otherwise = self.not_ok(span);
         let choice = Statement { kind: StatementKind::If { branches: vec![(inside, vec![store])], otherwise }, span };
         StatementKind::Block(vec![keep, choice])
     }

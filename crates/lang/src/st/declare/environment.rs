@@ -20,6 +20,7 @@ use crate::declarations::data_block::DataLayout;
 use crate::declarations::types::{BlockInterface, State};
 use crate::library::LibraryBlock;
 use crate::library::link::Links;
+use crate::scope::LostResults;
 use crate::scope::{Scope, key};
 use crate::st::check::names::{DataBlockView, Entity, Names, Role, Variable};
 use crate::st::dialect::Dialect;
@@ -356,6 +357,10 @@ impl Names for BlockNames<'_, '_> {
     fn is_of_library(&self, block: BlockId) -> bool {
         let environment = self.environment;
         environment.items.is_of_library(block) || environment.links.contains_key(&block)
+    }
+
+    fn tells_lost(&self) -> LostResults {
+        self.environment.scope.tells_lost
     }
 
     fn linked(&self, block: BlockId) -> Option<&'static LibraryBlock> {

@@ -1,6 +1,7 @@
 //! FOR, WHILE, REPEAT. The condition stands at the end of a loop, so that a pass has one branch; that of a WHILE stands in front of it
 //! too, so that a loop is entered at its beginning alone, and machine code sees it as one.
 
+use sieben_engine::fault::lost;
 use sieben_engine::ir::{Op, Var};
 use sieben_model::address::Width;
 use sieben_model::source::Span;
@@ -118,7 +119,7 @@ impl Lowering<'_> {
         match by {
             Bound::Constant(0) => {
                 let always = self.constant(1);
-                self.clear_ok_if(always);
+                self.lost_if(always, lost::STEP, always);
                 self.release(always);
                 return self.leave_to(self.behind);
             }
@@ -126,7 +127,7 @@ impl Lowering<'_> {
             Bound::Hidden(position) => {
                 let step = self.load_local(position, width(scalar));
                 let is_zero = self.compute_with(Op::Equal, step, 0);
-                self.clear_ok_if(is_zero);
+                self.lost_if(is_zero, lost::STEP, is_zero);
                 self.branch_on(is_zero, out, true);
                 self.release(is_zero);
                 self.part();

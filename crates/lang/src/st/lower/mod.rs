@@ -24,6 +24,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use sieben_engine::CodeBlock;
+use sieben_engine::fault::NOTED;
 use sieben_engine::ir::{Builder, Callee, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
 use sieben_model::block::{BlockId, BlockKind};
@@ -411,6 +412,18 @@ impl<'a> Lowering<'a> {
             let new = self.compute_from(Op::And, &[old, condition]);
             self.release(old);
             self.store_local(ok, Width::Bit, new);
+        }
+    }
+
+    /// ENO/OK is cleared if the condition holds; a block that does not look at it tells the Host, with a number that says more.
+    fn lost_if(&mut self, condition: Var, code: u8, shown: Var) {
+        if self.ok.is_some() {
+            return self.clear_ok_if(condition);
+        }
+        if self.body.tells_lost {
+            let good = self.compute_from(Op::Not, &[condition]);
+            self.push(Inst::Require { condition: good, code: NOTED | code, register: shown });
+            self.release(good);
         }
     }
 

@@ -1,5 +1,6 @@
 //! STRING and WSTRING: assignment, comparison, length.
 
+use sieben_engine::fault::lost;
 use sieben_engine::ir::{Inst, TextAction, TextRoom, Var};
 use sieben_model::address::Width;
 
@@ -66,11 +67,11 @@ impl Lowering<'_> {
                     room => room,
                 };
                 let place = self.hidden_bytes(room.bytes());
-                let lost = self.text_instruction(TextAction::Assign, (&place, room), (&from, from_room), None);
+                let missing = self.text_instruction(TextAction::Assign, (&place, room), (&from, from_room), None);
                 if !room.wide {
-                    self.clear_ok_if(lost);
+                    self.lost_if(missing, lost::CHARACTER, missing);
                 }
-                self.release(lost);
+                self.release(missing);
                 (place, room)
             }
         }

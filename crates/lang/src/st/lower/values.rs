@@ -1,5 +1,6 @@
 //! Scalar values: expressions.
 
+use sieben_engine::fault::lost;
 use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Inst, Op, Target, Var};
 use sieben_engine::machine::Register;
@@ -7,10 +8,22 @@ use sieben_model::address::{Area, Width};
 
 use super::arithmetic::opposite;
 use super::{Label, Lowering, arguments, width};
+use crate::st::standard::operators::fails_of_division;
 use crate::st::tree::{Base, Bounds, Call, Place, Scalar, Text, Value, ValueKind};
 
 /// Temporaries that may hold values before operands are spilled; one operation more never needs the rest.
 const IN_USE_MAX: usize = 100;
+
+/// What is lost if `failed` is true of an operation, and which operand says more about it.
+fn what_is_lost(op: Op, failed: Op) -> (u8, usize) {
+    match failed {
+        // The same question is asked of what is no operand of a division.
+        _ if fails_of_division(failed) && op != Op::Copy => (lost::QUOTIENT, 1),
+        Op::OverflowsF32 | Op::OverflowsF64 => (lost::NO_NUMBER, 0),
+        _ if op != Op::Copy => (lost::OVERFLOW, 0),
+        _ => (lost::CONVERSION, 0),
+    }
+}
 
 /// A value that waits for the operands behind it.
 enum Held {
@@ -31,10 +44,11 @@ impl Lowering<'_> {
             }
             ValueKind::Checked { op, failed, args } => {
                 let args = self.values(&args.iter().collect::<Vec<_>>());
-                if self.ok.is_some() {
-                    let failed = self.compute_from(*failed, &args[..failed.arity().min(args.len())]);
-                    self.clear_ok_if(failed);
-                    self.release(failed);
+                if self.ok.is_some() || self.body.tells_lost {
+                    let lost = self.compute_from(*failed, &args[..failed.arity().min(args.len())]);
+                    let (code, shown) = what_is_lost(*op, *failed);
+                    self.lost_if(lost, code, args[shown.min(args.len() - 1)]);
+                    self.release(lost);
                 }
                 self.compute(*op, &args[..op.arity().min(args.len())])
             }
@@ -268,7 +282,7 @@ impl Lowering<'_> {
             ValueKind::Constant(_) | ValueKind::Ok | ValueKind::Eno => true,
             ValueKind::Load(place) => self.is_simple_place(place),
             ValueKind::Compute { args, .. } => args.iter().all(|arg| self.is_simple(arg)),
-            ValueKind::Checked { args, .. } => self.ok.is_none() && args.iter().all(|arg| self.is_simple(arg)),
+            ValueKind::Checked { args, .. } => self.ok.is_none() && !self.body.tells_lost && args.iter().all(|arg| self.is_simple(arg)),
             ValueKind::AndThen(a, b) | ValueKind::OrElse(a, b) => self.is_simple(a) && self.is_simple(b),
             ValueKind::Choose { condition, a, b } => self.is_simple(condition) && self.is_simple(a) && self.is_simple(b),
             _ => false,

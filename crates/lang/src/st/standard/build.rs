@@ -5,7 +5,9 @@ use sieben_model::address::Area;
 use sieben_model::source::Span;
 
 use super::Building;
-use super::operators::{Beyond, Operation, Rounding, compares, convert, failed_op, is_real, lost_real, op_for, range_check};
+use super::operators::{
+    Beyond, Operation, Rounding, compares, convert, failed_op, fails_of_division, is_real, lost_real, op_for, range_check,
+};
 use crate::st::tree::{Base, Place, Scalar, Statement, StatementKind, Value, ValueKind};
 
 /// A constant of a kind, by its bits.
@@ -43,8 +45,8 @@ pub(crate) fn operation(operation: Operation, args: Vec<Value>, at: &Building<'_
     let Some(op) = op_for(operation, operand) else {
         unreachable!("{operation:?} takes no {operand:?}: the function was resolved for it");
     };
-    if at.checked
-        && let Some(failed) = failed_op(operation, operand)
+    if let Some(failed) = failed_op(operation, operand)
+        && (at.checked || at.quotients && fails_of_division(failed))
         && words(&args).is_none_or(|words| failed.eval(words) & 1 != 0)
     {
         return Value { kind: ValueKind::Checked { op, failed, args }, scalar, span: at.span };

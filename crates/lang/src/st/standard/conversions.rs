@@ -146,7 +146,7 @@ fn bcd(call: &Call<'_>) -> Answer {
 
 /// The same surroundings for a moment.
 fn reborrow<'a>(at: &'a mut Building<'_>) -> Building<'a> {
-    Building { span: at.span, checked: at.checked, temporary: &mut *at.temporary }
+    Building { span: at.span, checked: at.checked, quotients: at.quotients, temporary: &mut *at.temporary }
 }
 
 /// BCD with a sign, as the instructions BTI, BTD, ITB and DTB.

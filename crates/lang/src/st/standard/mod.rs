@@ -127,6 +127,8 @@ pub struct Building<'a> {
     pub span: Span,
     /// Whether the block wants to know of operations that fail (ENO, OK).
     pub checked: bool,
+    /// Whether it wants to know of divisions by 0, if of nothing else.
+    pub quotients: bool,
     /// Gives a place in the local data of the block for a value that is used more than once.
     pub temporary: &'a mut dyn FnMut(Scalar) -> Place,
 }

@@ -174,6 +174,11 @@ pub fn failed_op(operation: Operation, scalar: Scalar) -> Option<Op> {
     })
 }
 
+/// Whether an operation of [`failed_op`] asks for a division by 0, or a quotient that does not fit.
+pub fn fails_of_division(failed: Op) -> bool {
+    matches!(failed, Op::DivFailsI8 | Op::DivFailsI16 | Op::DivFailsI32 | Op::DivFailsI64 | Op::DivisorIsZero)
+}
+
 /// Whether the result of a computation with REAL or LREAL, its operand, is infinite or no number.
 pub fn lost_real(scalar: Scalar) -> Option<Op> {
     match scalar {

@@ -57,7 +57,7 @@ fn run(dialect: Dialect, name: &str, args: &[Arg]) -> Result<(u64, bool), String
         })
         .collect();
     let mut temporary = |_| Place { base: Base::Area(Area::Local), offset: 0, indexes: Vec::new(), span: Span::default() };
-    let value = build(values, &mut Building { span: Span::default(), checked: true, temporary: &mut temporary });
+    let value = build(values, &mut Building { span: Span::default(), checked: true, quotients: true, temporary: &mut temporary });
     Ok(result(&value))
 }
 
