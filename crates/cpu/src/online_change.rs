@@ -161,9 +161,8 @@ impl OnlineChange {
     fn both(&mut self, number: u16, old: &DataBlock, new: &DataBlock) {
         let same_layout = old.image.len() == new.image.len() && same_structure(&old.structure, &new.structure);
         let attributes = |block: &DataBlock| (block.read_only, block.non_retain, block.unlinked);
-        if !same_layout || attributes(old) != attributes(new) {
-            self.blocks.push((BlockId::db(number), BlockChange::Changed));
-        } else if old.image != new.image && !has_values(new) {
+        let other_values = old.image != new.image && !has_values(new);
+        if !same_layout || attributes(old) != attributes(new) || other_values {
             self.blocks.push((BlockId::db(number), BlockChange::Changed));
         }
         if !has_values(old) {

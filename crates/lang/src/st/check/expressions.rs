@@ -511,7 +511,8 @@ impl Checker<'_> {
             LostResults::Quotients => operation.1.is_some_and(standard::operators::fails_of_division),
             LostResults::None => false,
         };
-        if !self.reads_ok && !told {
+        let divides = |failed| standard::operators::fails_of_division(failed) && !standard::operators::may_divide_wrong(failed, &args[1]);
+        if !self.reads_ok && (!told || operation.1.is_some_and(divides)) {
             return operators::compute(operation.0, args, scalar);
         }
         let value = operators::checked(operation, args, scalar);

@@ -6,7 +6,7 @@ use sieben_model::source::Span;
 
 use super::Building;
 use super::operators::{
-    Beyond, Operation, Rounding, compares, convert, failed_op, fails_of_division, is_real, lost_real, op_for, range_check,
+    Beyond, Operation, Rounding, compares, convert, failed_op, fails_of_division, is_real, lost_real, may_divide_wrong, op_for, range_check,
 };
 use crate::st::tree::{Base, Place, Scalar, Statement, StatementKind, Value, ValueKind};
 
@@ -46,7 +46,7 @@ pub(crate) fn operation(operation: Operation, args: Vec<Value>, at: &Building<'_
         unreachable!("{operation:?} takes no {operand:?}: the function was resolved for it");
     };
     if let Some(failed) = failed_op(operation, operand)
-        && (at.checked || at.quotients && fails_of_division(failed))
+        && (at.checked || at.quotients && fails_of_division(failed) && may_divide_wrong(failed, &args[1]))
         && words(&args).is_none_or(|words| failed.eval(words) & 1 != 0)
     {
         return Value { kind: ValueKind::Checked { op, failed, args }, scalar, span: at.span };

@@ -2,7 +2,7 @@
 
 use sieben_engine::ir::Op;
 
-use crate::st::tree::Scalar;
+use crate::st::tree::{Scalar, Value, ValueKind};
 
 /// What is computed with numbers, bit strings and BOOLs, whatever it is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -177,6 +177,13 @@ pub fn failed_op(operation: Operation, scalar: Scalar) -> Option<Op> {
 /// Whether an operation of [`failed_op`] asks for a division by 0, or a quotient that does not fit.
 pub fn fails_of_division(failed: Op) -> bool {
     matches!(failed, Op::DivFailsI8 | Op::DivFailsI16 | Op::DivFailsI32 | Op::DivFailsI64 | Op::DivisorIsZero)
+}
+
+/// Whether a division may fail, by its divisor: a constant that is neither 0 nor -1 always divides.
+pub fn may_divide_wrong(failed: Op, divisor: &Value) -> bool {
+    let ValueKind::Constant(bits) = divisor.kind else { return true };
+    let all = u64::MAX >> (64 - divisor.scalar.bits().clamp(1, 64));
+    bits & all == 0 || failed != Op::DivisorIsZero && bits & all == all
 }
 
 /// Whether the result of a computation with REAL or LREAL, its operand, is infinite or no number.
