@@ -820,3 +820,28 @@ END_ORGANIZATION_BLOCK
     assert_eq!(json.stderr.matches("P4024").count(), 2, "{}", json.stderr);
     folder.run(&["exec", "main.awl", "--scans", "2"]).code(0);
 }
+
+/// Where a new project says where something is, it is there.
+#[test]
+fn a_new_project_names_no_address() {
+    let folder = Folder::new();
+    let examples =
+        ["car-park", "conveyor", "decade-switches", "dosing", "elevator", "heater", "packing", "star-delta", "tank", "traffic-light"];
+    let languages = ["stl", "st", "scl"].map(|language| ("--language", language));
+    for (index, (option, value)) in examples.map(|example| ("--example", example)).into_iter().chain(languages).enumerate() {
+        let name = format!("project{index}");
+        folder.run(&["new", &name, option, value]).code(0);
+        let mut folders = vec![folder.path().join(&name)];
+        while let Some(inner) = folders.pop() {
+            for entry in fs::read_dir(inner).expect("a folder") {
+                let path = entry.expect("an entry").path();
+                if path.is_dir() {
+                    folders.push(path);
+                    continue;
+                }
+                let text = fs::read_to_string(&path).expect("text");
+                assert!(!text.contains("://"), "{}", path.display());
+            }
+        }
+    }
+}
