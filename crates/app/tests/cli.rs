@@ -821,6 +821,13 @@ END_ORGANIZATION_BLOCK
     folder.run(&["exec", "main.awl", "--scans", "2"]).code(0);
 }
 
+#[test]
+fn without_a_terminal_the_bare_binary_prints_its_help() {
+    let folder = Folder::new();
+    let bare = folder.run(&[]).code(0).stdout("Usage: sieben").stdout("Without a command Sieben starts the demo plant");
+    assert_eq!((bare.stderr.as_str(), &bare.stdout), ("", &folder.run(&["--help"]).stdout));
+}
+
 /// Where a new project says where something is, it is there.
 #[test]
 fn a_new_project_names_no_address() {
