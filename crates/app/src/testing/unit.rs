@@ -176,7 +176,11 @@ fn run(ready: &Ready, test: &Test, conditions: &Conditions) -> Outcome {
         None => Verdict::Passed,
         Some(wrong) => {
             let mut told = failed(build, test, &wrong, conditions);
-            told.lines.extend(again(ready, test, &wrong, limits, conditions));
+            // A test that has used up its time gets no second run.
+            let left = conditions.timeout.saturating_sub(watcher.begun.elapsed());
+            if !left.is_zero() {
+                told.lines.extend(again(ready, test, &wrong, limits, conditions, left));
+            }
             Verdict::Failed(Box::new(told))
         }
     };
@@ -188,7 +192,14 @@ fn run(ready: &Ready, test: &Test, conditions: &Conditions) -> Outcome {
 
 /// Runs a test that failed once more, in the interpreter, and says which statements wrote what its assertion reads; and draws the last
 /// scans.
-fn again(ready: &Ready, test: &Test, wrong: &runner::Wrong, limits: Limits, conditions: &Conditions) -> Vec<String> {
+fn again(
+    ready: &Ready,
+    test: &Test,
+    wrong: &runner::Wrong,
+    limits: Limits,
+    conditions: &Conditions,
+    timeout: Duration,
+) -> Vec<String> {
     let signals = signals(ready, test, wrong);
     if signals.is_empty() {
         return Vec::new();
@@ -197,7 +208,7 @@ fn again(ready: &Ready, test: &Test, wrong: &runner::Wrong, limits: Limits, cond
     let code = Arc::new(build.compiled.program.clone());
     let loaded = Loaded::new(ready.cpu, code, Interpreter::load);
     let mut cpu = Cpu::new(loaded, controller::rack(&ready.build), ready.settings.clone());
-    let deadline = Deadline { begun: Instant::now(), timeout: conditions.timeout, counting: None };
+    let deadline = Deadline { begun: Instant::now(), timeout, counting: None };
     let names = signals.iter().map(name).collect();
     let trail = Recorder::new(names, Keep::Last(TRAIL), Origin::default(), Box::new(Memory::default())).ok();
     let mut watcher = Again { deadline, writers: Writers::new(&wrong.signals, &cpu), trail, scans: 0 };
