@@ -1,5 +1,7 @@
 //! Diagnostics for people and for programs: the edge where places become lines and columns.
 
+pub(crate) mod lines;
+
 use std::collections::BTreeMap;
 use std::fmt;
 

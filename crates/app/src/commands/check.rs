@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use serde_json::json;
 use sieben_cpu::OnlineChange;
 use sieben_lang::TemporaryReads;
@@ -20,6 +20,7 @@ use crate::{fixing, online_change, output, report};
   sieben check                        the project in this folder\n  \
   sieben check line4.awl symbols.sdf  a source with its symbol table\n  \
   sieben check pump --json            for an editor or a script\n  \
+  sieben check pump --output-format github  annotations in a workflow of GitHub Actions\n  \
   sieben check --fix line4.awl        mend what can mean only one thing\n  \
   sieben check pump --against backup  what an online change from `backup` would do\n\n\
 Exit codes: 0 no errors, 3 errors.")]
@@ -38,31 +39,65 @@ pub(crate) struct Arguments {
     /// Also list what an online change from the program in this file or folder would change, and what it could not keep
     #[arg(long, value_name = "OLD", conflicts_with_all = ["syntax_only", "fix"])]
     against: Option<PathBuf>,
-    /// Print the diagnostics as a JSON list on standard output; with --against, an object
-    #[arg(long)]
+    /// How the diagnostics are printed
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    output_format: Format,
+    /// The same as --output-format json
+    #[arg(long, conflicts_with = "output_format")]
     json: bool,
     /// Apply the fixes of which there is no doubt to the files, then check again
     #[arg(long, conflicts_with = "json")]
     fix: bool,
 }
 
+/// A form of the diagnostics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// With the lines of the source, for people
+    Text,
+    /// A JSON list on standard output; with --against, an object
+    Json,
+    /// One line each on standard output: file:line:column: error[code]: message
+    Concise,
+    /// Workflow commands of GitHub Actions, which become annotations of the lines
+    Github,
+}
+
+impl Arguments {
+    fn format(&self) -> Format {
+        if self.json { Format::Json } else { self.output_format }
+    }
+}
+
 /// Rounds of fixes: one may uncover another, and some could undo one another for ever.
 const ROUNDS_MAX: usize = 10;
 
-/// Checks the program. Who reads JSON gets a list whatever happens.
+/// Checks the program. Who reads another form than text gets that whatever happens.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     check(arguments).or_else(|failure| {
-        if !arguments.json {
+        if arguments.format() == Format::Text {
             return Err(failure);
         }
         let mut finding = Finding::file(failure.problem, String::new(), failure.message);
         finding.diagnostic.help = failure.help;
-        output::print_json(&report::to_json(&[finding], &Texts::default()), true)?;
+        print(arguments.format(), &[finding], &Texts::default())?;
         Ok(failure.exit)
     })
 }
 
 fn check(arguments: &Arguments) -> Result<Exit, Failure> {
+    let format = arguments.format();
+    if arguments.fix && format == Format::Json {
+        return Err(Failure::usage(Problem::P7001, "`--fix` cannot be used with `--output-format json`")
+            .help("apply the fixes first, then ask for JSON"));
+    }
+    if arguments.against.is_some() && matches!(format, Format::Concise | Format::Github) {
+        return Err(Failure::usage(
+            Problem::P7001,
+            "`--against` prints more than diagnostics, which this `--output-format` has no form for",
+        )
+        .help("leave `--output-format` out, or write `--output-format json`"));
+    }
     let temporaries = if arguments.temp { TemporaryReads::Possible } else { TemporaryReads::Certain };
     let overrides = Overrides { temporaries, ..arguments.program.overrides()? };
     let compile = || Ok::<_, Failure>(arguments.program.load(&arguments.paths)?.compile(overrides, arguments.syntax_only));
@@ -72,17 +107,55 @@ fn check(arguments: &Arguments) -> Result<Exit, Failure> {
         if done.is_empty() {
             break;
         }
-        output::print(&(done.join("\n") + "\n"))?;
+        let lines = done.join("\n") + "\n";
+        match format {
+            Format::Text => output::print(&lines)?,
+            _ => output::message(&lines),
+        }
         build = compile()?;
     }
-    let findings = &build.findings;
-    if let Some(old) = arguments.against.as_ref().filter(|_| !report::has_errors(findings)) {
-        return against(arguments, overrides, old, &build);
+    check_one(arguments, &build, overrides)
+}
+
+/// Prints findings in this form.
+fn print(format: Format, findings: &[Finding], texts: &Texts) -> Result<(), Failure> {
+    match format {
+        Format::Text => {
+            report::print(findings, texts, false);
+            Ok(())
+        }
+        Format::Json => output::print_json(&report::to_json(findings, texts), true),
+        Format::Concise => output::print(&report::lines::concise(findings, texts)),
+        Format::Github => output::print(&report::lines::github(findings, texts)),
     }
-    if arguments.json {
-        output::print_json(&report::to_json(findings, &build.project.texts), true)?;
-    } else if findings.is_empty() {
-        let plural = |count: usize, word: &str| if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") };
+}
+
+/// A sentence that is a result for people, and a remark where lines are read by programs.
+fn say(format: Format, sentence: &str) -> Result<(), Failure> {
+    match format {
+        Format::Text => output::print(sentence),
+        Format::Json => Ok(()),
+        Format::Concise | Format::Github => {
+            output::message(sentence);
+            Ok(())
+        }
+    }
+}
+
+fn plural(count: usize, word: &str) -> String {
+    if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") }
+}
+
+fn check_one(arguments: &Arguments, build: &Build, overrides: Overrides) -> Result<Exit, Failure> {
+    let findings = &build.findings;
+    let format = arguments.format();
+    if let Some(old) = arguments.against.as_ref().filter(|_| !report::has_errors(findings)) {
+        return against(arguments, overrides, old, build);
+    }
+    if !findings.is_empty() || format != Format::Text {
+        print(format, findings, &build.project.texts)?;
+    }
+    if findings.is_empty() {
         let sources = plural(build.project.sources.len(), "source");
         let program = &build.compiled.program;
         let library: Vec<&str> = build.compiled.library.iter().map(|linked| linked.block.name).collect();
@@ -92,9 +165,7 @@ fn check(arguments: &Arguments) -> Result<Exit, Failure> {
             (false, []) => format!("{} in {sources}", plural(own, "block")),
             (false, names) => format!("{} in {sources}, {} of the library ({})", plural(own, "block"), names.len(), names.join(", ")),
         };
-        output::print(&format!("{what}, no errors, no warnings.\n"))?;
-    } else {
-        report::print(findings, &build.project.texts, false);
+        say(format, &format!("{what}, no errors, no warnings.\n"))?;
     }
     Ok(if report::has_errors(findings) { Exit::DoesNotCompile } else { Exit::Success })
 }
@@ -103,7 +174,7 @@ fn check(arguments: &Arguments) -> Result<Exit, Failure> {
 fn against(arguments: &Arguments, overrides: Overrides, old: &Path, build: &Build) -> Result<Exit, Failure> {
     let paths = [old.to_path_buf()];
     let before = match arguments.program.load(&paths)?.compile(overrides, false) {
-        before if report::has_errors(&before.findings) => super::or_report(before, arguments.json),
+        before if report::has_errors(&before.findings) => super::or_report(before, arguments.format() == Format::Json),
         before => Ok(before),
     };
     let before = match before {
@@ -115,7 +186,7 @@ fn against(arguments: &Arguments, overrides: Overrides, old: &Path, build: &Buil
         return Err(Failure::usage(Problem::P7002, message).help("give both programs the same CPU type, with `--cpu`"));
     }
     let change = OnlineChange::between(&before.compiled.program, &build.compiled.program, &[]);
-    if arguments.json {
+    if arguments.format() == Format::Json {
         let diagnostics = report::to_json(&build.findings, &build.project.texts);
         output::print_json(&json!({ "diagnostics": diagnostics, "online_change": online_change::to_json(&change) }), true)?;
         return Ok(Exit::Success);
