@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use sieben_lang::language::{LANGUAGES, is_test_file};
+use sieben_lang::language::LANGUAGES;
+use sieben_lang::language::role::is_test_name;
 use sieben_model::problems::Problem;
 
 use crate::failure::Failure;
@@ -21,9 +22,9 @@ const FILES_MAX: usize = 20_000;
 /// Deepest folder that is searched.
 const DEPTH_MAX: usize = 16;
 
-/// Whether a file holds unit tests by its name.
+/// Whether a file holds unit tests by its name alone.
 pub(crate) fn is_test(path: &Path) -> bool {
-    path.file_name().and_then(|name| name.to_str()).is_some_and(is_test_file)
+    path.file_name().and_then(|name| name.to_str()).is_some_and(is_test_name)
 }
 
 /// Whether a file is a program by its name.
