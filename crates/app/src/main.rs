@@ -21,6 +21,7 @@ mod output;
 mod panics;
 mod paths;
 mod places;
+mod programs;
 mod project;
 mod report;
 mod retain;

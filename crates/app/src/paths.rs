@@ -75,6 +75,11 @@ pub(crate) fn join(folder: &Path, relative: &Path) -> PathBuf {
     if folder == Path::new(".") { relative.to_path_buf() } else { folder.join(relative) }
 }
 
+/// The folder that a file lies in.
+pub(crate) fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
 /// A path with `/` on every system, as patterns have it.
 pub(crate) fn slashed(path: &Path) -> String {
     path.to_string_lossy().replace('\\', "/")

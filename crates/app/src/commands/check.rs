@@ -1,5 +1,6 @@
 //! `sieben check [PATH…]`: everything that is wrong with a program.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
@@ -10,14 +11,17 @@ use sieben_model::problems::Problem;
 
 use crate::arguments::ProgramArguments;
 use crate::failure::{Exit, Failure};
+use crate::programs::{Chosen, Folder, Program};
 use crate::project::{Build, Overrides};
+use crate::report::several::Several;
 use crate::report::{Finding, Texts};
-use crate::{fixing, online_change, output, report};
+use crate::{fixing, online_change, output, paths, report};
 
 /// Report everything that is wrong with a program.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
   sieben check                        the project in this folder\n  \
+  sieben check exercises              each program of a folder of exercises\n  \
   sieben check line4.awl symbols.sdf  a source with its symbol table\n  \
   sieben check pump --json            for an editor or a script\n  \
   sieben check pump --output-format github  annotations in a workflow of GitHub Actions\n  \
@@ -25,7 +29,7 @@ use crate::{fixing, online_change, output, report};
   sieben check pump --against backup  what an online change from `backup` would do\n\n\
 Exit codes: 0 no errors, 3 errors.")]
 pub(crate) struct Arguments {
-    /// Source files, symbol tables, or a project folder [default: this folder]
+    /// Source files, symbol tables, or a folder with one program or several [default: this folder]
     #[arg(value_name = "PATH")]
     paths: Vec<PathBuf>,
     #[command(flatten)]
@@ -55,7 +59,7 @@ pub(crate) struct Arguments {
 enum Format {
     /// With the lines of the source, for people
     Text,
-    /// A JSON list on standard output; with --against, an object
+    /// A JSON list on standard output; with --against, and for a folder with several programs, an object
     Json,
     /// One line each on standard output: file:line:column: error[code]: message
     Concise,
@@ -71,6 +75,8 @@ impl Arguments {
 
 /// Rounds of fixes: one may uncover another, and some could undo one another for ever.
 const ROUNDS_MAX: usize = 10;
+/// Programs with errors that the last line names.
+const NAMED_MAX: usize = 8;
 
 /// Checks the program. Who reads another form than text gets that whatever happens.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
@@ -100,21 +106,45 @@ fn check(arguments: &Arguments) -> Result<Exit, Failure> {
     }
     let temporaries = if arguments.temp { TemporaryReads::Possible } else { TemporaryReads::Certain };
     let overrides = Overrides { temporaries, ..arguments.program.overrides()? };
-    let compile = || Ok::<_, Failure>(arguments.program.load(&arguments.paths)?.compile(overrides, arguments.syntax_only));
-    let mut build = compile()?;
-    for _ in 0..if arguments.fix { ROUNDS_MAX } else { 0 } {
-        let done = fixing::apply(&build)?;
+    let chosen = match arguments.syntax_only {
+        true => Chosen::files(&arguments.paths, arguments.program.encoding())?,
+        false => Chosen::of(&arguments.paths, arguments.program.encoding())?,
+    };
+    if arguments.fix {
+        fix(arguments, &chosen, overrides)?;
+    }
+    match chosen.programs.as_slice() {
+        [program] => check_one(arguments, &compile(arguments, program, overrides)?, overrides),
+        _ => check_several(arguments, &chosen, overrides),
+    }
+}
+
+fn compile(arguments: &Arguments, program: &Program, overrides: Overrides) -> Result<Build, Failure> {
+    let project = match arguments.syntax_only {
+        true => arguments.program.load_files(&program.paths)?,
+        false => arguments.program.load(&program.paths)?,
+    };
+    Ok(project.compile(overrides, arguments.syntax_only))
+}
+
+/// Applies fixes until there are no more.
+fn fix(arguments: &Arguments, chosen: &Chosen, overrides: Overrides) -> Result<(), Failure> {
+    for _ in 0..ROUNDS_MAX {
+        let mut done = Vec::new();
+        // What one program changes in a shared file, the next one reads.
+        for program in &chosen.programs {
+            done.extend(fixing::apply(&compile(arguments, program, overrides)?)?);
+        }
         if done.is_empty() {
             break;
         }
         let lines = done.join("\n") + "\n";
-        match format {
+        match arguments.format() {
             Format::Text => output::print(&lines)?,
             _ => output::message(&lines),
         }
-        build = compile()?;
     }
-    check_one(arguments, &build, overrides)
+    Ok(())
 }
 
 /// Prints findings in this form.
@@ -168,6 +198,61 @@ fn check_one(arguments: &Arguments, build: &Build, overrides: Overrides) -> Resu
         say(format, &format!("{what}, no errors, no warnings.\n"))?;
     }
     Ok(if report::has_errors(findings) { Exit::DoesNotCompile } else { Exit::Success })
+}
+
+/// Checks each program of a folder; what is wrong with a file that several of them share is printed once.
+fn check_several(arguments: &Arguments, chosen: &Chosen, overrides: Overrides) -> Result<Exit, Failure> {
+    if let (Some(_), Some(folder)) = (&arguments.against, chosen.folders.first()) {
+        return Err(folder.too_many());
+    }
+    let format = arguments.format();
+    let mut several = Several::default();
+    let mut sources = BTreeSet::new();
+    for program in &chosen.programs {
+        let mut build = compile(arguments, program, overrides)?;
+        if chosen.folders.is_empty() {
+            // An empty file among others is no program without a source.
+            let empty = build.findings.iter_mut().filter(|finding| finding.diagnostic.problem == Problem::P6005);
+            empty.for_each(|finding| finding.diagnostic.problem = Problem::P6004);
+        }
+        let own: Vec<String> = build.project.sources.iter().map(|source| paths::shown(&source.path)).collect();
+        sources.extend(own.iter().cloned());
+        several.add(&program.name, own, &build.findings, &build.project.texts);
+    }
+    let (mut findings, texts, programs) = several.finish(chosen.folders.iter().flat_map(Folder::findings).collect());
+    for folder in &chosen.folders {
+        say(format, &format!("{}\n", folder.sentence()))?;
+    }
+    // Files of which each was looked at alone are no programs.
+    if chosen.folders.is_empty() {
+        findings.iter_mut().for_each(|finding| finding.programs.clear());
+        if !findings.is_empty() || format != Format::Text {
+            print(format, &findings, &texts)?;
+        }
+        if findings.is_empty() {
+            say(format, &format!("{}, no errors, no warnings.\n", plural(sources.len(), "source")))?;
+        }
+    } else if format == Format::Json {
+        let programs: Vec<_> = programs
+            .iter()
+            .map(|program| json!({ "name": program.name, "files": program.files, "errors": program.errors, "warnings": program.warnings }))
+            .collect();
+        output::print_json(&json!({ "programs": programs, "diagnostics": report::to_json(&findings, &texts) }), true)?;
+    } else if !findings.is_empty() {
+        print(format, &findings, &texts)?;
+        let wrong: Vec<&str> = programs.iter().filter(|program| program.errors > 0).map(|program| program.name.as_str()).collect();
+        let names: Vec<String> = wrong.iter().take(NAMED_MAX).map(|name| format!("`{name}`")).collect();
+        let more = if wrong.len() > names.len() { format!(" and {} more", wrong.len() - names.len()) } else { String::new() };
+        output::message(&match wrong.len() {
+            0 => format!("None of {} programs has errors.\n", programs.len()),
+            1 => format!("1 of {} programs has errors: {}.\n", programs.len(), names[0]),
+            count => format!("{count} of {} programs have errors: {}{more}.\n", programs.len(), names.join(", ")),
+        });
+    } else {
+        let (programs, sources) = (plural(programs.len(), "program"), plural(sources.len(), "source"));
+        say(format, &format!("{programs} in {sources}, no errors, no warnings.\n"))?;
+    }
+    Ok(if report::has_errors(&findings) { Exit::DoesNotCompile } else { Exit::Success })
 }
 
 /// Lists what an online change from one program to another does.

@@ -16,7 +16,7 @@ pub(crate) fn concise(findings: &[Finding], texts: &Texts) -> String {
         } else {
             format!("{file}:")
         };
-        let (code, message) = (finding.diagnostic.problem.code(), &finding.diagnostic.message);
+        let (code, message) = (finding.diagnostic.problem.code(), finding.message());
         format!("{file}{place}{}[{code}]: {message}", severity(finding)).replace(['\r', '\n'], " ") + "\n"
     };
     findings.iter().map(line).collect()
@@ -30,7 +30,7 @@ pub(crate) fn github(findings: &[Finding], texts: &Texts) -> String {
         let file = if file.is_empty() { String::new() } else { format!("file={},", property(&file)) };
         let place = place.map_or_else(String::new, |(line, column)| format!("line={line},col={column},"));
         let title = property(&format!("{}: {}", problem.code(), problem.title()));
-        let message = data(&format!("{}\n{}", &finding.diagnostic.message, help_of(&finding.diagnostic)));
+        let message = data(&format!("{}\n{}", finding.message(), help_of(&finding.diagnostic)));
         format!("::{} {file}{place}title={title}::{message}\n", severity(finding))
     };
     findings.iter().map(line).collect()

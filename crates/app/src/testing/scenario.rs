@@ -45,7 +45,7 @@ const MISSING_MAX: usize = 10;
 pub(super) fn case(program: Vec<PathBuf>, file: PathBuf, named: bool) -> Case {
     let name = shown(&file);
     let scenario = Some(file.clone());
-    Case { name, file: None, perhaps: None, scenario, run: Box::new(move |conditions| run(&program, &file, named, conditions)) }
+    Case { scenario, ..Case::new(name, Box::new(move |conditions| run(&program, &file, named, conditions))) }
 }
 
 /// Whether a scenario expects anything; one that cannot be read says so when it is run.
@@ -75,7 +75,7 @@ fn run(program: &[PathBuf], file: &Path, named: bool, conditions: &Conditions) -
         Overrides { cpu: conditions.overrides.cpu.or(scenario.cpu), counted: conditions.coverage.is_some(), ..conditions.overrides };
     let build = project.compile(overrides, false);
     if report::has_errors(&build.findings) {
-        return nothing_ran(Verdict::DoesNotCompile(report::render(&build.findings, &build.project.texts, false)));
+        return nothing_ran(Verdict::DoesNotCompile(report::parts(&build.findings, &build.project.texts)));
     }
     if let Some(failure) = missing(&build, &scenario, file, conditions) {
         return nothing_ran(Verdict::Unreadable(failure));

@@ -39,7 +39,7 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
     let overrides = Overrides { extended: true, replacing: test.is_some(), counted: conditions.coverage.is_some(), ..conditions.overrides };
     let build = project.compile(overrides, false);
     if report::has_errors(&build.findings) {
-        return nothing_ran(Verdict::DoesNotCompile(report::render(&build.findings, &build.project.texts, false)));
+        return nothing_ran(Verdict::DoesNotCompile(report::parts(&build.findings, &build.project.texts)));
     }
     if !named && !checks_itself(&build) {
         return nothing_ran(Verdict::NoTest);
