@@ -278,11 +278,9 @@ impl Folder {
             return Ok(());
         }
         let (programs, shared) = (self.programs.len(), self.shared.len());
-        let message = format!(
-            "`{}` holds {programs} programs and {shared} files that belong to several of them: {} MiB to read",
-            shown(&self.root),
-            bytes >> 20
-        );
+        let files = if shared == 1 { "1 file that belongs".to_owned() } else { format!("{shared} files that belong") };
+        let message =
+            format!("`{}` holds {programs} programs and {files} to several of them: {} MiB to read", shown(&self.root), bytes >> 20);
         Err(Failure::usage(Problem::P6075, message))
     }
 

@@ -21,8 +21,11 @@ fn two() -> Folder {
     ])
 }
 
+/// Names and contents of files.
+type Files<'a> = &'a [(&'a str, &'a str)];
+
 /// The names of the programs that `check` sees in a folder of these files; one program has no list.
-fn programs(files: &[(&str, &str)]) -> Vec<String> {
+fn programs(files: Files<'_>) -> Vec<String> {
     let json = Folder::with(files).run(&["check", ".", "--json"]).json();
     let names = json["programs"].as_array().cloned().unwrap_or_default();
     names.iter().map(|program| program["name"].as_str().expect("a name").to_owned()).collect()
@@ -39,7 +42,7 @@ fn two_files_that_make_ob_1_are_two_programs_and_everything_else_is_one() {
     let named = "ORGANIZATION_BLOCK \"Cycle\"\nBEGIN\nEND_ORGANIZATION_BLOCK\n";
     let startup = "ORGANIZATION_BLOCK OB 100\nBEGIN\nEND_ORGANIZATION_BLOCK\n";
     let table = "symbol,address,type,comment\nCycle,OB 1,OB 1,\n";
-    let cases: &[(&[(&str, &str)], &[&str])] = &[
+    let cases: &[(Files<'_>, &[&str])] = &[
         (&[("a.awl", LAMP)], &[]),
         (&[("a.awl", LAMP), ("b.awl", block)], &[]),
         (&[("a.awl", LAMP), ("b.awl", startup)], &[]),
@@ -253,4 +256,31 @@ fn a_run_without_a_test_fails() {
     assert_eq!(folder.run(&["test", "--json"]).code(1).json()["tests"], json!([]));
     folder.write("lamp.test.st", b"SETUP\n%I0.0 := TRUE;\nEND_SETUP\n");
     folder.run(&["test"]).code(3).stdout("[P2302] Error: this test file has no TEST");
+}
+
+#[test]
+fn a_folder_with_too_much_for_all_its_programs_is_refused() {
+    let folder = Folder::new();
+    for number in 0..6 {
+        folder.write(&format!("ue{number}.awl"), LAMP.as_bytes());
+    }
+    let large = std::fs::File::create(folder.path().join("large.awl")).expect("a file can be written");
+    large.set_len(50 << 20).expect("a file has a length");
+    for verb in ["check", "test"] {
+        folder
+            .run(&[verb, "."])
+            .code(2)
+            .stderr("[P6075] Error: `.` holds 6 programs and 1 file that belongs to several of them: 300 MiB to read\n");
+    }
+    folder.run(&["check", "ue0.awl"]).code(0);
+}
+
+/// A link that leads out of the folder is no part of any program, and is not passed over in silence.
+#[cfg(unix)]
+#[test]
+fn a_link_out_of_a_folder_with_several_programs_is_reported() {
+    let outside = Folder::with(&[("fc.awl", BLOCKS)]);
+    let folder = two();
+    std::os::unix::fs::symlink(outside.path().join("fc.awl"), folder.path().join("other.awl")).expect("a link can be made");
+    folder.run(&["check"]).code(3).stderr("[P6010] Error: `other.awl` is a link to a file outside the project folder");
 }
