@@ -50,13 +50,13 @@ pub fn holds_tests(text: &str) -> bool {
     let text = text.trim_start_matches('\u{FEFF}');
     let mut words = Words { rest: text, line_begins: true };
     let mut first = true;
-    while let Some((word, behind)) = words.next_of_line() {
-        let behind = behind.trim_start_matches([' ', '\t']);
+    while let Some((word, after)) = words.next_of_line() {
+        let after = after.trim_start_matches([' ', '\t']);
         match word.to_ascii_uppercase().as_str() {
-            "TEST" if behind.starts_with(['\'', '"']) => return true,
+            "TEST" if after.starts_with(['\'', '"']) => return true,
             // `setup: A I 0.0` and `Setup := 1;` are neither.
-            part @ ("SETUP" | "TEARDOWN") if first && !behind.starts_with([':', '.', '(', '[', ',']) => {
-                return has_word(behind, &format!("END_{part}"));
+            part @ ("SETUP" | "TEARDOWN") if first && !after.starts_with([':', '.', '(', '[', ',']) => {
+                return has_word(after, &format!("END_{part}"));
             }
             _ => first = false,
         }
@@ -93,9 +93,9 @@ impl<'a> Words<'a> {
             } else if self.line_begins {
                 self.line_begins = false;
                 let end = self.rest.find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(self.rest.len());
-                let (word, behind) = self.rest.split_at(end);
-                self.rest = if end == 0 { &behind[c.len_utf8()..] } else { behind };
-                return Some((word, behind));
+                let (word, after) = self.rest.split_at(end);
+                self.rest = if end == 0 { &after[c.len_utf8()..] } else { after };
+                return Some((word, after));
             } else {
                 c.len_utf8()
             };
