@@ -10,6 +10,7 @@ pub mod extension;
 pub mod interface;
 pub mod literal;
 pub mod mnemonics;
+pub mod name_index;
 pub mod origin;
 pub mod problems;
 pub mod profile;
