@@ -19,3 +19,4 @@ pub mod source;
 pub mod symbols;
 pub mod testing;
 pub mod types;
+pub mod visible;

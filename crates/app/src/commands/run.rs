@@ -328,11 +328,11 @@ impl Status {
         self.drawn.set(Instant::now());
         bar.set_message(format!("{}  scan {scans}{}  (Ctrl-C stops)", cpu.mode(), cycle_text(cpu)));
     }
-    /// Prints a message above the line.
+    /// Prints a message above the line; it may have colours.
     fn say(&self, text: &str) {
         match &self.bar {
-            Some(bar) => bar.suspend(|| output::message(text)),
-            None => output::message(text),
+            Some(bar) => bar.suspend(|| output::styled(text)),
+            None => output::styled(text),
         }
     }
     fn clear(&self) {

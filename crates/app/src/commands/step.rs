@@ -181,7 +181,7 @@ fn read_commands(arguments: &Arguments, stepper: &mut Stepper<'_>, mut input: Bo
                 if arguments.json {
                     output::print_json(&table::failure_json(&command, &failure), false)?;
                 } else {
-                    output::message(&table::failure(&failure, output::colour(), stepper.language));
+                    output::styled(&table::failure(&failure, output::colour(), stepper.language));
                 }
             }
         }

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::time::Duration;
 
 use serde_json::{Value, json};
+use sieben_model::visible;
 
 use super::{Finished, Verdict, Wrong};
 use crate::duration;
@@ -215,7 +216,8 @@ pub(super) fn escaped(text: &str) -> String {
             '"' => out.push_str("&quot;"),
             '\n' => out.push_str("&#10;"),
             '\t' | '\r' => out.push(character),
-            '\0'..='\x1F' | '\u{FFFE}' | '\u{FFFF}' => out.push('\u{FFFD}'),
+            '\u{FFFE}' | '\u{FFFF}' => out.push('\u{FFFD}'),
+            _ if visible::is_hidden(character) => visible::push(&mut out, character),
             _ => out.push(character),
         }
     }

@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use sieben_model::visible;
+
 use super::axis::{self, Axis};
 use super::lanes::{self, Columns, Lane, Lanes, Scale};
 use super::{Options, shown};
@@ -373,7 +375,8 @@ fn escape(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
-            c if c.is_control() || matches!(c, '\u{FFFE}' | '\u{FFFF}') => out.push(' '),
+            '\n' | '\t' | '\u{FFFE}' | '\u{FFFF}' => out.push(' '),
+            c if visible::is_hidden(c) => visible::push(&mut out, c),
             c => out.push(c),
         }
     }
