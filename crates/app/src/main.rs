@@ -11,6 +11,7 @@ mod examples;
 mod failure;
 mod files;
 mod fixing;
+mod folder;
 mod glob;
 mod instances;
 mod local_check;
