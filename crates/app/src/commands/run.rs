@@ -15,7 +15,7 @@ use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 
 use crate::arguments::{FaultArguments, ProgramArguments};
-use crate::duration::duration_argument;
+use crate::duration::{cycle_argument, duration_argument};
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::project::Build;
@@ -53,7 +53,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     program: ProgramArguments,
     /// Time from one scan to the next; 0 runs free [default: the project's, else 10ms]
-    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = duration_argument)]
+    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = cycle_argument)]
     cycle: Option<Duration>,
     /// 1x is real time, 10x ten times as fast, max as fast as it goes in virtual time
     #[arg(long, value_name = "FACTOR", default_value = "1x", allow_hyphen_values = true, value_parser = speed_argument)]
