@@ -1,5 +1,5 @@
 //! Folders that come from strangers: what Sieben writes in them by its own choice stays in them, and nothing in them holds it up.
-#![cfg(unix)]
+#![cfg(target_os = "linux")]
 
 mod command;
 
