@@ -226,9 +226,11 @@ fn sources_are_formatted_as_written_beside_them() {
     let refused = stl::format(CORPUS[3], None).expect_err("they are errors");
     assert!(refused.iter().all(|diagnostic| diagnostic.problem == Problem::P1005), "{refused:?}");
     for (name, source) in ["blocks", "statements", "german", "slips"].into_iter().zip([CORPUS[0], CORPUS[1], CORPUS[2], &slips]) {
-        let formatted = stl::format(source, None).expect("only misprints");
+        // Without its first lines the slips have more words of German.
+        let language = (name == "slips").then_some(English);
+        let formatted = stl::format(source, language).expect("only misprints");
         compare(&format!("{name}.formatted.awl"), &formatted);
-        assert_eq!(stl::format(&formatted, None).as_deref(), Ok(formatted.as_str()), "{name}: formatting twice changes nothing");
+        assert_eq!(stl::format(&formatted, language).as_deref(), Ok(formatted.as_str()), "{name}: formatting twice changes nothing");
         assert_eq!(words(&formatted), words(source), "{name}: no word is lost");
     }
 }
