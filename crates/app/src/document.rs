@@ -150,7 +150,7 @@ mod tests {
         };
         let page = Document { title: "</title>".to_owned(), sections: vec![section] }.html();
         assert!(!page.contains("<script>") && !page.contains('\u{1}') && page.matches("</title>").count() == 1, "{page}");
-        assert!(page.contains("<td>&lt;/td&gt;&lt;script&gt;alert(&#39;1&#39;)&lt;/script&gt;&amp;&quot; </td>"), "{page}");
+        assert!(page.contains("<td>&lt;/td&gt;&lt;script&gt;alert(&#39;1&#39;)&lt;/script&gt;&amp;&quot;␁</td>"), "{page}");
     }
 
     #[test]

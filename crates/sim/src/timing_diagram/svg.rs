@@ -366,7 +366,7 @@ fn clip(text: &str, characters: usize) -> String {
     text.chars().take(characters.saturating_sub(1)).chain(std::iter::once('…')).collect()
 }
 
-/// Text inside an element; characters that XML does not have become blanks.
+/// Text inside an element; what XML does not have becomes a space, what is hidden is shown.
 fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
