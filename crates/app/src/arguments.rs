@@ -232,14 +232,13 @@ impl ReportArguments {
 
     /// Prints a document in the form that was asked for.
     pub(crate) fn put(&self, document: &Document, json: impl FnOnce() -> serde_json::Value) -> Result<(), Failure> {
-        let text = match (self.json, self.html) {
-            (true, _) => format!("{:#}\n", json()),
-            (_, true) => document.html(),
-            _ => document.text(),
-        };
-        match &self.output {
-            Some(path) => files::write_whole(path, text.as_bytes()),
-            None => output::print(&text),
+        match (&self.output, self.json, self.html) {
+            (Some(path), true, _) => files::write_whole(path, format!("{:#}\n", json()).as_bytes()),
+            (Some(path), _, true) => files::write_whole(path, document.html().as_bytes()),
+            (Some(path), ..) => files::write_whole(path, document.text().as_bytes()),
+            (None, true, _) => output::print_json(&json(), true),
+            (None, _, true) => output::print_data(&document.html()),
+            (None, ..) => output::print(&document.text()),
         }
     }
 }

@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use sieben_model::visible;
+
 /// A title and the tables under it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Document {
@@ -127,7 +129,7 @@ fn escaped(text: &str) -> String {
             '>' => escaped.push_str("&gt;"),
             '"' => escaped.push_str("&quot;"),
             '\'' => escaped.push_str("&#39;"),
-            character if character.is_control() => escaped.push(' '),
+            character if visible::is_hidden(character) => visible::push(&mut escaped, character),
             character => escaped.push(character),
         }
     }
@@ -148,7 +150,7 @@ mod tests {
         };
         let page = Document { title: "</title>".to_owned(), sections: vec![section] }.html();
         assert!(!page.contains("<script>") && !page.contains('\u{1}') && page.matches("</title>").count() == 1, "{page}");
-        assert!(page.contains("<td>&lt;/td&gt;&lt;script&gt;alert(&#39;1&#39;)&lt;/script&gt;&amp;&quot; </td>"), "{page}");
+        assert!(page.contains("<td>&lt;/td&gt;&lt;script&gt;alert(&#39;1&#39;)&lt;/script&gt;&amp;&quot;␁</td>"), "{page}");
     }
 
     #[test]

@@ -27,6 +27,11 @@ pub(crate) fn milliseconds(us: u64) -> Value {
     if us.is_multiple_of(1000) { json!(us / 1000) } else { json!(us as f64 / 1000.0) }
 }
 
+/// Reads the time from one scan to the next.
+pub(crate) fn cycle_argument(text: &str) -> Result<Duration, String> {
+    sieben_sim::duration::parse_cycle(text)
+}
+
 /// Reads a duration argument.
 pub(crate) fn duration_argument(text: &str) -> Result<Duration, String> {
     sieben_sim::duration::parse(text)

@@ -1,6 +1,7 @@
 //! Why a command ends without its result: the exit codes and the message behind them.
 
 use sieben_model::problems::Problem;
+use sieben_model::visible::visible;
 
 /// How a command ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,8 +50,9 @@ impl Failure {
     /// The same with other words for what it is and what to do, and this help where the failure has none of its own.
     pub(crate) fn render_with(&self, colour: bool, error: &str, help_word: &str, help: &str) -> String {
         let help = capitalized(self.help.as_deref().unwrap_or(help));
+        let (message, help) = (visible(&self.message), visible(&help));
         let (red, green, plain) = if colour { ("\x1b[31m", "\x1b[38;5;115m", "\x1b[0m") } else { ("", "", "") };
-        format!("{red}[{}] {error}:{plain} {}\n  {green}{help_word}{plain}: {help}\n", self.problem.code(), self.message)
+        format!("{red}[{}] {error}:{plain} {message}\n  {green}{help_word}{plain}: {help}\n", self.problem.code())
     }
 }
 

@@ -3,11 +3,19 @@
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use sieben_lang::encoding::MAX_SOURCE_BYTES;
 use sieben_model::problems::Problem;
 
 use crate::failure::Failure;
+
+/// Lets a write beyond the limit on the size of files (`ulimit -f`) fail as one on a full disk does. By itself the system ends the
+/// process, and with it the control of a plant.
+pub(crate) fn outlive_limits() {
+    // Nobody asks the flag: that a handler is there makes the write return.
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
+}
 
 /// Largest file that is read: the limit of the sources holds for every file, before it is read.
 const FILE_SIZE_MAX: u64 = MAX_SOURCE_BYTES as u64;

@@ -12,6 +12,7 @@ mod failed;
 mod failure;
 mod files;
 mod fixing;
+mod folder;
 mod glob;
 mod instances;
 mod local_check;
@@ -37,11 +38,13 @@ mod testing;
 mod tracing;
 mod watch;
 
+use std::io::Write as _;
 use std::path::Path;
 use std::process::ExitCode;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use sieben_model::visible;
 
 use crate::failure::{Exit, Failure};
 
@@ -117,6 +120,7 @@ enum Verb {
 
 fn main() -> ExitCode {
     panics::install();
+    files::outlive_limits();
     let exit = match command_line() {
         Ok(line) => run(line),
         Err(exit) => exit,
@@ -148,7 +152,7 @@ fn run(line: CommandLine) -> Exit {
         Some(Verb::Completions(arguments)) => commands::completions::run(&arguments, &mut CommandLine::command()),
     };
     result.unwrap_or_else(|failure: Failure| {
-        output::message(&failure.render(output::colour()));
+        output::styled(&failure.render(output::colour()));
         failure.exit
     })
 }
@@ -157,16 +161,31 @@ fn run(line: CommandLine) -> Exit {
 fn command_line() -> Result<CommandLine, Exit> {
     let matches = CommandLine::command().try_get_matches();
     matches.and_then(|matches| CommandLine::from_arg_matches(&matches)).map_err(|error| {
-        // Nobody can be told if printing fails.
-        let _ = error.print();
+        let printed = print_about_the_line(&error);
         if let Some(hint) = hint(&error) {
             output::message(&hint);
         }
         match error.kind() {
-            ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => Exit::Success,
+            ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => match printed {
+                Ok(()) => Exit::Success,
+                Err(failure) => {
+                    output::styled(&failure.render(output::colour()));
+                    failure.exit
+                }
+            },
             _ => Exit::Usage,
         }
     })
+}
+
+/// Prints help, version, or what is wrong with the command line, which may hold the name of a file that a pattern of the shell found.
+fn print_about_the_line(error: &clap::Error) -> Result<(), Failure> {
+    let plain = error.render().to_string();
+    if visible::hidden(&plain).next().is_some() {
+        output::message(&plain);
+        return Ok(());
+    }
+    output::printed(error.print().and_then(|()| std::io::stdout().flush()))
 }
 
 /// A file where a verb belongs: people try `sieben main.awl` first.

@@ -3,13 +3,28 @@
 use std::io::{self, IsTerminal, Write};
 
 use sieben_model::problems::Problem;
+use sieben_model::visible::{self, visible};
 
 use crate::failure::Failure;
 
-/// Prints results. A closed pipe (`| head`) ends the program quietly.
+/// Prints results for people to read: names and texts of others in them are shown and never obeyed.
 pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    put(&visible(text))
+}
+
+/// Prints what belongs into a file, such as a source: byte by byte, unless a terminal would obey it.
+pub(crate) fn print_data(text: &str) -> Result<(), Failure> {
+    if io::stdout().is_terminal() { print(text) } else { put(text) }
+}
+
+fn put(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    printed(out.write_all(text.as_bytes()).and_then(|()| out.flush()))
+}
+
+/// What came of printing. A closed pipe (`| head`) ends the program quietly.
+pub(crate) fn printed(result: io::Result<()>) -> Result<(), Failure> {
+    match result {
         Ok(()) => Ok(()),
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => std::process::exit(0),
         Err(error) => Err(Failure::usage(Problem::P6013, format!("the output cannot be written: {error}"))),
@@ -18,13 +33,38 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
 
 /// Prints one value as JSON and a line end.
 pub(crate) fn print_json(value: &serde_json::Value, indented: bool) -> Result<(), Failure> {
+    put(&json_text(value, indented))
+}
+
+/// A value as JSON and a line end; hidden characters are escaped, which means the same to every reader.
+fn json_text(value: &serde_json::Value, indented: bool) -> String {
     let mut text = if indented { format!("{value:#}") } else { value.to_string() };
+    if visible::hidden(&text).next().is_some() {
+        // Outside of strings JSON has no such character but line ends.
+        text = text.chars().fold(String::new(), |mut out, character| {
+            match visible::is_hidden(character) {
+                true => out.push_str(&format!("\\u{:04x}", u32::from(character))),
+                false => out.push(character),
+            }
+            out
+        });
+    }
     text.push('\n');
-    print(&text)
+    text
 }
 
 /// Prints messages. Nobody can be told if that fails, so a failure is dropped.
 pub(crate) fn message(text: &str) {
+    styled(&visible(text));
+}
+
+/// Prints messages as one JSON value.
+pub(crate) fn message_json(value: &serde_json::Value) {
+    styled(&json_text(value, true));
+}
+
+/// Prints a message with colours, in which all that others wrote was made visible before.
+pub(crate) fn styled(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 

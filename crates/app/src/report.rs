@@ -3,6 +3,7 @@
 pub(crate) mod lines;
 pub(crate) mod several;
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -12,6 +13,7 @@ use sieben_lang::encoding::Encoding;
 use sieben_model::diagnostic::{Certainty, Diagnostic, Severity};
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, SourceFile, Sources, Span};
+use sieben_model::visible::{self, visible};
 
 use crate::failure::capitalized;
 use crate::output;
@@ -127,8 +129,10 @@ pub(crate) fn sort(findings: &mut Vec<Finding>) {
 
 /// Prints findings where messages go.
 pub(crate) fn print(findings: &[Finding], texts: &Texts, json: bool) {
-    let text = if json { format!("{:#}\n", to_json(findings, texts)) } else { render(findings, texts, output::colour()) };
-    output::message(&text);
+    match json {
+        true => output::message_json(&to_json(findings, texts)),
+        false => output::styled(&render(findings, texts, output::colour())),
+    }
 }
 
 /// Findings as people read them, with a count at the end; empty if there are none.
@@ -191,6 +195,7 @@ fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, out: &
         Severity::Warning => (ReportKind::Warning, Color::Yellow),
     };
     let help = help_of(diagnostic);
+    let help = visible(&help);
     let place = Place::of(&finding.origin, diagnostic.span, cache.texts);
     let drawable = place.as_ref().is_some_and(|place| place.is_drawable(cache.texts));
     let Some(place) = place.filter(|_| drawable) else {
@@ -203,10 +208,10 @@ fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, out: &
         .with_char_set(CharSet::Unicode)
         .with_label_attach(LabelAttach::Start)
         .with_compact(false);
-    let mut report = Report::build(kind, place.clone())
+    let mut report = Report::build(kind, cache.shown(&place))
         .with_config(config)
         .with_code(diagnostic.problem.code())
-        .with_message(finding.message())
+        .with_message(visible(&finding.message()))
         .with_help(help);
     let title = diagnostic.fix.as_ref().map_or("here", |fix| fix.title.as_str());
     let mut labels = vec![(place, shade, title)];
@@ -217,7 +222,7 @@ fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, out: &
     // Lines of one text in their order are drawn as one piece.
     labels.sort_by_key(|(place, ..)| place.start);
     for (place, shade, word) in labels {
-        report = report.with_label(Label::new(place).with_color(shade).with_message(word));
+        report = report.with_label(Label::new(cache.shown(&place)).with_color(shade).with_message(visible(word)));
     }
     let start = out.len();
     if report.finish().write(&mut *cache, &mut *out).is_err() {
@@ -238,12 +243,13 @@ fn render_plain(finding: &Finding, texts: &Texts, colour: bool, out: &mut Vec<u8
         Origin::File(_) => String::new(),
         origin => texts.of(origin).map_or_else(String::new, |sources| {
             let (line, column) = sources.line_column(diagnostic.span);
-            format!(" ({}:{line}:{column})", sources.file(diagnostic.span.file).name)
+            format!(" ({}:{line}:{column})", visible(&sources.file(diagnostic.span.file).name))
         }),
     };
     let code = diagnostic.problem.code();
     out.extend_from_slice(
-        format!("{shade}[{code}] {word}:{plain} {}{place}\n  Help: {}\n", finding.message(), help_of(diagnostic)).as_bytes(),
+        format!("{shade}[{code}] {word}:{plain} {}{place}\n  Help: {}\n", visible(&finding.message()), visible(&help_of(diagnostic)))
+            .as_bytes(),
     );
 }
 
@@ -367,20 +373,58 @@ impl ariadne::Span for Place {
     }
 }
 
-/// The texts cut into lines for ariadne, each once.
+/// The texts cut into lines for ariadne, each once, with nothing in them that a terminal would obey.
 struct TextCache<'a> {
     texts: &'a Texts,
-    sources: BTreeMap<TextId, Source<&'a str>>,
+    sources: BTreeMap<TextId, Shown<'a>>,
+}
+
+/// A text as it is shown.
+struct Shown<'a> {
+    source: Source<Cow<'a, str>>,
+    /// Where a hidden character ends in the text, and by how many bytes all that stand up to there are longer as they are shown.
+    shifts: Vec<(usize, usize)>,
+}
+
+impl<'a> Shown<'a> {
+    fn of(text: &'a str) -> Self {
+        let mut shift = 0;
+        let mut picture = String::new();
+        let shifts = visible::hidden(text).map(|(at, character)| {
+            picture.clear();
+            visible::push(&mut picture, character);
+            shift += picture.len() - character.len_utf8();
+            (at + character.len_utf8(), shift)
+        });
+        Self { shifts: shifts.collect(), source: Source::from(visible(text)) }
+    }
+
+    fn at(&self, offset: usize) -> usize {
+        let before = self.shifts.partition_point(|&(end, _)| end <= offset);
+        offset + before.checked_sub(1).map_or(0, |last| self.shifts[last].1)
+    }
+}
+
+impl<'a> TextCache<'a> {
+    fn text(&mut self, id: TextId) -> &Shown<'a> {
+        self.sources.entry(id).or_insert_with(|| Shown::of(&self.texts.get(id).text))
+    }
+
+    /// The place in the text as it is shown.
+    fn shown(&mut self, place: &Place) -> Place {
+        let text = self.text(place.id);
+        Place { id: place.id, start: text.at(place.start), end: text.at(place.end) }
+    }
 }
 
 impl<'a> Cache<TextId> for TextCache<'a> {
-    type Storage = &'a str;
+    type Storage = Cow<'a, str>;
 
-    fn fetch(&mut self, id: &TextId) -> Result<&Source<&'a str>, impl fmt::Debug> {
-        Ok::<_, &str>(self.sources.entry(*id).or_insert_with(|| Source::from(self.texts.get(*id).text.as_str())))
+    fn fetch(&mut self, id: &TextId) -> Result<&Source<Cow<'a, str>>, impl fmt::Debug> {
+        Ok::<_, &str>(&self.text(*id).source)
     }
 
     fn display<'b>(&self, id: &'b TextId) -> Option<impl fmt::Display + 'b> {
-        Some(self.texts.get(*id).name.clone())
+        Some(visible(&self.texts.get(*id).name).into_owned())
     }
 }

@@ -80,7 +80,7 @@ impl Rewriting {
         match &self.destination {
             Destination::Check if differs => output::print(&format!("{} would be {}\n", path.display(), self.done))?,
             Destination::Check => {}
-            Destination::Print => output::print(text)?,
+            Destination::Print => output::print_data(text)?,
             Destination::InPlace if !differs => {}
             Destination::InPlace => {
                 write(path, source, text, encoding)?;

@@ -7,10 +7,11 @@ use clap::Args;
 use sieben_cpu::Cpu;
 use sieben_model::problems::Problem;
 use sieben_model::symbols::SymbolTable;
+use sieben_sim::duration::CYCLE_MAX;
 use sieben_sim::scenario::{Scenario, Times};
 
 use crate::duration;
-use crate::duration::duration_argument;
+use crate::duration::{cycle_argument, duration_argument};
 use crate::failure::Failure;
 use crate::names::Assignment;
 use crate::settings::Settings;
@@ -51,7 +52,7 @@ pub(crate) struct ScheduleArguments {
     #[arg(long = "for", value_name = "DURATION", id = "duration", conflicts_with = "scan_at", allow_hyphen_values = true, value_parser = duration_argument)]
     duration: Option<Duration>,
     /// Time from one scan to the next [default: the project's, else 10ms]
-    #[arg(long, value_name = "DURATION", conflicts_with = "scan_at", allow_hyphen_values = true, value_parser = duration_argument)]
+    #[arg(long, value_name = "DURATION", conflicts_with = "scan_at", allow_hyphen_values = true, value_parser = cycle_argument)]
     cycle: Option<Duration>,
     /// Scan exactly at these times instead of every cycle
     #[arg(long, value_name = "T1,T2,…", value_delimiter = ',', allow_hyphen_values = true, value_parser = duration_argument)]
@@ -129,6 +130,12 @@ impl ScheduleArguments {
                     Problem::P7009,
                     format!("time does not run backwards: {early} stands behind {late} in `--scan-at`"),
                 ));
+            }
+            let from_zero = std::iter::once(&Duration::ZERO).chain(&self.scan_at).zip(&self.scan_at);
+            if let Some((before, at)) = from_zero.into_iter().find(|(before, at)| at.saturating_sub(**before) > CYCLE_MAX) {
+                let (before, at) = (duration::show(*before), duration::show(*at));
+                let message = format!("between {before} and {at} in `--scan-at` lie more than 24 hours, the longest cycle");
+                return Err(Failure::usage(Problem::P7009, message).help("scan at times between them, too"));
             }
             return Ok(Schedule::At(self.scan_at.clone()));
         }

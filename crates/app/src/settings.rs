@@ -18,6 +18,7 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::profile::Profile;
 use sieben_model::source::{FileId, Span};
+use sieben_sim::duration::CYCLE_MAX;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -237,11 +238,11 @@ impl Reader {
                 ("cpu", "cycle") => {
                     self.settings.cycle = match value.get_ref() {
                         DeValue::String(text) if text.eq_ignore_ascii_case("free") => Some(Duration::ZERO),
-                        _ => self.duration(value, name),
+                        _ => self.cycle(value, name),
                     }
                 }
                 ("cpu", "watchdog") => self.watchdog(value),
-                ("cpu", "min_cycle") => self.settings.min_cycle = self.duration(value, name),
+                ("cpu", "min_cycle") => self.settings.min_cycle = self.cycle(value, name),
                 ("cpu", "image_errors") => self.image_errors(value),
                 ("cpu", "clock_memory_byte") => self.clock_memory_byte(value),
                 ("cpu", "retain") => match value.get_ref() {
@@ -412,6 +413,15 @@ impl Reader {
         }
     }
 
+    fn cycle(&mut self, value: &Value<'_>, name: &str) -> Option<Duration> {
+        let cycle = self.duration(value, name)?;
+        if cycle > CYCLE_MAX {
+            self.wrong(value, &format!("`{name}` is longer than 24 hours, the longest cycle"));
+            return None;
+        }
+        Some(cycle)
+    }
+
     fn duration(&mut self, value: &Value<'_>, name: &str) -> Option<Duration> {
         let DeValue::String(text) = value.get_ref() else {
             self.wrong(value, &format!("`{name}` is a duration in quotes: `{name} = \"10ms\"`"));
@@ -491,6 +501,7 @@ mod tests {
             ("cpu = 1\n", "P6009: `cpu` is a table: write `[cpu]` on a line of its own, and its keys below"),
             ("[cpu]\ncycle = 10\n", "P6009: `cycle` is a duration in quotes: `cycle = \"10ms\"`"),
             ("[cpu]\ncycle = \"10\"\n", "P6009: `10` is not a duration; write a number with its unit: `10ms`, `1.5s`, `2m` or `1h`"),
+            ("[cpu]\ncycle = \"87599h\"\n", "P6009: `cycle` is longer than 24 hours, the longest cycle"),
             ("[cpu]\nwatchdog = \"0ms\"\n", "P6009: a CPU monitors a cycle for 1 ms to 6 s: `watchdog = \"150ms\"`"),
             ("[cpu]\nwatchdog = \"6001ms\"\n", "P6009: a CPU monitors a cycle for 1 ms to 6 s: `watchdog = \"150ms\"`"),
             (

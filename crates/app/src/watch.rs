@@ -11,6 +11,7 @@ use std::time::{Duration, SystemTime};
 use sieben_cpu::{Cpu, Loaded, OnlineChange};
 use sieben_jit::StatusBits;
 use sieben_model::cpu_type::CpuType;
+use sieben_model::visible::visible;
 
 use crate::arguments::ProgramArguments;
 use crate::engines::EngineArgument;
@@ -104,7 +105,7 @@ impl Watch {
             self.take_over(prepared, cpu, build, &|_| ());
             return;
         }
-        say(&format!("The sources have changed: {}.\n{}", online_change::blocks(&change), online_change::details(&change)));
+        say(&visible(&format!("The sources have changed: {}.\n{}", online_change::blocks(&change), online_change::details(&change))));
         if change.losses.is_empty() || self.accept_losses {
             self.take_over(prepared, cpu, build, say);
         } else if self.answers.is_some() {
@@ -123,7 +124,7 @@ impl Watch {
                 self.changes += 1;
                 say(if losses.is_empty() { "Taken over; all values are kept.\n" } else { "Taken over; all other values are kept.\n" });
             }
-            Err(refused) => say(&format!("Not taken over: {refused}.\n")),
+            Err(refused) => say(&visible(&format!("Not taken over: {refused}.\n"))),
         }
     }
 }
@@ -231,7 +232,7 @@ impl Looking {
     fn compile(&mut self) -> Found {
         let project = match self.program.load(&self.paths) {
             Ok(project) => project,
-            Err(failure) => return Found::Broken(format!("{}\n", failure.message)),
+            Err(failure) => return Found::Broken(format!("{}\n", visible(&failure.message))),
         };
         let build = project.compile(self.overrides, false);
         self.sources = sources(&build);

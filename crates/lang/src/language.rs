@@ -133,7 +133,9 @@ impl Language {
 /// The dialect that a text shows, if it shows another one than the usual.
 fn shown(text: &str, usual: Dialect) -> Dialect {
     let end = (0..=text.len().min(LOOKED_AT)).rev().find(|&end| text.is_char_boundary(end)).unwrap_or(0);
-    let code = without_comments(&text[..end]).to_ascii_uppercase();
+    // Words are words however far apart they stand: a layout shows nothing.
+    let words: Vec<String> = without_comments(&text[..end]).split_whitespace().map(str::to_ascii_uppercase).collect();
+    let code = words.join(" ");
     if usual == Dialect::Scl && quotes_locals(&code) {
         return Dialect::Tia;
     }
@@ -191,6 +193,8 @@ mod tests {
             ("a.scl", "FUNCTION FC1 : VOID x := W#16#FF; d := \"Data\".x;", None, st(Dialect::Scl)),
             ("a.scl", "#x := 1;", None, st(Dialect::Tia)),
             ("a.scl", "FUNCTION_BLOCK \"Motor\"", None, st(Dialect::Tia)),
+            ("a.scl", "TYPE\n  \"Motor\"\n", None, st(Dialect::Tia)),
+            ("a.scl", "VAR\t  CONSTANT", None, st(Dialect::Tia)),
             ("a.scl", "#x := 1;", Some(Dialect::Scl), st(Dialect::Scl)),
             ("a.exp", "", None, st(Dialect::Codesys)),
             ("a.Test.ST", "", None, st(Dialect::IecTest)),

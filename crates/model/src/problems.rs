@@ -342,4 +342,6 @@ problems! {
     P8030 Warning "retentive data that cannot be kept" "Make room on the disk or correct the permissions: the CPU goes on, and keeping is tried again every second.";
     P8031 Warning "retentive data that is damaged" "Nothing can be restored from it; check the disk. A copy is set aside.";
     P8032 Warning "retentive data of a program with other data blocks" "Run with --adopt and the file where it is now, to take over what still fits.";
+    P8033 Error "a link or a device where retentive data is kept" "Remove it if you do not know it; to keep the data elsewhere, name the file with --retain.";
+    P8034 Warning "retentive data that was removed during a run" "Nothing is lost; leave `.sieben` alone while the CPU runs (`git clean -e .sieben`).";
 }

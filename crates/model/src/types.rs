@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::address::Width;
 use crate::block::BlockId;
 use crate::literal::Value;
+use crate::name_index::NameIndex;
 
 /// A data type of STEP 7, or of those that its controllers lack and Structured Text has; all with the layout rules of the S7.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,6 +96,18 @@ pub struct Enumeration {
     pub values: Vec<(String, i64)>,
     /// What a variable holds at the start.
     pub initial: i64,
+    /// Where the names stand.
+    pub index: NameIndex,
+}
+
+/// Two that are one need not be compared, which the standard library spares only types that say so.
+impl Eq for Enumeration {}
+
+impl Enumeration {
+    /// The value with this name, without regard to case.
+    pub fn value(&self, name: &str) -> Option<i64> {
+        self.index.find(&self.values, |(name, _)| name, name).map(|&(_, value)| value)
+    }
 }
 
 /// An integer type with limits.
@@ -143,7 +156,12 @@ pub struct Structure {
     pub fields: Vec<Field>,
     /// Length in bytes, always even.
     pub size: u32,
+    /// Where the names of the fields stand.
+    pub index: NameIndex,
 }
+
+/// Two that are one need not be compared, which the standard library spares only types that say so; also a NaN in it is the same then.
+impl Eq for Structure {}
 
 /// One field of a structure.
 #[derive(Clone, Debug, PartialEq)]
@@ -163,7 +181,7 @@ pub struct Field {
 impl Structure {
     /// The field with this name, without regard to case.
     pub fn field(&self, name: &str) -> Option<&Field> {
-        self.fields.iter().find(|field| field.name.eq_ignore_ascii_case(name))
+        self.index.find(&self.fields, |field| &field.name, name)
     }
 }
 

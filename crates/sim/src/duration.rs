@@ -8,6 +8,22 @@ const UNITS: [(&str, f64); 7] = [("us", 1.0), ("µs", 1.0), ("ms", 1e3), ("s", 1
 /// Longest duration: 10 years, so that sums of microseconds never overflow.
 const DURATION_MAX_US: f64 = 10.0 * 365.0 * 24.0 * 3600e6;
 
+/// Longest time from one scan to the next: what falls into one, such as a cyclic interrupt or a step of a plant in every millisecond,
+/// has an end that can be waited for.
+pub const CYCLE_MAX: Duration = Duration::from_secs(24 * 3600);
+
+/// Reads the time from one scan to the next.
+///
+/// # Errors
+/// The text is no duration, or longer than [`CYCLE_MAX`]; the message says so.
+pub fn parse_cycle(text: &str) -> Result<Duration, String> {
+    let cycle = parse(text)?;
+    match cycle > CYCLE_MAX {
+        true => Err(format!("`{text}` is longer than 24 hours, the longest cycle")),
+        false => Ok(cycle),
+    }
+}
+
 /// Reads a duration: numbers with their units; a number without a unit is refused, except 0.
 ///
 /// # Errors
@@ -65,5 +81,12 @@ mod tests {
         for text in ["", "10", "ms", "-1s", "1e3s", "infs", "1.2.3s", "1d", "99999999h", "NaNms", "1s5", "s1", "."] {
             assert!(parse(text).is_err(), "{text}");
         }
+    }
+
+    #[test]
+    fn a_cycle_is_a_day_at_most() {
+        assert_eq!(parse_cycle("24h"), Ok(CYCLE_MAX));
+        assert_eq!(parse_cycle("87599h"), Err("`87599h` is longer than 24 hours, the longest cycle".to_owned()));
+        assert!(parse_cycle("1 day").is_err());
     }
 }

@@ -372,7 +372,7 @@ impl Scenario {
                 return Ok(());
             }
             "cycle" => {
-                self.cycle_us = duration(rest)?;
+                self.cycle_us = crate::duration::parse_cycle(rest)?.as_micros() as u64;
                 if self.cycle_us == 0 {
                     return Err("a cycle lasts more than 0".to_owned());
                 }

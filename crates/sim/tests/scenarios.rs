@@ -18,7 +18,12 @@ fn field(name: &str, data_type: DataType, offset: u32) -> Field {
 
 /// DB 7 with a field of many types.
 fn program() -> Program {
-    let inner = Structure { name: None, fields: vec![field("deep", DataType::Int, 0), field("flag", DataType::Bool, 2)], size: 4 };
+    let inner = Structure {
+        name: None,
+        fields: vec![field("deep", DataType::Int, 0), field("flag", DataType::Bool, 2)],
+        size: 4,
+        index: Default::default(),
+    };
     let array = DataType::Array { bounds: vec![(1, 3)], element: Box::new(DataType::Int) };
     let fields = vec![
         field("speed", DataType::Real, 0),
@@ -31,7 +36,7 @@ fn program() -> Program {
         field("tiny", DataType::String(2), 36),
         field("six", DataType::String(6), 40),
     ];
-    let structure = Arc::new(Structure { name: None, fields, size: 48 });
+    let structure = Arc::new(Structure { name: None, fields, size: 48, index: Default::default() });
     let mut image = vec![0; 48];
     image[26..32].copy_from_slice(&[4, 2, b'a', b'b', 0, 0]);
     image[36..40].copy_from_slice(&[2, 1, b'x', 0]);

@@ -13,7 +13,7 @@ use sieben_jit::{StatusBits, Tier, Tiers};
 use sieben_sim::names::Name;
 
 use crate::arguments::ProgramArguments;
-use crate::duration::duration_argument;
+use crate::duration::cycle_argument;
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::instances::{self, Instances};
@@ -44,7 +44,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     program: ProgramArguments,
     /// Virtual time from one scan to the next [default: the project's, else 10ms]
-    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = duration_argument)]
+    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = cycle_argument)]
     cycle: Option<Duration>,
     /// How often to measure
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]

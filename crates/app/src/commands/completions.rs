@@ -17,6 +17,6 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments, line: &mut Command) -> Result<Exit, Failure> {
     let mut script = Vec::new();
     clap_complete::generate(arguments.shell, line, "sieben", &mut script);
-    output::print(&String::from_utf8_lossy(&script))?;
+    output::print_data(&String::from_utf8_lossy(&script))?;
     Ok(Exit::Success)
 }

@@ -81,9 +81,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             return Err(Failure::usage(Problem::P6014, format!("`{}` exists already", folder.display())));
         }
     }
+    let mut made = Made::default();
     if let Some(example) = arguments.example {
         for (path, content) in example.renamed(name) {
-            write(&folder.join(path), &content)?;
+            made.write(&folder.join(path), &content)?;
         }
         let (shown, example_name) = (folder.display(), example.name);
         return output::print(&format!(
@@ -100,7 +101,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let (extension, program) = arguments.language.source();
     let source = format!("src/main.{extension}");
     for (path, content) in TEMPLATE.iter().copied().chain([(source.as_str(), program)]) {
-        write(&folder.join(path), &content.replace("{name}", name).replace("{extension}", extension))?;
+        made.write(&folder.join(path), &content.replace("{name}", name).replace("{extension}", extension))?;
     }
     let shown = folder.display();
     output::print(&format!(
@@ -115,11 +116,39 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     Ok(Exit::Success)
 }
 
-/// Writes a file, and makes the folders above it.
-fn write(path: &Path, content: &str) -> Result<(), Failure> {
-    let parent = path.parent().unwrap_or(Path::new("."));
-    fs::create_dir_all(parent).map_err(|error| files::unwritable(parent, &error))?;
-    files::write_whole(path, content.as_bytes())
+/// What was made of a project, in its order: if the rest cannot be made, nothing of it stays.
+#[derive(Default)]
+struct Made(Vec<PathBuf>);
+
+impl Made {
+    /// Writes a file, and makes the folders above it.
+    fn write(&mut self, path: &Path, content: &str) -> Result<(), Failure> {
+        let folder = path.parent().unwrap_or(Path::new("."));
+        let written = self.folder(folder).and_then(|()| {
+            self.0.push(path.to_path_buf());
+            files::write_whole(path, content.as_bytes())
+        });
+        written.inspect_err(|_| self.remove())
+    }
+
+    fn folder(&mut self, folder: &Path) -> Result<(), Failure> {
+        if folder.as_os_str().is_empty() || folder.is_dir() {
+            return Ok(());
+        }
+        if let Some(above) = folder.parent() {
+            self.folder(above)?;
+        }
+        fs::create_dir(folder).map_err(|error| files::unwritable(folder, &error))?;
+        self.0.push(folder.to_path_buf());
+        Ok(())
+    }
+
+    fn remove(&mut self) {
+        for path in self.0.drain(..).rev() {
+            // Files first, then the folders that are empty now; the error before matters more than one here.
+            let _ = if path.is_dir() { fs::remove_dir(&path) } else { fs::remove_file(&path) };
+        }
+    }
 }
 
 fn project_name(folder: &Path) -> Result<&str, Failure> {

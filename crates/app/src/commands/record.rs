@@ -215,7 +215,7 @@ fn record(
     let place = path.map(shown).unwrap_or_default();
     for error in &failures {
         let message = format!("{place}:{}: {}", error.line, error.message);
-        output::message(&Failure::usage(Problem::P6261, message).render(output::colour()));
+        output::styled(&Failure::usage(Problem::P6261, message).render(output::colour()));
     }
     let interrupted = interrupted.load(Ordering::Relaxed);
     if arguments.json {
@@ -281,7 +281,7 @@ impl Written {
     /// Writes a piece that ends with a whole scan. If there is no room for all of it, none of it stays.
     fn put(&mut self, text: &str, scans_then: u64) -> Result<(), Failure> {
         match self {
-            Self::Printed => output::print(text),
+            Self::Printed => output::print_data(text),
             Self::File { path, file, bytes, scans } => {
                 if let Err(error) = file.write_all(text.as_bytes()) {
                     // What is left of the piece is left out by whoever reads it, too.

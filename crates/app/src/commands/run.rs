@@ -15,7 +15,7 @@ use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 
 use crate::arguments::{DiagnosticsArgument, FaultArguments, ProgramArguments, StrictArgument};
-use crate::duration::duration_argument;
+use crate::duration::{cycle_argument, duration_argument};
 use crate::engines::EngineArgument;
 use crate::failed::{self, Failed};
 use crate::failure::{Exit, Failure};
@@ -54,7 +54,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     program: ProgramArguments,
     /// Time from one scan to the next; 0 runs free [default: the project's, else 10ms]
-    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = duration_argument)]
+    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = cycle_argument)]
     cycle: Option<Duration>,
     /// 1x is real time, 10x ten times as fast, max as fast as it goes in virtual time
     #[arg(long, value_name = "FACTOR", default_value = "1x", allow_hyphen_values = true, value_parser = speed_argument)]
@@ -360,11 +360,11 @@ impl Status {
         self.drawn.set(Instant::now());
         bar.set_message(format!("{}  scan {scans}{}  (Ctrl-C stops)", cpu.mode(), cycle_text(cpu)));
     }
-    /// Prints a message above the line.
+    /// Prints a message above the line; it may have colours.
     fn say(&self, text: &str) {
         match &self.bar {
-            Some(bar) => bar.suspend(|| output::message(text)),
-            None => output::message(text),
+            Some(bar) => bar.suspend(|| output::styled(text)),
+            None => output::styled(text),
         }
     }
     fn clear(&self) {

@@ -12,7 +12,7 @@ use sieben_sim::history::{History, Plan};
 use sieben_sim::names::Name;
 
 use crate::arguments::{FaultArguments, ProgramArguments};
-use crate::duration::duration_argument;
+use crate::duration::cycle_argument;
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::project::Build;
@@ -47,7 +47,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     scans: Option<u64>,
     /// Time from one scan to the next [default: the project's, else 10ms]
-    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = duration_argument)]
+    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = cycle_argument)]
     cycle: Option<Duration>,
     /// Read commands from a file, `-` = standard input
     #[arg(long, value_name = "FILE")]
@@ -181,7 +181,7 @@ fn read_commands(arguments: &Arguments, stepper: &mut Stepper<'_>, mut input: Bo
                 if arguments.json {
                     output::print_json(&table::failure_json(&command, &failure), false)?;
                 } else {
-                    output::message(&table::failure(&failure, output::colour(), stepper.language));
+                    output::styled(&table::failure(&failure, output::colour(), stepper.language));
                 }
             }
         }

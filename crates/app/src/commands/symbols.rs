@@ -171,7 +171,7 @@ fn convert(arguments: &Arguments, to: FormatArgument, table: &SymbolTable, code_
 fn put(arguments: &Arguments, bytes: &[u8]) -> Result<(), Failure> {
     match &arguments.output {
         Some(path) => files::write_whole(path, bytes),
-        None => output::print(&String::from_utf8_lossy(bytes)),
+        None => output::print_data(&String::from_utf8_lossy(bytes)),
     }
 }
 

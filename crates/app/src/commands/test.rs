@@ -11,7 +11,7 @@ use sieben_model::problems::Problem;
 use sieben_sim::scenario::Rules;
 
 use crate::arguments::{DiagnosticsArgument, ProgramArguments, StrictArgument};
-use crate::duration::duration_argument;
+use crate::duration::{cycle_argument, duration_argument};
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::testing::coverage::{Collector, Coverage};
@@ -60,7 +60,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "TEXT")]
     filter: Option<String>,
     /// Time from one scan to the next [default: the project's, else 10ms]
-    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = duration_argument)]
+    #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = cycle_argument)]
     cycle: Option<Duration>,
     /// Virtual time in which a test has to end [default: 60s, 100 days for a unit test]
     #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = duration_argument)]

@@ -503,7 +503,7 @@ fn print_json(trace: &Trace, range: &RangeInclusive<u64>, outcome: &Outcome) -> 
 fn told(arguments: &Arguments, build: &Build, outcome: &Outcome) -> Result<Exit, Failure> {
     for (error, _) in &outcome.failures {
         let message = format!("{}:{}: {}", outcome.scenario.display(), error.line, error.message);
-        output::message(&Failure::usage(Problem::P6261, message).render(output::colour()));
+        output::styled(&Failure::usage(Problem::P6261, message).render(output::colour()));
     }
     if let Some(failed) = outcome.failed.as_ref().filter(|_| !arguments.json) {
         output::message(&format!("{}\n", failed.line()));

@@ -53,9 +53,10 @@ impl RetainArguments {
     /// What becomes of retentive data in a run of the project; nothing is kept of a lone file or of virtual time, unless a file is named.
     pub(crate) fn choice(&self, project: &Project, time: RunTime, json: bool) -> Option<Choice> {
         let of_project = || project.home.as_deref().filter(|_| time == RunTime::Real).map(Choice::project_file);
-        let file = self.retain.clone().or_else(of_project).filter(|_| !self.no_retain)?;
+        // A link that the user names is what the user means; one in a project may be anyone's.
+        let file = self.retain.as_deref().map(behind_links).or_else(of_project).filter(|_| !self.no_retain)?;
         Some(Choice {
-            file: behind_links(&file),
+            file,
             named: self.retain.is_some(),
             sync: project.settings.retain.sync.unwrap_or(SYNC),
             adopt: self.adopt.clone(),

@@ -1,6 +1,5 @@
 //! Retentive data in a run: found, judged and restored at its start, kept after every scan, and what is said about it.
 
-use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,8 +10,8 @@ use sieben_cpu::retain::{Adoption, Refusal, Restored, data_blocks};
 use sieben_cpu::{Cpu, DataLoss};
 use sieben_model::problems::Problem;
 
-use super::disk::{Disk, FOLDER, RealDisk, behind_links, with_ending};
-use super::lock::{self, NoLock};
+use super::disk::{Disk, FOLDER, RealDisk, behind_links, foreign, with_ending};
+use super::lock::NoLock;
 use super::record::{self, Record};
 use super::slots::{self, Contents, Slots};
 use super::store::{Change, Store, synced_path};
@@ -55,27 +54,30 @@ pub(crate) struct Retention {
     json: bool,
     store: Store<RealDisk>,
     restored: Option<Restored>,
-    _lock: Option<File>,
 }
 
 impl Retention {
     /// Takes back what the last run kept and gets ready to keep what this one changes. The CPU has not started yet.
     pub(crate) fn open(choice: &Choice, cpu: &mut Cpu) -> Result<Self, Failure> {
         let path = &choice.file;
-        let lock = match lock::lock(path) {
-            Ok(lock) => Some(lock),
+        if let Some((path, foreign)) = foreign(path) {
+            let message = format!("retentive data is not kept in `{}`: {foreign}", path.display());
+            return Err(Failure::usage(Problem::P8033, message));
+        }
+        let disk = match RealDisk::locked(path) {
+            Ok(disk) => disk,
             Err(NoLock::Taken) => {
                 return Err(Failure::usage(Problem::P6031, format!("another run uses the retentive data in `{}`", path.display())));
             }
             Err(NoLock::Failed(error)) => {
                 let message = format!("retentive data cannot be kept from other runs: {error}");
                 warn(Problem::P8030, path, message, None, choice.json);
-                None
+                RealDisk::default()
             }
         };
-        let disk = Arc::new(RealDisk);
+        let disk = Arc::new(disk);
         let found = Found::read(&*disk, path, choice.named)?;
-        let sequence = found.newest().map_or(0, |record| record.sequence);
+        let mut sequence = found.newest().map_or(0, |record| record.sequence);
         let restored = match &choice.adopt {
             Some(source) => Some(adopt(source, Some(&choice.file), &*disk, cpu, choice.json)?),
             None if choice.reset => {
@@ -84,8 +86,12 @@ impl Retention {
             }
             None => found.restore(choice, &*disk, cpu)?,
         };
+        if sequence > SEQUENCE_RENEWED {
+            let record = found.newest().filter(|_| restored.is_some() && choice.adopt.is_none());
+            sequence = renumber(&*disk, path, record).map_err(|error| crate::files::unwritable(path, &error))?;
+        }
         let store = Store::new(&disk, path, choice.sync, sequence);
-        Ok(Self { file: path.clone(), json: choice.json, store, restored, _lock: lock })
+        Ok(Self { file: path.clone(), json: choice.json, store, restored })
     }
 
     /// Keeps what the last scan or startup has changed; called before the outputs of the scan are released.
@@ -107,6 +113,10 @@ impl Retention {
             Some(Change::Failed(why)) => {
                 cpu.backup_failed();
                 warn(Problem::P8030, &self.file, format!("retentive data cannot be kept: {why}"), None, self.json);
+            }
+            Some(Change::MadeAgain(path)) => {
+                let message = format!("`{}` was removed or replaced while the CPU was running; it is made again", path.display());
+                warn(Problem::P8034, &self.file, message, None, self.json);
             }
             Some(Change::Works) => {
                 cpu.backup_works();
@@ -135,7 +145,7 @@ fn warn(problem: Problem, file: &Path, message: String, help: Option<String>, js
 
 /// Takes over what fits of a file that the user names, for a run that keeps nothing.
 pub(crate) fn adopt_only(source: &Path, cpu: &mut Cpu, json: bool) -> Result<(), Failure> {
-    adopt(source, None, &RealDisk, cpu, json).map(|_| ())
+    adopt(source, None, &RealDisk::default(), cpu, json).map(|_| ())
 }
 
 /// Takes over what fits of a file that the user names. That file stays what it is, unless it is the one that is written from now on.
@@ -211,13 +221,23 @@ impl Found {
         let path = &choice.file;
         let damaged = self.files().any(|(_, _, contents)| contents.damaged());
         let Some(record) = self.newest() else {
-            let Some((_, bytes, _)) = self.files().find(|(_, bytes, contents)| contents.damaged() && !bytes.is_empty()) else {
+            if !damaged {
                 return Ok(None);
+            }
+            let lost = self.files().find(|(_, bytes, contents)| contents.damaged() && !bytes.is_empty());
+            let (help, what) = match lost {
+                Some((_, bytes, _)) => (
+                    None,
+                    format!("is damaged: the CPU starts with its initial values; the data is now in `{}`", set_aside(disk, path, bytes)?),
+                ),
+                // A run never leaves an empty file: somebody else does, or a disk that lost it.
+                None => (
+                    Some("check the disk; if you made the file yourself, nothing was lost".to_owned()),
+                    "is empty: the CPU starts with its initial values".to_owned(),
+                ),
             };
-            let old = set_aside(disk, path, bytes)?;
             cpu.retentive_data_lost(DataLoss::Damaged);
-            let message = format!("the retentive data is damaged: the CPU starts with its initial values; the data is now in `{old}`");
-            warn(Problem::P8031, path, message, None, choice.json);
+            warn(Problem::P8031, path, format!("the retentive data {what}"), help, choice.json);
             return Ok(None);
         };
         match cpu.restore(&record.image, Adoption::SameProgram) {
@@ -247,6 +267,24 @@ impl Found {
             }
         }
     }
+}
+
+/// Numbers that no run reaches, with a record in every microsecond of 2,000 years: a file with a greater one was made by something else,
+/// and the numbers begin anew before they end.
+const SEQUENCE_RENEWED: u64 = 1 << 56;
+
+/// Gives the newest record the first number, in both files: none of them is newer than it then. Without a record both are empty.
+pub(super) fn renumber<D: Disk>(disk: &D, path: &Path, newest: Option<&Record>) -> io::Result<u64> {
+    const FIRST: u64 = 1;
+    let mut bytes = Vec::new();
+    if let Some(record) = newest {
+        record::write(&mut bytes, FIRST, &record.image);
+    }
+    // A kill between the two leaves the same image with the great number.
+    for path in [path.to_path_buf(), synced_path(path)] {
+        Slots::create(disk, &path, 0, &bytes)?;
+    }
+    Ok(FIRST)
 }
 
 /// Puts a record that this program cannot use into a file of its own.

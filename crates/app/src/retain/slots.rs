@@ -59,6 +59,11 @@ impl<F: Slotted> Slots<F> {
         Ok(Self { file, capacity, next: usize::from(!first.is_empty()) })
     }
 
+    /// The file itself.
+    pub(crate) fn file(&self) -> &F {
+        &self.file
+    }
+
     /// Whether a record has its place here.
     pub(crate) fn takes(&self, record: &[u8]) -> bool {
         record.len() <= self.capacity

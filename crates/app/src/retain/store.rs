@@ -15,6 +15,8 @@ use super::slots::{Slots, Sync};
 
 /// How long after a failed write the next one is tried.
 const RETRY: Duration = Duration::from_secs(1);
+/// How often the files are looked for: they may be removed while the CPU runs.
+const LOOK: Duration = Duration::from_secs(1);
 /// Room that a file has for data blocks that the program makes later (64 KB in the CPU), so that it seldom has to be made anew.
 const ROOM: usize = 80 * 1024;
 
@@ -30,6 +32,8 @@ pub(crate) enum Change {
     Failed(String),
     /// It works again.
     Works,
+    /// A file was gone, and is there again.
+    MadeAgain(PathBuf),
 }
 
 /// Both files.
@@ -44,6 +48,10 @@ pub(crate) struct Store<D: Disk> {
     failed: Option<(Instant, String)>,
     /// What was told last.
     told_failed: bool,
+    /// When the file was looked for last.
+    looked: Option<Instant>,
+    /// It was gone, which is not told yet.
+    gone: bool,
 }
 
 impl<D: Disk + 'static> Store<D> {
@@ -56,7 +64,17 @@ impl<D: Disk + 'static> Store<D> {
             Some(_) => Kept::new(disk, path, Sync::Never, ROOM),
             None => synced(),
         };
-        Self { foreground, background, sequence, record: Vec::new(), unwritten: false, failed: None, told_failed: false }
+        Self {
+            foreground,
+            background,
+            sequence,
+            record: Vec::new(),
+            unwritten: false,
+            failed: None,
+            told_failed: false,
+            looked: None,
+            gone: false,
+        }
     }
 
     /// Keeps an image, or what could not be kept before. Says when failing begins and ends.
@@ -65,6 +83,9 @@ impl<D: Disk + 'static> Store<D> {
             self.sequence += 1;
             record::write(&mut self.record, self.sequence, image);
             self.unwritten = true;
+        }
+        if self.looked.is_none_or(|at| now.saturating_duration_since(at) >= LOOK) {
+            self.look(now);
         }
         let waits = self.failed.as_ref().is_some_and(|(at, _)| now.saturating_duration_since(*at) < RETRY);
         if self.unwritten && !waits {
@@ -77,8 +98,17 @@ impl<D: Disk + 'static> Store<D> {
         self.change()
     }
 
+    /// A file that is gone is written again, with what is known.
+    fn look(&mut self, now: Instant) {
+        self.looked = Some(now);
+        if self.foreground.leave_lost() {
+            (self.unwritten, self.gone) = (true, true);
+        }
+    }
+
     /// Brings everything to the disk. Says if that fails.
     pub(crate) fn close(&mut self, now: Instant) -> Option<Change> {
+        self.look(now);
         if self.unwritten {
             self.failed = self.foreground.write(&self.record).err().map(|error| (now, self.foreground.describe(&error)));
             self.unwritten = self.failed.is_some();
@@ -93,7 +123,8 @@ impl<D: Disk + 'static> Store<D> {
         let foreground = self.failed.as_ref().map(|(_, why)| why);
         let failing = foreground.is_some() || self.background.as_ref().is_some_and(|background| background.shared.failing());
         if failing == self.told_failed {
-            return None;
+            let gone = std::mem::take(&mut self.gone).then(|| self.foreground.path.clone());
+            return gone.or_else(|| self.background.as_ref()?.shared.lock().made_again.take()).filter(|_| !failing).map(Change::MadeAgain);
         }
         self.told_failed = failing;
         let why = || foreground.cloned().or_else(|| self.background.as_ref()?.shared.lock().failed.clone()).unwrap_or_default();
@@ -127,6 +158,15 @@ impl<D: Disk> Kept<D> {
         }
     }
 
+    /// Lets go of a file that has lost its name, so that the next record makes it anew; whether it had.
+    fn leave_lost(&mut self) -> bool {
+        let lost = self.file.as_ref().is_some_and(|slots| !self.disk.has(&self.path, slots.file()));
+        if lost {
+            self.file = None;
+        }
+        lost
+    }
+
     fn describe(&self, error: &io::Error) -> String {
         format!("`{}` cannot be written: {error}", self.path.display())
     }
@@ -145,6 +185,8 @@ struct State {
     record: Vec<u8>,
     closing: bool,
     failed: Option<String>,
+    /// The file, after it was gone and made again.
+    made_again: Option<PathBuf>,
 }
 
 impl Shared {
@@ -205,11 +247,17 @@ fn work<D: Disk>(shared: &Shared, mut kept: Kept<D>, every: Duration) {
             state.record.clone_into(&mut record);
         }
         drop(state);
-        if sequence != done {
+        let lost = kept.leave_lost();
+        if sequence != done || lost {
             let failed = kept.write(&record).err().map(|error| kept.describe(&error));
-            done = if failed.is_some() { done } else { sequence };
+            // What could not be written is written the next time, also when nothing has changed since.
+            done = if failed.is_some() { 0 } else { sequence };
             shared.failing.store(failed.is_some(), Ordering::Relaxed);
-            shared.lock().failed = failed;
+            let mut state = shared.lock();
+            if lost && failed.is_none() {
+                state.made_again = Some(kept.path.clone());
+            }
+            state.failed = failed;
         }
         if closing {
             return;

@@ -2,6 +2,7 @@
 
 use sieben_cpu::Restart;
 use sieben_engine::Program;
+use sieben_sim::duration::CYCLE_MAX;
 use sieben_sim::history::{Action, History};
 use sieben_sim::names::Name;
 
@@ -142,6 +143,7 @@ pub(crate) fn read(text: &str, build: &Build, parse: impl Fn(&str) -> Result<Nam
     }
     let mut actions: Vec<(Action, Option<u64>)> = Vec::new();
     let mut count = 0_u64;
+    let mut last_us = 0;
     for (number, line) in lines {
         let (word, rest) = line.trim().split_once(' ').unwrap_or((line.trim(), ""));
         match word {
@@ -162,6 +164,11 @@ pub(crate) fn read(text: &str, build: &Build, parse: impl Fn(&str) -> Result<Nam
                 if count > ACTIONS_MAX {
                     return Err(wrong(number, &format!("a recording has at most {ACTIONS_MAX} scans")));
                 }
+                let longest = u64::try_from(CYCLE_MAX.as_micros()).unwrap_or(u64::MAX);
+                if first.saturating_sub(last_us) > longest || times > 1 && step > longest {
+                    return Err(wrong(number, "two scans are 24 hours apart at most"));
+                }
+                last_us = first.saturating_add(step.saturating_mul(times.saturating_sub(1)));
                 let at = |index: u64| first.saturating_add(step.saturating_mul(index));
                 actions.extend((0..times).map(|index| (Action::Scan { now_us: at(index) }, None)));
             }

@@ -4,6 +4,7 @@ use sieben_sim::timing_diagram::{self, Options};
 use sieben_sim::trace::Trace;
 
 use super::Conditions;
+use crate::folder::write_named;
 use crate::paths::shown;
 
 /// Its width in characters: that of a terminal without what stands before it.
@@ -18,12 +19,12 @@ pub(super) fn lines(trail: &Trace, name: &str, options: &Options, conditions: &C
     let mut lines: Vec<String> = text.map_or_else(|_| Vec::new(), |text| text.lines().map(str::to_owned).collect());
     if let Some(folder) = &conditions.svg {
         let plain = |c: char| if c.is_alphanumeric() { c } else { '-' };
-        let path = folder.join(format!("{}.svg", name.chars().map(plain).take(80).collect::<String>()));
+        let file = format!("{}.svg", name.chars().map(plain).take(80).collect::<String>());
+        let path = folder.join(&file);
         let drawn = timing_diagram::svg(trail, &Options { width: timing_diagram::SVG_WIDTH, ..options.clone() });
-        let written = drawn.map_err(|error| error.to_string()).and_then(|svg| {
-            std::fs::create_dir_all(folder).map_err(|error| error.to_string())?;
-            crate::files::write_whole(&path, svg.as_bytes()).map_err(|failure| failure.message)
-        });
+        let written = drawn
+            .map_err(|error| error.to_string())
+            .and_then(|svg| write_named(folder, &file, svg.as_bytes()).map_err(|error| format!("`{}`: {error}", shown(&path))));
         lines.push(match written {
             Ok(()) => format!("timing diagram: {}", shown(&path)),
             Err(error) => format!("the timing diagram could not be written: {error}"),

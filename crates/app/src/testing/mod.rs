@@ -8,6 +8,7 @@ pub(crate) mod report;
 pub(crate) mod rules;
 pub(crate) mod scenario;
 pub(crate) mod self_checking;
+mod time_limit;
 mod unit;
 
 use std::path::PathBuf;

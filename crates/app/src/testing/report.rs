@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use std::time::Duration;
 
 use serde_json::{Value, json};
+use sieben_model::visible;
 
 use super::{Finished, Verdict, Wrong};
 use crate::duration;
@@ -288,7 +289,8 @@ pub(super) fn escaped(text: &str) -> String {
             '"' => out.push_str("&quot;"),
             '\n' => out.push_str("&#10;"),
             '\t' | '\r' => out.push(character),
-            '\0'..='\x1F' | '\u{FFFE}' | '\u{FFFF}' => out.push('\u{FFFD}'),
+            '\u{FFFE}' | '\u{FFFF}' => out.push('\u{FFFD}'),
+            _ if visible::is_hidden(character) => visible::push(&mut out, character),
             _ => out.push(character),
         }
     }
@@ -389,7 +391,7 @@ mod tests {
         let xml = junit(&finished(), Duration::from_millis(5));
         assert!(xml.contains("tests=\"3\" failures=\"1\" errors=\"1\""), "{xml}");
         assert!(xml.contains("<failure message=\"b#1.awl:3: expected 1 &lt; 0\">__ASSERT&lt; 1, 0"), "{xml}");
-        assert!(xml.contains("two\u{FFFD}"), "{xml}");
+        assert!(xml.contains("two␁"), "{xml}");
         let tap = tap(&finished());
         assert!(tap.starts_with("TAP version 14\n1..3\nok 1 - a.awl\nnot ok 2 - b\\#1.awl\n  ---\n"), "{tap}");
     }

@@ -20,6 +20,7 @@ use sieben_sim::trace::{Channel, Keep, Memory, Moment, Origin, Recorder, Trace};
 
 use super::coverage::{Counting, Looking, looking};
 use super::last_change;
+use super::time_limit::TimeLimit;
 use super::{After, Case, Conditions, Outcome, Verdict, Wrong, drawing};
 use crate::engines::EngineArgument;
 use crate::failed::{self, Heard};
@@ -155,7 +156,12 @@ impl Onlooker for Judge<'_> {
 impl Test<'_> {
     fn go(&self, loaded: &Loaded, onlooker: &mut dyn Onlooker) {
         let settings = controller::settings(&self.build);
-        let mut fresh = || Cpu::new(loaded.clone(), files::rack(&self.build, &self.scenario), settings.clone());
+        let mut limit = None;
+        let mut fresh = || {
+            let cpu = Cpu::new(loaded.clone(), files::rack(&self.build, &self.scenario), settings.clone());
+            limit = Some(TimeLimit::start(&cpu, self.conditions.timeout.saturating_sub(self.begun.elapsed())));
+            cpu
+        };
         self.scenario.run_with(&self.build.project.symbols, &self.conditions.rules, &mut fresh, onlooker);
     }
 

@@ -15,6 +15,7 @@ use sieben_ide::target::Target;
 use sieben_model::block::{BlockId, BlockKind};
 
 use super::coverage::{Counting, looking};
+use super::time_limit::TimeLimit;
 use super::{After, Conditions, Outcome, Verdict, Wrong};
 use crate::engines::EngineArgument;
 use crate::project::{Build, Overrides, Project};
@@ -49,12 +50,13 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
     let mut cpu = controller::load(&build, engine, StatusBits::All, controller::settings(&build));
     let cycle = schedule::going_cycle(conditions.cycle, &build.project.settings);
     let limit = conditions.limit.unwrap_or(LIMIT);
+    let time_limit = TimeLimit::start(&cpu, conditions.timeout.saturating_sub(begun.elapsed()));
     let looking = looking(&build.compiled);
     let mut counting = conditions.coverage.is_some().then(|| Counting::new(&looking));
     cpu.restart_with(Restart::Warm, &mut || 0, tracer(&mut counting));
     let (mut scans, mut now) = (0, Duration::ZERO);
     let give_up = loop {
-        if cpu.mode() == OperatingMode::Stop {
+        if cpu.mode() == OperatingMode::Stop && !time_limit.has_ended_it() {
             break None;
         }
         if now >= limit {

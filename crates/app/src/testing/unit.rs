@@ -18,6 +18,7 @@ use sieben_sim::trace::{Keep, Memory, Origin, Recorder, Trace};
 
 use super::coverage::{Counting, Looking, looking};
 use super::last_change;
+use super::time_limit::TimeLimit;
 use super::{After, Case, Conditions, Outcome, Verdict, Wrong, drawing};
 use crate::engines::EngineArgument;
 use crate::paths::shown;
@@ -161,7 +162,17 @@ fn run(ready: &Ready, test: &Test, conditions: &Conditions) -> Outcome {
     let counting = conditions.coverage.is_some().then(|| Counting::new(&ready.looking));
     let mut watcher = Deadline { begun: Instant::now(), timeout: conditions.timeout, counting };
     let build = &ready.build;
-    let report = runner::run(test, &build.compiled.tests, &build.project.texts.program, &mut cpu, limits, &mut watcher);
+    let limit = TimeLimit::start(&cpu, conditions.timeout);
+    let mut report = runner::run(test, &build.compiled.tests, &build.project.texts.program, &mut cpu, limits, &mut watcher);
+    if let Some(wrong) = report.wrong.as_mut().filter(|wrong| !wrong.endless && limit.has_ended_it()) {
+        // The STOP was ours.
+        *wrong = runner::Wrong {
+            message: "the test took too long and was given up".to_owned(),
+            span: wrong.span,
+            endless: true,
+            ..Default::default()
+        };
+    }
     let simulated = Duration::from_micros(report.time_us);
     let verdict = match report.wrong {
         None => Verdict::Passed,
@@ -195,6 +206,7 @@ fn again(ready: &Ready, test: &Test, wrong: &runner::Wrong, limits: Limits, cond
     let deadline = Deadline { begun: Instant::now(), timeout, counting: None };
     let names = signals.iter().map(name).collect();
     let trail = Recorder::new(names, Keep::Last(TRAIL), Origin::default(), Box::new(Memory::default())).ok();
+    let _limit = TimeLimit::start(&cpu, timeout);
     let mut watcher = Again { deadline, writers: Writers::new(&wrong.signals, &cpu), trail, scans: 0 };
     let sources = &build.project.texts.program;
     let again = runner::run(test, &build.compiled.tests, sources, &mut cpu, limits, &mut watcher);

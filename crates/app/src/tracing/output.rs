@@ -54,7 +54,7 @@ fn print(trace: &Trace, render: Render<'_>) -> Result<(), Failure> {
             if self.waiting.len() < 1 << 16 {
                 return Ok(());
             }
-            output::print(&std::mem::take(&mut self.waiting)).map_err(|failure| {
+            output::print_data(&std::mem::take(&mut self.waiting)).map_err(|failure| {
                 self.failure = Some(failure);
                 fmt::Error
             })
@@ -62,7 +62,7 @@ fn print(trace: &Trace, render: Render<'_>) -> Result<(), Failure> {
     }
     let mut printed = Printed { waiting: String::new(), failure: None };
     match render(trace, &mut printed) {
-        Ok(()) => output::print(&printed.waiting),
+        Ok(()) => output::print_data(&printed.waiting),
         Err(error) => Err(printed.failure.unwrap_or_else(|| unreadable(&error))),
     }
 }

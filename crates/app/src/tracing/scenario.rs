@@ -58,7 +58,7 @@ fn read_or_report(path: &Path) -> Result<Result<Scenario, Exit>, Failure> {
         }
         Err(Unusable::File(failure)) => Err(failure),
         Err(Unusable::Lines(failures)) => {
-            failures.iter().for_each(|failure| output::message(&failure.render(output::colour())));
+            failures.iter().for_each(|failure| output::styled(&failure.render(output::colour())));
             Ok(Err(Exit::Usage))
         }
     }

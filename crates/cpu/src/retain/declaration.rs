@@ -135,7 +135,7 @@ mod tests {
             initial: Vec::new(),
             comment: String::new(),
         });
-        let structure = Arc::new(Structure { name: None, fields: fields.collect(), size: bytes as u32 });
+        let structure = Arc::new(Structure { name: None, fields: fields.collect(), size: bytes as u32, index: Default::default() });
         DataBlock { number: 1, based_on: None, structure, image: vec![0; bytes], read_only: false, non_retain: false, unlinked: false }
     }
 

@@ -39,6 +39,7 @@ fn start_information() -> DataType {
             field("ZI2_3", DataType::DoubleWord, 8),
         ],
         size: BYTES as u32,
+        index: Default::default(),
     }))
 }
 

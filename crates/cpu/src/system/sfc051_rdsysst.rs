@@ -42,7 +42,12 @@ fn header() -> DataType {
         initial: Vec::new(),
         comment: String::new(),
     };
-    DataType::Struct(Arc::new(Structure { name: None, fields: vec![field("LENTHDR", 0), field("N_DR", 2)], size: 4 }))
+    DataType::Struct(Arc::new(Structure {
+        name: None,
+        fields: vec![field("LENTHDR", 0), field("N_DR", 2)],
+        size: 4,
+        index: Default::default(),
+    }))
 }
 
 fn run(call: &mut Call<'_, '_>) -> Answer {

@@ -38,7 +38,12 @@ pub(crate) fn data_type() -> DataType {
             initial: vec![Value::Image(first[*at..*at + data_type.bits() as usize / 8].to_vec())],
             comment: String::new(),
         };
-        Arc::new(Structure { name: Some(WORD.to_owned()), fields: FIELDS.iter().map(field).collect(), size: BYTES as u32 })
+        Arc::new(Structure {
+            name: Some(WORD.to_owned()),
+            fields: FIELDS.iter().map(field).collect(),
+            size: BYTES as u32,
+            index: Default::default(),
+        })
     });
     DataType::Struct(Arc::clone(&TYPE))
 }

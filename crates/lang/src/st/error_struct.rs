@@ -53,9 +53,12 @@ pub(crate) fn data_type(word: &str) -> Option<DataType> {
 fn made(word: &str) -> DataType {
     let fields = |rows: &[Row]| rows.iter().map(|(name, data_type, at)| field(name, data_type(), *at)).collect();
     match STRUCTURES.iter().find(|(name, ..)| *name == word) {
-        Some((name, size, rows)) => {
-            DataType::Struct(Arc::new(Structure { name: Some((*name).to_owned()), fields: fields(rows), size: *size }))
-        }
+        Some((name, size, rows)) => DataType::Struct(Arc::new(Structure {
+            name: Some((*name).to_owned()),
+            fields: fields(rows),
+            size: *size,
+            index: Default::default(),
+        })),
         None => DataType::Void,
     }
 }

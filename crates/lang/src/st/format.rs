@@ -76,6 +76,8 @@ struct Formatter {
     break_next: bool,
     /// A body has ended, and only comments came since.
     after_body: bool,
+    /// Behind TYPE, on its line: `TYPE "name"` is one header in TIA.
+    after_type: bool,
 }
 
 impl Formatter {
@@ -96,6 +98,7 @@ impl Formatter {
             nodes: Vec::new(),
             break_next: false,
             after_body: false,
+            after_type: false,
         }
     }
 
@@ -103,7 +106,10 @@ impl Formatter {
         use SyntaxKind::{Block, Body, CaseArm, Declaration, HeaderLine, Section, Statement};
         // The first statement of an arm of CASE may stay on the line of its label.
         let beside_label = kind == Statement && self.is_fresh_body_of_arm();
-        if matches!(kind, Block | CaseArm | Declaration | HeaderLine | Section | Statement) && !beside_label {
+        let after_type = self.used && self.before.kind == Some(SyntaxKind::Keyword) && self.before.text.eq_ignore_ascii_case("TYPE");
+        if kind == Declaration && after_type {
+            self.after_type = true;
+        } else if matches!(kind, Block | CaseArm | Declaration | HeaderLine | Section | Statement) && !beside_label {
             self.end_line();
         }
         if kind == Body && self.nodes.last().is_none_or(|node| node.kind != CaseArm) {
@@ -143,6 +149,7 @@ impl Formatter {
                 return;
             }
             SyntaxKind::LineComment | SyntaxKind::BlockComment | SyntaxKind::Pragma => {}
+            _ if std::mem::take(&mut self.after_type) && self.used && !text.starts_with('"') => self.end_line(),
             SyntaxKind::Semicolon => self.break_next = false,
             _ => {
                 let own_line = std::mem::take(&mut self.break_next) || (kind == SyntaxKind::Keyword && begins_line(text));

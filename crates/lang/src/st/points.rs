@@ -19,7 +19,7 @@ pub(crate) fn data_type() -> DataType {
             comment: String::new(),
         };
         // Structures of the same fields are one type: a program may declare it, too.
-        Arc::new(Structure { name: None, fields: [("X", 0), ("Y", 16)].map(field).to_vec(), size: 4 })
+        Arc::new(Structure { name: None, fields: [("X", 0), ("Y", 16)].map(field).to_vec(), size: 4, index: Default::default() })
     });
     DataType::Struct(Arc::clone(&TYPE))
 }

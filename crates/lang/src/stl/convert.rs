@@ -36,7 +36,7 @@ pub fn convert(text: &str, from: Option<Mnemonics>, to: Mnemonics) -> Result<Str
 /// Whether a source with this diagnostic is not rewritten.
 pub(super) fn stops_rewriting(diagnostic: &Diagnostic) -> bool {
     diagnostic.severity() == Severity::Error
-        && !matches!(diagnostic.problem, Problem::P1005 | Problem::P2002 | Problem::P2007 | Problem::P2008)
+        && !matches!(diagnostic.problem, Problem::P2002 | Problem::P2007 | Problem::P2008)
         && diagnostic.problem.code() < "P3000"
 }
 

@@ -205,6 +205,8 @@ pub(crate) fn fixed_fields(symbol: &Symbol, losses: &mut Vec<String>) -> [String
     let mut index = 0;
     fields.map(|(text, what)| {
         let width = WIDTHS[index];
+        // A name may begin with a space, an address or a type never does.
+        let text = if index == 1 || index == 2 { text.trim_start() } else { text };
         index += 1;
         let line: String = text.chars().map(|character| if character.is_control() { ' ' } else { character }).collect();
         let length = line.chars().count();

@@ -107,6 +107,28 @@ fn what_a_format_cannot_hold_is_said() {
 }
 
 #[test]
+fn no_space_stands_before_an_address() {
+    for address in ["Q 4.0", " Q 4.0", "   MW10", "\tT 1", "DB 5"] {
+        let mut table = SymbolTable::default();
+        let native = read_csv("symbol,address,type\nMotor,Q 4.0,BOOL\n").table;
+        for symbol in native.symbols() {
+            table.push(Symbol { address: address.to_owned(), ..symbol.clone() });
+        }
+        for format in Format::ALL {
+            let text = write(&table, Layout::new(format)).text;
+            let bare = address.trim();
+            let wanted = match format {
+                Format::Dif => format!("\"{bare}\"\n").replace('\n', if text.contains("\r\n") { "\r\n" } else { "\n" }),
+                Format::Seq => format!("\t{bare}\t"),
+                Format::Csv => continue,
+                _ => bare.to_owned(),
+            };
+            assert!(text.contains(&wanted), "{format:?}: {text:?}");
+        }
+    }
+}
+
+#[test]
 fn formats_are_known_by_content_and_else_by_extension() {
     assert_eq!(detect("a/SYMBOLS.SDF", ""), Some(Format::Sdf));
     assert_eq!(detect("table.txt", CSV), Some(Format::Csv));

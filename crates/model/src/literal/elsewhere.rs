@@ -142,8 +142,8 @@ pub fn parse_as(data_type: &DataType, text: &str) -> Option<u64> {
     match data_type {
         DataType::Enumeration(enumeration) => {
             let name = text.rsplit(['#', '.']).next().unwrap_or(text);
-            let (_, number) = enumeration.values.iter().find(|(value, _)| value.eq_ignore_ascii_case(name))?;
-            let bits = *number as u64;
+            let number = enumeration.value(name)?;
+            let bits = number as u64;
             let width = data_type.bits();
             Some(if width < 64 { bits & ((1 << width) - 1) } else { bits })
         }
@@ -192,7 +192,13 @@ mod tests {
 
     #[test]
     fn values_are_shown_and_read_back() {
-        let colour = Enumeration { name: None, base: DataType::Int, values: vec![("Red".into(), -1), ("Green".into(), 7)], initial: -1 };
+        let colour = Enumeration {
+            name: None,
+            base: DataType::Int,
+            values: vec![("Red".into(), -1), ("Green".into(), 7)],
+            initial: -1,
+            index: Default::default(),
+        };
         let colour = DataType::Enumeration(Arc::new(colour));
         for (data_type, bits, text) in [
             (DataType::LongInt, u64::MAX, "-1"),

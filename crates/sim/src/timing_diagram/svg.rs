@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use sieben_model::visible;
+
 use super::axis::{self, Axis};
 use super::lanes::{self, Columns, Lane, Lanes, Scale};
 use super::{Options, shown};
@@ -364,7 +366,7 @@ fn clip(text: &str, characters: usize) -> String {
     text.chars().take(characters.saturating_sub(1)).chain(std::iter::once('…')).collect()
 }
 
-/// Text inside an element; characters that XML does not have become blanks.
+/// Text inside an element; what XML does not have becomes a space, what is hidden is shown.
 fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -373,7 +375,8 @@ fn escape(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
-            c if c.is_control() || matches!(c, '\u{FFFE}' | '\u{FFFF}') => out.push(' '),
+            '\n' | '\t' | '\u{FFFE}' | '\u{FFFF}' => out.push(' '),
+            c if visible::is_hidden(c) => visible::push(&mut out, c),
             c => out.push(c),
         }
     }

@@ -73,6 +73,13 @@ impl FailingDisk {
         self.state().sync_fails = fails;
     }
 
+    /// Removes a file from under the run that writes it.
+    pub(crate) fn remove(&self, path: &Path) {
+        let mut state = self.state();
+        state.names.remove(path);
+        state.names_on_disk.remove(path);
+    }
+
     /// Damages a byte of a file.
     pub(crate) fn damage(&self, path: &Path, at: usize) {
         let mut state = self.state();
@@ -183,6 +190,17 @@ impl Disk for FailingDisk {
         state.step()?;
         state.names_on_disk = state.names.clone();
         Ok(FailingFile { disk: self.clone(), node })
+    }
+
+    fn has(&self, path: &Path, file: &FailingFile) -> bool {
+        self.state().names.get(path) == Some(&file.node)
+    }
+}
+
+impl FailingDisk {
+    /// Whether there is such a file.
+    pub(crate) fn is_there(&self, path: &Path) -> bool {
+        self.state().names.contains_key(path)
     }
 }
 

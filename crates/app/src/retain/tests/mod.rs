@@ -10,7 +10,7 @@ use failing_disk::FailingDisk;
 use sieben_cpu::RetainImage;
 
 use super::record::{self, Content, Record};
-use super::retention::Found;
+use super::retention::{Found, renumber};
 use super::slots::{self, Contents, Slots, Sync};
 use super::store::{Change, Kept, Store, synced_path};
 
@@ -33,6 +33,12 @@ fn record_of(sequence: u64) -> Vec<u8> {
 fn newest(disk: &FailingDisk) -> Option<Record> {
     let found = Found::read(disk, Path::new(FILE), false).unwrap_or_else(|failure| panic!("{}", failure.message));
     found.newest().cloned()
+}
+
+/// The number of the newest record of one file.
+fn newest_of(disk: &FailingDisk, path: &Path) -> Option<u64> {
+    let bytes = super::disk::Disk::read(disk, path).ok()?;
+    slots::read(&bytes).newest().map(|record| record.sequence)
 }
 
 /// How far a run came: the newest records that are safe from a kill and from a power failure, and the newest that was begun.
@@ -181,6 +187,75 @@ fn a_file_that_could_not_be_made_is_made_later() {
     disk.set_room(None);
     assert_eq!(store.keep(None, begin + Duration::from_secs(1)), Some(Change::Works));
     assert_eq!(newest(&disk), Some(Record { sequence: 41, image: image(1) }), "sequences go on behind those of the last run");
+}
+
+#[test]
+fn a_file_that_is_removed_is_made_again_with_what_is_known() {
+    let disk = Arc::new(FailingDisk::default());
+    let mut store = Store::new(&disk, Path::new(FILE), Duration::ZERO, 0);
+    let synced = synced_path(Path::new(FILE));
+    let begin = Instant::now();
+    let at = |ms: u64| begin + Duration::from_millis(ms);
+    assert_eq!(store.keep(Some(&image(1)), at(0)), None);
+    disk.remove(&synced);
+    assert_eq!(store.keep(None, at(900)), None, "it is not looked for yet");
+    assert!(!disk.is_there(&synced));
+    assert_eq!(store.keep(None, at(1_000)), Some(Change::MadeAgain(synced.clone())), "without a change of the data");
+    assert_eq!(newest(&disk).map(|record| record.image), Some(image(1)));
+    // On a full disk it is made as soon as there is room.
+    disk.remove(&synced);
+    disk.set_room(Some(100));
+    assert!(matches!(store.keep(Some(&image(2)), at(2_100)), Some(Change::Failed(_))));
+    assert!(!disk.is_there(&synced), "no part of a file");
+    disk.set_room(None);
+    assert_eq!(store.keep(None, at(3_200)), Some(Change::Works));
+    assert_eq!(newest(&disk).map(|record| record.image), Some(image(2)));
+    disk.remove(&synced);
+    assert_eq!(store.close(at(3_300)), Some(Change::MadeAgain(synced.clone())), "the end of a run looks for it");
+    assert!(disk.is_there(&synced));
+}
+
+#[test]
+fn the_thread_makes_its_file_again_too() {
+    let disk = Arc::new(FailingDisk::default());
+    let mut store = Store::new(&disk, Path::new(FILE), Duration::from_secs(3600), 0);
+    assert_eq!(store.keep(Some(&image(1)), Instant::now()), None);
+    assert_eq!(store.close(Instant::now()), None);
+    let mut store = Store::new(&disk, Path::new(FILE), Duration::from_millis(1), 1);
+    let synced = synced_path(Path::new(FILE));
+    assert_eq!(store.keep(Some(&image(2)), Instant::now()), None);
+    let deadline = Instant::now() + Duration::from_secs(20);
+    let until = |done: &mut dyn FnMut() -> bool| {
+        while !done() {
+            assert!(Instant::now() < deadline, "the thread writes");
+            std::thread::yield_now();
+        }
+    };
+    until(&mut || newest_of(&disk, &synced) == Some(2));
+    disk.remove(&synced);
+    until(&mut || disk.is_there(&synced));
+    let mut told = None;
+    until(&mut || {
+        told = told.take().or_else(|| store.keep(None, Instant::now()));
+        told.is_some()
+    });
+    assert_eq!(told, Some(Change::MadeAgain(synced)));
+}
+
+#[test]
+fn great_numbers_begin_anew_in_both_files() {
+    let disk = FailingDisk::default();
+    let path = Path::new(FILE);
+    for (file, sequence) in [(path.to_path_buf(), u64::MAX), (synced_path(path), u64::MAX - 5)] {
+        let mut bytes = Vec::new();
+        record::write(&mut bytes, sequence, &image(3));
+        Slots::create(&disk, &file, 0, &bytes).expect("the disk has room");
+    }
+    let found = newest(&disk).expect("a record");
+    assert_eq!(renumber(&disk, path, Some(&found)).expect("the disk has room"), 1);
+    assert_eq!(newest(&disk), Some(Record { sequence: 1, image: found.image }));
+    assert_eq!(renumber(&disk, path, None).expect("the disk has room"), 1);
+    assert_eq!(newest(&disk), None);
 }
 
 #[test]

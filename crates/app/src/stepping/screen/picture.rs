@@ -8,6 +8,7 @@ use sieben_model::address::{Address, Area, Width};
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
+use sieben_model::visible::visible;
 use sieben_sim::history::{Target, Until, Watch};
 
 use super::keys::Command;
@@ -314,7 +315,7 @@ impl Screen {
             let number = index + 1;
             SourceLine {
                 number,
-                text: text.replace('\t', "    "),
+                text: visible(&text.replace('\t', "    ")).into_owned(),
                 breakpoint: breaks.contains(&number),
                 next: next == Some(number),
                 executed: executed == Some(number),
@@ -333,12 +334,12 @@ impl Screen {
             }),
         });
         let bytes = bytes.collect();
-        let watched = stepper.watched().iter().map(|name| (name.text().to_owned(), stepper.value(name))).collect();
+        let watched = stepper.watched().iter().map(|name| (shown(name.text()), shown(&stepper.value(name)))).collect();
         let variables = self.variables.then(|| {
             let (block, values) =
                 stepper.locals().map_or((String::new(), Vec::new()), |(block, values)| (stepper.listing().called(block), values));
             let value = |one: crate::stepping::LocalValue| {
-                (one.name.text().to_owned(), one.value.map_or_else(|| "-".to_owned(), |value| value.to_string()))
+                (shown(one.name.text()), one.value.map_or_else(|| "-".to_owned(), |value| shown(&value.to_string())))
             };
             (block, values.into_iter().map(value).collect())
         });
@@ -347,23 +348,28 @@ impl Screen {
             language: stepper.language,
             colour: self.colour,
             focus: self.focus,
-            stack: view.stack.iter().map(|&block| stepper.listing().called(block)).collect::<Vec<_>>().join(" › "),
+            stack: shown(&view.stack.iter().map(|&block| stepper.listing().called(block)).collect::<Vec<_>>().join(" › ")),
             registers: stepper.registers(),
             four_accumulators: stepper.build().cpu.accumulators == 4,
-            file: file.name.rsplit(['/', '\\']).next().unwrap_or(&file.name).to_owned(),
+            file: shown(file.name.rsplit(['/', '\\']).next().unwrap_or(&file.name)),
             lines,
             cursor: self.cursor,
             bytes,
             watched,
             variables,
-            statement: view.executed.as_ref().map_or_else(String::new, |line| line.said(stepper.language).to_owned()),
-            reason: stepper.reason(),
-            message: if self.message.is_empty() { hits } else { self.message.clone() },
+            statement: view.executed.as_ref().map_or_else(String::new, |line| shown(line.said(stepper.language))),
+            reason: shown(&stepper.reason()),
+            message: shown(if self.message.is_empty() { &hits } else { &self.message }),
             prompt: self.prompt.clone(),
             help: self.help,
             view,
         }
     }
+}
+
+/// A text in which nothing commands the terminal.
+fn shown(text: &str) -> String {
+    visible(text).into_owned()
 }
 
 /// The registers behind the statements that led here.

@@ -1,7 +1,9 @@
 //! Coverage as pages for a browser, which need nothing but themselves: one with all sources, and one for each source.
 
 use std::collections::BTreeSet;
+use std::ffi::OsStr;
 use std::fmt::Write as _;
+use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
 
 use sieben_model::problems::Problem;
@@ -9,6 +11,7 @@ use sieben_model::problems::Problem;
 use super::{Coverage, File, Line, Share};
 use crate::failure::Failure;
 use crate::files;
+use crate::folder::{Folder, write_named};
 use crate::testing::report::escaped;
 
 /// Every page begins with it: what does not is somebody else's and is not overwritten.
@@ -32,17 +35,19 @@ impl Coverage {
         }
         std::fs::create_dir_all(folder).map_err(|error| files::unwritable(folder, &error))?;
         let names = page_names(self.files.keys());
+        let held = Folder::open(folder).map_err(|error| files::unwritable(folder, &error))?;
         for name in [INDEX].into_iter().chain(names.iter().map(String::as_str)) {
-            is_free(&folder.join(name))?;
+            is_free(&held, name, &folder.join(name))?;
         }
         let index = folder.join(INDEX);
-        if index.exists() {
-            std::fs::remove_file(&index).map_err(|error| files::unwritable(&index, &error))?;
-        }
+        held.remove(OsStr::new(INDEX)).map_err(|error| files::unwritable(&index, &error))?;
+        let write = |name: &str, page: String| {
+            write_named(folder, name, page.as_bytes()).map_err(|error| files::unwritable(&folder.join(name), &error))
+        };
         for ((source, file), page) in self.files.iter().zip(&names) {
-            files::write_whole(&folder.join(page), source_page(source, file).as_bytes())?;
+            write(page, source_page(source, file))?;
         }
-        files::write_whole(&index, self.index(&names, tests).as_bytes())?;
+        write(INDEX, self.index(&names, tests))?;
         Ok(index)
     }
 
@@ -78,13 +83,18 @@ fn page_names<'a>(sources: impl Iterator<Item = &'a String>) -> Vec<String> {
     names.collect()
 }
 
-/// Whether a page may be written here.
-fn is_free(path: &Path) -> Result<(), Failure> {
-    let Ok(bytes) = std::fs::read(path) else { return Ok(()) };
-    if bytes.starts_with(MARK.as_bytes()) {
-        return Ok(());
-    }
-    let message = format!("`{}` is there already, and no page of coverage", path.display());
+/// Whether a page may be written here: nothing else has its name.
+fn is_free(folder: &Folder, name: &str, path: &Path) -> Result<(), Failure> {
+    let mut begin = vec![0; MARK.len()];
+    let read = folder.read(OsStr::new(name)).and_then(|mut file| file.read_exact(&mut begin));
+    let why = match read {
+        Ok(()) if begin == MARK.as_bytes() => return Ok(()),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Ok(()) => String::new(),
+        Err(error) if error.kind() == io::ErrorKind::UnexpectedEof => String::new(),
+        Err(error) => format!(": {error}"),
+    };
+    let message = format!("`{}` is there already, and no page of coverage{why}", path.display());
     Err(Failure::usage(Problem::P6300, message))
 }
 

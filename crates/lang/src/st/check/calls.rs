@@ -1,5 +1,7 @@
 //! Calls: what is called, and which actual parameter belongs to which formal one.
 
+use std::collections::HashMap;
+
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::literal::Value as Initial;
@@ -584,6 +586,8 @@ impl Checker<'_> {
                 sound &= self.judge(Construct::PositionalFbCall, call.arguments[0].span);
             }
         }
+        let by_name: HashMap<String, &Variable> =
+            all.formals.iter().rev().map(|formal| (formal.name.to_ascii_lowercase(), *formal)).collect();
         let mut next = 0;
         for argument in &call.arguments {
             if let Some(name) = &argument.name
@@ -594,8 +598,8 @@ impl Checker<'_> {
                 continue;
             }
             let formal = match &argument.name {
-                Some(name) => match all.formals.iter().copied().find(|formal| name.is(&formal.name)) {
-                    Some(formal) => formal,
+                Some(name) => match by_name.get(&name.text.to_ascii_lowercase()) {
+                    Some(&formal) => formal,
                     None => {
                         self.unknown_parameter(name, &all.formals, &callee);
                         argument.value.iter().for_each(|value| drop(self.expression(value)));
@@ -615,15 +619,14 @@ impl Checker<'_> {
                     formal
                 }
             };
-            if all.given.iter().any(|(name, _)| name.eq_ignore_ascii_case(&formal.name)) {
-                let first = all.given.iter().find(|(name, _)| name.eq_ignore_ascii_case(&formal.name)).map(|&(_, span)| span);
+            if let Some(&first) = all.given.get(&formal.name.to_ascii_lowercase()) {
                 let message = format!("the parameter `{}` is given twice", formal.name);
                 let diagnostic = self.report(Problem::P3011, argument.span, message);
-                diagnostic.related.extend(first.map(|first| (first, "first given here".to_owned())));
+                diagnostic.related.push((first, "first given here".to_owned()));
                 sound = false;
                 continue;
             }
-            all.given.push((formal.name.clone(), argument.span));
+            all.given.insert(formal.name.to_ascii_lowercase(), argument.span);
             let Some(value) = &argument.value else { continue };
             sound &= self.argument(formal, argument, value, &mut all);
         }
@@ -1065,7 +1068,7 @@ impl Checker<'_> {
         let mut missing = Vec::new();
         let mut inputs = true;
         for formal in all.formals.clone() {
-            let given = all.given.iter().any(|(name, _)| name.eq_ignore_ascii_case(&formal.name));
+            let given = all.given.contains_key(&formal.name.to_ascii_lowercase());
             if given || formal.section == Section::Output && formal.name.eq_ignore_ascii_case(RET_VAL) {
                 continue;
             }
@@ -1116,7 +1119,8 @@ pub(super) struct Arguments<'a> {
     /// The formal ones in the order of their declaration.
     formals: Vec<&'a Variable>,
     interface: &'a Interface,
-    given: Vec<(String, Span)>,
+    /// Those that are given, by their names in lower case.
+    given: HashMap<String, Span>,
     arguments: Vec<Argument>,
     enable: Option<Value>,
     before: Vec<Statement>,
@@ -1129,7 +1133,7 @@ impl<'a> Arguments<'a> {
         let mut formals: Vec<&Variable> = interface.parameters().filter(is_formal).collect();
         // The interface has its sections in order; arguments by position follow the source. Blocks without one keep their order.
         formals.sort_by_key(|variable| variable.span.start);
-        Self { written_out, formals, interface, given: Vec::new(), arguments: Vec::new(), enable: None, before: Vec::new() }
+        Self { written_out, formals, interface, given: HashMap::new(), arguments: Vec::new(), enable: None, before: Vec::new() }
     }
 }
 

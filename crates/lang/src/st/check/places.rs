@@ -245,8 +245,8 @@ impl Checker<'_> {
     /// The value of an enumeration by its name, if the type has it.
     pub(super) fn value_of(&self, data_type: &DataType, name: &Name) -> Option<Typed> {
         let DataType::Enumeration(enumeration) = data_type else { return None };
-        let (_, value) = enumeration.values.iter().find(|(known, _)| name.is(known))?;
-        Some(self.named_value(data_type.clone(), i128::from(*value), name.span))
+        let value = enumeration.value(&name.text)?;
+        Some(self.named_value(data_type.clone(), i128::from(value), name.span))
     }
 
     fn enumeration_value(&mut self, of: &ast::Path, value: &Name) -> Reached {

@@ -1,5 +1,7 @@
 //! Statements: assignments, IF, calls, jumps; loops and CASE have their own file.
 
+use std::collections::HashSet;
+
 use sieben_model::address::Area;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
@@ -504,30 +506,31 @@ impl Checker<'_> {
 
     /// Numbers the labels of the block. Lists of statements are counted as [`Self::statements`] goes through them.
     pub(super) fn collect_labels(&mut self, statements: &[ast::Statement]) {
+        let declared: HashSet<String> = self.block.labels.iter().map(|name| name.text.to_ascii_lowercase()).collect();
         let mut next = 0;
-        self.labels_of(statements, &mut Vec::new(), &mut next);
+        self.labels_of(statements, &declared, &mut Vec::new(), &mut next);
     }
 
-    fn labels_of(&mut self, statements: &[ast::Statement], path: &mut Vec<u32>, next: &mut u32) {
+    fn labels_of(&mut self, statements: &[ast::Statement], declared: &HashSet<String>, path: &mut Vec<u32>, next: &mut u32) {
         path.push(*next);
         *next += 1;
         for statement in statements {
             match &statement.kind {
-                Kinds::Label(name) => self.label(name, path),
+                Kinds::Label(name) => self.label(name, declared, path),
                 Kinds::If { branches, otherwise } => {
-                    branches.iter().for_each(|branch| self.labels_of(&branch.body, path, next));
-                    self.labels_of(otherwise.as_deref().unwrap_or_default(), path, next);
+                    branches.iter().for_each(|branch| self.labels_of(&branch.body, declared, path, next));
+                    self.labels_of(otherwise.as_deref().unwrap_or_default(), declared, path, next);
                 }
                 Kinds::Case { arms, otherwise, .. } => {
-                    arms.iter().for_each(|arm| self.labels_of(&arm.body, path, next));
-                    self.labels_of(otherwise.as_deref().unwrap_or_default(), path, next);
+                    arms.iter().for_each(|arm| self.labels_of(&arm.body, declared, path, next));
+                    self.labels_of(otherwise.as_deref().unwrap_or_default(), declared, path, next);
                 }
-                Kinds::For(one) => self.labels_of(&one.body, path, next),
+                Kinds::For(one) => self.labels_of(&one.body, declared, path, next),
                 Kinds::While { body, .. } | Kinds::Repeat { body, .. } | Kinds::Region { body, .. } => {
-                    self.labels_of(body, path, next);
+                    self.labels_of(body, declared, path, next);
                 }
                 Kinds::Try { body, catch, finally, .. } => {
-                    [body, catch, finally].into_iter().for_each(|body| self.labels_of(body, path, next));
+                    [body, catch, finally].into_iter().for_each(|body| self.labels_of(body, declared, path, next));
                 }
                 _ => {}
             }
@@ -535,12 +538,12 @@ impl Checker<'_> {
         path.pop();
     }
 
-    fn label(&mut self, name: &Name, path: &[u32]) {
+    fn label(&mut self, name: &Name, declared: &HashSet<String>, path: &[u32]) {
         if self.labels.contains_key(&name.key()) {
             self.report(Problem::P3005, name.span, format!("the label `{}` stands twice in this block", name.text));
             return;
         }
-        if !self.block.labels.iter().any(|declared| declared.is(&name.text)) {
+        if !declared.contains(&name.text.to_ascii_lowercase()) {
             self.judge(Construct::UndeclaredLabel, name.span);
         }
         let number = u32::try_from(self.labels.len()).unwrap_or(u32::MAX);

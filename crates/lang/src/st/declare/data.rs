@@ -68,7 +68,10 @@ fn layout<'a>(types: &mut Types<'a>, items: &'a Items<'a>, data: Data<'a>) -> Op
                 comment: String::new(),
             };
             let size = (behind.next_multiple_of(16) / 8) as u32;
-            Some(DataLayout { structure: Arc::new(Structure { name: None, fields: vec![field], size }), based_on: None })
+            Some(DataLayout {
+                structure: Arc::new(Structure { name: None, fields: vec![field], size, index: Default::default() }),
+                based_on: None,
+            })
         }
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use sieben_model::address::Area;
 use sieben_model::block::{BlockId, BlockKind};
-use sieben_model::interface::{Interface, Section, Variable as Declaration};
+use sieben_model::interface::{Section, Variable as Declaration};
 use sieben_model::literal::Value;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
@@ -116,8 +116,12 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
     }
     let keep = items.kept.get(&id).copied();
     let initialised = code.dialect.switches().temporaries_initialised;
+    let mut by_name: HashMap<&str, Vec<&Declaration>> = HashMap::new();
+    for variable in &block.interface.variables {
+        by_name.entry(&variable.name).or_default().push(variable);
+    }
     for one in pending {
-        let Some(variable) = placed(&one, id, &block.interface, kept.as_deref(), keep) else { continue };
+        let Some(variable) = placed(&one, id, &by_name, kept.as_deref(), keep) else { continue };
         let local = variable.base == Base::Area(Area::Local);
         if local {
             // A text needs its room: the first byte says how much there is.
@@ -271,11 +275,17 @@ fn kept_structure(pending: &[Pending]) -> Option<Arc<Structure>> {
 }
 
 /// A variable with its place.
-fn placed(one: &Pending, id: BlockId, interface: &Interface, kept: Option<&Structure>, keep: Option<u16>) -> Option<Variable> {
+fn placed(
+    one: &Pending,
+    id: BlockId,
+    by_name: &HashMap<&str, Vec<&Declaration>>,
+    kept: Option<&Structure>,
+    keep: Option<u16>,
+) -> Option<Variable> {
     let (base, offset) = match one.store {
         Store::Kept => (Base::DataBlock(keep?), kept?.field(&one.name)?.offset),
         Store::Interface(section) => {
-            let variable = interface.variables.iter().find(|variable| variable.section == section && variable.name == one.name)?;
+            let variable = by_name.get(one.name.as_str())?.iter().find(|variable| variable.section == section)?;
             match (section, id.kind) {
                 (Section::Temp, _) => (Base::Area(Area::Local), variable.offset),
                 (_, BlockKind::Function) => {

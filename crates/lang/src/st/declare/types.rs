@@ -547,7 +547,13 @@ impl<'t, 'a> Resolver<'t, 'a> {
             next += 1;
         }
         let initial = found.first().map_or(0, |&(_, number)| number);
-        Some(DataType::Enumeration(Arc::new(Enumeration { name: name.map(str::to_owned), base, values: found, initial })))
+        Some(DataType::Enumeration(Arc::new(Enumeration {
+            name: name.map(str::to_owned),
+            base,
+            values: found,
+            initial,
+            index: Default::default(),
+        })))
     }
 
     fn array(&mut self, dimensions: &[Dimension], element: &TypeSpec, span: Span) -> Option<DataType> {
@@ -687,10 +693,12 @@ impl<'t, 'a> Resolver<'t, 'a> {
                     Some(offset) => (offset, offset + data_type.bits()),
                     None => place(if layout == FieldLayout::Union { 0 } else { cursor }, &data_type),
                 };
-                let covered = structure.fields.iter().find(|field| {
+                let covers = |field: &&Field| {
                     let begin = u64::from(field.offset);
                     begin < behind && offset < begin + field.data_type.bits()
-                });
+                };
+                // Behind all others nothing is covered.
+                let covered = if offset < end { structure.fields.iter().find(covers) } else { None };
                 if let (FieldLayout::Sequence, Some(covered)) = (layout, covered) {
                     let message = format!("`{}` lies where `{}` lies", word.text, covered.name);
                     self.report(Problem::P6127, word.span, message).help = Some("Write `STRUCT OVERLAP` if this is meant.".to_owned());

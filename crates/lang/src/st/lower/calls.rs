@@ -187,11 +187,12 @@ impl Lowering<'_> {
         let formals: Vec<&Variable> = interface.iter().flat_map(|interface| interface.parameters()).collect();
         let mut passed: Vec<Option<Pass>> = vec![None; formals.len()];
         let mut behind = Vec::new();
+        let last_change = call.arguments.iter().rposition(|argument| self.argument_changes(argument));
         for (position, argument) in call.arguments.iter().enumerate() {
             let Some((index, formal)) = argument.parameter().and_then(|index| Some((index as usize, *formals.get(index as usize)?))) else {
                 continue;
             };
-            let changes = call.arguments[position + 1..].iter().any(|later| self.argument_changes(later));
+            let changes = last_change.is_some_and(|last| last > position);
             passed[index] = Some(match argument {
                 Argument::Text { text, .. } if changes => {
                     let place = self.kept_text(text).0;

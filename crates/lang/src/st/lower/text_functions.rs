@@ -40,8 +40,9 @@ impl Lowering<'_> {
         let mut cuts: Vec<(usize, TextFunction, Vec<Value>)> = Vec::new();
         if let Some(joined) = &joined {
             let all = joined.texts();
+            let last_change = all.iter().rposition(|(text, _)| self.text_changes(text));
             for (position, (text, cut)) in all.iter().enumerate() {
-                let changes = all[position + 1..].iter().any(|(later, _)| self.text_changes(later));
+                let changes = last_change.is_some_and(|last| last > position);
                 texts.push(if changes { self.kept_text(text) } else { self.ready(text) });
                 if let Some(Cut { function, numbers, .. }) = cut {
                     cuts.push((position, *function, numbers.iter().map(|number| self.keep(number)).collect()));
@@ -49,10 +50,11 @@ impl Lowering<'_> {
             }
         } else {
             let mut given: Vec<(u32, Ready)> = Vec::new();
+            let last_change = call.arguments.iter().rposition(|argument| self.argument_changes(argument));
             for (position, argument) in call.arguments.iter().enumerate() {
                 match argument {
                     Argument::Text { parameter, text, .. } => {
-                        let changes = call.arguments[position + 1..].iter().any(|later| self.argument_changes(later));
+                        let changes = last_change.is_some_and(|last| last > position);
                         given.push((*parameter, if changes { self.kept_text(text) } else { self.ready(text) }));
                     }
                     Argument::Value { parameter, value } => numbers.push((*parameter, self.keep(value))),

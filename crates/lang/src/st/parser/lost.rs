@@ -107,20 +107,34 @@ impl Parser<'_> {
         if !self.at_name() || !self.begins_line(self.at) || self.tokens[next].raw != Raw::Colon && !line_ends {
             return None;
         }
-        let found = self.tokens[self.at..].iter().find_map(|token| match token.keyword? {
-            Keyword::EndMethod => Some(Some(Keyword::Method)),
-            Keyword::EndProperty => Some(Some(Keyword::Property)),
-            Keyword::EndAction => Some(Some(Keyword::Action)),
-            Keyword::Method | Keyword::Property | Keyword::Action | Keyword::EndInterface => Some(None),
-            keyword if keyword.begins_block() || is_end_of_block(keyword) => Some(None),
-            _ => None,
-        })??;
+        let found = self.member_ended_next()?;
         let token = self.token();
         let (word, at) = (found.word(), self.span(token.start, token.start));
         let span = self.span(token.start, token.end);
         let message = format!("`{word}` is missing before {}", self.shown());
         self.report(Diagnostic::new(Problem::P6056, span, message).fix(at, format!("{word} "), format!("write `{word}`")));
         Some(found)
+    }
+
+    /// The member whose end comes before the beginning of anything else. What was found holds for every token before it.
+    fn member_ended_next(&mut self) -> Option<Keyword> {
+        if let Some((seen, found)) = &self.member_end
+            && seen.contains(&self.at)
+        {
+            return *found;
+        }
+        let mut from_here = self.tokens[self.at..].iter().zip(self.at..);
+        let found = from_here.find_map(|(token, at)| match token.keyword? {
+            Keyword::EndMethod => Some((at, Some(Keyword::Method))),
+            Keyword::EndProperty => Some((at, Some(Keyword::Property))),
+            Keyword::EndAction => Some((at, Some(Keyword::Action))),
+            Keyword::Method | Keyword::Property | Keyword::Action | Keyword::EndInterface => Some((at, None)),
+            keyword if keyword.begins_block() || is_end_of_block(keyword) => Some((at, None)),
+            _ => None,
+        });
+        let (end, found) = found.unwrap_or((self.tokens.len(), None));
+        self.member_end = Some((self.at..end, found));
+        found
     }
 
     /// GET or SET of a property that is missing before the current token, by its end; that is said.

@@ -21,6 +21,7 @@ mod tests;
 mod types;
 
 use std::collections::HashSet;
+use std::ops::Range;
 
 pub(in crate::st) use declarations::name_is_lost;
 
@@ -134,6 +135,7 @@ pub fn parse(file: FileId, text: &str, dialect: Dialect) -> Parsed {
         pragmas: Vec::new(),
         awaited: Vec::new(),
         else_ifs: Vec::new(),
+        member_end: None,
         refused: Vec::new(),
         depth: 0,
         too_high: false,
@@ -256,6 +258,8 @@ struct Parser<'t> {
     awaited: Vec<Keyword>,
     /// Places of `ELSE IF` on one line.
     else_ifs: Vec<(u32, u32)>,
+    /// Where the end of a member was looked for, and that of which one comes next.
+    member_end: Option<(Range<usize>, Option<Keyword>)>,
     /// Keywords that were refused as names: what uses them says nothing new.
     refused: Vec<Keyword>,
     depth: usize,
