@@ -44,6 +44,8 @@ impl Global {
 #[derive(Debug, Default)]
 pub(crate) struct Scope {
     globals: HashMap<String, Global>,
+    /// Whether the program may use the words and notations of extended programs.
+    pub(crate) extended: bool,
     suggestions: Cell<u32>,
 }
 
@@ -63,7 +65,7 @@ impl Scope {
                 }
             });
         }
-        let mut scope = Self { globals, suggestions: Cell::new(0) };
+        let mut scope = Self { globals, extended: false, suggestions: Cell::new(0) };
         // Of blocks that the CPU does not have only the numbers count: `"START"` and `"COUNT"` are everybody's words.
         for block in system.iter().filter(|block| block.only.is_none()) {
             scope.add_block(block.name, block.block);

@@ -71,6 +71,7 @@ impl<'a> Names<'a> {
             cpu.accumulators = accumulators(&cpu, stl.clone().flat_map(|(file, _)| &file.file.blocks), diagnostics);
         }
         let mut scope = Scope::new(parts.symbols, &options.system_blocks);
+        scope.extended = options.extended;
         let blocks = stl.flat_map(|(file, syntax)| Found::all(file, syntax));
         let found = find_blocks(blocks, &scope, &cpu, options.replacing, diagnostics);
         let mut taken: HashMap<BlockId, Span> = found.iter().map(|found| (found.id, found.block.name.span())).collect();

@@ -12,6 +12,8 @@ use crate::calling::pointers::{
     ADDRESS_MASK, ANY_BYTES, ANY_OF_S7, ANY_PARTS, AREA_SHIFT, CALLER_LOCAL, IN_DATA_BLOCK, POINTER_BYTES, any_type, bytes_of,
 };
 use crate::calling::registers::{INSTANCE_START, REGISTER_PAIRS};
+use crate::declarations::interface::is_complex;
+use crate::declarations::values::write;
 use crate::stl::lower::Lowering;
 use crate::stl::operands::{Access, Actual, BlockOperand, Call, CallInstance, CallParameter, Location, NumberOperand, Operand};
 
@@ -95,7 +97,11 @@ fn call_function(l: &mut Lowering<'_>, call: &Call) {
             },
             Some(Actual::Constant(value)) => {
                 let hidden = store_constant(l, value, &parameter.data_type);
-                Pass::Known(CALLER_LOCAL | hidden)
+                let passed = match is_complex(&parameter.data_type) {
+                    true => build_pointer(l, &Location::Fixed { area: Area::Local, position: hidden }, &parameter.data_type, false),
+                    false => hidden,
+                };
+                Pass::Known(CALLER_LOCAL | passed)
             }
             Some(Actual::Timer(number) | Actual::Counter(number) | Actual::Block(number)) => match number {
                 NumberOperand::Fixed(number) => Pass::Known(u32::from(*number)),
@@ -370,6 +376,12 @@ fn store_constant(l: &mut Lowering<'_>, value: &Value, data_type: &DataType) -> 
     }
     position
 }
+        Value::DateAndTime(bytes) => bytes.to_vec(),
+        Value::Characters(_) if is_complex(data_type) => {
+            let mut image = vec![0; bytes_of(data_type) as usize];
+            write(&mut image, 0, data_type, value);
+            image
+        }
 
 /// Up to four bytes as double word, word and byte.
 pub(super) fn split(bytes: &[u8]) -> Vec<(u32, Width)> {
