@@ -197,7 +197,8 @@ impl Environment<'_> {
             done.told.failed = true;
             return done;
         };
-        done.diagnostics.extend(too_much_local_data(|| names.shown(), &interface, cpu, code.block.name.span));
+        let loadable = code.dialect != code.dialect.base() || !code.dialect.switches().local_data_limited;
+        done.diagnostics.extend(too_much_local_data(|| names.shown(), &interface, cpu, code.block.name.span, loadable));
         if !matches!(id.kind, BlockKind::Function | BlockKind::FunctionBlock | BlockKind::OrganizationBlock) {
             return done;
         }
