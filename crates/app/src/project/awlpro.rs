@@ -187,5 +187,5 @@ fn selection(libraries: &[LibrarySelection], findings: &mut Vec<Finding>) -> Sel
             }
         }
     }
-    Selection { numbers, ..Selection::default() }
+    Selection { numbers, only_chosen: true, ..Selection::default() }
 }
