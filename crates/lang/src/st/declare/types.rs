@@ -161,6 +161,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
         let data_type = match DataType::from_any_word(word) {
             Some(DataType::Date) if long => DataType::LongDate,
             Some(DataType::DateAndTime) if long => DataType::LongDateAndTime,
+            Some(data_type @ (DataType::LongDate | DataType::LongDateAndTime)) if long => data_type.of_nanoseconds(word),
             Some(DataType::String(_)) => DataType::String(self.string_length()),
             Some(DataType::WideString(_)) => DataType::WideString(u16::from(self.string_length())),
             // Words of the S7 that elsewhere are names like others.
