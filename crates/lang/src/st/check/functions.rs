@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use sieben_engine::ir::Op;
+use sieben_model::address::Area;
 use sieben_model::block::BlockId;
 use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::problems::Problem;
@@ -9,6 +11,7 @@ use sieben_model::source::Span;
 use sieben_model::testing::Word;
 use sieben_model::types::{DataType, Reference, ReferenceKind};
 
+use super::names::Role;
 use super::places::Reached;
 use super::typed::{Target, Typed};
 use super::types::{Class, Kind};
@@ -504,10 +507,8 @@ impl Checker<'_> {
 
     /// REF and ADR.
     fn address_of(&mut self, target: Target, function: &str, span: Span) -> Typed {
-        let local = matches!(target.place.base, Base::Area(sieben_model::address::Area::Local));
-        if local && function == "REF" {
-            let message = format!("`{}` lives only until the block ends, and a reference to it longer", target.name);
-            self.report(Problem::P6204, span, message).help = Some("Refer to a variable of an instance or a data block.".to_owned());
+        if function == "REF" && is_temporary(&target) {
+            self.dangles(&target.name, span);
             return Typed::Poison;
         }
         let kind = if function == "REF" { ReferenceKind::RefTo } else { ReferenceKind::Pointer };
@@ -555,4 +556,70 @@ pub(super) fn kind_of(typed: &Typed) -> GivenKind {
         }
         Typed::Poison | Typed::Null | Typed::Block(_) | Typed::Type(_) | Typed::Qualifier(_) => GivenKind::Unknown,
     }
+}
+    /// Says that a reference would be there longer than what it refers to.
+    pub(super) fn dangles(&mut self, name: &str, span: Span) {
+        let message = format!("`{name}` lives only until the block ends, and a reference to it longer");
+        self.report(Problem::P6204, span, message).help = Some("Refer to a variable of an instance or a data block.".to_owned());
+    }
+
+
+/// The names of an enumeration put together into as few texts as possible: of each name its number and where it begins in its text. Of
+/// several names of one number the first counts.
+fn names_in_one_text(values: &[(String, i64)]) -> Vec<Vec<(i64, &[u8], usize)>> {
+    let mut groups: Vec<Vec<(i64, &[u8], usize)>> = Vec::new();
+    let mut seen = std::collections::HashSet::new();
+    for (name, number) in values.iter().filter(|(_, number)| seen.insert(*number)) {
+        let text = &name.as_bytes()[..name.len().min(usize::from(STRING_LENGTH_MAX))];
+        let at = groups.last().and_then(|group| group.last()).map_or(usize::MAX, |(_, text, at)| at + text.len());
+        match groups.last_mut() {
+            Some(group) if at + text.len() <= usize::from(STRING_LENGTH_MAX) => group.push((*number, text, at)),
+            _ => groups.push(vec![(*number, text, 0)]),
+        }
+    }
+    groups
+}
+
+/// A part of the row whose number the value is, or 0: the sum over all rows, of which one at most counts.
+fn picked(group: &[(i64, &[u8], usize)], number: &Value, part: fn(&(i64, &[u8], usize)) -> u64, span: Span) -> Value {
+    let whole = |value| Value { kind: ValueKind::Constant(value), scalar: Scalar::U32, span };
+    match group {
+        [] => whole(0),
+        [row] => {
+            let bits = number.scalar.bits();
+            let own = if bits < 64 { row.0 as u64 & ((1 << bits) - 1) } else { row.0 as u64 };
+            let own = Value { kind: ValueKind::Constant(own), scalar: number.scalar, span };
+            let equal = operators::compute(Op::Equal, vec![number.clone(), own], Scalar::Bool);
+            Value { span, ..operators::compute(Op::Select, vec![equal, whole(part(row)), whole(0)], Scalar::U32) }
+        }
+        _ => {
+            let (left, right) = group.split_at(group.len() / 2);
+            // What is done before the number is read is done once.
+            let (before, again) = match &number.kind {
+                ValueKind::After(_, read) => (number, (**read).clone()),
+                _ => (number, number.clone()),
+            };
+            let sides = vec![picked(left, before, part, span), picked(right, &again, part, span)];
+            Value { span, ..operators::compute(Op::AddU32, sides, Scalar::U32) }
+        }
+    }
+}
+
+/// Whether a variable is there only while the block runs: local data, and what a function or method was given. A structured VAR_IN_OUT is
+/// the variable of the caller.
+fn is_temporary(target: &Target) -> bool {
+    match target.place.base {
+        Base::ComplexParameter(_) => target.role != Role::InOut,
+        _ => ends_with_block(&target.place),
+    }
+}
+
+/// Whether a place is in the local data of the block or in those of its caller.
+pub(super) fn ends_with_block(place: &Place) -> bool {
+    matches!(place.base, Base::Area(Area::Local) | Base::Parameter(_))
+}
+
+/// Whether a place is there after the block. What goes out as a parameter or behind a pointer is looked at when the block ends.
+pub(super) fn stays(place: &Place) -> bool {
+    matches!(place.base, Base::DataBlock(_) | Base::ComputedDataBlock(_) | Base::Instance)
 }
