@@ -95,6 +95,8 @@ pub struct Enumeration {
     pub values: Vec<(String, i64)>,
     /// What a variable holds at the start.
     pub initial: i64,
+    /// As text a value is its name: the attribute 'to_string' of CODESYS.
+    pub named: bool,
 }
 
 /// An integer type with limits.
@@ -256,8 +258,6 @@ impl DataType {
         }
     }
 
-    /// The width of an elementary type.
-    pub fn width(&self) -> Option<Width> {
     /// LDATE or LDT where DATE and DT have 64 bits, too: a type of its own with the same values, because as a number it counts nanoseconds
     /// where DATE and DT count seconds. Any other type itself.
     pub fn of_nanoseconds(self, word: &str) -> Self {
@@ -275,6 +275,8 @@ impl DataType {
         matches!(self, Self::Subrange(subrange) if matches!(subrange.base, Self::LongDate | Self::LongDateAndTime))
     }
 
+    /// The width of an elementary type.
+    pub fn width(&self) -> Option<Width> {
         if !self.is_elementary() {
             return None;
         }

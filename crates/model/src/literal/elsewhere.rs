@@ -192,7 +192,13 @@ mod tests {
 
     #[test]
     fn values_are_shown_and_read_back() {
-        let colour = Enumeration { name: None, base: DataType::Int, values: vec![("Red".into(), -1), ("Green".into(), 7)], initial: -1 };
+        let colour = Enumeration {
+            name: None,
+            base: DataType::Int,
+            values: vec![("Red".into(), -1), ("Green".into(), 7)],
+            initial: -1,
+            named: false,
+        };
         let colour = DataType::Enumeration(Arc::new(colour));
         for (data_type, bits, text) in [
             (DataType::LongInt, u64::MAX, "-1"),

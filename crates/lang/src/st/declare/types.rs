@@ -476,6 +476,10 @@ impl<'t, 'a> Resolver<'t, 'a> {
             }
             _ => self.type_inside(&declaration.data_type, name)?,
         };
+        let named = declaration.attributes.iter().any(|attribute| attribute.name.is("to_string"));
+        if let (DataType::Enumeration(enumeration), true) = (&mut data_type, named) {
+            Arc::make_mut(enumeration).named = true;
+        }
         if let Some(initializer) = &declaration.initial {
             let values = self.initial(initializer, &data_type);
             match (&mut data_type, values.as_slice()) {
@@ -548,7 +552,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
             next += 1;
         }
         let initial = found.first().map_or(0, |&(_, number)| number);
-        Some(DataType::Enumeration(Arc::new(Enumeration { name: name.map(str::to_owned), base, values: found, initial })))
+        Some(DataType::Enumeration(Arc::new(Enumeration { name: name.map(str::to_owned), base, values: found, initial, named: false })))
     }
 
     fn array(&mut self, dimensions: &[Dimension], element: &TypeSpec, span: Span) -> Option<DataType> {
