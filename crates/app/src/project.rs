@@ -156,6 +156,8 @@ impl Project {
 
     /// Compiles it for the CPU type of the command line, else of the project, else the default.
     pub(crate) fn compile(mut self, overrides: Overrides, syntax_only: bool) -> Build {
+        // Blocks and symbols of a refused diagram are missing everywhere else.
+        let syntax_only = syntax_only || self.findings.iter().any(|finding| finding.diagnostic.problem == Problem::P6043);
         let cpu = overrides.cpu.or(self.settings.cpu).unwrap_or(&CpuType::ALL[0]);
         let profile = overrides.profile.or(self.settings.profile).unwrap_or_default();
         // A CPU type lives as long as the process; few have rules of their own.
@@ -182,13 +184,17 @@ impl Project {
             counted: overrides.counted,
             tells_lost: overrides.tells_lost,
         };
-        let nothing = self.findings.iter().any(|finding| finding.diagnostic.problem == Problem::P6005);
+        // An extended program may be empty.
+        let empty = |finding: &Finding| finding.diagnostic.problem == Problem::P6005;
+        let may_be_empty = extended && !self.sources.is_empty();
+        let nothing = !may_be_empty && self.findings.iter().any(empty);
         let compiled = match nothing {
             true => Compiled::default(),
             false => sieben_lang::compile(&self.texts.program, &self.symbols, &options),
         };
         compiled.add_library_sources(&mut self.texts.program);
         let mut findings = self.findings.clone();
+        findings.retain(|finding| !(may_be_empty && empty(finding)));
         findings.extend(self.settings.retain.beyond(cpu).into_iter().map(Finding::document));
         findings.extend(settings::modules::problems(&self.settings.modules, cpu).into_iter().map(Finding::document));
         findings.extend(compiled.diagnostics.iter().cloned().map(Finding::program));

@@ -132,3 +132,114 @@ fn sources_inside_a_project_are_not_written() {
     folder.run(&["convert", "--mnemonics", "en", "plant.awlpro"]).code(0).stdout("a  i 0.0");
     assert_eq!(folder.read("plant.awlpro"), content.as_bytes());
 }
+
+#[test]
+fn local_data_of_a_project_run_out() {
+    let folder = Folder::new();
+    let whole = |sources: &str| {
+        let awl = format!("<language_awl><source name=\"Main\"><![CDATA[{sources}]]></source></language_awl>");
+        project(&format!("<cpu><specs nr_localbytes=\"1024\"/></cpu>{awl}"))
+    };
+    let block = |head: &str, end: &str, bytes: u32, code: &str| {
+        format!("{head}\nVAR_TEMP\nb : ARRAY[1..{bytes}] OF BYTE;\nEND_VAR\nBEGIN\n{code}\n{end}\n")
+    };
+    let fc = |number: u32, bytes: u32, code: &str| block(&format!("FUNCTION FC {number} : VOID"), "END_FUNCTION", bytes, code);
+    let ob = |number: u32, bytes: u32, code: &str| block(&format!("ORGANIZATION_BLOCK OB {number}"), "END_ORGANIZATION_BLOCK", bytes, code);
+    // A block with more than the CPU has for one is not loaded.
+    folder.write("block.awlpro", whole(&ob(1, 1501, "NOP 0;")).as_bytes());
+    folder
+        .run(&["check", "block.awlpro"])
+        .code(3)
+        .stderr("P4025] Error: `OB 1` declares 1502 bytes of local data; CPU awlsim has 1024 for a block");
+    // The sum of a priority class runs out at the call that needs too much.
+    let nested = |third: u32| fc(2, third, "L 3; T MW 4;") + &fc(1, 200, "L 2; T MW 2; UC FC 2;") + &ob(1, 800, "L 1; T MW 0; UC FC 1;");
+    for engine in ["jit", "interpreter"] {
+        folder.write("sum.awlpro", whole(&nested(200)).as_bytes());
+        folder.run(&["exec", "sum.awlpro", "--engine", engine, "--show", "MW2,MW4"]).code(4).stderr("16#4576");
+        folder.write("fits.awlpro", whole(&nested(24)).as_bytes());
+        folder.run(&["exec", "fits.awlpro", "--engine", engine, "--show", "MW2,MW4"]).code(0).stdout("MW4 = 16#0003");
+        // OB 121 belongs to the class of the block with the error.
+        let error = ob(121, 200, "L 5; T MW 6;") + &ob(1, 900, "OPN DB 99; L 1; T MW 8;");
+        folder.write("error.awlpro", whole(&error).as_bytes());
+        folder.run(&["exec", "error.awlpro", "--engine", engine, "--show", "MW6"]).code(4).stderr("16#4576");
+        let error = ob(121, 100, "L 5; T MW 6;") + &ob(1, 900, "OPN DB 99; L 1; T MW 8;");
+        folder.write("error.awlpro", whole(&error).as_bytes());
+        folder.run(&["exec", "error.awlpro", "--engine", engine, "--show", "MW6,MW8"]).code(0).stdout("MW6 = 16#0005");
+        // What a call needs beside the declared variables does not count.
+        let call = "FUNCTION FC 3 : VOID\nVAR_INPUT\nn : DINT;\nEND_VAR\nBEGIN\nL #n; T MD 0;\nEND_FUNCTION\n".to_owned()
+            + &ob(1, 1024, "CALL FC 3 (n := L#7);");
+        folder.write("call.awlpro", whole(&call).as_bytes());
+        folder.run(&["exec", "call.awlpro", "--engine", engine, "--show", "MD0"]).code(0).stdout("MD0 = 16#0000_0007");
+    }
+}
+
+#[test]
+fn a_project_says_what_it_takes_from_the_library() {
+    let folder = Folder::new();
+    let source =
+        |parts: &str, call: &str| project(&format!("{parts}<language_awl><source name=\"A\"><![CDATA[{call}]]></source></language_awl>"));
+    folder.write("none.awlpro", source("", "CALL FC 4").as_bytes());
+    folder.run(&["check", "none.awlpro"]).code(3).stderr("P3008] Error: `FC 4` does not exist");
+    let chosen = "<libraries><lib_selection name=\"IEC\" type=\"FC\" index=\"21\" effective_index=\"4\"/></libraries>";
+    folder.write("chosen.awlpro", source(chosen, "CALL FC 4").as_bytes());
+    folder.run(&["check", "chosen.awlpro"]).code(3).stderr("`LEN` of the library");
+}
+
+#[test]
+fn a_refused_diagram_is_the_only_message() {
+    let folder = Folder::new();
+    let parts = "<language_fup><source name=\"Grid\"><![CDATA[anything]]></source></language_fup>\
+                 <language_awl><source name=\"Main\"><![CDATA[CALL FC 4; U \"made by the diagram\"; CALL FC 1 (a := 1); L DB5.x]]></source></language_awl>";
+    folder.write("plant.awlpro", project(parts).as_bytes());
+    let ran = folder.run(&["check", "plant.awlpro"]).code(3).stderr("P6043");
+    ran.stderr("1 error.");
+}
+
+#[test]
+fn a_project_of_the_old_format_is_named() {
+    let folder = Folder::new();
+    folder.write("old.awlpro", b"[AWLSIM_PROJECT]\nfile_version=0\n[CPU]\nawl_files=a.awl\n");
+    folder.run(&["check", "old.awlpro"]).code(3).stderr("awlsim-proupgrade");
+}
+
+#[test]
+fn an_extended_program_may_be_empty() {
+    let folder = Folder::new();
+    folder.write("empty.awl", b"");
+    folder.run(&["check", "empty.awl"]).code(3).stderr("P6005");
+    folder.run(&["check", "empty.awl", "--extended"]).code(0);
+    folder.run(&["exec", "empty.awl", "--extended", "--show", "MW0"]).code(0).stdout("MW0 = 16#0000");
+}
+
+#[test]
+fn system_functions_with_negative_numbers_have_symbols() {
+    let folder = Folder::new();
+    let parts = "<cpu><config clock_memory_byte=\"100\" ext_insns_enable=\"1\"/></cpu>\
+                 <language_awl><source name=\"Main\"><![CDATA[L MB 100; T MB 0; CALL \"CLK\"; L MB 100; T MB 1]]></source></language_awl>\
+                 <symbols><source name=\"S\"><![CDATA[CLK;SFC -4;SFC -4;]]></source></symbols>";
+    folder.write("clock.awlpro", project(parts).as_bytes());
+    // The clock memory is 0 at once, and begins anew.
+    folder.run(&["exec", "clock.awlpro", "--scan-at", "0ms,60ms", "--show", "MB0,MB1"]).code(0).stdout("MB0 = 16#01").stdout("MB1 = 16#00");
+    folder.write("wrong.awlpro", project(&parts.replace("SFC -4;SFC", "SFC -5;SFC")).as_bytes());
+    folder.run(&["check", "wrong.awlpro"]).code(3).stderr("P6103");
+    folder.write("plant.awl", b"CALL \"CLK\"\n");
+    folder.write("plant.csv", b"symbol,address\nCLK,SFC-4\n");
+    folder.run(&["check", "plant.awl", "plant.csv", "--extended"]).code(0);
+    folder.run(&["check", "plant.awl", "plant.csv"]).code(3).stderr("P2040");
+}
+
+#[test]
+fn four_accumulators_start_cold_in_the_profile() {
+    let folder = Folder::new();
+    let project = |accumulators: u32| {
+        let block =
+            |number: u32, value: u32| format!("ORGANIZATION_BLOCK OB {number}\nBEGIN\nL {value}; T MW 0;\nEND_ORGANIZATION_BLOCK\n");
+        let sources = block(102, 5) + &block(100, 6) + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNOP 0;\nEND_ORGANIZATION_BLOCK\n";
+        let awl = format!("<language_awl><source name=\"Main\"><![CDATA[{sources}]]></source></language_awl>");
+        project(&format!("<cpu><specs nr_accus=\"{accumulators}\"/></cpu>{awl}"))
+    };
+    for (accumulators, profile, expected) in [(4, "awlsim", "16#0005"), (4, "siemens", "16#0006"), (2, "awlsim", "16#0006")] {
+        folder.write("start.awlpro", project(accumulators).as_bytes());
+        folder.run(&["exec", "start.awlpro", "--profile", profile, "--show", "MW0"]).code(0).stdout(&format!("MW0 = {expected}"));
+    }
+}

@@ -103,6 +103,8 @@ pub(crate) struct State {
     pub(crate) reboot: bool,
     /// CPU clock when the clock memory began (SFC -4).
     pub(crate) clock_memory_from_us: u64,
+    /// The byte of bit memory that holds the clock memory.
+    pub(crate) clock_memory_byte: Option<u16>,
     /// CPU clock at the last restart that was no hot one.
     pub(crate) restarted_us: u64,
     /// Jobs of functions that run over several calls: the function and the area that it works on.

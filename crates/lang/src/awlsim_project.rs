@@ -101,6 +101,13 @@ pub struct LibrarySelection {
 /// Reads a project; `None` if it is none. What is wrong with one part leaves the others in force.
 pub fn read(file: FileId, text: &str) -> (Option<AwlsimProject>, Vec<Diagnostic>) {
     let mut reader = Reader { file, project: AwlsimProject::default(), diagnostics: Vec::new() };
+    if let Some(head) = ini_head(text) {
+        let start = text.find(head).unwrap_or_default() as u32;
+        let span = Span::new(file, start, start + head.len() as u32);
+        let message = "this project has the old format of INI files; format version 1, which is XML, is known";
+        let help = "Convert it once with `awlsim-proupgrade`, a tool of awlsim, and use the file that it writes.";
+        return (None, vec![Diagnostic::new(Problem::P6041, span, message).help(help)]);
+    }
     // No DTD: neither entities that multiply nor files from elsewhere.
     let options = ParsingOptions { allow_dtd: false, nodes_limit: NODES_MAX, ..ParsingOptions::default() };
     let document = match Document::parse_with_options(text, options) {
@@ -155,6 +162,14 @@ pub fn read(file: FileId, text: &str) -> (Option<AwlsimProject>, Vec<Diagnostic>
         }
     }
     (Some(reader.project), reader.diagnostics)
+}
+
+/// The first section of a project that awlsim wrote before its projects were XML.
+fn ini_head(text: &str) -> Option<&str> {
+    const SECTION: &str = "[AWLSIM_PROJECT]";
+    let lines = text.lines().map(|line| line.trim().trim_start_matches('\u{feff}'));
+    let first = lines.into_iter().find(|line| !line.is_empty() && !line.starts_with([';', '#']))?;
+    first.get(..SECTION.len()).filter(|head| head.eq_ignore_ascii_case(SECTION))
 }
 
 struct Reader {

@@ -56,6 +56,8 @@ pub enum LostResults {
 #[derive(Debug, Default)]
 pub(crate) struct Scope {
     globals: HashMap<String, Global>,
+    /// Whether the program may use the words and notations of extended programs.
+    pub(crate) extended: bool,
     suggestions: Cell<u32>,
     /// Which lost results the code of Structured Text tells the Host of, where the dialect does not call them right.
     pub(crate) tells_lost: LostResults,
@@ -77,7 +79,7 @@ impl Scope {
                 }
             });
         }
-        let mut scope = Self { globals, suggestions: Cell::new(0), tells_lost: LostResults::None };
+        let mut scope = Self { globals, extended: false, suggestions: Cell::new(0), tells_lost: LostResults::None };
         // Of blocks that the CPU does not have only the numbers count: `"START"` and `"COUNT"` are everybody's words.
         for block in system.iter().filter(|block| block.only.is_none()) {
             scope.add_block(block.name, block.block);

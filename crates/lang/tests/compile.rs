@@ -284,8 +284,10 @@ fn a_knot_of_jumps_is_compiled_in_reasonable_time() {
         .collect();
     let mut sources = Sources::default();
     sources.add("knot.awl", format!("FUNCTION FC 1 : VOID\nVAR_TEMP\n{names}END_VAR\nBEGIN\n{body}END_FUNCTION\n"));
+    // A CPU whose blocks may have that many local data.
+    let cpu = sieben_model::cpu_type::CpuType::by_name("416-3");
     for temporaries in [sieben_lang::TemporaryReads::Certain, sieben_lang::TemporaryReads::Possible] {
-        let compiled = compile(&sources, &SymbolTable::default(), &Options { temporaries, ..Options::default() });
+        let compiled = compile(&sources, &SymbolTable::default(), &Options { temporaries, cpu, ..Options::default() });
         assert!(!compiled.has_errors(), "{:?}", compiled.diagnostics.first());
     }
 }

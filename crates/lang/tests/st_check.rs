@@ -393,3 +393,58 @@ fn a_call_gives_each_in_out_a_variable_unless_it_is_a_value_of_the_instance() {
         assert!(said.iter().all(|(severity, ..)| *severity != Severity::Error), "{said:?}");
     }
 }
+
+#[test]
+fn references_do_not_outlive_what_they_refer_to() {
+    let global =
+        "VAR_GLOBAL\n  g : REF_TO INT;\n  gs : REF_TO S;\n  p : POINTER TO INT;\nEND_VAR\nTYPE S : STRUCT a : INT; END_STRUCT; END_TYPE\n";
+    let iec = global.replace("  p : POINTER TO INT;\n", "");
+    let codesys = global.replace("  g : REF_TO INT;\n  gs : REF_TO S;\n", "");
+    let of_function = |variables: &str, code: &str| format!("FUNCTION F : INT\n{variables}\n{code}\nF := 0;\nEND_FUNCTION\n");
+    let of_method = |variables: &str, code: &str| {
+        format!(
+            "FUNCTION_BLOCK B\nVAR\n  own : INT;\nEND_VAR\nMETHOD PUBLIC M : INT\n{variables}\n{code}\nM := 0;\nEND_METHOD\nEND_FUNCTION_BLOCK\n"
+        )
+    };
+    // Variables, statements, whether the reference dangles.
+    let rows = [
+        ("VAR_INPUT a : INT; END_VAR", "g := REF(a);", true),
+        ("VAR_OUTPUT a : INT; END_VAR", "g := REF(a);", true),
+        ("VAR_IN_OUT a : INT; END_VAR", "g := REF(a);", true),
+        ("VAR a : INT; END_VAR", "g := REF(a);", true),
+        ("VAR_TEMP a : INT; END_VAR", "g := REF(a);", true),
+        ("VAR_INPUT a : S; END_VAR", "gs := REF(a);", true),
+        ("VAR_IN_OUT a : S; END_VAR", "gs := REF(a);", false),
+    ];
+    let dangling = |dialect, text: &str| {
+        let said = said(dialect, text);
+        let all_of_it = said.iter().all(|(severity, code, message)| {
+            *severity == Severity::Warning || *code == "P6204" && message.contains("lives only until the block ends")
+        });
+        assert!(all_of_it, "{text}\n{said:?}");
+        said.iter().filter(|(severity, ..)| *severity == Severity::Error).count()
+    };
+    for (variables, code, dangles) in rows {
+        for text in [of_function(variables, code), of_method(variables, code)] {
+            assert_eq!(dangling(Dialect::Iec, &format!("{iec}{text}")), usize::from(dangles), "{text}");
+        }
+    }
+    assert_eq!(dangling(Dialect::Iec, &format!("{iec}{}", of_function("", "g := REF(F);"))), 1);
+    assert_eq!(dangling(Dialect::Iec, &format!("{iec}{}", of_method("", "g := REF(M);"))), 1);
+    assert_eq!(dangling(Dialect::Iec, &format!("{iec}{}", of_method("", "g := REF(own);"))), 0);
+    // CODESYS points to anything as long as the block runs.
+    let rows = [
+        ("VAR_INPUT a : INT; END_VAR VAR q : POINTER TO INT; END_VAR", "q := ADR(a); q^ := 1;", 0),
+        ("VAR_INPUT a : INT; END_VAR", "p := ADR(a);", 1),
+        ("VAR_IN_OUT a : INT; END_VAR", "p := ADR(a);", 1),
+        ("VAR a : INT; END_VAR", "p := ADR(a);", 1),
+        ("VAR a : INT; r : REFERENCE TO INT; END_VAR", "r REF= a; r := 2;", 0),
+    ];
+    for (variables, code, expected) in rows {
+        for text in [of_function(variables, code), of_method(variables, code)] {
+            assert_eq!(dangling(Dialect::Codesys, &format!("{codesys}{text}")), expected, "{text}");
+        }
+    }
+    let kept = of_method("VAR_INPUT a : INT; END_VAR", "kept REF= a;").replace("own : INT;", "own : INT; kept : REFERENCE TO INT;");
+    assert_eq!(dangling(Dialect::Codesys, &kept), 1);
+}

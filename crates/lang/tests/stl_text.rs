@@ -41,6 +41,7 @@ fn operand(operand: &ast::Operand) -> String {
         Error => "<error>".to_owned(),
         Constant(constant) => constant.value.as_ref().map_or_else(|| "<bad constant>".to_owned(), |value| value.spell()),
         AddressOf(word) => format!("P##{}", word.text),
+        PointerTo { target, .. } => format!("P#({})", self::operand(target)),
         Absolute { letters, number, bit } => format!("{letters} {number}{}", bit.map_or_else(String::new, |bit| format!(".{bit}"))),
         InBlock { block, instance, letters, number, bit } => {
             format!(
@@ -106,6 +107,7 @@ fn type_name(data_type: &ast::TypeName) -> String {
 fn initial(value: &ast::Initial) -> String {
     match value {
         ast::Initial::Value(constant) => constant.value.as_ref().map_or_else(|| "?".to_owned(), |value| value.spell()),
+        ast::Initial::Number { operand, .. } => self::operand(operand),
         ast::Initial::Repeat { count, values, .. } => format!("{count} x ({})", values.iter().map(initial).collect::<Vec<_>>().join(", ")),
     }
 }

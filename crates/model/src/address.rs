@@ -186,6 +186,9 @@ impl Operand {
         }
         let digits = text.find(|c: char| c.is_ascii_digit())?;
         let (word, number) = text.split_at(digits);
+        if let Some(block) = word.strip_suffix('-') {
+            return parse_negative(block, number).map(Self::Block);
+        }
         match word {
             "T" => return parse_number(number).map(Self::Timer),
             "C" | "Z" => return parse_number(number).map(Self::Counter),
@@ -236,6 +239,14 @@ pub fn area_and_width(word: &str) -> Option<(Area, Width)> {
     };
     // `ID` is the double word of the inputs; `DID` and `DIX` begin with the longer prefix.
     Some((area, width))
+}
+
+/// `SFC -4`: a system function of extended programs.
+fn parse_negative(block: &str, number: &str) -> Option<crate::block::BlockId> {
+    let kind = crate::block::BlockKind::from_abbreviation(block)?;
+    let number: i16 = parse_number(number)?;
+    let block = crate::block::BlockId::new(kind, number.checked_neg()? as u16);
+    crate::extension::CALLED.contains(&block).then_some(block)
 }
 
 fn parse_number<T: std::str::FromStr>(text: &str) -> Option<T> {

@@ -23,6 +23,8 @@ pub struct CpuType {
     pub local_data_shared: bool,
     /// Bytes of local data per block.
     pub local_data_block: u32,
+    /// Only what blocks declare counts as local data, and not what a call or an expression needs beside it.
+    pub local_data_declared: bool,
     /// Greatest number of a data block.
     pub db_number_max: u16,
     /// Greatest number of an FC or FB.
@@ -39,6 +41,8 @@ pub struct CpuType {
     pub has_ob88: bool,
     /// `L STW` and `T STW` move all nine status bits (S7-400) or not /FC, STA and OR (S7-300).
     pub status_word_whole: bool,
+    /// Every start of a CPU with four accumulators that has OB 102 is a cold restart, see [`crate::profile`].
+    pub starts_cold: bool,
     /// REAL numbers compare by their difference instead of their values, see [`crate::profile`].
     pub compares_real_by_difference: bool,
     /// Entries of the diagnostic buffer.
@@ -62,6 +66,7 @@ const S7_300: CpuType = CpuType {
     local_data: 32 * 1024,
     local_data_shared: false,
     local_data_block: 2048,
+    local_data_declared: false,
     db_number_max: 16_000,
     fc_number_max: 7999,
     block_size_max: 65_536,
@@ -70,6 +75,7 @@ const S7_300: CpuType = CpuType {
     organization_blocks: S7_300_BLOCKS,
     has_ob88: false,
     status_word_whole: false,
+    starts_cold: false,
     compares_real_by_difference: false,
     diagnostic_buffer: 100,
 };
@@ -84,6 +90,7 @@ const S7_400: CpuType = CpuType {
     local_data: 32 * 1024,
     local_data_shared: true,
     local_data_block: 65_536,
+    local_data_declared: false,
     nesting_depth: 24,
     nesting_depth_error: 2,
     organization_blocks: S7_400_BLOCKS,

@@ -90,6 +90,8 @@ pub const SHUTDOWN: BlockId = negative(BlockKind::SystemFunction, 3);
 pub const RESTART_CLOCK_MEMORY: BlockId = negative(BlockKind::SystemFunction, 4);
 /// SFB -1: does nothing.
 pub const NOTHING_WITH_INSTANCE: BlockId = negative(BlockKind::SystemFunctionBlock, 1);
+/// What programs call by number or name.
+pub const CALLED: [BlockId; 5] = [NOTHING, REBOOT, SHUTDOWN, RESTART_CLOCK_MEMORY, NOTHING_WITH_INSTANCE];
 /// Called when an assertion about two values of up to 32 bits is false: [`Compared`] as a word, the left value, the right value.
 pub const ASSERTION_FAILED: BlockId = negative(BlockKind::SystemFunction, 100);
 /// Compares two byte strings: relation, then pointer to a POINTER and number of bytes of either side.

@@ -161,6 +161,21 @@ pub fn parse(text: &str) -> Result<Value, LiteralError> {
     value.map_err(|kind| LiteralError { text: trimmed.to_owned(), kind, offset: lead + prefix })
 }
 
+/// Reads a constant in the notations that only extended programs have: `0x` behind `16#`, and underscores anywhere in a time.
+pub fn parse_extended(text: &str) -> Option<Value> {
+    let upper = text.trim().to_ascii_uppercase();
+    let (prefix, rest) = upper.split_once('#')?;
+    match prefix.trim_end() {
+        "S5T" | "S5TIME" | "T" | "TIME" => parse(&format!("{prefix}#{}", rest.replace('_', ""))).ok(),
+        "B" | "W" | "DW" => {
+            let digits = rest.trim_start().strip_prefix("16#")?.trim_start().strip_prefix("0X")?;
+            parse(&format!("{prefix}#16#{digits}")).ok()
+        }
+        "16" => parse(&format!("16#{}", rest.trim_start().strip_prefix("0X")?)).ok(),
+        _ => None,
+    }
+}
+
 /// The length of the understood prefix, and the value.
 fn parse_plain(text: &str) -> (usize, Parsed) {
     use LiteralErrorKind::{Malformed, Unknown};

@@ -153,6 +153,7 @@ problems! {
     P4022 Warning "an instruction on a value of another type" "Use the instruction for the type of the value, or convert the value first (ITD, DTR, RND).";
     P4023 Warning "a timer or counter that no logic drives" "Write the condition before it, for example `A I 0.0`, or `SET` if it is always to be executed.";
     P4024 Warning "a temporary variable that a run read before it was written" "Write it on every path that leads to the statement.";
+    P4025 Error "more local data than a block of the CPU type can have" "Move large variables from VAR_TEMP into a data block, or choose a larger CPU type: a CPU refuses to load the block.";
     P4201 Error "a constant outside the range of its notation" "Use a value inside the range that the message names, or a notation with more bits, such as L# or DW#16#.";
     P4202 Error "a constant whose prefix is known, but not what follows it" "Write it the way the message shows.";
     P4203 Error "a date that the calendar does not have" "Check the month and the day; February has 29 days only in leap years.";

@@ -39,6 +39,12 @@ pub const DIFFERENCES: &[Difference] = &[
         apply: |cpu| cpu.status_word_whole = true,
     },
     Difference {
+        name: "startup",
+        theirs: "A CPU with four accumulators starts with OB 102 if the program has it, else with OB 100.",
+        ours: "A start is a warm restart with OB 100, unless another one is asked for.",
+        apply: |cpu| cpu.starts_cold = true,
+    },
+    Difference {
         name: "REAL comparison",
         theirs: "Two REAL numbers compare by their difference: they are equal if it is denormal, and have no order if both are infinite with one sign.",
         ours: "Two REAL numbers compare by their values.",

@@ -96,6 +96,8 @@ pub struct Enumeration {
     pub values: Vec<(String, i64)>,
     /// What a variable holds at the start.
     pub initial: i64,
+    /// As text a value is its name: the attribute 'to_string' of CODESYS.
+    pub named: bool,
     /// Where the names stand.
     pub index: NameIndex,
 }
@@ -272,6 +274,23 @@ impl DataType {
             Self::Subrange(subrange) => subrange.base.base(),
             other => other,
         }
+    }
+
+    /// LDATE or LDT where DATE and DT have 64 bits, too: a type of its own with the same values, because as a number it counts nanoseconds
+    /// where DATE and DT count seconds. Any other type itself.
+    pub fn of_nanoseconds(self, word: &str) -> Self {
+        let long =
+            matches!(self, Self::LongDate | Self::LongDateAndTime) && word.get(..1).is_some_and(|first| first.eq_ignore_ascii_case("L"));
+        if !long {
+            return self;
+        }
+        let name = self.word().map(str::to_owned);
+        Self::Subrange(Arc::new(Subrange { name, base: self, low: 0, high: i128::from(u64::MAX), initial: 0 }))
+    }
+
+    /// Whether it is one of [`Self::of_nanoseconds`].
+    pub fn counts_nanoseconds(&self) -> bool {
+        matches!(self, Self::Subrange(subrange) if matches!(subrange.base, Self::LongDate | Self::LongDateAndTime))
     }
 
     /// The width of an elementary type.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use sieben_engine::ir::{Op, verify};
 use sieben_engine::{Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Interpreter, Layout, Machine, Program, Reaction, StopReason};
 use sieben_jit::{Jit, StatusBits};
-use sieben_lang::st::lower::lower;
+use sieben_lang::st::lower::{Known, lower};
 use sieben_lang::st::tree::{
     Argument, Base, Body, Bounds, Branch, Call, Callee, For, Index, Local, Place, Scalar, Statement, StatementKind, Value, ValueKind,
 };
@@ -383,7 +383,7 @@ pub fn fuzz(data: &[u8]) {
         (BlockId::fc(1), function_interface(), function.clone(), uses_ok[1]),
         (function_block(), Interface::default(), block.clone(), uses_ok[2]),
     ] {
-        let lowered = lower(id, &interface, &body(statements, uses_ok), &known);
+        let lowered = lower(id, &interface, &body(statements, uses_ok), &Known { interface: &known, is_stl: &|_| false });
         assert_eq!(verify(&lowered.code), Ok(()), "{id}\n{}", lowered.code);
         assert_eq!(lowered.spans.len(), lowered.code.statement_count(), "every statement has its place");
         code.insert(id, lowered);

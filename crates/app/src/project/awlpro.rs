@@ -145,7 +145,9 @@ fn cpu_type(specs: &Specs) -> &'static CpuType {
         bit_memory: specs.flags.unwrap_or(nearest.bit_memory),
         timers: specs.timers.unwrap_or(nearest.timers),
         counters: specs.counters.unwrap_or(nearest.counters),
+        local_data: specs.local_bytes.unwrap_or(nearest.local_data),
         local_data_block: specs.local_bytes.unwrap_or(nearest.local_data_block),
+        local_data_declared: true,
         db_number_max: u16::MAX,
         fc_number_max: u16::MAX,
         ..nearest
@@ -167,5 +169,5 @@ fn selection(libraries: &[LibrarySelection], findings: &mut Vec<Finding>) -> Sel
             }
         }
     }
-    Selection { numbers, ..Selection::default() }
+    Selection { numbers, only_chosen: true, ..Selection::default() }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use sieben_engine::ir::{Op, verify};
 use sieben_engine::{CodeBlock, Context, Engine, Entry, Exit, Fault, FaultPlace, Host, Interpreter, Layout, Machine, Program, Reaction};
 use sieben_jit::{Jit, StatusBits};
-use sieben_lang::st::lower::lower;
+use sieben_lang::st::lower::{Known, lower};
 use sieben_lang::st::tree::{Base, Body, Bounds, Index, Place, Scalar, Statement, StatementKind, Value, ValueKind};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
@@ -151,6 +151,7 @@ pub(crate) fn compile(blocks: &[Block]) -> Program {
     let known = |id: BlockId| interfaces.get(&id).cloned();
     let mut code: BTreeMap<BlockId, CodeBlock> = BTreeMap::new();
     for block in blocks {
+        let known = Known { interface: &known, is_stl: &|_| false };
         let lowered = lower(block.id, &block.interface, &block.body, &known);
         assert_eq!(verify(&lowered.code), Ok(()), "{}\n{}", block.id, lowered.code);
         assert_eq!(lowered.spans.len(), lowered.code.statement_count(), "{}", block.id);

@@ -36,6 +36,10 @@ impl Cpu {
         let hot = self.cpu_type.has_ob88 && !self.warm_demanded;
         self.restart = if restart == Restart::Hot && !hot { Restart::Warm } else { restart };
         self.warm_demanded = false;
+        let cold = self.cpu_type.starts_cold && self.cpu_type.accumulators == 4;
+        if cold && self.restart == Restart::Warm && self.engine.has_block(ob::startup(Restart::Cold)) {
+            self.restart = Restart::Cold;
+        }
         if self.restart != Restart::Hot {
             self.interrupted = None;
         }
@@ -47,6 +51,7 @@ impl Cpu {
         self.cycle = Cycle::default();
         self.class = StartInformation::startup(self.restart, stop_event, self.cpu_type.has_ob88);
         self.system.restart(self.machine.clock_us, self.restart == Restart::Hot, self.class);
+        self.system.clock_memory_byte = self.settings.clock_memory_byte;
         self.interrupts.startup(self.restart == Restart::Hot);
         self.mode = OperatingMode::Startup;
         self.log(StartInformation { event: 0x4301, ..self.class }, None);

@@ -21,15 +21,20 @@ const STOP_BY_PROGRAM: u16 = 0x457F;
 /// The one type of `__REBOOT` that is known.
 const RESTART_OF_CPU: u32 = 1;
 
+/// The types of `__SHUTDOWN` that are known: the program is over, the CPU goes to STOP.
+const END: u32 = 1;
+const STOP: u32 = 2;
+
 /// What programs call by number or name.
 pub(super) static CALLED: &[Row] = &[
     Row { block: NOTHING, name: "__SFC_NOP", parameters: &[], run: Run::Reaction(nothing), only: None },
     Row { block: REBOOT, name: "__REBOOT", parameters: REBOOT_PARAMETERS, run: Run::Reaction(reboot), only: None },
-    Row { block: SHUTDOWN, name: "__SHUTDOWN", parameters: &[], run: Run::Reaction(shutdown), only: None },
+    Row { block: SHUTDOWN, name: "__SHUTDOWN", parameters: SHUTDOWN_PARAMETERS, run: Run::Reaction(shutdown), only: None },
     Row { block: RESTART_CLOCK_MEMORY, name: "__CLKRST", parameters: &[], run: Run::Reaction(restart_clock_memory), only: None },
     Row { block: NOTHING_WITH_INSTANCE, name: "__SFB_NOP", parameters: &[], run: Run::Instance(|_| true), only: None },
 ];
 
+const SHUTDOWN_PARAMETERS: &[Parameter] = &[input("SHUTDOWN_TYPE", DataType::Int)];
 const REBOOT_PARAMETERS: &[Parameter] = &[input("REBOOT_TYPE", DataType::Int)];
 
 /// The function behind a number that only the code of extension words calls; its parameters are values, not pointers.
@@ -60,13 +65,30 @@ fn reboot(call: &mut Call<'_, '_>) -> Reaction {
     }
 }
 
-fn shutdown(_call: &mut Call<'_, '_>) -> Reaction {
-    Reaction::Stop(StopReason { event: STOP_BY_PROGRAM, place: None })
+/// Without its parameter, as older programs call it, the program is over as well.
+fn shutdown(call: &mut Call<'_, '_>) -> Reaction {
+    let wanted = if value(call, 0) == 0 { Ok(END) } else { call.input(0, Width::Word) };
+    match wanted {
+        Ok(END | STOP) => Reaction::Stop(StopReason { event: STOP_BY_PROGRAM, place: None }),
+        _ => {
+            call.machine.registers.br = 0;
+            Reaction::Continue
+        }
+    }
 }
 
 fn restart_clock_memory(call: &mut Call<'_, '_>) -> Reaction {
     call.host.read_time(call.machine);
     call.host.system.clock_memory_from_us = call.machine.clock_us;
+    // The byte is 0 at once, not with the next scan.
+    if let Some(byte) = call.host.system.clock_memory_byte {
+        let bit_memory = call.machine.memory.layout.bit_memory.clone();
+        let at = bit_memory.start + usize::from(byte);
+        if at < bit_memory.end {
+            call.machine.memory.arena[at] = 0;
+            call.host.written.push(at..at + 1);
+        }
+    }
     call.machine.registers.br = 1;
     Reaction::Continue
 }

@@ -80,7 +80,7 @@ impl Layout {
         let inputs = place(cpu.process_image as usize, at_inputs);
         let outputs = place(cpu.process_image as usize, at_outputs);
         let bit_memory = place(cpu.bit_memory as usize, at_bit_memory);
-        let local_class = cpu.local_data as usize;
+        let local_class = cpu.local_data as usize + hidden_local_data(cpu, program);
         // A class is interrupted by one of each organization block at most.
         let blocks = program.code.keys().filter(|block| block.kind == BlockKind::OrganizationBlock).count();
         let classes = if cpu.local_data_shared { 1 } else { blocks.clamp(1, PRIORITY_CLASSES) };
@@ -120,6 +120,16 @@ impl Layout {
             _ => None,
         }
     }
+}
+
+/// The most bytes of a priority class that count for nothing where only declared local data count: as many blocks inside one another as
+/// the CPU allows, each with what the neediest one has beside its declarations.
+fn hidden_local_data(cpu: &CpuType, program: &Program) -> usize {
+    if !cpu.local_data_declared {
+        return 0;
+    }
+    let hidden = program.code.values().map(|block| block.local_size.saturating_sub(block.interface.local_size)).max().unwrap_or(0);
+    hidden as usize * (usize::from(cpu.nesting_depth) + usize::from(cpu.nesting_depth_error) + 1)
 }
 
 /// Whether a block of the program calls a system function that creates data blocks.

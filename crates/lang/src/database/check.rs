@@ -204,7 +204,8 @@ impl Checking<'_> {
 fn statements(known: &Known<'_>, found: &Found<'_>, interface: &Interface) -> (Option<CheckedBody>, Vec<Diagnostic>) {
     let &Found { id, block, mnemonics, syntax, .. } = found;
     let cpu = known.cpu;
-    let mut diagnostics: Vec<Diagnostic> = too_much_local_data(|| id.to_string(), interface, cpu, block.name.span()).into_iter().collect();
+    let too_much = too_much_local_data(|| id.to_string(), interface, cpu, block.name.span(), false);
+    let mut diagnostics: Vec<Diagnostic> = too_much.into_iter().collect();
     let mut checked = check::block(known, id, block, interface, mnemonics, &|span| syntax.is_reported(span));
     diagnostics.append(&mut checked.diagnostics);
     let bytes = code_bytes(&checked.block.statements);

@@ -72,6 +72,7 @@ impl<'a> Names<'a> {
         }
         let mut scope = Scope::new(parts.symbols, &options.system_blocks);
         scope.tells_lost = options.tells_lost;
+        scope.extended = options.extended;
         let blocks = stl.flat_map(|(file, syntax)| Found::all(file, syntax));
         let found = find_blocks(blocks, &scope, &cpu, options.replacing, diagnostics);
         let mut taken: HashMap<BlockId, Span> = found.iter().map(|found| (found.id, found.block.name.span())).collect();

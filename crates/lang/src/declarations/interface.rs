@@ -132,11 +132,19 @@ pub(crate) fn lay_out_behind(id: BlockId, base: Option<&BlockInterface>, mut dec
     Some(BlockInterface { interface: Arc::new(interface), instance: Arc::new(instance) })
 }
 
-/// What is wrong where a block declares more local data than a block of the CPU has; `shown` is what people call it.
-pub(crate) fn too_much_local_data(shown: impl FnOnce() -> String, interface: &Interface, cpu: &CpuType, named: Span) -> Option<Diagnostic> {
+/// What is wrong where a block declares more local data than a block of the CPU has; `shown` is what people call it. A CPU refuses to load
+/// a block of STEP 7 with more; `loadable` says that the language knows no such limit.
+pub(crate) fn too_much_local_data(
+    shown: impl FnOnce() -> String,
+    interface: &Interface,
+    cpu: &CpuType,
+    named: Span,
+    loadable: bool,
+) -> Option<Diagnostic> {
     let (declared, most) = (interface.local_size, cpu.local_data_block);
     let message = || format!("`{}` declares {declared} bytes of local data; CPU {} has {most} for a block", shown(), cpu.name);
-    (declared > most).then(|| Diagnostic::new(Problem::P5007, named, message()))
+    let problem = if loadable { Problem::P5007 } else { Problem::P4025 };
+    (declared > most).then(|| Diagnostic::new(problem, named, message()))
 }
 
 /// What lies in the instance: the value, or for a complex VAR_IN_OUT a POINTER to it.

@@ -144,6 +144,8 @@ pub(crate) fn write(image: &mut [u8], position: u64, data_type: &DataType, value
             let text = &text[..text.len().min(usize::from(maximum))];
             put(0, &[maximum, text.len() as u8]);
             put(2, text);
+            // What the initial value had behind the new one is gone.
+            put(2 + text.len(), &vec![0; usize::from(maximum) - text.len()]);
         }
     }
 }

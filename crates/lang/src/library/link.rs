@@ -33,7 +33,7 @@ pub(crate) fn link<'a>(
     selection: &Selection,
     cpu: &CpuType,
 ) -> Links {
-    let mut search = Search { placed: placed(scope, selection, cpu), defined, scope, links: Links::new() };
+    let mut search = Search { placed: placed(scope, needed, selection, cpu), defined, scope, links: Links::new() };
     if selection.enabled {
         for mention in mentions {
             match mention {
@@ -49,7 +49,7 @@ pub(crate) fn link<'a>(
 }
 
 /// Which block of the library stands behind which number: as the project says, as its symbol table says, else as ever.
-fn placed(scope: &Scope, selection: &Selection, cpu: &CpuType) -> Links {
+fn placed(scope: &Scope, needed: &[&LibraryBlock], selection: &Selection, cpu: &CpuType) -> Links {
     let mut placed = Links::new();
     let mut as_ever = Vec::new();
     for block in ALL {
@@ -62,6 +62,7 @@ fn placed(scope: &Scope, selection: &Selection, cpu: &CpuType) -> Links {
                 placed.entry(id).or_insert(block);
             }
             Some(_) => {}
+            None if selection.only_chosen && !needed.contains(&block) => {}
             None => as_ever.push(block),
         }
     }

@@ -115,13 +115,15 @@ pub fn source(name: &str) -> Option<&'static str> {
 pub struct Selection {
     /// Whether calls of blocks that the project does not define are looked up in the library.
     pub enabled: bool,
+    /// Only blocks that the project or its symbol table gives a number are taken, and none by the number that it has as ever.
+    pub only_chosen: bool,
     /// Numbers that the project gives to library blocks, by name: `CONCAT` → `FC 102`.
     pub numbers: BTreeMap<String, BlockId>,
 }
 
 impl Default for Selection {
     fn default() -> Self {
-        Self { enabled: true, numbers: BTreeMap::new() }
+        Self { enabled: true, only_chosen: false, numbers: BTreeMap::new() }
     }
 }
 

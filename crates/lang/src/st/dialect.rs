@@ -353,6 +353,10 @@ pub struct Switches {
     pub unlinked_is_memory: bool,
     /// An organization block has inputs, which the CPU gives: `Initial_Call`.
     pub organization_block_inputs: bool,
+    /// Temporary variables lie in the local data of an S7-300 or S7-400, which refuses a block with more than it has.
+    pub local_data_limited: bool,
+    /// TRUNC gives the integer type of where it stands; else DINT.
+    pub trunc_takes_type: bool,
 }
 
 macro_rules! switches {
@@ -407,6 +411,8 @@ switches! {
     s5_functions:            false,           false,             true,                    true;
     unlinked_is_memory:      false,           true,              false,                   false;
     organization_block_inputs: false,         false,             false,                   true;
+    local_data_limited:      false,           false,             true,                    false;
+    trunc_takes_type:        true,            false,             false,                   false;
 }
 
 #[cfg(test)]

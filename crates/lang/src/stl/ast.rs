@@ -163,6 +163,13 @@ pub enum TypeKind {
 pub enum Initial {
     /// One constant.
     Value(Constant),
+    /// `T 5`, `C 6`, `DB 5` or a symbol: the number that a TIMER, a COUNTER or a BLOCK_DB holds.
+    Number {
+        /// What is named.
+        operand: Operand,
+        /// The place.
+        span: Span,
+    },
     /// Values `count` times.
     Repeat {
         /// How often; unchecked.
@@ -179,6 +186,8 @@ pub enum Initial {
 pub struct Constant {
     /// Its value.
     pub value: Option<Value>,
+    /// Its notation is one that only extended programs have.
+    pub extended: bool,
     /// The place.
     pub span: Span,
 }
@@ -243,6 +252,13 @@ pub enum Operand {
     Constant(Constant),
     /// `P##name`.
     AddressOf(Word),
+    /// `P#DB3.row[2].q`, `P#"Sym".a`: a pointer to a variable, as only extended programs write it.
+    PointerTo {
+        /// The variable.
+        target: Box<Operand>,
+        /// Its place, without the `P#`.
+        span: Span,
+    },
     /// `MW 10`, `I 0.0`, `T 5`, `C 3`, `FC 1`, `DB 5`, `DBX 2.5`: letters upper-case, numbers unchecked.
     Absolute {
         /// `MW`, `I`, `T`, `FC`.

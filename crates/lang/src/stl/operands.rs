@@ -293,6 +293,8 @@ impl OperandClass {
             Self::ScanBit => match operand {
                 Operand::Timer(_) | Operand::Counter(_) | Operand::Status(_) => true,
                 Operand::Register(register) => is_status_bit(*register),
+                // TIA scans constants.
+                Operand::Constant(value) => matches!(value, Value::Bool(_)),
                 _ => Self::AssignBit.accepts(operand),
             },
             Self::AssignBit => matches!(operand, Operand::Memory(access) if access.width == Width::Bit),

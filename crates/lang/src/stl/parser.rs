@@ -351,28 +351,44 @@ impl<'t> Parser<'t> {
     /// Reads the text between two bytes as a constant.
     fn constant_of(&mut self, start: usize, end: usize) -> ast::Constant {
         let span = self.span(start, end);
-        let value = match literal::parse(self.slice(start, end)) {
-            Ok(value) => Some(value),
-            Err(error) => {
-                self.report(Diagnostic::new(error.problem(), span, error.to_string()));
-                None
-            }
+        let text = self.slice(start, end);
+        let (value, extended) = match literal::parse(text) {
+            Ok(value) => (Some(value), false),
+            Err(error) => match literal::parse_extended(text) {
+                Some(value) => (Some(value), true),
+                None => {
+                    self.report(Diagnostic::new(error.problem(), span, error.to_string()));
+                    (None, false)
+                }
+            },
         };
-        ast::Constant { value, span }
+        ast::Constant { value, extended, span }
     }
 
     /// Whether a constant begins here: a number, a sign with a number, a notation with `#`, characters, TRUE or FALSE.
     fn at_constant(&self) -> bool {
         match self.raw {
             Raw::Number | Raw::Literal | Raw::Characters => true,
-            Raw::Word => self.at_word("TRUE") || self.at_word("FALSE"),
+            Raw::Word => self.at_word("TRUE") || self.at_word("FALSE") || self.at_underscored_time(),
             Raw::Sign => matches!(self.current(), "+" | "-") && self.raw_behind_blanks() == Raw::Number,
             _ => false,
         }
     }
 
+    /// `T#_1S`, which a lexer takes for `T` and a local name: an instruction has no such operand without a space.
+    fn at_underscored_time(&self) -> bool {
+        let is_time = |end: usize| literal::parse_extended(self.slice(self.position, end)).is_some();
+        self.at_word("T")
+            && matches!(token(self.text, self.end), (Raw::Local, end) if self.text[self.end..].starts_with("#_") && is_time(end))
+    }
+
     fn constant(&mut self) -> ast::Constant {
         let start = self.position;
+        if self.at_underscored_time() {
+            let end = token(self.text, self.end).1;
+            self.bump_to(SyntaxKind::Constant, end);
+            return self.constant_of(start, end);
+        }
         if self.raw == Raw::Sign {
             self.bump(SyntaxKind::Constant);
             self.blanks();
@@ -381,7 +397,7 @@ impl<'t> Parser<'t> {
         let (_, end) = self.bump(SyntaxKind::Constant);
         match terminated {
             true => self.constant_of(start, end),
-            false => ast::Constant { value: None, span: self.span(start, end) },
+            false => ast::Constant { value: None, extended: false, span: self.span(start, end) },
         }
     }
 

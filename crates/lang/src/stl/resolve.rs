@@ -12,10 +12,12 @@ use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::interface::Interface;
+use sieben_model::literal::Value;
 use sieben_model::problems::Problem;
 use sieben_model::source::{Sources, Span};
 use sieben_model::types::DataType;
 
+use crate::calling::pointers::IN_DATA_BLOCK;
 use crate::declarations::data_block::DataLayout;
 use crate::declarations::types::{BlockInterface, describe};
 use crate::library::Selection;
@@ -161,7 +163,16 @@ impl<'a> Resolver<'a> {
         match operand {
             ast::Operand::None => plain(Operand::None),
             ast::Operand::Error => None,
-            ast::Operand::Constant(constant) => plain(Operand::Constant(constant.value.clone()?)),
+            ast::Operand::Constant(constant) => {
+                if constant.extended && !self.extended_notation(span) {
+                    return None;
+                }
+                plain(Operand::Constant(constant.value.clone()?))
+            }
+            ast::Operand::PointerTo { target, span: at } => {
+                let (_, position, _) = self.pointed_to(target, *at, span)?;
+                plain(Operand::Constant(Value::Pointer(IN_DATA_BLOCK | position)))
+            }
             ast::Operand::AddressOf(word) => self.address_of(word).map(Meaning::Operand),
             ast::Operand::Absolute { letters, number, bit } => self.absolute(&Written { letters, number: *number, bit: *bit }, span),
             ast::Operand::InBlock { block, instance, letters, number, bit } => {

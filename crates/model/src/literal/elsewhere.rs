@@ -198,6 +198,7 @@ mod tests {
             values: vec![("Red".into(), -1), ("Green".into(), 7)],
             initial: -1,
             index: Default::default(),
+            named: false,
         };
         let colour = DataType::Enumeration(Arc::new(colour));
         for (data_type, bits, text) in [

@@ -123,6 +123,12 @@ impl Checker<'_> {
         }
         let natural = prefix.and_then(DataType::from_any_word).or_else(|| literals::natural(literal, self.dialect));
         let natural = natural.map(|data_type| self.native(data_type));
+        let counts_nanoseconds =
+            matches!(literal, LiteralKind::Date { long: true, .. } | LiteralKind::DateAndTime { form: DateAndTimeForm::Long, .. });
+        let natural = match self.dialect.switches().calendar {
+            Calendar::Long if counts_nanoseconds => natural.map(|data_type| data_type.of_nanoseconds("L")),
+            _ => natural,
+        };
         match (literal, natural) {
             (LiteralKind::Integer { value, radix }, None) => Typed::Integer { value: *value, radix: *radix },
             (LiteralKind::Real { value, single }, None) => Typed::Real { value: *value, single: *single },

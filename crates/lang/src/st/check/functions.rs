@@ -2,13 +2,16 @@
 
 use std::sync::Arc;
 
+use sieben_engine::ir::Op;
+use sieben_model::address::Area;
 use sieben_model::block::BlockId;
 use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::testing::Word;
-use sieben_model::types::{DataType, Reference, ReferenceKind};
+use sieben_model::types::{DataType, Reference, ReferenceKind, STRING_LENGTH_MAX};
 
+use super::names::Role;
 use super::places::Reached;
 use super::typed::{Target, Typed};
 use super::types::{Class, Kind};
@@ -64,6 +67,9 @@ impl Checker<'_> {
                 None => (Typed::Poison, argument.span),
             })
             .collect();
+        if let Some(typed) = self.name_of_enumeration(name, call, &arguments, span) {
+            return typed;
+        }
         let of_enumeration = self.number_of_enumeration(name, &mut arguments);
         let name = of_enumeration.as_ref().unwrap_or(name);
         let given: Vec<Given<'_>> = call
@@ -132,6 +138,63 @@ impl Checker<'_> {
         let general = format!("TO_{target}");
         *data_type = enumeration.base.base().clone();
         Some(Name { text: general, ..name.clone() })
+    }
+
+    /// `TO_STRING(color)` where the type has the attribute 'to_string': the name of the value, or its number if it has none.
+    fn name_of_enumeration(&mut self, name: &Name, call: &ast::Call, arguments: &[(Typed, Span)], span: Span) -> Option<Typed> {
+        let [(Typed::Scalar { value, data_type: DataType::Enumeration(enumeration) }, place)] = arguments else { return None };
+        let upper = name.text.to_ascii_uppercase();
+        let own = enumeration.name.as_ref().and_then(|own| upper.strip_prefix(&format!("{}_TO_", own.to_ascii_uppercase())));
+        let wide = match own.or_else(|| upper.strip_prefix("TO_"))? {
+            "STRING" => false,
+            "WSTRING" => true,
+            _ => return None,
+        };
+        if !enumeration.named {
+            return None;
+        }
+        let (keep, number) = self.kept(value.clone());
+        let mut first = Some(keep);
+        let base = enumeration.base.base().clone();
+        let of_number = vec![(Typed::Scalar { value: number.clone(), data_type: base }, *place)];
+        let mut found = self.text_function("TO_STRING", of_number, span);
+        let groups = names_in_one_text(&enumeration.values);
+        for (index, group) in groups.iter().enumerate().rev() {
+            // The outermost choice comes first: it keeps the number for those inside.
+            let kept = if index == 0 { first.take() } else { None };
+            let asked = super::calls::after(kept.into_iter().collect(), number.clone());
+            let all: Vec<u8> = group.iter().flat_map(|(_, text, _)| text.iter().copied()).collect();
+            let of = |number: &Value, part: fn(&(i64, &[u8], usize)) -> u64| picked(group, number, part, span);
+            let length = of(&number, |(_, text, _)| text.len() as u64);
+            let at = of(&number, |(_, _, at)| *at as u64 + 1);
+            let whole = |value: Value| Typed::Scalar { value: operators::convert(value, Scalar::I16), data_type: DataType::Int };
+            let name = vec![(Typed::Text(Text::Constant(all)), span), (whole(length), span), (whole(at), span)];
+            let name = self.text_function("MID", name, span);
+            let is_named = operators::compute(Op::IsNonzero, vec![of(&asked, |_| 1)], Scalar::Bool);
+            let is_named = Typed::Scalar { value: Value { span, ..is_named }, data_type: DataType::Bool };
+            found = self.text_function("SEL", vec![(is_named, span), (found, span), (name, span)], span);
+        }
+        if !wide || found == Typed::Poison {
+            return Some(found);
+        }
+        let to_wide = Name { text: "STRING_TO_WSTRING".to_owned(), ..name.clone() };
+        self.wide_function(&to_wide, call, &[(found, span)], span)
+    }
+
+    /// A call of a standard function of texts with these arguments by position.
+    fn text_function(&mut self, name: &str, arguments: Vec<(Typed, Span)>, span: Span) -> Typed {
+        if arguments.iter().any(|(typed, _)| *typed == Typed::Poison) {
+            return Typed::Poison;
+        }
+        let given: Vec<Given<'_>> = arguments.iter().map(|(typed, _)| Given { name: None, kind: kind_of(typed) }).collect();
+        let by_position = ast::Argument { name: None, direction: Direction::Assigned, value: None, span };
+        let callee = Expression { kind: ExpressionKind::Missing, span };
+        let call = ast::Call { callee, arguments: vec![by_position; arguments.len()] };
+        match standard::resolve(name, self.dialect, &given) {
+            Some(Ok(resolved)) => self.composed(name, resolved, &call, arguments, span),
+            Some(Err(refusal)) => self.refused(refusal, &arguments, span),
+            None => self.not_built(span, "the name of a value"),
+        }
     }
 
     /// `SIN(0.5)`: a number without a type as its argument is, so that an LREAL gets all its digits.
@@ -278,7 +341,12 @@ impl Checker<'_> {
                 let mut rest: Vec<Option<(Typed, Span)>> = arguments.into_iter().map(Some).collect();
                 let mut values = Vec::with_capacity(resolved.parameters.len());
                 for (index, parameter) in order_of(&resolved.parameters, call).into_iter().zip(&resolved.parameters) {
-                    let Some((typed, place)) = rest.get_mut(index).and_then(Option::take) else { continue };
+                    let Some((mut typed, place)) = rest.get_mut(index).and_then(Option::take) else { continue };
+                    if let Some(written) = call.arguments.get(index).and_then(|argument| argument.value.as_ref())
+                        && self.truncates(written)
+                    {
+                        typed = self.expression_for(written, &parameter.data_type);
+                    }
                     match self.coerce(typed, place, &parameter.data_type) {
                         Some(value) => values.push(value),
                         None => return Typed::Poison,
@@ -504,15 +572,19 @@ impl Checker<'_> {
 
     /// REF and ADR.
     fn address_of(&mut self, target: Target, function: &str, span: Span) -> Typed {
-        let local = matches!(target.place.base, Base::Area(sieben_model::address::Area::Local));
-        if local && function == "REF" {
-            let message = format!("`{}` lives only until the block ends, and a reference to it longer", target.name);
-            self.report(Problem::P6204, span, message).help = Some("Refer to a variable of an instance or a data block.".to_owned());
+        if function == "REF" && is_temporary(&target) {
+            self.dangles(&target.name, span);
             return Typed::Poison;
         }
         let kind = if function == "REF" { ReferenceKind::RefTo } else { ReferenceKind::Pointer };
         let data_type = DataType::Reference(Arc::new(Reference { target: target.data_type, kind }));
         Typed::Scalar { value: Value { kind: ValueKind::AddressOf(target.place), scalar: Scalar::U64, span }, data_type }
+    }
+
+    /// Says that a reference would be there longer than what it refers to.
+    pub(super) fn dangles(&mut self, name: &str, span: Span) {
+        let message = format!("`{name}` lives only until the block ends, and a reference to it longer");
+        self.report(Problem::P6204, span, message).help = Some("Refer to a variable of an instance or a data block.".to_owned());
     }
 
     /// A place in the local data of the block for a value of so many bytes, until the statement ends.
@@ -555,4 +627,64 @@ pub(super) fn kind_of(typed: &Typed) -> GivenKind {
         }
         Typed::Poison | Typed::Null | Typed::Block(_) | Typed::Type(_) | Typed::Qualifier(_) => GivenKind::Unknown,
     }
+}
+
+/// The names of an enumeration put together into as few texts as possible: of each name its number and where it begins in its text. Of
+/// several names of one number the first counts.
+fn names_in_one_text(values: &[(String, i64)]) -> Vec<Vec<(i64, &[u8], usize)>> {
+    let mut groups: Vec<Vec<(i64, &[u8], usize)>> = Vec::new();
+    let mut seen = std::collections::HashSet::new();
+    for (name, number) in values.iter().filter(|(_, number)| seen.insert(*number)) {
+        let text = &name.as_bytes()[..name.len().min(usize::from(STRING_LENGTH_MAX))];
+        let at = groups.last().and_then(|group| group.last()).map_or(usize::MAX, |(_, text, at)| at + text.len());
+        match groups.last_mut() {
+            Some(group) if at + text.len() <= usize::from(STRING_LENGTH_MAX) => group.push((*number, text, at)),
+            _ => groups.push(vec![(*number, text, 0)]),
+        }
+    }
+    groups
+}
+
+/// A part of the row whose number the value is, or 0: the sum over all rows, of which one at most counts.
+fn picked(group: &[(i64, &[u8], usize)], number: &Value, part: fn(&(i64, &[u8], usize)) -> u64, span: Span) -> Value {
+    let whole = |value| Value { kind: ValueKind::Constant(value), scalar: Scalar::U32, span };
+    match group {
+        [] => whole(0),
+        [row] => {
+            let bits = number.scalar.bits();
+            let own = if bits < 64 { row.0 as u64 & ((1 << bits) - 1) } else { row.0 as u64 };
+            let own = Value { kind: ValueKind::Constant(own), scalar: number.scalar, span };
+            let equal = operators::compute(Op::Equal, vec![number.clone(), own], Scalar::Bool);
+            Value { span, ..operators::compute(Op::Select, vec![equal, whole(part(row)), whole(0)], Scalar::U32) }
+        }
+        _ => {
+            let (left, right) = group.split_at(group.len() / 2);
+            // What is done before the number is read is done once.
+            let (before, again) = match &number.kind {
+                ValueKind::After(_, read) => (number, (**read).clone()),
+                _ => (number, number.clone()),
+            };
+            let sides = vec![picked(left, before, part, span), picked(right, &again, part, span)];
+            Value { span, ..operators::compute(Op::AddU32, sides, Scalar::U32) }
+        }
+    }
+}
+
+/// Whether a variable is there only while the block runs: local data, and what a function or method was given. A structured VAR_IN_OUT is
+/// the variable of the caller.
+fn is_temporary(target: &Target) -> bool {
+    match target.place.base {
+        Base::ComplexParameter(_) => target.role != Role::InOut,
+        _ => ends_with_block(&target.place),
+    }
+}
+
+/// Whether a place is in the local data of the block or in those of its caller.
+pub(super) fn ends_with_block(place: &Place) -> bool {
+    matches!(place.base, Base::Area(Area::Local) | Base::Parameter(_))
+}
+
+/// Whether a place is there after the block. What goes out as a parameter or behind a pointer is looked at when the block ends.
+pub(super) fn stays(place: &Place) -> bool {
+    matches!(place.base, Base::DataBlock(_) | Base::ComputedDataBlock(_) | Base::Instance)
 }

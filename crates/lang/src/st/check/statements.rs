@@ -9,6 +9,7 @@ use sieben_model::types::{DataType, ReferenceKind};
 
 use super::calls::Called;
 use super::expressions::same_type;
+use super::functions::{ends_with_block, stays};
 use super::names::Role;
 use super::places::Reached;
 use super::ranges::same_place;
@@ -213,7 +214,15 @@ impl Checker<'_> {
             self.report(Problem::P6204, target.span, "`REF=` takes a variable that is declared as REFERENCE TO");
             return None;
         };
-        self.refer_to(place?, &data_type, value, span)
+        let place = place?;
+        if let Reached::Target(source) = self.quietly(|checker| checker.reach(value))
+            && ends_with_block(&source.place)
+            && stays(&place)
+        {
+            self.dangles(&source.name, value.span);
+            return None;
+        }
+        self.refer_to(place, &data_type, value, span)
     }
 
     /// Lets the reference at a place refer to a variable of a type.
@@ -410,6 +419,14 @@ impl Checker<'_> {
     pub(super) fn store(&mut self, target: Target, typed: Typed, from: Span, span: Span) -> Option<StatementKind> {
         if Kind::of(&target.data_type).is_some() {
             let value = self.coerce(typed, from, &target.data_type)?;
+            if let ValueKind::AddressOf(place) = &value.kind
+                && ends_with_block(place)
+                && stays(&target.place)
+            {
+                let message = "this variable lives only until the block ends, and a pointer to it longer";
+                self.report(Problem::P6204, from, message).help = Some("Point to a variable of an instance or a global one.".to_owned());
+                return None;
+            }
             return Some(self.limited(target, value, span));
         }
         match (&target.data_type, typed) {

@@ -26,6 +26,11 @@ impl Checker<'_> {
     /// An expression of shifted or chosen numbers without a type, written with a type; `None` for anything else.
     pub(super) fn untyped_as(&mut self, expression: &Expression, wanted: &DataType) -> Option<Expression> {
         let kind = Kind::of(wanted.base())?;
+        if kind.is_integer()
+            && let Some(typed) = self.truncated_to(expression, wanted.base())
+        {
+            return Some(typed);
+        }
         let bits = kind.is_integer() || kind.class == Class::Bits && kind.bits > 1;
         if !bits && kind != Kind::LREAL {
             return None;
@@ -37,6 +42,44 @@ impl Checker<'_> {
         }
         let mut typed = expression.clone();
         self.give_type(&mut typed, wanted.base()).then_some(typed)
+    }
+
+    /// TRUNC with the integer type of where it stands, in the dialect where it has no type of its own.
+    fn truncated_to(&mut self, expression: &Expression, wanted: &DataType) -> Option<Expression> {
+        if !self.truncates(expression) {
+            return None;
+        }
+        fn write(expression: &mut Expression, word: &str) {
+            match &mut expression.kind {
+                ExpressionKind::Parenthesized(inner) | ExpressionKind::Unary(_, inner) => write(inner, word),
+                ExpressionKind::Call(call) => {
+                    if let ExpressionKind::Name(name) = &mut call.callee.kind {
+                        name.text = format!("TRUNC_{word}");
+                    }
+                }
+                _ => {}
+            }
+        }
+        let mut typed = expression.clone();
+        write(&mut typed, wanted.word()?);
+        Some(typed)
+    }
+
+    /// Whether an expression is a call of the standard function TRUNC, and its type is that of where it stands.
+    pub(super) fn truncates(&mut self, expression: &Expression) -> bool {
+        if !self.dialect.switches().trunc_takes_type {
+            return false;
+        }
+        match &expression.kind {
+            ExpressionKind::Parenthesized(inner) | ExpressionKind::Unary(UnaryOperator::Minus | UnaryOperator::Plus, inner) => {
+                self.truncates(inner)
+            }
+            ExpressionKind::Call(call) => {
+                let named = matches!(&call.callee.kind, ExpressionKind::Name(name) if name.is("TRUNC") && name.quoting == Quoting::Bare);
+                named && matches!(self.quietly(|checker| checker.called(&call.callee)), Called::Standard(_))
+            }
+            _ => false,
+        }
     }
 
     /// `LIMIT(0, 5, 7)`: whole numbers only, which all fit a type.
@@ -59,7 +102,8 @@ impl Checker<'_> {
 
     /// Two operands, one of which is made of shifted or chosen numbers without a type.
     pub(super) fn beside_untyped(&mut self, left: &Expression, right: &Expression) -> Option<(Typed, Typed)> {
-        match (self.family(left).is_some(), self.family(right).is_some()) {
+        let takes_type = |checker: &mut Self, operand: &Expression| checker.family(operand).is_some() || checker.truncates(operand);
+        match (takes_type(self, left), takes_type(self, right)) {
             (true, false) => {
                 let b = self.expression(right);
                 Some((self.untyped_beside(left, &b), b))

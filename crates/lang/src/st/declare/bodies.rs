@@ -25,7 +25,7 @@ use crate::scope::key;
 use crate::st::check::names::{Entity, Variable};
 use crate::st::check::{Block, Checked, check};
 use crate::st::dialect::{Construct, Judgement};
-use crate::st::lower::{lower, lower_counted};
+use crate::st::lower::{Known, lower, lower_counted};
 use crate::st::tree::{Base, Body, TypedBlock};
 
 /// The organization block of a warm restart.
@@ -109,7 +109,8 @@ impl Environment<'_> {
                 calls.extend(&beginning.called);
             }
             bodies.calls.entry(id).or_insert(calls);
-            bodies.code.insert(id, lower(id, &block.interface, &generated.body, &|block| self.interface_of(block)));
+            let known = Known { interface: &|block| self.interface_of(block), is_stl: &|_| false };
+            bodies.code.insert(id, lower(id, &block.interface, &generated.body, &known));
             bodies.made.insert(id, TypedBlock { interface: block.interface, body: generated.body });
             bodies.intervals.extend(generated.interval_ms.map(|interval| (id.number, interval)));
         }
@@ -196,7 +197,8 @@ impl Environment<'_> {
             done.told.failed = true;
             return done;
         };
-        done.diagnostics.extend(too_much_local_data(|| names.shown(), &interface, cpu, code.block.name.span));
+        let loadable = code.dialect != code.dialect.base() || !code.dialect.switches().local_data_limited;
+        done.diagnostics.extend(too_much_local_data(|| names.shown(), &interface, cpu, code.block.name.span, loadable));
         if !matches!(id.kind, BlockKind::Function | BlockKind::FunctionBlock | BlockKind::OrganizationBlock) {
             return done;
         }
@@ -236,7 +238,10 @@ impl Environment<'_> {
             with_starting = Body { statements, ..typed.body.clone() };
             &with_starting
         };
-        let known = |block| self.interface_of(block);
+        let is_stl = |block: BlockId| {
+            block.kind == BlockKind::FunctionBlock && !self.items.code.contains_key(&block) && !self.links.contains_key(&block)
+        };
+        let known = Known { interface: &|block| self.interface_of(block), is_stl: &is_stl };
         if !counted {
             return (lower(id, &typed.interface, body, &known), None);
         }

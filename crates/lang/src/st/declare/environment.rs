@@ -38,7 +38,7 @@ pub(crate) struct Environment<'a> {
     pub(crate) items: &'a Items<'a>,
     scope: &'a Scope,
     /// Blocks of the S7 library that the program has.
-    links: &'a Links,
+    pub(super) links: &'a Links,
     pub(super) interfaces: &'a HashMap<BlockId, BlockInterface>,
     data: &'a HashMap<u16, DataLayout>,
     /// Types of TYPE sections by key.

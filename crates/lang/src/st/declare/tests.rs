@@ -10,7 +10,7 @@ use super::items::TestBlock;
 use crate::declarations::interface::lay_out;
 use crate::st::ast::TestPart;
 use crate::st::check::Checked;
-use crate::st::lower::lower;
+use crate::st::lower::{Known, lower};
 use crate::st::tree::{Base, Body, Call, Callee, Place, Statement, StatementKind, TypedBlock};
 
 impl Environment<'_> {
@@ -60,7 +60,9 @@ impl Environment<'_> {
             body.statements.push(Statement { kind: StatementKind::Call(call), span });
             bodies.calls.entry(id).or_default().insert(part.block);
         }
-        bodies.code.insert(id, lower(id, &laid_out.interface, &body, &|block| self.interface_of(block)));
+        bodies
+            .code
+            .insert(id, lower(id, &laid_out.interface, &body, &Known { interface: &|block| self.interface_of(block), is_stl: &|_| false }));
         bodies.made.insert(id, TypedBlock { interface: laid_out.interface, body });
         bodies.tests.blocks.insert(id);
     }

@@ -161,6 +161,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
         let data_type = match DataType::from_any_word(word) {
             Some(DataType::Date) if long => DataType::LongDate,
             Some(DataType::DateAndTime) if long => DataType::LongDateAndTime,
+            Some(data_type @ (DataType::LongDate | DataType::LongDateAndTime)) if long => data_type.of_nanoseconds(word),
             Some(DataType::String(_)) => DataType::String(self.string_length()),
             Some(DataType::WideString(_)) => DataType::WideString(u16::from(self.string_length())),
             // Words of the S7 that elsewhere are names like others.
@@ -475,6 +476,10 @@ impl<'t, 'a> Resolver<'t, 'a> {
             }
             _ => self.type_inside(&declaration.data_type, name)?,
         };
+        let named = declaration.attributes.iter().any(|attribute| attribute.name.is("to_string"));
+        if let (DataType::Enumeration(enumeration), true) = (&mut data_type, named) {
+            Arc::make_mut(enumeration).named = true;
+        }
         if let Some(initializer) = &declaration.initial {
             let values = self.initial(initializer, &data_type);
             match (&mut data_type, values.as_slice()) {
@@ -552,6 +557,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
             base,
             values: found,
             initial,
+            named: false,
             index: Default::default(),
         })))
     }

@@ -183,7 +183,7 @@ impl Lowering<'_> {
     }
 
     fn call_function(&mut self, block: BlockId, enter: Option<Enter>, call: &Call, result: Option<&Place>) {
-        let interface = (self.known)(block);
+        let interface = (self.known.interface)(block);
         let formals: Vec<&Variable> = interface.iter().flat_map(|interface| interface.parameters()).collect();
         let mut passed: Vec<Option<Pass>> = vec![None; formals.len()];
         let mut behind = Vec::new();
@@ -396,7 +396,7 @@ impl Lowering<'_> {
     fn call_instance(&mut self, block: BlockId, instance: &Place, dispatch: Option<&Dispatch>, call: &Call) {
         let instance = self.freeze(instance);
         let chosen = self.dispatched(dispatch, &instance);
-        let interface = (self.known)(block);
+        let interface = (self.known.interface)(block);
         let takes_address = |parameter: u32| {
             let formal = interface.iter().flat_map(|interface| interface.parameters()).find(|formal| formal.offset == parameter);
             formal.is_some_and(|formal| is_address(&formal.data_type))
@@ -522,6 +522,12 @@ impl Lowering<'_> {
         }
         let saved = self.save_ar2();
         if instance.base == Base::Instance {
+            // As in the macro of CALL: inside, the DB register holds the instance data block too. Blocks of ST never look at it.
+            if number.is_none() && (self.known.is_stl)(block) {
+                for (shared, instance) in REGISTER_PAIRS {
+                    self.copy_var(shared.into(), instance.into());
+                }
+            }
             let indexed = self.indexes(instance, false, false);
             if let Some(index) = indexed.pointer {
                 self.push(Inst::Compute { op: Op::AddU32, dst: ar2, args: super::arguments(&[ar2, index]) });

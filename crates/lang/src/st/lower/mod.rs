@@ -45,7 +45,12 @@ const START_INFORMATION_BYTES: u32 = 20;
 const LOCAL_BYTES_MAX: u32 = 1 << 20;
 
 /// What lowering must know of the blocks that are called.
-pub type Known<'a> = dyn Fn(BlockId) -> Option<Arc<Interface>> + 'a;
+pub struct Known<'a> {
+    /// The interface of a block.
+    pub interface: &'a dyn Fn(BlockId) -> Option<Arc<Interface>>,
+    /// Whether a block is one of STL: it may look at the data block registers.
+    pub is_stl: &'a dyn Fn(BlockId) -> bool,
+}
 
 /// The IR of a block: its body, and what `known` says of the blocks that it calls.
 pub fn lower(id: BlockId, interface: &Interface, body: &Body, known: &Known<'_>) -> CodeBlock {

@@ -7,7 +7,7 @@ use super::build::{compute, constant, converted, fail_if};
 use super::call::{Answer, Call, built};
 use super::generic::{is_integer, named, scalar_of, type_of};
 use super::operators::{Beyond, Rounding, is_real, is_signed};
-use super::{Building, Meaning, Refusal, Resolved, library};
+use super::{Building, GivenKind, Meaning, Refusal, Resolved, library};
 use crate::st::dialect::{Calendar, Construct, Dialect, Judgement};
 use crate::st::tree::{Scalar, Value};
 
@@ -207,9 +207,15 @@ fn by_name(call: &Call<'_>) -> Answer {
             Some(word) => named(word, dialect).unwrap_or(DataType::Int),
             None => type_of(given[0]).ok_or_else(|| call.wrong(given[0], "a value"))?,
         };
-        let source_word = from.map_or_else(|| source.base().word().unwrap_or("INT").to_owned(), str::to_owned);
+        // DATE and DT count seconds as numbers, LDATE and LDT nanoseconds; where no name tells it, the type of the value does.
+        let long = matches!(&given[0].kind, GivenKind::Typed(data_type) if data_type.counts_nanoseconds());
+        let source_word = match (from, &source) {
+            (Some(word), _) => word.to_owned(),
+            (None, DataType::LongDate | DataType::LongDateAndTime) if !long => "DT".to_owned(),
+            (None, source) => source.base().word().unwrap_or("INT").to_owned(),
+        };
         if text(to) || matches!(source, DataType::String(_)) {
-            return of_text(call, &source, &target, from.map(|word| word.starts_with('L')));
+            return of_text(call, &source, &target, from.map(|word| word.starts_with('L')).or(long.then_some(true)));
         }
         // Dates of the S7 and LDT count from other days: blocks of the library.
         let by_library = dialect.switches().calendar == Calendar::S7
@@ -336,6 +342,9 @@ fn scaled(value: Value, (from, to): (u64, u64), kinds: &Kinds, at: &mut Building
     } else {
         value
     };
+    if kinds.b == Scalar::Bool && NONZERO_IS_TRUE[kinds.dialect.column()] {
+        return compute(Op::IsNonzero, vec![value], Scalar::Bool, at.span);
+    }
     converted(value, kinds.b, Rounding::HalfEven, Beyond::LowBits, at)
 }
 

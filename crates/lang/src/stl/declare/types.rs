@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
+use sieben_model::address;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::Section;
 use sieben_model::literal::Value;
@@ -242,6 +243,16 @@ impl<K: Knows> Types<'_, K> {
                     values.push(value);
                 }
             }
+            ast::Initial::Number { operand, span } => {
+                if room.left == 0 {
+                    room.full.get_or_insert(*span);
+                    return;
+                }
+                if let Some(value) = self.number_of(operand, element, *span) {
+                    room.left -= 1;
+                    values.push(value);
+                }
+            }
             ast::Initial::Repeat { count, values: group, span } => {
                 if depth >= NESTING_MAX {
                     self.report(Problem::P4008, *span, format!("repeated values are nested deeper than {NESTING_MAX} levels"));
@@ -273,9 +284,58 @@ impl<K: Knows> Types<'_, K> {
         }
     }
 
+    /// The number of a timer, a counter or a block as the value of a variable of that type, or a diagnostic.
+    fn number_of(&mut self, operand: &ast::Operand, data_type: &DataType, span: Span) -> Option<Value> {
+        let named = match operand {
+            ast::Operand::Absolute { letters, number, bit: None } => Some((letters.clone(), *number)),
+            ast::Operand::Symbol { name, path } if path.is_empty() => {
+                let Some(global) = self.scope.global(&name.text) else {
+                    let nearest = did_you_mean(self.scope.nearest_symbol(&name.text));
+                    self.report(Problem::P3001, span, format!("`\"{}\"` is not in the symbol table{nearest}", name.text));
+                    return None;
+                };
+                match &global.operand {
+                    Some(address::Operand::Timer(number)) => Some(("T".to_owned(), u64::from(*number))),
+                    Some(address::Operand::Counter(number)) => Some(("C".to_owned(), u64::from(*number))),
+                    Some(address::Operand::Block(block)) => Some((block.kind.abbreviation().to_owned(), u64::from(block.number))),
+                    _ => None,
+                }
+            }
+            _ => None,
+        };
+        let letters: &[&str] = match data_type {
+            DataType::Timer => &["T"],
+            DataType::Counter => &["C", "Z"],
+            DataType::BlockFunction => &["FC", "SFC"],
+            DataType::BlockFunctionBlock => &["FB", "SFB"],
+            DataType::BlockData => &["DB"],
+            DataType::BlockSystemData => &["SDB", "DB"],
+            _ => &[],
+        };
+        match named {
+            Some((written, number)) if letters.contains(&written.as_str()) => match u16::try_from(number) {
+                Ok(number) => Some(Value::Word(number)),
+                Err(_) => {
+                    self.report(Problem::P4001, span, format!("`{written} {number}` has a number above 65535"));
+                    None
+                }
+            },
+            _ => {
+                let message = format!("this is no value of type {}; write {}", describe(data_type), example(data_type));
+                self.report(Problem::P4006, span, message);
+                None
+            }
+        }
+    }
+
     /// The constant as a value of the type, or a diagnostic.
     pub(super) fn fitting(&mut self, constant: &ast::Constant, data_type: &DataType) -> Option<Value> {
         let value = constant.value.as_ref()?;
+        if constant.extended && !self.scope.extended {
+            let message = "this constant is written as only extended programs may, and this program is not extended";
+            self.report(Problem::P2040, constant.span, message);
+            return None;
+        }
         match coerce(value, data_type) {
             Ok(value) => Some(value),
             Err(Misfit::Type) => {
@@ -337,6 +397,12 @@ fn example(data_type: &DataType) -> &'static str {
         DataType::String(_) => "for example `'text'`",
         DataType::Pointer => "for example `P#DB5.DBX 0.0`",
         DataType::Any => "for example `P#DB5.DBX 0.0 BYTE 10`",
+        DataType::Timer => "for example `T 5`",
+        DataType::Counter => "for example `C 5`",
+        DataType::BlockFunction => "for example `FC 5`",
+        DataType::BlockFunctionBlock => "for example `FB 5`",
+        DataType::BlockData => "for example `DB 5`",
+        DataType::BlockSystemData => "for example `SDB 5`",
         _ => "a variable",
     }
 }

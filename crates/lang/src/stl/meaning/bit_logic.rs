@@ -4,6 +4,7 @@ use sieben_engine::fault::Abort;
 use sieben_engine::intrinsics::Intrinsic;
 use sieben_engine::ir::{Inst, OnFault, Op, Var};
 use sieben_engine::machine::Register;
+use sieben_model::literal::Value;
 
 use super::WRONG_OPERAND;
 use crate::stl::lower::Lowering;
@@ -51,6 +52,7 @@ fn status_bit(l: &mut Lowering<'_>, operand: &Operand) {
             l.b.copy(STA, bit);
         }
         Operand::Register(register) => l.b.copy(STA, *register),
+        Operand::Constant(Value::Bool(bit)) => l.b.set(STA, u64::from(*bit)),
         _ => unreachable!("{WRONG_OPERAND}"),
     }
 }

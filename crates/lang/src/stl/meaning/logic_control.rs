@@ -12,6 +12,8 @@ use crate::calling::pointers::{
     ADDRESS_MASK, ANY_BYTES, ANY_OF_S7, ANY_PARTS, AREA_SHIFT, CALLER_LOCAL, IN_DATA_BLOCK, POINTER_BYTES, any_type, bytes_of,
 };
 use crate::calling::registers::{INSTANCE_START, REGISTER_PAIRS};
+use crate::declarations::interface::is_complex;
+use crate::declarations::values::write;
 use crate::stl::lower::Lowering;
 use crate::stl::operands::{Access, Actual, BlockOperand, Call, CallInstance, CallParameter, Location, NumberOperand, Operand};
 
@@ -95,7 +97,11 @@ fn call_function(l: &mut Lowering<'_>, call: &Call) {
             },
             Some(Actual::Constant(value)) => {
                 let hidden = store_constant(l, value, &parameter.data_type);
-                Pass::Known(CALLER_LOCAL | hidden)
+                let passed = match is_complex(&parameter.data_type) {
+                    true => build_pointer(l, &Location::Fixed { area: Area::Local, position: hidden }, &parameter.data_type, false),
+                    false => hidden,
+                };
+                Pass::Known(CALLER_LOCAL | passed)
             }
             Some(Actual::Timer(number) | Actual::Counter(number) | Actual::Block(number)) => match number {
                 NumberOperand::Fixed(number) => Pass::Known(u32::from(*number)),
@@ -201,12 +207,18 @@ fn call_with_instance(l: &mut Lowering<'_>, call: &Call, db: u16) {
     l.b.release_temporaries();
 }
 
-/// `CALL #instance`: the same instance data block, AR2 moved to the part of the called block.
+/// The macro of `CALL #instance`: the DB register gets the instance data block as well, write the inputs, AR2 moved to the part of the
+/// called block, UC FB n, AR2 back, read the outputs, TDB. Inside DB and DI are the instance; behind the call DB is.
 fn call_multi_instance(l: &mut Lowering<'_>, call: &Call, position: u32) {
     let part = |inner: u32| Location::Instance { position: position + inner };
+    // What depends on the caller's own DB is fetched before DB changes.
+    let mut prepared = Vec::with_capacity(call.parameters.len());
     for parameter in &call.parameters {
-        let prepared = prepare(l, parameter);
+        prepared.push(prepare(l, parameter));
         l.b.release_temporaries();
+    }
+    share_instance(l);
+    for (parameter, prepared) in call.parameters.iter().zip(&prepared) {
         write_input(l, parameter, prepared.as_ref(), &part);
     }
     let saved_ar2 = l.hidden(4);
@@ -218,16 +230,29 @@ fn call_multi_instance(l: &mut Lowering<'_>, call: &Call, position: u32) {
     let ar2 = l.b.load(Place::Fixed { area: Area::Local, position: saved_ar2 }, Width::DoubleWord, OnFault::SkipStatement);
     l.b.copy(Register::Ar2, ar2);
     l.b.release_temporaries();
+    let mut opened = false;
     for parameter in call.parameters.iter().filter(|parameter| writes(parameter)) {
         match &parameter.actual {
             Some(Actual::Memory(access)) => {
                 copy(l, &Access { width: access.width, location: part(parameter.position) }, access);
+                opened |= direct_pointer(&access.location).is_none();
             }
             Some(Actual::Complex { location, data_type }) if parameter.section == Section::Output => {
                 copy_bytes(l, &part(parameter.position), location, bytes_of(data_type));
+                opened |= direct_pointer(location).is_none();
             }
             _ => {}
         }
+    }
+    if opened {
+        share_instance(l);
+    }
+}
+
+/// The data block of the DI register in the DB register as well.
+fn share_instance(l: &mut Lowering<'_>) {
+    for (shared, instance) in REGISTER_PAIRS {
+        l.b.copy(shared, instance);
     }
 }
 
@@ -351,6 +376,12 @@ fn store_constant(l: &mut Lowering<'_>, value: &Value, data_type: &DataType) -> 
         Value::DataPointer { db, pointer } => db.to_be_bytes().into_iter().chain(pointer.to_be_bytes()).collect(),
         Value::Pointer(pointer) if *data_type == DataType::Pointer => [0, 0].into_iter().chain(pointer.to_be_bytes()).collect(),
         Value::Bool(bit) => vec![u8::from(*bit)],
+        Value::DateAndTime(bytes) => bytes.to_vec(),
+        Value::Characters(_) if is_complex(data_type) => {
+            let mut image = vec![0; bytes_of(data_type) as usize];
+            write(&mut image, 0, data_type, value);
+            image
+        }
         other => {
             let bits = other.accumulator().unwrap_or_default();
             let bytes = data_type.bits().div_ceil(8).clamp(1, 4) as usize;

@@ -68,6 +68,11 @@ fn keyword_of(word: &str) -> Option<Keyword> {
     .find_map(|(name, keyword)| is(name).then_some(keyword))
 }
 
+/// Whether a word begins or ends a block, a section or the statements.
+pub(super) fn is_keyword(word: &str) -> bool {
+    keyword_of(word).is_some()
+}
+
 fn new_block(kind: BlockKind, name: BlockName, implicit: bool, span: sieben_model::source::Span) -> Block {
     Block {
         kind,

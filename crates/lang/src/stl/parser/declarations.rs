@@ -5,7 +5,7 @@ use sieben_model::problems::Problem;
 
 use super::Parser;
 use super::blocks::Keyword;
-use crate::stl::ast::{Assignment, Block, Constant, Declaration, Initial, PathElement, TypeKind, TypeName, VarSection};
+use crate::stl::ast::{Assignment, Block, Constant, Declaration, Initial, Operand, PathElement, TypeKind, TypeName, VarSection};
 use crate::stl::lexer::{Raw, token};
 use crate::stl::syntax::SyntaxKind;
 
@@ -204,13 +204,51 @@ impl Parser<'_> {
         if self.at_constant() {
             return Some(Initial::Value(self.constant()));
         }
+        if let Some(value) = self.named_number() {
+            return Some(value);
+        }
         let message = format!("{} where a constant stands, such as 5, TRUE, W#16#00FF or 3 (0)", self.shown());
         self.error(Problem::P2024, self.position, self.end, message);
         if self.keyword().is_some() || !matches!(self.raw, Raw::Word | Raw::Symbol | Raw::Local) {
             return None;
         }
         let (start, end) = self.bump(SyntaxKind::Unexpected);
-        Some(Initial::Value(Constant { value: None, span: self.span(start, end) }))
+        Some(Initial::Value(Constant { value: None, extended: false, span: self.span(start, end) }))
+    }
+
+    /// `T 5`, `Z 6`, `DB 5`, `SDB 1` or a symbol: what a TIMER, a COUNTER or a BLOCK_DB holds. Nothing is taken if it is none of them.
+    fn named_number(&mut self) -> Option<Initial> {
+        let start = self.position;
+        let operand = match self.raw {
+            Raw::Symbol => Operand::Symbol { name: self.name_word(SyntaxKind::Symbol), path: Vec::new() },
+            Raw::Word if self.keyword().is_none() => {
+                let word = self.current();
+                let letters = word.trim_end_matches(|c: char| c.is_ascii_digit());
+                match letters.eq_ignore_ascii_case("SDB") {
+                    true => self.system_data_block(letters.len())?,
+                    false => self.address()?,
+                }
+            }
+            _ => return None,
+        };
+        // No other word of a data block tells the mnemonic language: both are taken.
+        self.foreign.clear();
+        Some(Initial::Number { operand, span: self.span(start, self.position) })
+    }
+
+    /// `SDB 5` or `SDB5`.
+    fn system_data_block(&mut self, letters: usize) -> Option<Operand> {
+        let start = self.position;
+        let at = if letters < self.current().len() { start + letters } else { self.behind_blanks(self.end) };
+        let digits = self.text[at..].bytes().take_while(u8::is_ascii_digit).count();
+        if digits == 0 {
+            return None;
+        }
+        let number = self.slice(at, at + digits).parse().unwrap_or(u64::MAX);
+        self.bump_to(SyntaxKind::AddressLetters, start + letters);
+        self.blanks();
+        self.bump_to(SyntaxKind::Number, at + digits);
+        Some(Operand::Absolute { letters: "SDB".to_owned(), number, bit: None })
     }
 
     /// The BEGIN section of a data block.

@@ -3,9 +3,9 @@
 use sieben_model::problems::Problem;
 
 use super::Parser;
-use super::blocks::Keyword;
+use super::blocks::{Keyword, is_keyword};
 use crate::stl::ast::{Block, Header, TypeKind, TypeName, Word};
-use crate::stl::lexer::{Raw, trim_blanks};
+use crate::stl::lexer::{Raw, is_terminated, token, trim_blanks};
 use crate::stl::syntax::SyntaxKind;
 
 const HEADER_FLAGS: [&str; 6] = ["KNOW_HOW_PROTECT", "READ_ONLY", "UNLINKED", "NON_RETAIN", "STANDARD", "CODE_VERSION1"];
@@ -97,11 +97,13 @@ impl Parser<'_> {
                 self.error(Problem::P2014, self.position, self.end, message);
             }
         }
-        self.blanks();
+        if self.raw == Raw::Blank {
+            self.bump(SyntaxKind::Blank);
+        }
         let rest = &self.text[self.position..];
         let end = match self.raw {
-            Raw::Characters => self.end,
-            _ => self.position + rest.find(|c: char| c.is_whitespace() || c == ';').unwrap_or(rest.len()),
+            Raw::Characters if is_terminated(self.raw, self.current()) => self.end,
+            _ => self.position + self.header_text_end(rest),
         };
         let text = self.slice(self.position, end).trim_matches('\'').to_owned();
         let word = Word { text, span: self.span(self.position, end) };
@@ -114,6 +116,40 @@ impl Parser<'_> {
             _ => header.version = Some(word),
         }
         true
+    }
+
+    /// How many bytes of the rest of a line are the text of a header line: up to a `;` or a comment that ends it, without the spaces before.
+    ///
+    /// Several header lines may share one line: what stands behind a name of one word may be the next of them.
+    fn header_text_end(&self, rest: &str) -> usize {
+        let line = &rest[..rest.find(['\r', '\n']).unwrap_or(rest.len())];
+        let first = line.find(|c: char| c.is_whitespace() || c == ';').unwrap_or(line.len());
+        if self.header_word_at(self.behind_blanks(self.position + first)) {
+            return first;
+        }
+        let comment = line.find("//").filter(|&at| at == 0 || line[..at].ends_with(char::is_whitespace));
+        let text = &line[..comment.unwrap_or(line.len())];
+        let text = trim_blanks(text);
+        trim_blanks(text.strip_suffix(';').unwrap_or(text)).len()
+    }
+
+    /// Whether something else of a head begins at a byte: a flag, another header line, a section, BEGIN, the end of the line.
+    fn header_word_at(&self, at: usize) -> bool {
+        let (raw, end) = token(self.text, at);
+        if matches!(raw, Raw::Newline | Raw::End | Raw::BraceOpen) {
+            return true;
+        }
+        let word = &self.text[at..end];
+        let is = |keyword: &&str| word.eq_ignore_ascii_case(keyword);
+        if raw != Raw::Word {
+            return false;
+        }
+        let followed = matches!(token(self.text, self.behind_blanks(end)).0, Raw::Colon | Raw::Sign | Raw::Becomes);
+        match () {
+            () if HEADER_FLAGS.iter().any(&is) => true,
+            () if HEADER_FIELDS.iter().any(&is) || is(&"TITLE") => followed,
+            () => is_keyword(word),
+        }
     }
 
     /// `TITLE = text to the end of the line`.

@@ -58,6 +58,13 @@ impl Parser<'_> {
             self.bump_to(SyntaxKind::AddressLetters, self.end);
         }
         match self.raw {
+            Raw::Literal if self.at_pointer_to_variable() => {
+                self.bump_to(SyntaxKind::AddressOf, self.position + "P#".len());
+                self.blanks();
+                let start = self.position;
+                let target = Box::new(self.operand(false));
+                Operand::PointerTo { target, span: self.span(start, self.position) }
+            }
             Raw::Local => {
                 let name = self.name_word(SyntaxKind::Local);
                 let mut path = Vec::new();
@@ -99,6 +106,25 @@ impl Parser<'_> {
                 self.skip_operand()
             }
         }
+    }
+
+    /// `P#DB3.name` or `P#"Sym"`, but not `P#DB3.DBX 1.0`.
+    fn at_pointer_to_variable(&self) -> bool {
+        if !self.text[self.position..].get(..2).is_some_and(|start| start.eq_ignore_ascii_case("P#")) {
+            return false;
+        }
+        let at = self.behind_blanks(self.position + 2);
+        let rest = &self.text[at..];
+        if rest.starts_with('"') {
+            return true;
+        }
+        let Some((block, name)) = rest.split_once('.') else { return false };
+        let number = block.get(..2).filter(|letters| letters.eq_ignore_ascii_case("DB")).map(|_| block[2..].trim());
+        let is_number = number.is_some_and(|number| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()));
+        let word = &name[..name.find(|c| !in_word(c)).unwrap_or(name.len())];
+        let letters = word.trim_end_matches(|c: char| c.is_ascii_digit());
+        let absolute = area_and_width(letters).is_some() && letters.len() == "DBX".len();
+        is_number && !absolute && word.starts_with(|c: char| c == '_' || c.is_alphabetic())
     }
 
     /// To the end of the statement or the next parameter.
@@ -279,7 +305,7 @@ impl Parser<'_> {
     }
 
     /// An absolute address, memory- or register-indirect too; nothing is taken if it is none.
-    fn address(&mut self) -> Option<Operand> {
+    pub(super) fn address(&mut self) -> Option<Operand> {
         let (start, end) = (self.position, self.end);
         let written = self.current();
         let word: Cow<'_, str> = match latin(written) {
@@ -404,7 +430,7 @@ impl Parser<'_> {
             } else {
                 let message = format!("{} where the offset stands; write `[{},P#0.0]`", self.shown(), register.text);
                 self.error(Problem::P2005, self.position, self.end, message);
-                let offset = Constant { value: None, span: self.span(self.position, self.position) };
+                let offset = Constant { value: None, extended: false, span: self.span(self.position, self.position) };
                 self.skip_to_bracket();
                 Operand::RegisterIndirect { letters, register, offset }
             }

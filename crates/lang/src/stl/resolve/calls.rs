@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use sieben_model::block::{BlockId, BlockKind};
-use sieben_model::extension::is_negative;
+use sieben_model::extension::{SHUTDOWN, is_negative};
 use sieben_model::interface::Interface;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
@@ -57,7 +57,8 @@ impl Resolver<'_> {
             let actual = match arguments.get(&key(&parameter.name)) {
                 Some(argument) => self.actual(argument, parameter),
                 None => {
-                    if !has_instance {
+                    // Older programs call it without its only parameter.
+                    if !has_instance && callee != SHUTDOWN {
                         missing.push(format!("`{}`", parameter.name));
                     }
                     None

@@ -5,11 +5,12 @@ use sieben_model::address::Area;
 use sieben_model::extension::Relation;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
+use sieben_model::types::DataType;
 
 use super::{Meaning, Resolver};
 use crate::stl::ast;
 use crate::stl::extension::{Compared, Extension, Property, Word, compared_constant, is_status_bit};
-use crate::stl::operands::{Access, Operand};
+use crate::stl::operands::{Access, Location, Operand};
 
 impl Resolver<'_> {
     /// Whether the program may use extension words; says once in a block that it may not.
@@ -20,6 +21,31 @@ impl Resolver<'_> {
             self.report(Problem::P2040, span, message);
         }
         self.known.extended
+    }
+
+    /// The same of a notation that only extended programs have.
+    pub(crate) fn extended_notation(&mut self, span: Span) -> bool {
+        if !self.known.extended && !self.extension_reported {
+            self.extension_reported = true;
+            let message = format!("`{}` is written as only extended programs may, and this program is not extended", self.text(span));
+            self.report(Problem::P2040, span, message);
+        }
+        self.known.extended
+    }
+
+    /// The variable of a data block behind `P#DB3.name`: data block, position in bits, type.
+    pub(crate) fn pointed_to(&mut self, target: &ast::Operand, at: Span, span: Span) -> Option<(u16, u32, DataType)> {
+        if !self.extended_notation(span) {
+            return None;
+        }
+        match self.meaning(target, at)? {
+            Meaning::Variable { location: Location::InDataBlock { db, position }, data_type, .. } => Some((db, position, data_type)),
+            _ => {
+                let message = format!("`P#` with a name points to a variable of a data block; `{}` is none", self.text(at));
+                self.report(Problem::P4002, at, message);
+                None
+            }
+        }
     }
 
     /// A statement with an extension word; `None` if something was wrong, which is reported.

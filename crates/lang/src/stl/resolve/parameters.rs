@@ -5,11 +5,12 @@ use std::sync::Arc;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockKind;
 use sieben_model::interface::{Section, Variable};
-use sieben_model::literal::Value;
+use sieben_model::literal::{Value, any_type_code};
 use sieben_model::problems::Problem;
 use sieben_model::types::DataType;
 
 use super::{Meaning, Resolver};
+use crate::calling::pointers::{IN_DATA_BLOCK, any_type, bytes_of};
 use crate::declarations::interface::is_complex;
 use crate::declarations::types::describe;
 use crate::declarations::values::{Misfit, coerce, natural};
@@ -20,6 +21,16 @@ impl Resolver<'_> {
     /// What is passed for a parameter; `None` if it does not fit, which is reported.
     pub(super) fn actual(&mut self, argument: &ast::Argument, formal: &Variable) -> Option<Actual> {
         let span = argument.span;
+        if let ast::Operand::PointerTo { target, span: at } = &argument.value
+            && matches!(formal.data_type, DataType::Any | DataType::Pointer)
+        {
+            let (db, position, data_type) = self.pointed_to(target, *at, span)?;
+            let pointer = IN_DATA_BLOCK | position;
+            return Some(Actual::Constant(match formal.data_type {
+                DataType::Pointer => Value::DataPointer { db, pointer },
+                _ => any_of_variable(db, pointer, &data_type),
+            }));
+        }
         let meaning = self.meaning(&argument.value, span)?;
         // The declaration of the parameter was wrong, which is reported there.
         if formal.data_type == DataType::Void {
@@ -50,6 +61,23 @@ impl Resolver<'_> {
                 },
                 other => self.whole(other).ok_or_else(|| "a variable or a pointer such as `P#DB5.DBX 0.0`".to_owned()),
             },
+            // Extended programs write constants here: they lie in the local data of the caller, or in the instance.
+            complex
+                if is_complex(complex)
+                    && self.known.extended
+                    && formal.section == Section::Input
+                    && matches!(meaning, Meaning::Operand(Operand::Constant(_))) =>
+            {
+                match meaning {
+                    Meaning::Operand(Operand::Constant(value)) => {
+                        coerce(&value, complex).map(Actual::Constant).map_err(|misfit| match misfit {
+                            Misfit::Range => format!("at most as many characters as a {} has", describe(complex)),
+                            Misfit::Type => format!("a constant or variable of type {}", describe(complex)),
+                        })
+                    }
+                    _ => unreachable!("the guard saw a constant"),
+                }
+            }
             complex if is_complex(complex) => match self.whole(meaning) {
                 Some(Actual::Complex { location, data_type }) if same_layout(complex, &data_type) => {
                     Ok(Actual::Complex { location, data_type })
@@ -68,6 +96,7 @@ impl Resolver<'_> {
                 // A constant is what most people try first.
                 if is_complex(&formal.data_type)
                     && matches!(argument.value, ast::Operand::Constant(_))
+                    && !self.known.extended
                     && let Some(diagnostic) = self.diagnostics.last_mut()
                 {
                     diagnostic.help = Some(format!(
@@ -191,6 +220,25 @@ impl Resolver<'_> {
 fn any_of_number(type_code: u8, number: u16) -> Actual {
     let [high, low] = number.to_be_bytes();
     Actual::Constant(Value::Any([0x10, type_code, 0, 1, 0, 0, 0, 0, high, low]))
+}
+
+/// The ANY of a variable of a data block as extended programs have it: its type, and for a structure or an array the largest of DWORD, WORD
+/// and BYTE that it is a multiple of; an array of BYTE stays one.
+fn any_of_variable(db: u16, pointer: u32, data_type: &DataType) -> Value {
+    let (code, count) = match data_type {
+        DataType::Array { element, .. } if **element == DataType::Byte => any_type(data_type),
+        DataType::Array { .. } | DataType::Struct(_) | DataType::Instance { .. } => {
+            let bytes = bytes_of(data_type);
+            let (word, size) = [("DWORD", 4), ("WORD", 2)].into_iter().find(|(_, size)| bytes.is_multiple_of(*size)).unwrap_or(("BYTE", 1));
+            (any_type_code(word).unwrap_or_default(), bytes / size)
+        }
+        _ => any_type(data_type),
+    };
+    let mut any = [0x10, code, 0, 0, 0, 0, 0, 0, 0, 0];
+    any[2..4].copy_from_slice(&u16::try_from(count).unwrap_or(u16::MAX).to_be_bytes());
+    any[4..6].copy_from_slice(&db.to_be_bytes());
+    any[6..].copy_from_slice(&pointer.to_be_bytes());
+    Value::Any(any)
 }
 
 fn block_actual(meaning: Meaning, kinds: &[BlockKind], wanted: &str) -> Result<Actual, String> {
