@@ -31,7 +31,8 @@ fn fixes(findings: &[Finding], file: FileId) -> Vec<&Fix> {
     fixes.sort_by_key(|fix| (fix.span.start, fix.span.end));
     let mut behind = 0;
     fixes.retain(|fix| {
-        let free = fix.span.start >= behind && fix.span.start < fix.span.end;
+        // An empty place takes what is missing there.
+        let free = fix.span.start >= behind && (fix.span.start < fix.span.end || !fix.replacement.is_empty());
         if free {
             behind = fix.span.end;
         }
@@ -57,5 +58,13 @@ fn fixed(text: &str, fixes: &[&Fix]) -> String {
 
 fn line(sources: &Sources, fix: &Fix) -> String {
     let (line, column) = sources.line_column(fix.span);
-    format!("{}:{line}:{column}: wrote `{}` for `{}`", sources.file(fix.span.file).name, fix.replacement, sources.slice(fix.span))
+    let place = format!("{}:{line}:{column}", sources.file(fix.span.file).name);
+    // A line end would tear the report apart.
+    let shown = |text: &str| text.lines().map(str::trim).collect::<Vec<_>>().join(" ⏎ ").replace("⏎  ⏎", "⏎").trim().to_owned();
+    let (right, wrong) = (shown(&fix.replacement), shown(sources.slice(fix.span)));
+    match (right.as_str(), wrong.as_str()) {
+        ("", _) => format!("{place}: removed `{wrong}`"),
+        (_, "") => format!("{place}: wrote `{right}`"),
+        _ => format!("{place}: wrote `{right}` for `{wrong}`"),
+    }
 }

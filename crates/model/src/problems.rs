@@ -51,7 +51,7 @@ problems! {
     P1002 Error "characters without their closing apostrophe" "Write `'` behind the last character; an apostrophe inside is written `$'`.";
     P1003 Error "a quoted name without its closing quote" "Write `\"` behind the name, on the same line.";
     P1004 Error "a comment without its end" "Write `*)` where the comment ends.";
-    P1005 Error "a character that only looks like the right one" "Write the letter or digit that the message names.";
+    P1005 Error "a character that only looks like the right one" "Write the letter, digit or sign that the message names.";
     P1101 Error "a binary file instead of a source text" "Name the source (.awl, .stl, .csv, .sdf), not a block, an archive or a project database.";
     P1102 Warning "bytes that mean nothing in the encoding of the file" "Choose another encoding, or save the file as UTF-8.";
     P1103 Error "a character that the encoding of the file does not have" "Save the file as UTF-8, or replace the character.";
@@ -86,6 +86,10 @@ problems! {
     P2040 Error "an extension word in a program that is not extended" "Say `--extended`, or `extended = true` under `[project]` in `sieben.toml`, if the program was written for awlsim; a real CPU does not have these words.";
     P2041 Error "an extension word with other operands than it takes" "Write it the way the message shows.";
     P2042 Warning "an extension word that asks for a CPU with both two and four accumulators" "Ask for one number of accumulators in the whole program, or choose the CPU type with --cpu.";
+    P2043 Error "a mark of a printed listing where statements stand" "Remove the fence; write the statements that the page leaves out, or `NOP 0`.";
+    P2044 Error "an operand or instruction of STEP 5" "Write what the message names; STL calls bit memory M, counts the bytes of a data block, and writes constants as W#16#, 2#, C# and S5T#.";
+    P2045 Error "the heading of a printed block or network" "Begin a block with its keyword, such as `FUNCTION FC 30 : VOID`, and a network with `NETWORK`; what it is called stands behind `TITLE =`.";
+    P2046 Error "a name with spaces and without quotes" "Write the symbol in quotes, or the name with underscores.";
     P2199 Error "more problems than are shown" "Mend the problems that are shown first.";
     P2200 Error "a block header that does not fit its block" "Name a block of the kind that the keyword says: FUNCTION with an FC, FUNCTION_BLOCK with an FB, DATA_BLOCK with a DB, ORGANIZATION_BLOCK with an OB, TYPE with a UDT.";
     P2201 Error "a VAR section that this kind of block does not have" "An OB has VAR_TEMP; an FC has VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT and VAR_TEMP; only an FB has VAR too.";

@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
 use sieben_model::block::BlockId;
-use sieben_model::diagnostic::Diagnostic;
+use sieben_model::diagnostic::{Certainty, Diagnostic};
 use sieben_model::problems::Problem;
 use sieben_model::source::Sources;
 
@@ -89,6 +89,13 @@ impl Revision<'_> {
         diagnostics.extend(of_bodies.into_iter().filter(|diagnostic| compiled.is_of_user(diagnostic.span.file)));
         compiled.program.names = environment.program_names(&mut diagnostics);
         diagnostics.extend(self.without_main(&compiled, &checked, &bodies));
+        for fix in diagnostics.iter_mut().filter(|diagnostic| diagnostic.problem == Problem::P2046).filter_map(|found| found.fix.as_mut()) {
+            // The parser does not know the symbol table.
+            let name = fix.replacement.strip_prefix('"').and_then(|name| name.strip_suffix('"'));
+            if name.is_some_and(|name| names.scope.global(name).is_some()) {
+                fix.certainty = Certainty::Certain;
+            }
+        }
         if self.options.syntax_only {
             diagnostics.retain(|diagnostic| !needs_other_files(diagnostic.problem));
         }

@@ -223,8 +223,22 @@ fn choose(
     };
     let out_of_range = matches!(operand, Operand::Constant(_)) && rows.iter().any(|row| constants(row.operand()));
     let problem = if out_of_range { Problem::P4001 } else { Problem::P4002 };
-    resolver.diagnostics.push(Diagnostic::new(problem, place, message));
+    let mut diagnostic = Diagnostic::new(problem, place, message);
+    diagnostic.help = area_missing(&rows, &operand, known.sources.slice(place).trim(), mnemonics);
+    resolver.diagnostics.push(diagnostic);
     None
+}
+
+/// `A 128.0`: what may have been meant by a byte and a bit without their area.
+fn area_missing(rows: &[Instruction], operand: &Operand, written: &str, mnemonics: Mnemonics) -> Option<String> {
+    let (byte, bit) = written.split_once('.')?;
+    let bit_wanted = rows.iter().any(|row| matches!(row.operand(), OperandClass::ScanBit | OperandClass::AssignBit));
+    let bit_written = byte.parse::<u16>().is_ok() && matches!(bit, "0" | "1" | "2" | "3" | "4" | "5" | "6" | "7");
+    if !matches!(operand, Operand::Constant(_)) || !bit_wanted || !bit_written {
+        return None;
+    }
+    let [input, output, memory] = [Area::Input, Area::Output, Area::BitMemory].map(|area| area.prefix(mnemonics));
+    Some(format!("An address begins with its area: `{input} {written}`, `{output} {written}` or `{memory} {written}`."))
 }
 
 fn opens_bracket(instruction: Instruction) -> bool {

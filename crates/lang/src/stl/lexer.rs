@@ -3,6 +3,7 @@
 //! The parser asks for the token at a byte and may take less of it (`I0` is letters and a number)
 //! or several at once (`=`, `=` and `I` are one instruction).
 
+use super::look_alikes::{latin, straight_quote};
 pub(super) use crate::scan::in_word;
 use crate::scan::{self, ends_in_escape, is_blank, while_in};
 
@@ -88,6 +89,10 @@ pub(super) fn token(text: &str, start: usize) -> (Raw, usize) {
         '=' | '<' | '>' | '+' | '-' | '*' | '/' => (Raw::Sign, one),
         '\'' => (Raw::Characters, quoted(text, one, '\'')),
         '"' => (Raw::Symbol, quoted(text, one, '"')),
+        first if straight_quote(first).is_some() => match straight_quote(first) {
+            Some('"') => (Raw::Symbol, typeset(text, one, '"')),
+            _ => (Raw::Characters, typeset(text, one, '\'')),
+        },
         '#' if second == b'"' => (Raw::Local, quoted(text, one + 1, '"')),
         '#' => match while_in(text, one, in_word) {
             end if end > one => (Raw::Local, end),
@@ -101,7 +106,16 @@ pub(super) fn token(text: &str, start: usize) -> (Raw, usize) {
 
 /// Whether a token of characters, a symbol or a block comment has its end.
 pub(super) fn is_terminated(raw: Raw, text: &str) -> bool {
+    if matches!(raw, Raw::Characters | Raw::Symbol)
+        && let Some(first) = text.chars().next().filter(|&first| straight_quote(first).is_some())
+    {
+        return text.chars().next_back().is_some_and(|last| {
+            text.len() > first.len_utf8() && (straight_quote(last) == straight_quote(first) || Some(last) == straight_quote(first))
+        });
+    }
     match raw {
+        Raw::Characters if text.ends_with(|last| straight_quote(last) == Some('\'')) => true,
+        Raw::Symbol if text.ends_with(|last| straight_quote(last) == Some('"')) => true,
         Raw::Characters => text.len() > 1 && text.ends_with('\'') && quoted(text, 1, '\'') == text.len() && !ends_in_escape(text),
         Raw::Symbol => text.len() > 1 && text.ends_with('"'),
         Raw::Local => !text.starts_with("#\"") || (text.len() > 2 && text.ends_with('"')),
@@ -110,11 +124,23 @@ pub(super) fn is_terminated(raw: Raw, text: &str) -> bool {
     }
 }
 
+/// The byte after the next quote of a kind, straight or of typesetting, or the end of the line.
+fn typeset(text: &str, start: usize, quote: char) -> usize {
+    let closes = |c: char| c == quote || straight_quote(c) == Some(quote);
+    match text[start..].char_indices().find(|&(_, c)| closes(c) || matches!(c, '\r' | '\n')) {
+        Some((at, '\r' | '\n')) => start + trim_blanks(&text[start..start + at]).len(),
+        Some((at, closing)) => start + at + closing.len_utf8(),
+        None => text.len(),
+    }
+}
+
 /// The byte behind the closing quote, or the end of the line.
 fn quoted(text: &str, start: usize, quote: char) -> usize {
     let mut escaped = false;
     for (at, character) in text[start..].char_indices() {
         match character {
+            // A straight quote may be closed by one of typesetting, where nothing else closes it.
+            '\r' | '\n' if typeset(text, start, quote) < start + at => return typeset(text, start, quote),
             '\r' | '\n' => return start + trim_blanks(&text[start..start + at]).len(),
             _ if escaped => escaped = false,
             '$' if quote == '\'' => escaped = true,
@@ -122,7 +148,7 @@ fn quoted(text: &str, start: usize, quote: char) -> usize {
             _ => {}
         }
     }
-    text.len()
+    typeset(text, start, quote)
 }
 
 fn number(text: &str, start: usize) -> (Raw, usize) {
@@ -153,11 +179,13 @@ fn word(text: &str, start: usize) -> (Raw, usize) {
     let next = text.as_bytes().get(end + 1).copied().unwrap_or(0);
     let value = next.is_ascii_digit() || matches!(next, b'+' | b'-');
     let prefix = &text[start..end];
-    let is = |name: &str| prefix.eq_ignore_ascii_case(name);
+    let latin = latin(prefix);
+    let is = |name: &str| latin.as_deref().unwrap_or(prefix).eq_ignore_ascii_case(name);
     if is("P") {
         return pointer(text, end + 1);
     }
-    if is("B") && next == b'(' {
+    let bracket = while_in(text, end + 1, is_blank);
+    if is("B") && latin.is_none() && text[bracket..].starts_with('(') {
         let rest = &text[end..];
         let close = rest.find([')', '\r', '\n', ';']);
         return (Raw::Literal, close.map_or(text.len(), |at| end + at + usize::from(rest.as_bytes()[at] == b')')));

@@ -10,6 +10,7 @@ pub mod extension;
 pub mod format;
 pub mod instructions;
 mod lexer;
+mod look_alikes;
 pub mod lower;
 pub mod meaning;
 pub mod mnemonics;

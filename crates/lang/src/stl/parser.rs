@@ -9,7 +9,10 @@ mod extension;
 mod header;
 mod operands;
 mod paths;
+mod printed;
+mod slips;
 mod statements;
+mod step5;
 mod types;
 
 use std::collections::HashSet;
@@ -22,9 +25,11 @@ use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
 
 use super::ast;
-use super::lexer::{Raw, is_terminated, token};
+use super::lexer::{Raw, in_word, is_terminated, token};
+use super::look_alikes::{self, OTHER_ALPHABET, latin};
 use super::mnemonics::judge;
 use super::syntax::{SyntaxKind, SyntaxNode};
+use crate::scan::is_blank;
 
 /// More diagnostics than this help nobody; one more says that there are others.
 pub const DIAGNOSTICS_MAX: usize = 200;
@@ -74,6 +79,10 @@ pub fn parse(file: FileId, text: &str, mnemonics: Option<Mnemonics>) -> Parsed {
         comments: Vec::new(),
         depth: 0,
         statement_over: false,
+        trials: 0,
+        block_start: 0,
+        labels: None,
+        headed: None,
     };
     parser.advance(0);
     if let Some((start, end)) = ambiguous {
@@ -134,6 +143,14 @@ struct Parser<'t> {
     depth: usize,
     /// A parameter list without its end was reported; the next statement begins at the current token.
     statement_over: bool,
+    /// Readings that are being tried, inside each other.
+    trials: usize,
+    /// First byte of the current block.
+    block_start: usize,
+    /// The labels of a block, once they were needed.
+    labels: Option<slips::Labels>,
+    /// The end that a block still needs which began with a heading.
+    headed: Option<printed::Headed>,
 }
 
 impl<'t> Parser<'t> {
@@ -201,6 +218,11 @@ impl<'t> Parser<'t> {
             };
             let end = if self.raw == Raw::BlockComment { place.0 + 2 } else { place.1 };
             self.error(problem, place.0, end, message);
+        }
+        if matches!(self.raw, Raw::Characters | Raw::Symbol)
+            && let Some(right) = look_alikes::straightened(self.current())
+        {
+            self.slip(Problem::P1005, place.0, place.1, &right, "has quotes of typesetting");
         }
         self.bump_to(kind, place.1);
         place
@@ -351,12 +373,18 @@ impl<'t> Parser<'t> {
     /// Reads the text between two bytes as a constant.
     fn constant_of(&mut self, start: usize, end: usize) -> ast::Constant {
         let span = self.span(start, end);
-        let text = self.slice(start, end);
+        // Its quotes were reported as it was taken.
+        let straight = look_alikes::straightened(self.slice(start, end));
+        let text = straight.as_deref().unwrap_or(self.slice(start, end));
         let (value, extended) = match literal::parse(text) {
             Ok(value) => (Some(value), false),
-            Err(error) => match literal::parse_extended(text) {
-                Some(value) => (Some(value), true),
-                None => {
+            Err(error) => match (literal::parse_extended(text), look_alikes::meant_constant(text)) {
+                (Some(value), _) => (Some(value), true),
+                (None, Some((right, why))) => {
+                    self.slip(Problem::P1005, start, end, &right, why);
+                    (literal::parse(&right).ok(), false)
+                }
+                (None, None) => {
                     self.report(Diagnostic::new(error.problem(), span, error.to_string()));
                     (None, false)
                 }
@@ -371,6 +399,7 @@ impl<'t> Parser<'t> {
             Raw::Number | Raw::Literal | Raw::Characters => true,
             Raw::Word => self.at_word("TRUE") || self.at_word("FALSE") || self.at_underscored_time(),
             Raw::Sign => matches!(self.current(), "+" | "-") && self.raw_behind_blanks() == Raw::Number,
+            Raw::Unknown => self.typeset_sign() == Some("-") && self.raw_behind_blanks() == Raw::Number,
             _ => false,
         }
     }
@@ -380,6 +409,29 @@ impl<'t> Parser<'t> {
         let is_time = |end: usize| literal::parse_extended(self.slice(self.position, end)).is_some();
         self.at_word("T")
             && matches!(token(self.text, self.end), (Raw::Local, end) if self.text[self.end..].starts_with("#_") && is_time(end))
+    }
+
+    /// The signs that the current character of typesetting stands for.
+    fn typeset_sign(&self) -> Option<&'static str> {
+        match self.raw {
+            Raw::Unknown => self.current().chars().next().and_then(look_alikes::typeset_sign),
+            _ => None,
+        }
+    }
+
+    /// Where the number at the current token ends if its letters O and l are read as digits.
+    fn number_with_letters(&self) -> Option<usize> {
+        let rest = &self.text[self.end..];
+        if self.raw != Raw::Number || !rest.starts_with(['O', 'o', 'l']) {
+            return None;
+        }
+        let run = rest.find(|c: char| !(c.is_ascii_digit() || matches!(c, 'O' | 'o' | 'l' | '_' | '.'))).unwrap_or(rest.len());
+        let end = self.end + run;
+        let over = matches!(
+            token(self.text, self.behind_blanks(end)).0,
+            Raw::Semicolon | Raw::Newline | Raw::LineComment | Raw::End | Raw::Comma | Raw::ParenClose | Raw::BracketClose
+        );
+        (over && look_alikes::meant_constant(self.slice(self.position, end)).is_some()).then_some(end)
     }
 
     fn constant(&mut self) -> ast::Constant {
@@ -392,13 +444,52 @@ impl<'t> Parser<'t> {
         if self.raw == Raw::Sign {
             self.bump(SyntaxKind::Constant);
             self.blanks();
+        } else if self.raw == Raw::Unknown {
+            let (sign, sign_end) = self.bump(SyntaxKind::Constant);
+            self.slip(Problem::P1005, sign, sign_end, "-", "is a dash of typesetting");
+            self.blanks();
+            let (_, end) = self.bump(SyntaxKind::Constant);
+            let value = literal::parse(&format!("-{}", self.slice(sign_end, end).trim_start())).ok();
+            return ast::Constant { value, extended: false, span: self.span(start, end) };
+        }
+        if let Some(end) = self.number_with_letters() {
+            self.bump_to(SyntaxKind::Constant, end);
+            return self.constant_of(start, end);
         }
         let terminated = is_terminated(self.raw, self.current());
-        let (_, end) = self.bump(SyntaxKind::Constant);
+        // `B# (1, 10)`.
+        if self.raw == Raw::Literal
+            && let Some((letters, list)) = self.current().split_once('#')
+            && list.starts_with(is_blank)
+            && list.trim_start().starts_with('(')
+        {
+            let right = format!("{letters}#{}", list.trim_start());
+            self.slip(Problem::P2008, self.position, self.end, &right, "has a space inside");
+        }
+        let comma = self.decimal_comma();
+        let (_, mut end) = self.bump(SyntaxKind::Constant);
+        if let Some((behind, right)) = comma {
+            self.slip(Problem::P2004, end, end + 1, ".", "stands where STL writes a decimal point");
+            self.bump_to(SyntaxKind::Constant, behind);
+            end = behind;
+            return ast::Constant { value: literal::parse(&right).ok(), extended: false, span: self.span(start, end) };
+        }
         match terminated {
             true => self.constant_of(start, end),
             false => ast::Constant { value: None, extended: false, span: self.span(start, end) },
         }
+    }
+
+    /// `P#25,3`: where the pointer ends whose point is a comma, and what it should be.
+    fn decimal_comma(&self) -> Option<(usize, String)> {
+        let written = self.current();
+        if self.raw != Raw::Literal || !written.starts_with(['P', 'p']) || written.contains('.') {
+            return None;
+        }
+        let bit = self.text[self.end..].strip_prefix(',')?.chars().next().filter(|bit| matches!(bit, '0'..='7'))?;
+        let end = self.end + 2;
+        let right = format!("{written}.{bit}");
+        (!self.text[end..].starts_with(in_word) && literal::parse(&right).is_ok()).then_some((end, right))
     }
 
     /// A whole number with a sign, for bounds and indices.
@@ -490,38 +581,12 @@ fn comment_text(comment: &str) -> &str {
 /// A name without quotes and `#`.
 fn unquoted(text: &str) -> &str {
     let text = text.strip_prefix('#').unwrap_or(text);
+    if text.starts_with(|first| first == '"' || look_alikes::straight_quote(first).is_some()) && look_alikes::straightened(text).is_some() {
+        let quote = |c: char| c == '"' || look_alikes::straight_quote(c) == Some('"');
+        return text.strip_prefix(quote).map_or(text, |inner| inner.strip_suffix(quote).unwrap_or(inner));
+    }
     match text.strip_prefix('"') {
         Some(inner) => inner.strip_suffix('"').unwrap_or(inner),
         None => text,
     }
-}
-
-/// The Latin text that a text with Cyrillic or Greek look-alikes seems to be; `None` if it has none or others.
-fn latin(text: &str) -> Option<String> {
-    if text.is_ascii() {
-        return None;
-    }
-    text.chars()
-        .map(|character| match character {
-            'А' | 'а' | 'Α' => Some('A'),
-            'В' | 'в' | 'Β' => Some('B'),
-            'С' | 'с' => Some('C'),
-            'Е' | 'е' | 'Ε' => Some('E'),
-            'Н' | 'Η' => Some('H'),
-            'І' | 'і' | 'Ι' => Some('I'),
-            'Ј' | 'ј' => Some('J'),
-            'К' | 'к' | 'Κ' => Some('K'),
-            'М' | 'м' | 'Μ' => Some('M'),
-            'Ν' => Some('N'),
-            'О' | 'о' | 'Ο' => Some('O'),
-            'Р' | 'р' | 'Ρ' => Some('P'),
-            'Ѕ' | 'ѕ' => Some('S'),
-            'Т' | 'т' | 'Τ' => Some('T'),
-            'Х' | 'х' | 'Χ' => Some('X'),
-            'У' | 'у' | 'Υ' => Some('Y'),
-            'Ζ' => Some('Z'),
-            character if character.is_ascii() => Some(character),
-            _ => None,
-        })
-        .collect()
 }

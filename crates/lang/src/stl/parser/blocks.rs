@@ -11,7 +11,7 @@ use crate::stl::lexer::{Raw, token};
 use crate::stl::syntax::SyntaxKind;
 
 /// The keywords that begin and end blocks.
-const BLOCKS: [(&str, &str, BlockKind); 5] = [
+pub(super) const BLOCKS: [(&str, &str, BlockKind); 5] = [
     ("ORGANIZATION_BLOCK", "END_ORGANIZATION_BLOCK", BlockKind::OrganizationBlock),
     ("FUNCTION_BLOCK", "END_FUNCTION_BLOCK", BlockKind::FunctionBlock),
     ("FUNCTION", "END_FUNCTION", BlockKind::Function),
@@ -41,7 +41,7 @@ pub(super) enum Keyword {
     Title,
 }
 
-fn keyword_of(word: &str) -> Option<Keyword> {
+pub(super) fn keyword_of(word: &str) -> Option<Keyword> {
     let is = |keyword: &str| word.eq_ignore_ascii_case(keyword);
     // Every keyword is longer than most instructions: one comparison of lengths spares the table.
     if word.len() < 3 {
@@ -73,7 +73,7 @@ pub(super) fn is_keyword(word: &str) -> bool {
     keyword_of(word).is_some()
 }
 
-fn new_block(kind: BlockKind, name: BlockName, implicit: bool, span: sieben_model::source::Span) -> Block {
+pub(super) fn new_block(kind: BlockKind, name: BlockName, implicit: bool, span: sieben_model::source::Span) -> Block {
     Block {
         kind,
         name,
@@ -110,9 +110,19 @@ impl Parser<'_> {
         let mut implicit: Option<(usize, Block)> = None;
         loop {
             self.trivia();
+            if self.at_heading() {
+                if let Some(block) = self.headed_block() {
+                    file.blocks.push(block);
+                }
+                continue;
+            }
+            if self.raw != Raw::End && self.printed_line() {
+                continue;
+            }
             match self.keyword() {
                 _ if self.raw == Raw::End => break,
                 Some(Keyword::BlockStart(index)) => {
+                    self.end_headed();
                     let block = self.block(index);
                     file.blocks.push(block);
                 }
@@ -124,6 +134,7 @@ impl Parser<'_> {
                 }
                 _ => {
                     let start = self.position;
+                    self.block_start = start;
                     let span = self.span(start, start);
                     let outer = std::mem::take(&mut self.declared);
                     let (_, block) = implicit.get_or_insert_with(|| {
@@ -136,6 +147,7 @@ impl Parser<'_> {
                 }
             }
         }
+        self.end_headed();
         if let Some((index, mut block)) = implicit {
             self.check_labels(&mut block);
             file.blocks.insert(index, block);
@@ -146,6 +158,7 @@ impl Parser<'_> {
     fn block(&mut self, index: usize) -> Block {
         let (keyword, end_keyword, kind) = BLOCKS[index];
         let start = self.position;
+        self.block_start = start;
         self.start(SyntaxKind::Block);
         self.declared.clear();
         self.comments.clear();
@@ -283,6 +296,7 @@ impl Parser<'_> {
         let (start, end) = self.bump(SyntaxKind::Keyword);
         block.networks.push(Network { first_statement: block.statements.len(), span: self.span(start, end), ..Network::default() });
         self.finish();
+        self.numbered_network(start, block);
     }
 
     /// TITLE in code: the title of the network before it.

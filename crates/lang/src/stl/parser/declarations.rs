@@ -1,12 +1,15 @@
 //! Declarations: the sections of variables, their initial values, the assignments of data blocks.
 
+use sieben_model::diagnostic::Diagnostic;
 use sieben_model::interface::Section;
 use sieben_model::problems::Problem;
 
 use super::Parser;
 use super::blocks::Keyword;
-use crate::stl::ast::{Assignment, Block, Constant, Declaration, Initial, Operand, PathElement, TypeKind, TypeName, VarSection};
-use crate::stl::lexer::{Raw, token};
+use super::types::is_type;
+use crate::scan::is_blank;
+use crate::stl::ast::{Assignment, Block, Constant, Declaration, Initial, Operand, PathElement, TypeKind, TypeName, VarSection, Word};
+use crate::stl::lexer::{Raw, token, trim_blanks};
 use crate::stl::syntax::SyntaxKind;
 
 impl Parser<'_> {
@@ -123,7 +126,14 @@ impl Parser<'_> {
             if self.becomes() {
                 declaration.initial = self.initials(true);
             }
-        } else {
+        } else if self.at_type() && self.text[..self.position].ends_with(is_blank) {
+            let name_end = trim_blanks(&self.text[..self.position]).len();
+            let (span, word) = (self.span(name_end, self.end), self.current());
+            let message = format!("`:` is missing before `{word}`, the type of the variable");
+            let place = self.span(self.position, self.end);
+            self.report(Diagnostic::new(Problem::P2020, place, message).fix(span, format!(" : {word}"), "write `:` before the type"));
+            declaration.data_type = self.type_name();
+        } else if !self.glued_type(&mut declaration) {
             let message = format!("{} where a declaration goes on with `:` and a type", self.shown());
             self.error(Problem::P2020, self.position, self.end, message);
             self.skip_statement();
@@ -150,6 +160,38 @@ impl Parser<'_> {
         declaration.comment = self.take_comments();
         self.finish();
         declaration
+    }
+
+    /// `counterINT;`: a name with its type glued to it.
+    fn glued_type(&mut self, declaration: &mut Declaration) -> bool {
+        if declaration.names.len() != 1 || !self.at_statement_end() {
+            return false;
+        }
+        let Some(name) = declaration.names.last() else { return false };
+        let (written, span) = (name.text.clone(), name.span);
+        let mut ways: Vec<(&str, &str)> =
+            written.char_indices().skip(1).map(|(at, _)| written.split_at(at)).filter(|(_, word)| is_type(word)).collect();
+        if ways.len() > 1 {
+            // The name stands somewhere else in the source, too.
+            let mentioned: Vec<_> = ways.iter().copied().filter(|(name, _)| self.mentions(name)).collect();
+            if mentioned.len() == 1 {
+                ways = mentioned;
+            }
+        }
+        let Some(&(name, word)) = ways.first() else { return false };
+        let message = format!("`{written}` is a name with its type glued to it: `:` is missing");
+        let diagnostic = Diagnostic::new(Problem::P2020, span, message);
+        let right = format!("{name} : {word}");
+        self.report(match ways.as_slice() {
+            [_] => diagnostic.fix(span, right.clone(), format!("write `{right}`")),
+            ways => {
+                let ways: Vec<String> = ways.iter().map(|(name, word)| format!("`{name} : {word}`")).collect();
+                diagnostic.help(format!("write {}", ways.join(" or ")))
+            }
+        });
+        declaration.data_type = TypeName { kind: TypeKind::Word(word.to_ascii_uppercase()), span };
+        declaration.names = vec![Word { text: name.to_owned(), span }];
+        true
     }
 
     /// Constants with commas; a comma may end a line.

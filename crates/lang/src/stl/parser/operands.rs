@@ -6,7 +6,7 @@ use sieben_model::address::{Width, area_and_width};
 use sieben_model::block::BlockKind;
 use sieben_model::problems::Problem;
 
-use super::{Parser, latin};
+use super::{OTHER_ALPHABET, Parser, latin};
 use crate::stl::ast::{BlockName, Constant, Operand, Word};
 use crate::stl::lexer::{Raw, in_word, token};
 use crate::stl::mnemonics::{translate_letters, translate_status};
@@ -36,7 +36,7 @@ fn letters_of(word: &str) -> Option<Letters> {
         return Some(Letters::Data);
     }
     let number = |letters: &&str| word.eq_ignore_ascii_case(letters);
-    if ["T", "C", "Z", "FC", "FB", "SFC", "SFB", "OB", "UDT"].iter().any(number) {
+    if ["T", "C", "Z", "FC", "FB", "SFC", "SFB", "SDB", "OB", "UDT"].iter().any(number) {
         return Some(Letters::Number);
     }
     area_and_width(word).map(|(_, width)| if width == Width::Bit { Letters::Bit } else { Letters::Wide })
@@ -67,15 +67,19 @@ impl Parser<'_> {
             }
             Raw::Local => {
                 let name = self.name_word(SyntaxKind::Local);
+                let name = self.declared_look_alike(name, "#");
                 let mut path = Vec::new();
                 self.path(&mut path);
                 Operand::Local { name, path }
             }
             Raw::Symbol => self.symbol(),
             Raw::AddressOf => {
-                let text = self.current().get(2..).unwrap_or_default();
+                let text = self.current().split_once("##").map_or("", |(_, name)| name);
                 let text = super::unquoted(text).to_owned();
                 let (start, end) = self.bump(SyntaxKind::AddressOf);
+                if let Some(letters) = self.slice(start, end).split_once('#').and_then(|(letters, _)| latin(letters)) {
+                    self.slip(Problem::P1005, start, end, &format!("{letters}##{text}"), OTHER_ALPHABET);
+                }
                 if text.is_empty() {
                     self.error(Problem::P2005, start, end, "`P##` wants the name of a local variable behind it");
                     return Operand::Error;
@@ -95,6 +99,7 @@ impl Parser<'_> {
                 self.error(Problem::P2005, self.position, self.end, message);
                 Operand::Error
             }
+            Raw::Unknown if self.typeset_sign().is_some() => self.status_scan(),
             Raw::Unknown => {
                 let message = format!("{} is no character of STL", self.shown());
                 self.error(Problem::P1001, self.position, self.end, message);
@@ -139,7 +144,11 @@ impl Parser<'_> {
     fn status_scan(&mut self) -> Operand {
         let start = self.position;
         let rest = &self.text[start..];
-        let run = rest.bytes().take_while(|byte| b"=<>".contains(byte)).count();
+        let typeset = self.typeset_sign();
+        let run = match typeset {
+            Some(_) => self.end - start,
+            None => rest.bytes().take_while(|byte| b"=<>".contains(byte)).count(),
+        };
         let at = self.behind_blanks(start + run);
         let (raw, end) = token(self.text, at);
         let zero = match raw {
@@ -147,8 +156,8 @@ impl Parser<'_> {
             Raw::Word => self.text[at..end].eq_ignore_ascii_case("O"),
             _ => false,
         };
-        let right = match &rest[..run] {
-            "==" => "==0",
+        let right = match typeset.unwrap_or(&rest[..run]) {
+            "==" | "=" => "==0",
             "<>" => "<>0",
             ">" => ">0",
             "<" => "<0",
@@ -162,8 +171,12 @@ impl Parser<'_> {
             self.bump_unexpected();
             return self.skip_operand();
         }
-        if raw == Raw::Word {
+        if typeset.is_some() {
+            self.slip(Problem::P1005, start, end, right, "has a sign of typesetting");
+        } else if raw == Raw::Word {
             self.slip(Problem::P1005, start, end, right, "has the letter O for the digit zero");
+        } else if &rest[..run] == "=" {
+            self.slip(Problem::P2008, start, end, right, "scans nothing: whether a result is 0 is written with two signs");
         } else if matches!(&rest[..run], "=>" | "=<") {
             self.slip(Problem::P2008, start, end, right, "has its signs in the wrong order");
         }
@@ -240,7 +253,9 @@ impl Parser<'_> {
             }
         }
         let slip = self.text[at..end].contains(['O', 'o']);
-        let complete = !self.text[end..].starts_with(in_word);
+        // `I 4.0A "Start"`: the line lost its end.
+        let parted = bit.is_some() || self.text[..at].ends_with([' ', '\t']);
+        let complete = !self.text[end..].starts_with(in_word) || (parted && self.instruction_at(end));
         // Letters alone are a name, not a number.
         let has_digit = self.text[at..end].bytes().any(|byte| byte.is_ascii_digit()) || bit.is_some();
         (complete && (has_digit || !slip)).then_some(AddressNumber { number, bit, end, slip })
@@ -276,10 +291,26 @@ impl Parser<'_> {
         if !declared && let Some(operand) = self.address() {
             return operand;
         }
+        if plain
+            && !declared
+            && let Some(operand) = self.step5_operand()
+        {
+            return operand;
+        }
         let word = self.name_word(SyntaxKind::Name);
+        let word = self.declared_look_alike(word, "");
         let mut path = Vec::new();
         self.path(&mut path);
         Operand::Name { word, path }
+    }
+
+    /// A name that is not declared, where one is that looks the same in Latin letters: that one is meant.
+    fn declared_look_alike(&mut self, name: Word, prefix: &str) -> Word {
+        let declared = |name: &str| self.declared.contains(&name.to_uppercase()) || self.declared.contains(&name.to_ascii_uppercase());
+        let Some(right) = latin(&name.text).filter(|right| declared(right) && !declared(&name.text)) else { return name };
+        let (start, end) = (name.span.start as usize, name.span.end as usize);
+        self.slip(Problem::P1005, start, end, &format!("{prefix}{right}"), OTHER_ALPHABET);
+        Word { text: right, span: name.span }
     }
 
     fn status_word(&mut self) -> Option<Operand> {
@@ -339,6 +370,11 @@ impl Parser<'_> {
                 return Some(self.indirect(letters));
             }
         }
+        if rest.is_empty()
+            && let Some(operand) = self.parted_letters(letters)
+        {
+            return Some(operand);
+        }
         let kind = kind?;
         // Byte where the letters end in the source; look-alikes are longer there.
         let letters_end = start + written.char_indices().nth(letters.len()).map_or(written.len(), |(at, _)| at);
@@ -392,11 +428,44 @@ impl Parser<'_> {
         Some(Operand::BlockField { block, path })
     }
 
+    /// `I W [MD 4]`, `M W10`: area and width with a space between them.
+    fn parted_letters(&mut self, letters: &str) -> Option<Operand> {
+        let start = self.position;
+        let at = self.behind_blanks(self.end);
+        let (raw, word_end) = token(self.text, at);
+        let word = &self.text[at..word_end];
+        let width = word.get(..1).filter(|width| raw == Raw::Word && matches!(*width, "X" | "B" | "W" | "D" | "x" | "b" | "w" | "d"))?;
+        let letters = format!("{letters}{width}").to_ascii_uppercase();
+        if at == self.end || letters.len() < 2 || !matches!(letters_of(&letters)?, Letters::Bit | Letters::Wide) {
+            return None;
+        }
+        let letters_end = at + 1;
+        let behind = if word_end == letters_end { self.behind_blanks(word_end) } else { letters_end };
+        let indirect = word_end == letters_end && token(self.text, behind).0 == Raw::BracketOpen;
+        let number = self.address_number(behind, true);
+        if !indirect && number.is_none() {
+            return None;
+        }
+        let letters = translate_letters(&letters, self.mnemonics.other()).map_or(letters, str::to_owned);
+        self.slip(Problem::P2008, start, letters_end, &letters, "has a space between area and width");
+        self.bump(SyntaxKind::AddressLetters);
+        self.blanks();
+        self.bump_to(SyntaxKind::AddressLetters, letters_end);
+        self.blanks();
+        match number {
+            Some(number) if !indirect => {
+                self.take_number(&number);
+                Some(Operand::Absolute { letters, number: number.number, bit: number.bit })
+            }
+            _ => Some(self.indirect(letters)),
+        }
+    }
+
     /// Puts the letters of an address into the tree; the letters in the language of the file.
     fn take_letters(&mut self, letters: String, end: usize) -> String {
         let start = self.position;
         if !self.slice(start, end).is_ascii() {
-            self.slip(Problem::P1005, start, end, &letters, "has letters of another alphabet that only look like Latin ones");
+            self.slip(Problem::P1005, start, end, &letters, OTHER_ALPHABET);
         }
         self.bump_to(SyntaxKind::AddressLetters, end);
         match translate_letters(&letters, self.mnemonics.other()) {

@@ -7,7 +7,7 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 
 use super::blocks::Keyword;
-use super::{DIAGNOSTICS_MAX, Parser, latin};
+use super::{DIAGNOSTICS_MAX, OTHER_ALPHABET, Parser, latin};
 use crate::stl::ast::{Argument, Block, Call, Operand, Statement, Word};
 use crate::stl::extension::PREFIX;
 use crate::stl::instructions::Instruction;
@@ -34,7 +34,7 @@ const ELSEWHERE: &[(&[&str], &[&str])] = &[
     (&["JMPC"], &["JC"]),
     (&["JMPCN"], &["JCN"]),
     (&["CAL"], &["CALL"]),
-    (&["RET"], &["BEU"]),
+    (&["RET"], &["BEC", "BEU"]),
     (&["RETC"], &["BEC"]),
     (&["ADD"], &["+I", "+D", "+R"]),
     (&["SUB"], &["-I", "-D", "-R"]),
@@ -78,6 +78,12 @@ impl Parser<'_> {
         loop {
             self.trivia();
             self.network_comment(block);
+            if self.at_heading() {
+                return;
+            }
+            if self.printed_mark(block) {
+                continue;
+            }
             if let Some(label) = self.label() {
                 self.statement(block, label);
                 continue;
@@ -151,6 +157,7 @@ impl Parser<'_> {
     fn statement(&mut self, block: &mut Block, (label, checkpoint): (Word, rowan::Checkpoint)) {
         self.start_at(checkpoint, SyntaxKind::Statement);
         self.blanks();
+        self.ellipsis();
         let only_label = self.at_statement_end() || self.keyword().is_some() || self.label_follows();
         if only_label {
             let place = label.span.end as usize;
@@ -201,22 +208,47 @@ impl Parser<'_> {
                     let wants_label =
                         Instruction::candidates(&mnemonic.text, self.mnemonics).any(|row| row.operand() == OperandClass::Label);
                     self.start(SyntaxKind::Operand);
-                    let operand = self.operand(wants_label);
+                    let operand = match self.step5_label(wants_label, &mnemonic) {
+                        Some(operand) => operand,
+                        None => self.operand(wants_label),
+                    };
+                    let operand = if wants_label { operand } else { self.spaced_name(operand) };
                     self.finish();
                     operand
                 }
             };
             end = self.position.max(operand_start);
+            operand = self.exchanged_registers(&mnemonic, operand, end);
         }
         self.report_foreign();
         let opens = mnemonic.text.ends_with('(');
         let operand_span = self.span(operand_start, end);
         let statement = Statement { label, mnemonic, operand, operand_span, span: self.span(start, end) };
         block.statements.push(statement);
-        let over = std::mem::take(&mut self.statement_over) || (opens && !self.at_statement_end()) || self.at_next_on_line();
+        let over = std::mem::take(&mut self.statement_over)
+            || (opens && !self.at_statement_end())
+            || self.at_next_on_line()
+            || self.lost_line_end();
         if !over {
             self.statement_end();
         }
+    }
+
+    /// `LAR2 AR1`: the instructions that copy one address register into the other begin with AR1.
+    fn exchanged_registers(&mut self, mnemonic: &Word, operand: Operand, end: usize) -> Operand {
+        let right = match mnemonic.text.to_ascii_uppercase().as_str() {
+            "LAR2" => "TAR1 AR2",
+            "TAR2" => "LAR1 AR2",
+            _ => return operand,
+        };
+        if !matches!(&operand, Operand::Name { word, path } if path.is_empty() && word.text.eq_ignore_ascii_case("AR1")) {
+            return operand;
+        }
+        let start = mnemonic.span.start as usize;
+        let span = self.span(start, end);
+        let message = format!("`{}` is written `{right}`", self.slice(start, end));
+        self.report(Diagnostic::new(Problem::P2008, span, message).fix(span, right, format!("write `{right}`")));
+        Operand::Error
     }
 
     /// Brackets are closed on the line of their last scan in many sources: `A( ; … )` needs no `;` before the `)`.
@@ -258,7 +290,7 @@ impl Parser<'_> {
     }
 
     /// Whether `:=` stands in the rest of this statement.
-    fn assigns(&self) -> bool {
+    pub(super) fn assigns(&self) -> bool {
         let mut at = self.end;
         loop {
             let (raw, end) = token(self.text, at);
@@ -293,7 +325,9 @@ impl Parser<'_> {
         if !(3..=6).contains(&word.len()) {
             return None;
         }
-        Instruction::ALL.iter().map(|row| row.mnemonic(self.mnemonics)).find(|right| right.len() >= 2 && one_letter_apart(&word, right))
+        let near = Instruction::ALL.iter().map(|row| row.mnemonic(self.mnemonics));
+        // Of words that are equally near the one with the same letters: they were only exchanged.
+        near.filter(|right| right.len() >= 2 && one_letter_apart(&word, right)).min_by_key(|right| !has_letters_of(&word, right))
     }
 
     fn knows(&self, word: &str) -> bool {
@@ -301,7 +335,7 @@ impl Parser<'_> {
     }
 
     /// The instruction word; nothing is taken if there is none.
-    fn mnemonic(&mut self) -> Option<Word> {
+    pub(super) fn mnemonic(&mut self) -> Option<Word> {
         let start = self.position;
         match self.raw {
             Raw::Word => self.word_mnemonic(),
@@ -314,6 +348,7 @@ impl Parser<'_> {
                 Some(self.take_mnemonic(")".to_owned(), start, self.end))
             }
             Raw::Sign => self.sign_mnemonic(),
+            Raw::Unknown => self.typeset_mnemonic(),
             // The digit is a classic misprint of the course texts.
             Raw::Number if self.current() == "0" => {
                 let mut end = self.end;
@@ -373,7 +408,15 @@ impl Parser<'_> {
             }
         }
         if self.knows(word) {
+            // `LC#5` is `L C#5`: no name begins with a digit.
+            let number = self.text[end..].strip_prefix('#').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+            if number && let Some(glued) = self.glued_mnemonic() {
+                return Some(glued);
+            }
             return Some(self.take_mnemonic(word.to_owned(), start, end));
+        }
+        if let Some(open) = self.step5_open() {
+            return Some(open);
         }
         if let Some(right) = translate_instruction(word, self.mnemonics.other()) {
             self.foreign(start, end, right);
@@ -384,31 +427,10 @@ impl Parser<'_> {
             return Some(self.take_mnemonic("JNBI".to_owned(), start, end));
         }
         if let Some(right) = latin(word).filter(|right| self.knows(right)) {
-            self.slip(Problem::P1005, start, end, &right, "has letters of another alphabet that only look like Latin ones");
+            self.slip(Problem::P1005, start, end, &right, OTHER_ALPHABET);
             return Some(self.take_mnemonic(right, start, end));
         }
         self.glued_mnemonic()
-    }
-
-    /// `TLB 5`, `AI0.0`, `LMW10`, `LAR1P#…`: the blank behind the instruction is missing.
-    fn glued_mnemonic(&mut self) -> Option<Word> {
-        let (start, word) = (self.position, self.current());
-        if !word.is_ascii() || word.len() > 12 {
-            return None;
-        }
-        let split = (1..word.len()).rev().find(|&at| {
-            let (left, right) = word.split_at(at);
-            let letters = right.trim_end_matches(|c: char| c.is_ascii_digit());
-            let next = token(self.text, self.behind_blanks(self.end)).0;
-            let address = sieben_model::address::area_and_width(letters).is_some() || matches!(letters, "T" | "C" | "Z" | "t" | "c" | "z");
-            let operand = address && (letters.len() < right.len() || matches!(next, Raw::Number | Raw::BracketOpen));
-            operand && self.knows(left)
-        })?;
-        let right = format!("{} {}", &word[..split], &word[split..]);
-        self.slip(Problem::P2008, start, self.end, &right, "lacks a blank behind the instruction");
-        let text = word[..split].to_owned();
-        self.bump_to(SyntaxKind::Mnemonic, start + split);
-        Some(Word { text, span: self.span(start, start + split) })
     }
 
     /// `==I`, `+I`, `+AR1`, `=`, `+`.
@@ -418,6 +440,11 @@ impl Parser<'_> {
         let run = rest.bytes().take(2).take_while(|byte| b"=<>+-*/".contains(byte)).count();
         for length in (1..=run).rev() {
             let letters = rest[length..].chars().take_while(|&character| in_word(character)).map(char::len_utf8).sum::<usize>();
+            if letters > 3
+                && let Some(glued) = self.glued_mnemonic()
+            {
+                return Some(glued);
+            }
             if letters == 0 || letters > 3 {
                 continue;
             }
@@ -450,22 +477,52 @@ impl Parser<'_> {
         self.knows(sign).then(|| self.take_mnemonic(sign.to_owned(), start, start + 1))
     }
 
+    /// `≥I`, `–D`: signs of typesetting.
+    fn typeset_mnemonic(&mut self) -> Option<Word> {
+        let (start, signs) = (self.position, self.typeset_sign()?);
+        let at = self.behind_blanks(self.end);
+        let (raw, end) = token(self.text, at);
+        let right = format!("{signs}{}", if raw == Raw::Word { &self.text[at..end] } else { "" });
+        let end = if raw == Raw::Word { end } else { self.end };
+        if !self.knows(&right) {
+            return None;
+        }
+        self.slip(Problem::P1005, start, end, &right, "has a sign of typesetting");
+        self.bump(SyntaxKind::Mnemonic);
+        if raw == Raw::Word {
+            self.blanks();
+            self.bump_to(SyntaxKind::Mnemonic, end);
+        }
+        Some(Word { text: right, span: self.span(start, end) })
+    }
+
     /// `+ I`, `>= D`: signs and type with a blank between them, and nothing behind.
     fn torn_apart(&mut self, run: usize) -> Option<Word> {
         let start = self.position;
-        let at = self.behind_blanks(start + run);
+        let mut signs = self.slice(start, start + run).to_owned();
+        let mut at = self.behind_blanks(start + run);
+        // `> = I`: the signs themselves are parted.
+        if run == 1
+            && let (Raw::Sign, second) = token(self.text, at)
+            && matches!((signs.as_str(), &self.text[at..second]), (">" | "<" | "=", "=") | ("<", ">"))
+        {
+            signs.push_str(&self.text[at..second]);
+            at = self.behind_blanks(second);
+        }
         let (raw, end) = token(self.text, at);
         let over = matches!(token(self.text, self.behind_blanks(end)).0, Raw::Semicolon | Raw::Newline | Raw::LineComment | Raw::End);
         if raw != Raw::Word || at == start + run || !over || !matches!(&self.text[at..end], "I" | "D" | "R" | "i" | "d" | "r") {
             return None;
         }
-        let right = format!("{}{}", self.slice(start, start + run), self.slice(at, end));
+        let right = format!("{signs}{}", self.slice(at, end));
         if !self.knows(&right) {
             return None;
         }
-        self.slip(Problem::P2008, start, end, &right, "has a blank inside");
-        self.bump_to(SyntaxKind::Mnemonic, start + run);
-        self.blanks();
+        self.slip(Problem::P2008, start, end, &right, "has a space inside");
+        while self.position < at {
+            self.bump(SyntaxKind::Mnemonic);
+            self.blanks();
+        }
         self.bump_to(SyntaxKind::Mnemonic, end);
         Some(Word { text: right, span: self.span(start, end) })
     }
@@ -495,12 +552,12 @@ impl Parser<'_> {
         if raw == Raw::ParenOpen {
             self.trivia();
             self.arguments(&mut arguments);
-        } else if raw == Raw::Word && self.argument_sign_at(end) {
+        } else if raw == Raw::Word && self.argument_sign_at(self.spaced_words_end(end)) {
             // The listing of the STL editor has the parameters on lines of their own without brackets.
             loop {
                 let behind = self.behind_trivia(self.position);
                 let (raw, end) = token(self.text, behind);
-                if raw != Raw::Word || !self.argument_sign_at(end) {
+                if raw != Raw::Word || !self.argument_sign_at(self.spaced_words_end(end)) {
                     break;
                 }
                 self.trivia();
@@ -538,7 +595,7 @@ impl Parser<'_> {
                     self.bump(SyntaxKind::Punctuation);
                 }
                 // Inside brackets the sign may stand on the next line.
-                Raw::Word | Raw::Local | Raw::Symbol if self.argument_sign_at(self.behind_trivia(self.end)) => {
+                Raw::Word | Raw::Local | Raw::Symbol if self.argument_sign_at(self.behind_trivia(self.spaced_words_end(self.end))) => {
                     let argument = self.argument();
                     arguments.push(argument);
                 }
@@ -571,14 +628,14 @@ impl Parser<'_> {
 
     fn argument(&mut self) -> Argument {
         self.start(SyntaxKind::Argument);
-        let name = self.name_word(SyntaxKind::Name);
+        let name = self.argument_name();
         self.trivia();
         self.becomes();
         let behind = self.behind_trivia(self.position);
         let (raw, end) = token(self.text, behind);
         let omitted = match raw {
             Raw::Comma | Raw::ParenClose | Raw::Semicolon | Raw::End => true,
-            Raw::Word => self.argument_sign_at(end),
+            Raw::Word => self.argument_sign_at(self.spaced_words_end(end)),
             _ => false,
         };
         let (value, span) = if omitted {
@@ -642,6 +699,16 @@ fn shorten(label: &str, taken: &HashSet<String>) -> String {
         }
     }
     first
+}
+
+/// Whether two words have the same letters, in any order.
+fn has_letters_of(left: &str, right: &str) -> bool {
+    let sorted = |word: &str| {
+        let mut letters: Vec<char> = word.chars().collect();
+        letters.sort_unstable();
+        letters
+    };
+    sorted(left) == sorted(right)
 }
 
 /// One letter is changed, added or missing, or two neighbours are exchanged.

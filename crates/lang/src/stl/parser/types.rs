@@ -1,6 +1,9 @@
 //! Types of variables.
 
+use sieben_model::block::BlockKind;
+use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
+use sieben_model::types::DataType;
 
 use super::Parser;
 use super::blocks::Keyword;
@@ -67,6 +70,24 @@ impl Parser<'_> {
         let word = self.current().to_ascii_uppercase();
         self.bump(SyntaxKind::Keyword);
         TypeKind::Word(word)
+    }
+
+    /// Whether a data type begins at the current token, and nothing that may also be a name.
+    pub(super) fn at_type(&self) -> bool {
+        match self.raw {
+            Raw::Symbol => true,
+            Raw::Word => {
+                let word = self.current();
+                let letters = word.trim_end_matches(|c: char| c.is_ascii_digit());
+                let block = matches!(
+                    BlockKind::from_abbreviation(letters),
+                    Some(BlockKind::UserDefinedType | BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock)
+                );
+                let number = letters.len() < word.len() || self.raw_behind_blanks() == Raw::Number;
+                ["STRUCT", "ARRAY", "STRING"].into_iter().any(|word| self.at_word(word)) || is_type(word) || (block && number)
+            }
+            _ => false,
+        }
     }
 
     pub(super) fn close_bracket(&mut self) {
@@ -141,6 +162,10 @@ impl Parser<'_> {
         if self.at_word("OF") {
             self.bump(SyntaxKind::Keyword);
             self.trivia();
+        } else if self.at_type() && !bounds.is_empty() {
+            let (span, word) = (self.span(self.position, self.end), self.current());
+            let message = format!("`OF` is missing before `{word}`, the type of the elements");
+            self.report(Diagnostic::new(Problem::P2021, span, message).fix(span, format!("OF {word}"), format!("write `OF {word}`")));
         } else {
             let message = format!("{} where `OF` and the type of the elements stand", self.shown());
             self.error(Problem::P2021, self.position, self.end, message);
@@ -151,4 +176,9 @@ impl Parser<'_> {
         let element = Box::new(self.type_name());
         if bounds.is_empty() { TypeKind::Missing } else { TypeKind::Array { bounds, element } }
     }
+}
+
+/// Whether a word is the name of a type without more behind it.
+pub(super) fn is_type(word: &str) -> bool {
+    DataType::from_word(&word.to_ascii_uppercase()).is_some()
 }

@@ -31,6 +31,17 @@ impl Resolver<'_> {
                 _ => any_of_variable(db, pointer, &data_type),
             }));
         }
+        // System data blocks are named here and nowhere else.
+        if let ast::Operand::Absolute { letters, number, bit: None } = &argument.value
+            && letters == "SDB"
+            && let Ok(number) = u16::try_from(*number)
+        {
+            match formal.data_type {
+                DataType::Any => return Some(any_of_number(ANY_OF_SYSTEM_DATA, number)),
+                DataType::BlockSystemData => return Some(Actual::Block(NumberOperand::Fixed(number))),
+                _ => {}
+            }
+        }
         let meaning = self.meaning(&argument.value, span)?;
         // The declaration of the parameter was wrong, which is reported there.
         if formal.data_type == DataType::Void {
@@ -52,6 +63,9 @@ impl Resolver<'_> {
                 Meaning::Operand(Operand::Constant(Value::Any(any))) => Ok(Actual::Constant(Value::Any(any))),
                 Meaning::Operand(Operand::Timer(NumberOperand::Fixed(number))) => Ok(any_of_number(0x1D, number)),
                 Meaning::Operand(Operand::Counter(NumberOperand::Fixed(number))) => Ok(any_of_number(0x1C, number)),
+                Meaning::Operand(Operand::Block(block)) => self
+                    .any_of_block(&block, &argument.value)
+                    .ok_or_else(|| "a variable, a block with its number, or a pointer such as `P#DB5.DBX 0.0 BYTE 10`".to_owned()),
                 other => self.whole(other).ok_or_else(|| "a variable or a pointer such as `P#DB5.DBX 0.0 BYTE 10`".to_owned()),
             },
             DataType::Pointer => match meaning {
@@ -196,6 +210,23 @@ impl Resolver<'_> {
         }
     }
 
+    /// The ANY of a block: its kind and its number. The symbol of a data block stands for what is in it.
+    fn any_of_block(&self, block: &BlockOperand, written: &ast::Operand) -> Option<Actual> {
+        let NumberOperand::Fixed(number) = block.number else { return None };
+        let type_code = match block.kind {
+            BlockKind::FunctionBlock => "BLOCK_FB",
+            BlockKind::Function => "BLOCK_FC",
+            BlockKind::DataBlock if !block.instance => "BLOCK_DB",
+            _ => return None,
+        };
+        if matches!(written, ast::Operand::Symbol { .. } | ast::Operand::Name { .. })
+            && let Some(contents) = self.whole(Meaning::Operand(Operand::Block(block.clone())))
+        {
+            return Some(contents);
+        }
+        Some(any_of_number(any_type_code(type_code)?, number))
+    }
+
     /// A variable of any type, or a whole data block, by place and type.
     fn whole(&self, meaning: Meaning) -> Option<Actual> {
         match meaning {
@@ -216,7 +247,10 @@ impl Resolver<'_> {
     }
 }
 
-/// The ANY of one timer or counter: its type, one of it, and its number in place of an address.
+/// Type code of an ANY that names a system data block.
+const ANY_OF_SYSTEM_DATA: u8 = 0x1A;
+
+/// The ANY of one timer, counter or block: its type, one of it, and its number in place of an address.
 fn any_of_number(type_code: u8, number: u16) -> Actual {
     let [high, low] = number.to_be_bytes();
     Actual::Constant(Value::Any([0x10, type_code, 0, 1, 0, 0, 0, 0, high, low]))
