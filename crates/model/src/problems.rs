@@ -36,7 +36,7 @@ problems! {
     P1002 Error "characters without their closing apostrophe" "Write `'` behind the last character; an apostrophe inside is written `$'`.";
     P1003 Error "a quoted name without its closing quote" "Write `\"` behind the name, on the same line.";
     P1004 Error "a comment without its end" "Write `*)` where the comment ends.";
-    P1005 Error "a character that only looks like the right one" "Write the letter or digit that the message names.";
+    P1005 Error "a character that only looks like the right one" "Write the letter, digit or sign that the message names.";
     P1101 Error "a binary file instead of a source text" "Name the source (.awl, .stl, .csv, .sdf), not a block, an archive or a project database.";
     P1102 Warning "bytes that mean nothing in the encoding of the file" "Choose another encoding, or save the file as UTF-8.";
     P1103 Error "a character that the encoding of the file does not have" "Save the file as UTF-8, or replace the character.";

@@ -155,6 +155,7 @@ impl<'a> Checker<'a> {
             next_list: 0,
             noted: BTreeSet::new(),
             told: HashSet::new(),
+            outside: HashSet::new(),
             inside_actions: Vec::new(),
             words: BTreeMap::new(),
             writes: BTreeMap::new(),
@@ -211,6 +212,8 @@ struct Checker<'a> {
     noted: BTreeSet<u32>,
     /// What was said of names that mean nothing: once for a block is enough.
     told: HashSet<(Problem, String)>,
+    /// Names that are declared among the statements.
+    outside: HashSet<String>,
     /// The actions whose statements stand here.
     inside_actions: Vec<usize>,
     /// The words of tests, by the first byte of their place.

@@ -8,7 +8,7 @@ use super::super::ast::{Argument, BinaryOperator, Call, Direction, Expression, E
 use super::super::ast::{Quoting, UnaryOperator};
 use super::super::dialect::{Construct, PowerRank};
 use super::super::keywords::Keyword;
-use super::super::lexer::{Raw, quotes_names};
+use super::super::lexer::{Raw, quotes_names, straightened};
 use super::super::literals;
 use super::{EXPRESSION_HEIGHT_MAX, Parser, SyntaxKind, unquoted};
 
@@ -462,7 +462,8 @@ impl<'t> Parser<'t> {
     /// A constant without a sign; the current token is one.
     pub(super) fn literal(&mut self) -> Option<Literal> {
         let token = self.token();
-        let text = self.current();
+        let straight = straightened(self.current());
+        let text = straight.as_ref();
         let mut kind = SyntaxKind::Constant;
         let decoded = match token.raw {
             Raw::Number => {
@@ -591,7 +592,7 @@ impl<'t> Parser<'t> {
         }
         let name = self.name(SyntaxKind::Name);
         let sign = self.token();
-        let direction = match sign.raw {
+        let mut direction = match sign.raw {
             Raw::Delivers => Direction::Delivered,
             _ => Direction::Assigned,
         };
@@ -608,6 +609,7 @@ impl<'t> Parser<'t> {
             let span = self.span(sign.start, sign.end + 1);
             let message = "`:=>` is neither `:=`, which gives an input, nor `=>`, which takes an output";
             self.push(Diagnostic::new(Problem::P2007, span, message).guess(span, ":=", "write `:=`"));
+            direction = Direction::Unclear(span);
             self.bump(SyntaxKind::Operator);
         }
         self.bump(SyntaxKind::Operator);
