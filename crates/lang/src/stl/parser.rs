@@ -25,6 +25,7 @@ use super::ast;
 use super::lexer::{Raw, is_terminated, token};
 use super::mnemonics::judge;
 use super::syntax::{SyntaxKind, SyntaxNode};
+use crate::declarations::values::shortened_s5time;
 
 /// More diagnostics than this help nobody; one more says that there are others.
 pub const DIAGNOSTICS_MAX: usize = 200;
@@ -352,7 +353,15 @@ impl<'t> Parser<'t> {
     fn constant_of(&mut self, start: usize, end: usize) -> ast::Constant {
         let span = self.span(start, end);
         let value = match literal::parse(self.slice(start, end)) {
-            Ok(value) => Some(value),
+            Ok(value) => {
+                let written = self.slice(start, end);
+                if let literal::Value::S5Time(_) = value
+                    && let Some(message) = literal::written_milliseconds(written).and_then(|time| shortened_s5time(written, time))
+                {
+                    self.report(Diagnostic::new(Problem::P5029, span, message));
+                }
+                Some(value)
+            }
             Err(error) => {
                 self.report(Diagnostic::new(error.problem(), span, error.to_string()));
                 None

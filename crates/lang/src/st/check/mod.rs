@@ -26,6 +26,7 @@ mod statements;
 mod testing;
 mod texts;
 mod timers;
+mod traps;
 mod typed;
 mod types;
 mod untyped;
@@ -114,6 +115,7 @@ pub fn check(block: &Block<'_>, names: &dyn Names) -> Checked {
         tree::Body { statements, locals: names.locals(), local_size, uses_ok: checker.reads_ok, is_method, own_errors: checker.own_errors };
     if !checker.failed {
         checker.usage(&body);
+        checker.traps(&body);
     }
     let Checker { failed, diagnostics, called, words, writes, .. } = checker;
     Checked { body: (!failed).then_some(body), diagnostics, called, words, writes }

@@ -1,6 +1,7 @@
 //! Expressions: operators by rank, what follows an operand, calls, constants.
 
 use sieben_model::diagnostic::Diagnostic;
+use sieben_model::literal::written_milliseconds;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 
@@ -11,6 +12,7 @@ use super::super::keywords::Keyword;
 use super::super::lexer::{Raw, quotes_names, straightened};
 use super::super::literals;
 use super::{EXPRESSION_HEIGHT_MAX, Parser, SyntaxKind, unquoted};
+use crate::declarations::values::shortened_s5time;
 
 /// An expression with its height.
 pub(super) type Tall = (Expression, u32);
@@ -486,6 +488,11 @@ impl<'t> Parser<'t> {
             Ok((literal, note)) => {
                 if let Some(construct) = note {
                     self.judge(construct, token.start, token.end);
+                }
+                if let LiteralKind::S5Time(_) = literal.kind
+                    && let Some(message) = written_milliseconds(text).and_then(|time| shortened_s5time(text, time))
+                {
+                    self.error(Problem::P5029, token.start, token.end, message);
                 }
                 Some(literal)
             }
