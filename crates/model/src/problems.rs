@@ -226,6 +226,7 @@ problems! {
     P6127 Error "an address or a view that a variable cannot have" "Use an address of the width of the type, or a view that is not longer than its variable.";
     P6130 Error "a task that the CPU cannot run" "Write an interval of 1 ms to 60 s, or none for the cycle.";
     P6132 Error "an instance where nothing is kept" "Declare it under VAR of a FUNCTION_BLOCK or PROGRAM, or under VAR_GLOBAL.";
+    P6133 Warning "a table without a header that was read as an assignment table" "Write a first line with the names of its columns, such as `number,address,unit,symbol,comment,remark`.";
 
     // 62xx statements of ST
     P6200 Error "a value of another type" "Convert it with a function such as `INT_TO_REAL`, or declare the variable with the type of the value.";
