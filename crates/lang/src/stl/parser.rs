@@ -490,7 +490,7 @@ fn unquoted(text: &str) -> &str {
 }
 
 /// The Latin text that a text with Cyrillic or Greek look-alikes seems to be; `None` if it has none or others.
-fn latin(text: &str) -> Option<String> {
+pub fn latin(text: &str) -> Option<String> {
     if text.is_ascii() {
         return None;
     }
