@@ -265,6 +265,8 @@ const SHOW_THE_TRAP: &[(&str, &str, Problem)] = &[
     ("spec/stl/mcr.md", "More than eight zones", Problem::P5023),
     ("spec/stl/mcr.md", "Errors of the stack on an S7-400", Problem::P5023),
     ("spec/stl/mcr.md", "In a called block", Problem::P5023),
+    // Reading the inputs again brings back what was overwritten.
+    ("spec/system/sfc026_process_image.md", "", Problem::P5028),
     // Every operand of every instruction, inputs among them.
     ("spec/stl/operands.md", "", Problem::P5028),
 ];

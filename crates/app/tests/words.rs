@@ -111,6 +111,21 @@ fn what_symbols_prints_as_csv_can_be_read_back() {
     }
 }
 
+/// Instances of system blocks, which only a CPU has.
+#[test]
+fn an_instance_that_is_called_twice_is_said_in_stl() {
+    let program = |first: &str| {
+        format!(
+            "DATA_BLOCK DB 4\nSFB 4\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\nBEGIN\nCALL SFB 4, DB 4 (IN := {first}, PT := T#1S);\n\
+             CALL SFB 4, DB 4 (IN := I 0.1, PT := T#1S);\nEND_ORGANIZATION_BLOCK\n"
+        )
+    };
+    let folder = Folder::with(&[("twice.awl", &program("I 0.0")), ("ready.awl", &program("FALSE")), ("same.awl", &program("I 0.1"))]);
+    folder.run(&["check", "twice.awl"]).code(0).stderr("P5022");
+    folder.run(&["check", "ready.awl"]).code(0).stdout("no warnings");
+    folder.run(&["check", "same.awl"]).code(0).stdout("no warnings");
+}
+
 /// Every verb that has `--json`.
 const VERBS: [&str; 12] =
     ["check", "run", "exec", "step", "bench", "test", "trace", "record", "symbols", "refs", "structure", "assignments"];

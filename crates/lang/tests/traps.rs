@@ -31,7 +31,7 @@ const TRAPS: &[(&str, &[&str])] = &[
     ("A I 1.0\nL IB 0\nT QB 4\nSAVE", &[]),
     ("A I 0.0\nA(\nL MW 0\nL 5\n>I\n)\n= Q 0.0", &[]),
     ("L MW 0\nL 5\n>I\nA I 0.0\n= Q 0.0\nL 1\nT MW 2", &[]),
-    ("A I 1.0\nL IB 0\nJU over\nL 1\nover: T QB 4\n= Q 0.0", &[]),
+    ("A I 1.0\nL IB 0\nJU over\nover: T QB 4\n= Q 0.0", &[]),
     // A flip-flop.
     ("A I 0.0\nAN Q 0.0\nS Q 0.0\nA I 0.0\nA Q 0.0\nR Q 0.0", &["6 P5030"]),
     ("A I 0.0\nAN Q 0.0\nS Q 0.0\nBEC\nA I 0.0\nA Q 0.0\nR Q 0.0", &[]),
@@ -41,8 +41,6 @@ const TRAPS: &[(&str, &[&str])] = &[
     ("A I 0.0\nL S5T#2S\nSD T 1\nA I 0.1\nL S5T#5S\nSE T 1", &["6 P5022"]),
     ("A I 0.0\nJCN two\nA I 0.1\nL S5T#2S\nSD T 1\nJU end\ntwo: A I 0.2\nL S5T#2S\nSD T 1\nend: NOP 0", &[]),
     ("A I 0.0\nL S5T#2S\nSD T 1\nA I 0.1\nR T 1\nA T 1\n= Q 0.0", &[]),
-    ("DATA_BLOCK DB 4 SFB 4 BEGIN END_DATA_BLOCK\nORGANIZATION_BLOCK OB 1 BEGIN\nCALL SFB 4, DB 4 (IN := I 0.0, PT := T#1S);\nCALL SFB 4, DB 4 (IN := I 0.1, PT := T#1S);\nEND_ORGANIZATION_BLOCK", &["4 P5022"]),
-    ("DATA_BLOCK DB 4 SFB 4 BEGIN END_DATA_BLOCK\nORGANIZATION_BLOCK OB 1 BEGIN\nCALL SFB 4, DB 4 (IN := FALSE, PT := T#1S);\nCALL SFB 4, DB 4 (IN := I 0.1, PT := T#1S);\nEND_ORGANIZATION_BLOCK", &[]),
     // The master control relay.
     ("A I 0.0\nMCR(\n= Q 0.0\n)MCR", &["2 P5023"]),
     ("MCRA\nA I 0.0\nMCR(\n= Q 0.0\n)MCR\nMCRD", &[]),
@@ -98,7 +96,7 @@ const TRAPS_OF_ST: &[(&str, &str, &str, &[&str])] = &[
     ("iec", "c : CTUD; a, b : BOOL;", "c(CU := a, PV := 3); c(CD := b);", &[]),
     ("iec", "a AT %IX0.0 : BOOL; w AT %IW2 : INT;", "a := TRUE; w := 5;", &["P5028", "P5028"]),
     ("iec", "a AT %IX0.0 : BOOL; q AT %QX0.0 : BOOL;", "q := a;", &[]),
-    ("scl", "v : WORD;", "v := S_ODT(T_NO := T5, S := I0.0, TV := S5T#5ms); v := S_ODT(T_NO := T5, S := I0.1, TV := S5T#1s);", &["P5029", "P5022"]),
+    ("scl", "v : S5TIME;", "v := S_ODT(T_NO := T5, S := I0.0, TV := S5T#5ms); v := S_ODT(T_NO := T5, S := I0.1, TV := S5T#1s);", &["P5029", "P5022"]),
 ];
 
 #[test]

@@ -36,6 +36,10 @@ impl Checker<'_> {
             match &statement.kind {
                 StatementKind::Call(call) => self.called_again(call, before),
                 StatementKind::Intrinsic { intrinsic: Intrinsic::TimerStart(_), args } => self.started_again(statement.span, args, before),
+                // A function of S5 in an expression: its steps come before the value.
+                StatementKind::Assign { value: Value { kind: ValueKind::After(steps, _), .. }, .. } => {
+                    self.driven(steps, before);
+                }
                 StatementKind::Return | StatementKind::Exit { .. } | StatementKind::Continue { .. } => return false,
                 _ => {}
             }
