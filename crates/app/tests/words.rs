@@ -1,6 +1,5 @@
 //! What a course says, as the command line takes it: its words, its assignment table, and the JSON of what is wrong.
 
-#[allow(dead_code)] // Other tests need more of it.
 mod command;
 
 use command::{Folder, sieben};

@@ -1,5 +1,7 @@
 //! The table of languages, and which one a source is written in.
 
+pub mod role;
+
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
 
@@ -68,15 +70,6 @@ fn found(ending: &str) -> Option<&'static Ending> {
     LANGUAGES.iter().flat_map(|row| row.endings).find(|known| known.ending.eq_ignore_ascii_case(ending))
 }
 
-/// The ending of test files, which are sources of ST.
-const TEST_ENDING: &str = ".test.st";
-
-/// Whether a file is a test file by the ending of its name.
-pub fn is_test_file(name: &str) -> bool {
-    let start = name.len().saturating_sub(TEST_ENDING.len());
-    name.get(start..).is_some_and(|ending| ending.eq_ignore_ascii_case(TEST_ENDING))
-}
-
 /// Words that only one dialect writes, in upper case, each with the dialect that it shows for a file of another one.
 const MARKS: &[(&str, Dialect, Dialect)] = &[
     ("S7_OPTIMIZED_ACCESS", Dialect::Scl, Dialect::Tia),
@@ -104,12 +97,15 @@ impl Language {
     /// The language of a source by the ending of its name and what its text shows; `dialect` is what the user chose.
     pub fn of(name: &str, text: &str, dialect: Option<Dialect>) -> Self {
         let ending = name.rsplit(['/', '\\']).next().and_then(|file| file.rsplit_once('.')).map_or("", |(_, ending)| ending);
-        match found(ending).map(|known| known.language) {
-            None | Some(Self::Stl) => Self::Stl,
-            Some(Self::St(usual)) => {
-                let dialect = dialect.unwrap_or_else(|| shown(text, usual));
-                Self::St(if is_test_file(name) { dialect.for_tests() } else { dialect })
+        let of_ending = found(ending).map_or(Self::Stl, |known| known.language);
+        match of_ending {
+            // Tests are written in ST, whatever their file is called.
+            _ if role::is_test(name, text) => {
+                let usual = of_ending.dialect().unwrap_or_default();
+                Self::St(dialect.unwrap_or_else(|| shown(text, usual)).for_tests())
             }
+            Self::Stl => Self::Stl,
+            Self::St(usual) => Self::St(dialect.unwrap_or_else(|| shown(text, usual))),
         }
     }
 
@@ -118,6 +114,11 @@ impl Language {
         let is_of =
             |row: &&Row| row.endings.iter().any(|one| matches!((one.language, self), (Self::Stl, Self::Stl) | (Self::St(_), Self::St(_))));
         LANGUAGES.iter().find(is_of).expect("every language has a row")
+    }
+
+    /// Whether a source in it is a test file.
+    pub fn is_of_tests(self) -> bool {
+        self.dialect().is_some_and(Dialect::is_test)
     }
 
     /// The dialect of a source of ST.
@@ -194,6 +195,7 @@ mod tests {
             ("a.exp", "", None, st(Dialect::Codesys)),
             ("a.Test.ST", "", None, st(Dialect::IecTest)),
             ("a.test.st", "", Some(Dialect::Scl), st(Dialect::SclTest)),
+            ("a.txt", "TEST 'it runs'\nEND_TEST\n", None, st(Dialect::IecTest)),
             ("a.st", "'", None, st(Dialect::Iec)),
             ("a.st", "'ä", None, st(Dialect::Iec)),
         ] {

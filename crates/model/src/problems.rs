@@ -208,6 +208,9 @@ problems! {
     P6065 Error "a round bracket that is not closed" "Write `)` where the message points.";
     P6066 Error "a pragma without its end" "Write `}` on the line where the pragma begins or behind its last attribute.";
     P6071 Error "a label of CASE that is not understood" "Write a constant, constants with commas, or a range `1..5`, and `:` behind it.";
+    P6072 Error "a folder with several programs where one is wanted" "Name the files of one of them instead of the folder.";
+    P6073 Warning "a test file that belongs to no program" "Call it like the program that it tests: `ue1.test.st` for `ue1.awl`.";
+    P6075 Error "a folder with too much to read for all its programs" "Name its sub-folders one by one, or put what belongs together into projects with a `sieben.toml`.";
     P6101 Error "a symbol that stands twice in the table" "Rename or delete one of the two rows; case does not distinguish symbols.";
     P6102 Warning "an address with two symbols" "Keep the symbol that the program uses.";
     P6103 Error "an address in the symbol table that is not understood" "Write it as in a program, in either mnemonic language: `I 0.0`, `QW 4`, `T 1`, `DB 5`.";
