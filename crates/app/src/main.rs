@@ -44,6 +44,7 @@ use std::process::ExitCode;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use sieben_model::problems::Problem;
 use sieben_model::visible;
 
 use crate::failure::{Exit, Failure};
@@ -152,15 +153,44 @@ fn run(line: CommandLine) -> Exit {
         Some(Verb::Completions(arguments)) => commands::completions::run(&arguments, &mut CommandLine::command()),
     };
     result.unwrap_or_else(|failure: Failure| {
-        output::styled(&failure.render(output::colour()));
+        match wants_json() {
+            true => output::message(&format!("{:#}\n", report::failure_to_json(&failure))),
+            false => output::styled(&failure.render(output::colour())),
+        }
         failure.exit
     })
+}
+
+/// Whether the command line asks for JSON, as far as that can be said of one that may be wrong.
+fn wants_json() -> bool {
+    let arguments: Vec<_> = std::env::args_os().skip(1).take_while(|argument| argument != "--").collect();
+    let format = arguments.windows(2).any(|pair| pair[0] == "--output-format" && pair[1] == "json");
+    format || arguments.iter().any(|argument| argument == "--json" || argument == "--output-format=json")
+}
+
+/// A command line that is not understood, as JSON: on standard output where the list is the result, else where messages go.
+fn wrong_command_line(error: &clap::Error) {
+    let text = error.to_string();
+    let message = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+    let mut failure = Failure::usage(Problem::P7001, message);
+    failure.help = hint(error).map(|hint| hint.trim().to_owned());
+    let list = report::failure_to_json(&failure);
+    if std::env::args_os().nth(1).is_some_and(|verb| verb == "check") {
+        // Nobody can be told if printing fails.
+        let _ = output::print_json(&list, true);
+    } else {
+        output::message(&format!("{list:#}\n"));
+    }
 }
 
 /// The command line, or the exit code after its help or its mistake was printed.
 fn command_line() -> Result<CommandLine, Exit> {
     let matches = CommandLine::command().try_get_matches();
     matches.and_then(|matches| CommandLine::from_arg_matches(&matches)).map_err(|error| {
+        if error.use_stderr() && wants_json() {
+            wrong_command_line(&error);
+            return Exit::Usage;
+        }
         let printed = print_about_the_line(&error);
         if let Some(hint) = hint(&error) {
             output::message(&hint);

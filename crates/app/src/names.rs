@@ -105,7 +105,7 @@ pub(crate) fn text(name: &Name, cpu: &Cpu) -> String {
     name.read(cpu).map_or_else(|_| "not loaded".to_owned(), |shown| shown.to_string())
 }
 
-/// The value of a name as JSON: bits and numbers as numbers, all else as text.
+/// The value of a name as JSON: bits and numbers as numbers, all else as strings; so are integers of 64 bits and what is infinite or no number.
 pub(crate) fn to_json(name: &Name, cpu: &Cpu) -> Json {
     name.read(cpu).map_or(Json::Null, |shown| shown_json(&shown))
 }
@@ -117,6 +117,7 @@ pub(crate) fn shown_json(shown: &Shown) -> Json {
         Shown::Number(number) => json!(number),
         // The digits of the REAL itself, not those of its widening to 64 bits.
         Shown::Real(number) if number.is_finite() => number.to_string().parse::<f64>().map_or(Json::Null, |number| json!(number)),
+        Shown::LongReal(number) if number.is_finite() => json!(number),
         shown => json!(shown.to_string()),
     }
 }

@@ -7,10 +7,21 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a s
     let limit = (length / 3).max(1);
     candidates
         .into_iter()
-        .map(|candidate| (strsim::damerau_levenshtein(&word, &candidate.to_lowercase()), candidate))
-        .filter(|&(distance, _)| distance <= limit && distance < length)
-        .min_by_key(|&(distance, _)| distance)
-        .map(|(_, candidate)| candidate)
+        .map(|candidate| {
+            let other = candidate.to_lowercase();
+            (strsim::damerau_levenshtein(&word, &other), sorted(&word) != sorted(&other), candidate)
+        })
+        .filter(|&(distance, ..)| distance <= limit && distance < length)
+        // Of words at the same distance the one with the same letters: they were only exchanged.
+        .min_by_key(|&(distance, other_letters, _)| (distance, other_letters))
+        .map(|(.., candidate)| candidate)
+}
+
+/// The letters of a word in one order.
+fn sorted(word: &str) -> Vec<char> {
+    let mut letters: Vec<char> = word.chars().collect();
+    letters.sort_unstable();
+    letters
 }
 
 /// Words as a sentence part: `a`, `b` or `c`.
@@ -31,6 +42,7 @@ mod tests {
     fn only_a_close_word_is_suggested() {
         assert_eq!(nearest("soruces", ["sources", "symbols"]), Some("sources"));
         assert_eq!(nearest("CYCLE", ["cycle", "type"]), Some("cycle"));
+        assert_eq!(nearest("JBNI", ["JBI", "JNBI"]), Some("JNBI"));
         assert_eq!(nearest("xyz", ["sources", "symbols"]), None);
         assert_eq!(nearest("", ["A"]).or(nearest("€", ["A"])), None);
     }

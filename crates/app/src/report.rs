@@ -15,7 +15,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, SourceFile, Sources, Span};
 use sieben_model::visible::{self, visible};
 
-use crate::failure::capitalized;
+use crate::failure::{Failure, capitalized};
 use crate::output;
 
 /// Most diagnostics shown on a terminal: behind the first hundred the rest is mostly their consequence.
@@ -195,7 +195,6 @@ fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, out: &
         Severity::Warning => (ReportKind::Warning, Color::Yellow),
     };
     let help = help_of(diagnostic);
-    let help = visible(&help);
     let place = Place::of(&finding.origin, diagnostic.span, cache.texts);
     let drawable = place.as_ref().is_some_and(|place| place.is_drawable(cache.texts));
     let Some(place) = place.filter(|_| drawable) else {
@@ -211,8 +210,10 @@ fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, out: &
     let mut report = Report::build(kind, cache.shown(&place))
         .with_config(config)
         .with_code(diagnostic.problem.code())
-        .with_message(visible(&finding.message()))
-        .with_help(help);
+        .with_message(visible(&finding.message()));
+    if let Some(help) = help {
+        report = report.with_help(visible(&help));
+    }
     let title = diagnostic.fix.as_ref().map_or("here", |fix| fix.title.as_str());
     let mut labels = vec![(place, shade, title)];
     labels.extend(diagnostic.related.iter().filter_map(|(span, word)| {
@@ -247,14 +248,43 @@ fn render_plain(finding: &Finding, texts: &Texts, colour: bool, out: &mut Vec<u8
         }),
     };
     let code = diagnostic.problem.code();
-    out.extend_from_slice(
-        format!("{shade}[{code}] {word}:{plain} {}{place}\n  Help: {}\n", visible(&finding.message()), visible(&help_of(diagnostic)))
-            .as_bytes(),
-    );
+    out.extend_from_slice(format!("{shade}[{code}] {word}:{plain} {}{place}\n", visible(&finding.message())).as_bytes());
+    if let Some(help) = help_of(diagnostic) {
+        out.extend_from_slice(format!("  Help: {}\n", visible(&help)).as_bytes());
+    }
 }
 
-fn help_of(diagnostic: &Diagnostic) -> String {
-    capitalized(diagnostic.help.as_deref().unwrap_or(diagnostic.problem.help()))
+/// What to do, if that is more than the message and the title of the fix say already.
+fn help_of(diagnostic: &Diagnostic) -> Option<String> {
+    let help = diagnostic.help.as_deref().unwrap_or(diagnostic.problem.help());
+    let said = diagnostic.fix.as_ref().map_or(diagnostic.message.clone(), |fix| format!("{} {}", diagnostic.message, fix.title));
+    let refers = diagnostic.fix.is_some() && help.ends_with("the message names.");
+    (!refers && !repeats(help, &said)).then(|| capitalized(help))
+}
+
+/// Words of a help that tell nothing by themselves.
+const EMPTY_WORDS: [&str; 29] = [
+    "write", "use", "give", "name", "names", "named", "what", "that", "this", "the", "a", "an", "it", "its", "is", "are", "of", "or",
+    "and", "in", "to", "with", "for", "here", "message", "instead", "did", "you", "mean",
+];
+
+/// Whether a help says nothing that was not said already: each of its words that tell something was.
+fn repeats(help: &str, said: &str) -> bool {
+    let words = |text: &str| -> Vec<String> {
+        let pieces = text.split(|c: char| c.is_whitespace() || matches!(c, '`' | ',' | '.' | ';' | '?' | '"'));
+        pieces.filter(|piece| !piece.is_empty()).map(str::to_lowercase).collect()
+    };
+    let said = words(said);
+    // A sign such as `;` tells something, although no word is left of it.
+    let has_signs = help.split('`').skip(1).step_by(2).any(|quoted| words(quoted).is_empty());
+    !has_signs && words(help).iter().all(|word| EMPTY_WORDS.contains(&word.as_str()) || said.contains(word))
+}
+
+/// A command that cannot go on, as a list with one finding, which is how `--json` prints all that is wrong.
+pub(crate) fn failure_to_json(failure: &Failure) -> Value {
+    let mut finding = Finding::file(failure.problem, String::new(), failure.message.clone());
+    finding.diagnostic.help.clone_from(&failure.help);
+    to_json(&[finding], &Texts::default())
 }
 
 /// Findings as programs read them.

@@ -252,14 +252,51 @@ fn every_example_of_the_courses_has_a_section() {
     assert!(missing.is_empty(), "no section for {}", missing.join(", "));
 }
 
+/// Sections whose programs show the trap that is warned of: page, beginning of the heading, warning.
+const SHOW_THE_TRAP: &[(&str, &str, Problem)] = &[
+    ("spec/course/s0_statement_list.md", "S0-14 T flip-flop, the wrong version", Problem::P5030),
+    ("spec/course/s0_statement_list.md", "S0-17 A load has no condition", Problem::P5021),
+    ("spec/course/s4_addressing.md", "S4-15 Rules of address registers and parameters", Problem::P5025),
+    ("spec/course/s4_addressing.md", "P##parameter is an address of area V", Problem::P5027),
+    ("spec/course/s4_addressing.md", "AR2 and DI are the base", Problem::P5024),
+    ("spec/stl/compare.md", "A comparison begins a logic string", Problem::P5021),
+    ("spec/stl/mcr.md", "Without MCRA", Problem::P5023),
+    ("spec/stl/mcr.md", "Status bits", Problem::P5023),
+    ("spec/stl/mcr.md", "More than eight zones", Problem::P5023),
+    ("spec/stl/mcr.md", "Errors of the stack on an S7-400", Problem::P5023),
+    ("spec/stl/mcr.md", "In a called block", Problem::P5023),
+    // Reading the inputs again brings back what was overwritten.
+    ("spec/system/sfc026_process_image.md", "", Problem::P5028),
+    // Every operand of every instruction, inputs among them.
+    ("spec/stl/operands.md", "", Problem::P5028),
+];
+
 #[test]
 fn no_page_gets_a_warning_that_it_does_not_deserve() {
     let mut wrong = Vec::new();
     for (name, page) in ["course", "stl", "cpu", "system", "library"].into_iter().flat_map(pages) {
         for section in sections(&page).iter().filter(|section| !section.stl.is_empty()) {
             let Ok(compiled) = program::compile(&section.stl, Mnemonics::English, &CpuType::ALL[0]) else { continue };
-            let followed = [Problem::P4020, Problem::P4022, Problem::P4023];
-            for diagnostic in compiled.diagnostics.iter().filter(|diagnostic| followed.contains(&diagnostic.problem)) {
+            let followed = [
+                Problem::P4020,
+                Problem::P4022,
+                Problem::P4023,
+                Problem::P5021,
+                Problem::P5022,
+                Problem::P5023,
+                Problem::P5024,
+                Problem::P5025,
+                Problem::P5026,
+                Problem::P5027,
+                Problem::P5028,
+                Problem::P5029,
+                Problem::P5030,
+            ];
+            let shows = |problem: Problem| {
+                SHOW_THE_TRAP.iter().any(|&(page, heading, shown)| page == name && section.heading.starts_with(heading) && shown == problem)
+            };
+            let found = compiled.diagnostics.iter().filter(|diagnostic| followed.contains(&diagnostic.problem));
+            for diagnostic in found.filter(|diagnostic| !shows(diagnostic.problem)) {
                 let text = &section.stl[diagnostic.span.start as usize..diagnostic.span.end as usize];
                 wrong.push(format!("{name}, {}: {} {} in `{text}`", section.heading, diagnostic.problem.code(), diagnostic.message));
             }

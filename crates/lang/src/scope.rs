@@ -67,7 +67,8 @@ impl Scope {
     /// The symbols of the table; names of system blocks stand for these unless the table says otherwise.
     pub(crate) fn new(symbols: &SymbolTable, system: &[SystemBlock]) -> Self {
         let mut globals: HashMap<String, Global> = HashMap::with_capacity(symbols.symbols().len());
-        for symbol in symbols.symbols() {
+        // Rows of an assignment table may have no symbol.
+        for symbol in symbols.symbols().iter().filter(|symbol| !symbol.name.trim().is_empty()) {
             let operand = symbol.operand();
             globals.entry(key(symbol.name.trim())).and_modify(|first| first.ambiguous |= first.operand != operand).or_insert_with(|| {
                 Global {
@@ -174,6 +175,13 @@ impl Scope {
         if made < SUGGESTIONS_MAX { nearest(name, candidates) } else { None }
     }
 
+    /// The parameter that a name stands for, see [`nearest_parameter`].
+    pub(crate) fn nearest_parameter<'a>(&self, name: &str, candidates: impl Iterator<Item = &'a str> + Clone) -> Option<String> {
+        let made = self.suggestions.get();
+        self.suggestions.set(made.saturating_add(1));
+        if made < SUGGESTIONS_MAX { nearest_parameter(name, candidates) } else { None }
+    }
+
     /// How many suggestions were asked for: there is a limit, so that an answer depends on the questions before it.
     pub(crate) fn suggestions(&self) -> u32 {
         self.suggestions.get()
@@ -202,10 +210,55 @@ pub(crate) fn nearest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>)
                 return None;
             }
             let distance = strsim::osa_distance(&wanted, &other);
-            (distance <= limit && distance < length).then_some((distance, candidate))
+            // Of words at the same distance the one with the same letters, then the one with more letters that were only exchanged.
+            (distance <= limit && distance < length).then(|| {
+                let exchanged = strsim::levenshtein(&wanted, &other) - distance;
+                (distance, other_letters(&wanted, &other), std::cmp::Reverse(exchanged), candidate)
+            })
         })
         .min()
-        .map(|(_, candidate)| candidate.to_owned())
+        .map(|(.., candidate)| candidate.to_owned())
+}
+
+/// Whether a candidate looks more like `name` than another one does.
+pub(crate) fn is_nearer(name: &str, candidate: &str, other: &str) -> bool {
+    let distance = |candidate: &str| strsim::osa_distance(&key(name), &key(candidate));
+    distance(candidate) < distance(other)
+}
+
+/// How many letters one of two words has and the other has not; 0 if they have the same ones in another order.
+fn other_letters(one: &str, other: &str) -> usize {
+    let mut left: Vec<char> = other.chars().collect();
+    let unmatched = one.chars().filter(|letter| match left.iter().position(|other| other == letter) {
+        Some(at) => {
+            left.swap_remove(at);
+            false
+        }
+        None => true,
+    });
+    unmatched.count() + left.len()
+}
+
+/// The parameter that a name stands for: one of which it is a short or a long form (`R` and `RESET`, `LD` and `LOAD`), else the nearest.
+pub(crate) fn nearest_parameter<'a>(name: &str, candidates: impl Iterator<Item = &'a str> + Clone) -> Option<String> {
+    let mut forms = candidates.clone().filter(|candidate| is_short_for(name, candidate) || is_short_for(candidate, name));
+    match (forms.next(), forms.next()) {
+        (Some(form), None) => Some(form.to_owned()),
+        _ => nearest(name, candidates),
+    }
+}
+
+/// Whether a word is made of letters of a longer one, with its first and, of several letters, its last.
+fn is_short_for(short: &str, long: &str) -> bool {
+    let (short, long) = (key(short), key(long));
+    if long.len() < short.len() + 2 || short.chars().next() != long.chars().next() {
+        return false;
+    }
+    if short.chars().count() > 1 && short.chars().last() != long.chars().last() {
+        return false;
+    }
+    let mut rest = long.chars();
+    !short.is_empty() && short.chars().all(|letter| rest.any(|other| other == letter))
 }
 
 /// `; did you mean `Start`?`, or nothing.

@@ -391,6 +391,20 @@ pub fn s5time_milliseconds(word: u16) -> Option<u64> {
     from_bcd(u32::from(word & 0xFFF)).map(|number| u64::from(number) * step)
 }
 
+/// What an S5TIME keeps of a time if that is much less: 0, or so little that more than a tenth is lost. Both are milliseconds.
+///
+/// From 100 ms on never so much is lost: the type has three digits.
+pub fn s5time_shortened(milliseconds: u64) -> Option<u64> {
+    let kept = s5time_milliseconds(s5time_word(milliseconds)?)?;
+    ((milliseconds - kept) * 10 > milliseconds).then_some(kept)
+}
+
+/// The milliseconds that are written in a constant such as `S5T#5MS`.
+pub fn written_milliseconds(text: &str) -> Option<u64> {
+    let (_, time) = text.split_once('#')?;
+    parse_duration(&without_blanks(time).to_ascii_uppercase())
+}
+
 fn parse_s5time(text: &str) -> Parsed {
     let milliseconds = parse_duration(&without_blanks(text)).ok_or(LiteralErrorKind::Malformed(
         "write hours, minutes, seconds and milliseconds in this order, such as S5T#1H2M3S or S5T#500MS",

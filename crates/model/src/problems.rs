@@ -176,6 +176,16 @@ problems! {
     P5009 Warning "more code than a block of the CPU type can have" "Split the block into several, or leave it so if it need not go into a CPU.";
     P5010 Warning "an organization block that the CPU type does not call" "Choose a CPU type that calls it, or another organization block.";
     P5020 Warning "a system function that the CPU does not have" "Leave the call out, or evaluate RET_VAL, ERROR and BR: the call answers as a CPU without that hardware does.";
+    P5021 Warning "a condition that does not guard the load or transfer after it" "Jump over the load and transfer with `JCN` if the condition does not hold; use the condition with `=`, `S` or `R`; or remove it.";
+    P5022 Warning "one timer or counter instance driven twice" "Use a timer of its own for each purpose, or join the conditions and start it once.";
+    P5023 Warning "a zone of the master control relay that is never active" "Write `MCRA` before the zone and `MCRD` after it.";
+    P5024 Warning "a variable of a function block after AR2 or the DI register was changed" "Save the register before it is changed (`TAR2`, or `L DINO`) and restore it before the next parameter or static variable, or copy the variable to VAR_TEMP first.";
+    P5025 Warning "an access that overwrites AR1" "Load AR1 again after the access, or copy the element to VAR_TEMP before AR1 is loaded.";
+    P5026 Warning "a parameter as the pointer of an indirect address" "Copy the parameter to a variable of VAR_TEMP, and write that one in the brackets.";
+    P5027 Warning "the address of a parameter of a function in an address register" "Load it into ACCU 1 first: `L P##…`, then `LAR1`.";
+    P5028 Warning "an input that the program writes" "Write an output, bit memory or a data block; a test gives inputs their values from outside.";
+    P5029 Warning "an S5TIME that is much shorter than it is written" "Write a multiple of 10 ms; an IEC timer with TIME counts single milliseconds.";
+    P5030 Warning "a bit that is set and reset again in the same scan" "Leave the block with `BEC` after the first half, or use an edge of the condition for each half.";
 
     // 6xxx files and projects
     P6001 Error "a file that cannot be read" "Check the path and the permissions.";
@@ -239,6 +249,7 @@ problems! {
     P6127 Error "an address or a view that a variable cannot have" "Use an address of the width of the type, or a view that is not longer than its variable.";
     P6130 Error "a task that the CPU cannot run" "Write an interval of 1 ms to 60 s, or none for the cycle.";
     P6132 Error "an instance where nothing is kept" "Declare it under VAR of a FUNCTION_BLOCK or PROGRAM, or under VAR_GLOBAL.";
+    P6133 Warning "a table without a header that was read as an assignment table" "Write a first line with the names of its columns, such as `number,address,unit,symbol,comment,remark`.";
 
     // 62xx statements of ST
     P6200 Error "a value of another type" "Convert it with a function such as `INT_TO_REAL`, or declare the variable with the type of the value.";

@@ -83,6 +83,8 @@ pub enum Shown {
     Number(i64),
     /// A REAL.
     Real(f32),
+    /// An LREAL.
+    LongReal(f64),
     /// The status word.
     Status(StatusWord),
     /// A constant in the notation of its type.
@@ -101,6 +103,7 @@ impl fmt::Display for Shown {
             Self::Hex { bits, digits } => write!(f, "16#{bits:0digits$X}"),
             Self::Number(number) => write!(f, "{number}"),
             Self::Real(value) => f.write_str(&literal::format_as(&DataType::Real, u64::from(value.to_bits()))),
+            Self::LongReal(value) => f.write_str(&literal::format_as(&DataType::LongReal, value.to_bits())),
             Self::Status(word) => write!(f, "{word}"),
             Self::Text(text) => f.write_str(text),
         }
@@ -724,8 +727,11 @@ fn is_one_number(data_type: &DataType) -> bool {
 fn shown(bits: u64, width: u32, data_type: Option<&DataType>) -> Shown {
     match data_type.map(DataType::base) {
         _ if width == 1 => Shown::Bit(bits != 0),
+        Some(DataType::LongReal) => Shown::LongReal(f64::from_bits(bits)),
         Some(_) if data_type.is_some_and(literal::elsewhere::is_elsewhere) => {
-            Shown::Text(literal::format_as(data_type.unwrap_or(&DataType::Word), bits))
+            let text = literal::format_as(data_type.unwrap_or(&DataType::Word), bits);
+            // Integers of up to 32 bits are numbers to every reader of JSON, those of 64 bits are not.
+            text.parse().ok().filter(|_| width <= 32).map_or(Shown::Text(text), Shown::Number)
         }
         Some(DataType::DateAndTime) => Shown::Text(literal::format_as(&DataType::DateAndTime, bits)),
         Some(DataType::Int) => Shown::Number(i64::from(bits as u16 as i16)),

@@ -1,6 +1,8 @@
 //! `sieben explain WORD`: an instruction, a function, a problem code, a CPU type, a status bit, an OB, a system function or an event, from the tables.
 
 mod functions;
+mod tables;
+mod words;
 
 use clap::Args;
 use sieben_cpu::CyclicInterrupt;
@@ -13,6 +15,7 @@ use sieben_lang::library::{self, LibraryBlock};
 use sieben_lang::reason;
 use sieben_lang::stl::extension::Word;
 use sieben_lang::stl::instructions::Instruction;
+use sieben_lang::stl::latin;
 use sieben_lang::stl::operands::OperandClass;
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
@@ -33,7 +36,7 @@ const STATUS_BITS: &[(&str, &[&str], &str)] = &[
     ("OV", &[], "overflow: the last calculation left its range"),
     ("OS", &[], "stored overflow: some calculation since the last JOS or call left its range"),
     ("OR", &[], "an AND before OR is under way"),
-    ("STA", &["STATUS"], "the value of the bit that was addressed last"),
+    ("STA", &["STATUS BIT"], "the value of the bit that was addressed last"),
     ("RLO", &["VKE"], "result of logic operation: the value of the chain so far"),
     ("/FC", &["FC", "/ER"], "first check: 0 if the next scan of a bit begins a new chain"),
 ];
@@ -83,7 +86,10 @@ const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/problem_pages
   sieben explain 'SFC 46'      a system function, also by its name: STP\n  \
   sieben explain CONCAT        a block of the library, also by its number: FC 2\n  \
   sieben explain 16#4562       an event of the diagnostic buffer\n  \
-  sieben explain instructions  all of them; also: functions, problems, cpu, library, system, ob")]
+  sieben explain AR1           a word of a course: a register, a type, a part of an operand\n  \
+  sieben explain instructions  all of them; also: functions, problems, cpu, library, system, ob\n  \
+  sieben explain status        what every instruction does to the status word\n  \
+  sieben explain jumps         when every jump jumps")]
 pub(crate) struct Arguments {
     /// What to explain
     #[arg(required = true, value_name = "WORD", allow_hyphen_values = true)]
@@ -94,7 +100,13 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let word = arguments.words.join(" ");
     let word = word.trim();
-    output::print(&explain(word).ok_or_else(|| unknown(word))?)?;
+    let found = match (explain(word), latin(word)) {
+        (None, Some(meant)) => {
+            explain(&meant).map(|text| format!("`{word}` has letters of another alphabet; this is `{meant}`.\n\n{text}"))
+        }
+        (found, _) => found,
+    };
+    output::print(&found.ok_or_else(|| unknown(word))?)?;
     Ok(Exit::Success)
 }
 
@@ -111,6 +123,12 @@ fn explain(word: &str) -> Option<String> {
     if word.eq_ignore_ascii_case("functions") {
         return Some(functions::functions());
     }
+    if word.eq_ignore_ascii_case("status") {
+        return Some(tables::status());
+    }
+    if word.eq_ignore_ascii_case("jumps") {
+        return Some(tables::jumps());
+    }
     if word.eq_ignore_ascii_case("library") {
         return Some(library_blocks());
     }
@@ -122,7 +140,10 @@ fn explain(word: &str) -> Option<String> {
     }
     // `MOD` is an instruction and a function, `TON` a function block and SFB 4.
     let programs: Vec<String> =
-        [instruction(word), functions::function(word), system_function(word), library_block(word)].into_iter().flatten().collect();
+        [instruction(word), words::word_of_a_course(word), functions::function(word), system_function(word), library_block(word)]
+            .into_iter()
+            .flatten()
+            .collect();
     (!programs.is_empty())
         .then(|| programs.join("\n"))
         .or_else(|| event(word))
@@ -266,7 +287,15 @@ fn event(word: &str) -> Option<String> {
 fn instruction(word: &str) -> Option<String> {
     // `A (` and `A(` are the same word.
     let word: String = word.split_whitespace().collect::<String>().to_ascii_uppercase();
-    let rows: Vec<Instruction> = Instruction::ALL.iter().copied().filter(|row| row.english() == word || row.german() == word).collect();
+    let named = |row: &Instruction| row.english() == word || row.german() == word;
+    // `NOP 0` and `NOP 1` are written with what belongs to them.
+    let operand = |row: &Instruction| match row.operand() {
+        OperandClass::Zero => Some('0'),
+        OperandClass::One => Some('1'),
+        _ => None,
+    };
+    let with_operand = |row: &Instruction| operand(row).is_some_and(|digit| word.strip_suffix(digit) == Some(row.english()));
+    let rows: Vec<Instruction> = Instruction::ALL.iter().copied().filter(|row| named(row) || with_operand(row)).collect();
     if rows.is_empty() {
         return None;
     }
@@ -332,7 +361,8 @@ fn unknown(word: &str) -> Failure {
         .chain(Instruction::ALL.iter().flat_map(|row| [row.english(), row.german()]))
         .chain(library::ALL.iter().map(|block| block.name))
         .chain(sieben_lang::st::standard::catalogue::names())
-        .chain(["cpu", "problems", "instructions", "functions", "library", "system"]);
+        .chain(words::spellings())
+        .chain(["cpu", "problems", "instructions", "functions", "library", "system", "status", "jumps"]);
     let failure = Failure::usage(Problem::P7007, format!("nothing is known about `{word}`"));
     // `315` is how everybody calls the 315-2PN/DP; as letters it is too far away to look alike.
     let family: Vec<String> = CpuType::ALL

@@ -30,7 +30,8 @@ pub(crate) fn github(findings: &[Finding], texts: &Texts) -> String {
         let file = if file.is_empty() { String::new() } else { format!("file={},", property(&file)) };
         let place = place.map_or_else(String::new, |(line, column)| format!("line={line},col={column},"));
         let title = property(&format!("{}: {}", problem.code(), problem.title()));
-        let message = data(&format!("{}\n{}", finding.message(), help_of(&finding.diagnostic)));
+        let help = help_of(&finding.diagnostic).map_or_else(String::new, |help| format!("\n{help}"));
+        let message = data(&format!("{}{help}", finding.message()));
         format!("::{} {file}{place}title={title}::{message}\n", severity(finding))
     };
     findings.iter().map(line).collect()

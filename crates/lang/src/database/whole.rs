@@ -1,6 +1,6 @@
 //! A revision of a project, put together of its blocks.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
@@ -100,6 +100,7 @@ impl Revision<'_> {
             diagnostics.retain(|diagnostic| !needs_other_files(diagnostic.problem));
         }
         diagnostics.retain(|diagnostic| self.untold.lets_through(diagnostic, self.sources));
+        settle(&mut diagnostics);
         diagnostics.sort_by_key(|diagnostic| (diagnostic.span.file, diagnostic.span.start));
         compiled.diagnostics = diagnostics;
         let demands = environment.demands();
@@ -185,6 +186,14 @@ impl Compiled {
             self.countable.entry(moved).and_modify(Countable::moved_by_one);
         }
     }
+}
+
+/// Drops guesses of the parser where the checker, which knows the names, is certain of the same place.
+fn settle(diagnostics: &mut Vec<Diagnostic>) {
+    let certainty = |one: &Diagnostic| one.fix.as_ref().map(|fix| fix.certainty);
+    let of_signs = diagnostics.iter().filter(|one| one.problem == Problem::P2007);
+    let settled: HashSet<_> = of_signs.filter(|one| certainty(one) == Some(Certainty::Certain)).map(|one| one.span).collect();
+    diagnostics.retain(|one| one.problem != Problem::P2007 || certainty(one) != Some(Certainty::Guess) || !settled.contains(&one.span));
 }
 
 /// Problems that may come of files that were not given.

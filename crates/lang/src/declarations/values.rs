@@ -1,6 +1,6 @@
 //! Whether a constant fits a type, and its bytes.
 
-use sieben_model::literal::Value;
+use sieben_model::literal::{Value, s5time_shortened};
 use sieben_model::types::DataType;
 
 /// Why a constant does not fit a type.
@@ -226,4 +226,12 @@ fn write_number(image: &mut [u8], position: u64, data_type: &DataType, bits: u64
     let bytes = bits.to_be_bytes();
     let length = (data_type.bits() / 8).min(8) as usize;
     write(image, position, data_type, &Value::Image(bytes[8 - length..].to_vec()));
+}
+
+/// What is to be said of a time in milliseconds of which an S5TIME keeps much less.
+pub(crate) fn shortened_s5time(written: &str, milliseconds: u64) -> Option<String> {
+    Some(match s5time_shortened(milliseconds)? {
+        0 => format!("`{written}` is no time at all as an S5TIME, which counts in steps of 10 ms"),
+        kept => format!("`{written}` is only {kept} ms as an S5TIME, which counts in steps of 10 ms"),
+    })
 }

@@ -166,7 +166,7 @@ constructs! {
     LongName "a name of more than 24 characters"                   Accept Accept Note   Accept "shorten the name";
     DoubleUnderscore "`__` inside a name"                          Note   Accept Accept Accept "write one `_`";
     SystemName "a name that begins with `__`"                      Note   Note   Accept Accept "leave such names to the system";
-    ForeignLetter "a letter outside the Latin alphabet in a name"  Note   Note   Note   Accept "use letters from A to Z";
+    ForeignLetter "a letter other than A to Z in a name"           Note   Note   Note   Accept "use letters from A to Z";
     QuotedWideString "`\"…\"` as a WSTRING"                        Accept Accept Reject Reject "write `WSTRING#'…'`";
     QuotedName "a name in `\"…\"`"                                 Reject Reject Accept Accept "write the name without quotes";
     LocalMark "`#` before a name"                                  Reject Reject Note   Accept "write the name without `#`";

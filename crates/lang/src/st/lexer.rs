@@ -1,5 +1,7 @@
 //! Cuts ST text into tokens.
 
+use std::borrow::Cow;
+
 use super::dialect::{Construct, Dialect, Judgement};
 use super::keywords::Keyword;
 pub(super) use crate::scan::in_word;
@@ -159,6 +161,9 @@ fn token(text: &str, start: usize, dialect: Dialect) -> (Raw, usize) {
         '^' => (Raw::Caret, one),
         '.' if second == b'.' => (Raw::Range, one + 1),
         '.' => (Raw::Point, one),
+        first if straight_quote(first) == Some('\'') => (Raw::Characters, quoted_by_any(text, one, '\'')),
+        first if straight_quote(first) == Some('"') => (Raw::Quoted, quoted_by_any(text, one, '"')),
+        first if typeset_sign(first).is_some() => (typeset_sign(first).map_or(Raw::Unknown, |(raw, _)| raw), one),
         '\'' => (Raw::Characters, quoted(text, one, '\'', true)),
         '"' => (Raw::Quoted, quoted(text, one, '"', !quotes_names(dialect))),
         '`' => (Raw::Backquoted, quoted(text, one, '`', false)),
@@ -185,6 +190,10 @@ pub(super) fn quotes_names(dialect: Dialect) -> bool {
 /// Whether a token has its end.
 pub(super) fn is_terminated(raw: Raw, text: &str) -> bool {
     match raw {
+        Raw::Characters | Raw::Quoted if text.starts_with(|first| straight_quote(first).is_some()) => {
+            let straight = straightened(text);
+            is_terminated(raw, &straight)
+        }
         Raw::Characters | Raw::Quoted | Raw::Backquoted => {
             let quote = text.chars().next().unwrap_or_default();
             text.len() > 1 && text.ends_with(quote) && (quote == '`' || !ends_in_escape(text) || quote == '"')
@@ -240,6 +249,50 @@ fn pragma(text: &str, start: usize) -> usize {
         }
     }
     start + text[start..].find(['\r', '\n']).unwrap_or(text.len() - start)
+}
+
+/// The token that a sign of typesetting stands for, and how ST writes it.
+pub(super) fn typeset_sign(sign: char) -> Option<(Raw, &'static str)> {
+    Some(match sign {
+        '≥' | '⩾' | '≧' => (Raw::GreaterEqual, ">="),
+        '≤' | '⩽' | '≦' => (Raw::LessEqual, "<="),
+        '≠' => (Raw::NotEqual, "<>"),
+        '≔' => (Raw::Becomes, ":="),
+        '⇒' | '→' => (Raw::Delivers, "=>"),
+        '×' | '·' | '⋅' | '∗' => (Raw::Star, "*"),
+        '÷' | '∕' | '⁄' => (Raw::Slash, "/"),
+        '−' | '–' | '—' | '‐' | '‑' => (Raw::Minus, "-"),
+        _ => return None,
+    })
+}
+
+/// The straight quote that a curly one stands for.
+pub(super) fn straight_quote(quote: char) -> Option<char> {
+    match quote {
+        '‘' | '’' | '‚' | '‛' | '′' | '´' => Some('\''),
+        '“' | '”' | '„' | '‟' | '″' => Some('"'),
+        _ => None,
+    }
+}
+
+/// A quoted text with straight quotes; the same text if its own are straight.
+pub(super) fn straightened(text: &str) -> Cow<'_, str> {
+    let Some(quote) = text.chars().next().and_then(straight_quote) else { return Cow::Borrowed(text) };
+    let inner: String = text.chars().skip(1).collect();
+    match inner.strip_suffix(|last| straight_quote(last) == Some(quote) || last == quote) {
+        Some(inner) => Cow::Owned(format!("{quote}{inner}{quote}")),
+        None => Cow::Owned(format!("{quote}{inner}")),
+    }
+}
+
+/// The byte behind the next quote of a kind, straight or curly, or the end of the line.
+fn quoted_by_any(text: &str, start: usize, quote: char) -> usize {
+    let closes = |c: char| c == quote || straight_quote(c) == Some(quote) || matches!(c, '\r' | '\n');
+    match text[start..].char_indices().find(|&(_, c)| closes(c)) {
+        Some((at, '\r' | '\n')) => start + at,
+        Some((at, closing)) => start + at + closing.len_utf8(),
+        None => text.len(),
+    }
 }
 
 /// The byte behind the closing quote, or the end of the line.

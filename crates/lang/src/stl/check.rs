@@ -4,6 +4,7 @@ mod accumulators;
 mod flow;
 mod logic;
 mod temporaries;
+mod traps;
 
 use std::collections::HashMap;
 
@@ -102,6 +103,7 @@ pub(crate) fn block(
         temporaries::check(&block, known.temporaries, &mut diagnostics);
         accumulators::check(&block.statements, &types, known.cpu.accumulators == 4, &mut diagnostics);
         logic::check(&block, &mut diagnostics);
+        traps::check(&block, known.extended, &mut diagnostics);
     }
     Checked { block, diagnostics, whole }
 }

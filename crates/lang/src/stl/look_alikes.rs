@@ -11,7 +11,7 @@ pub(super) const OTHER_ALPHABET: &str = "has letters of another alphabet that on
 const LETTERS_FOR_DIGITS: &str = "has letters that only look like digits";
 
 /// The Latin text that a text with Cyrillic or Greek look-alikes seems to be; `None` if it has none or others.
-pub(super) fn latin(text: &str) -> Option<String> {
+pub fn latin(text: &str) -> Option<String> {
     if text.is_ascii() {
         return None;
     }

@@ -25,4 +25,5 @@ pub mod why;
 
 pub use convert::convert;
 pub use format::format;
+pub use look_alikes::latin;
 pub use parser::{Parsed, fuzz, parse};

@@ -29,6 +29,7 @@ use super::lexer::{Raw, in_word, is_terminated, token};
 use super::look_alikes::{self, OTHER_ALPHABET, latin};
 use super::mnemonics::judge;
 use super::syntax::{SyntaxKind, SyntaxNode};
+use crate::declarations::values::shortened_s5time;
 use crate::scan::is_blank;
 
 /// More diagnostics than this help nobody; one more says that there are others.
@@ -377,7 +378,14 @@ impl<'t> Parser<'t> {
         let straight = look_alikes::straightened(self.slice(start, end));
         let text = straight.as_deref().unwrap_or(self.slice(start, end));
         let (value, extended) = match literal::parse(text) {
-            Ok(value) => (Some(value), false),
+            Ok(value) => {
+                if let literal::Value::S5Time(_) = value
+                    && let Some(message) = literal::written_milliseconds(text).and_then(|time| shortened_s5time(text, time))
+                {
+                    self.report(Diagnostic::new(Problem::P5029, span, message));
+                }
+                (Some(value), false)
+            }
             Err(error) => match (literal::parse_extended(text), look_alikes::meant_constant(text)) {
                 (Some(value), _) => (Some(value), true),
                 (None, Some((right, why))) => {

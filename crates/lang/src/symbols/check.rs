@@ -12,12 +12,12 @@ use sieben_model::types::DataType;
 use super::NAME_MAX;
 
 /// Checks each row, and the rows against each other.
-pub(super) fn rows(rows: &[(Symbol, Span)], diagnostics: &mut Vec<Diagnostic>) {
+pub(super) fn rows(rows: &[(Symbol, Span)], unnamed: bool, diagnostics: &mut Vec<Diagnostic>) {
     let mut names: HashMap<String, usize> = HashMap::new();
     let mut operands: HashMap<Operand, usize> = HashMap::new();
     for (index, (symbol, span)) in rows.iter().enumerate() {
         let (name, address) = (symbol.name.as_str(), symbol.address.trim());
-        if name.is_empty() || address.is_empty() {
+        if (name.is_empty() && !unnamed) || address.is_empty() {
             let message = match name.is_empty() {
                 true => format!("this row names no symbol for `{address}`"),
                 false => format!("the symbol `{name}` has no address"),

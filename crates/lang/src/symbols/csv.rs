@@ -4,26 +4,10 @@ use ::csv::{ReaderBuilder, StringRecord, Terminator, WriterBuilder};
 use sieben_model::problems::Problem;
 use sieben_model::symbols::{Symbol, SymbolTable};
 
-use super::Sink;
+use super::headings::{ADDRESS, NUMBER, OF_ASSIGNMENTS, SYMBOL, UNIT, are_headings, column_kinds, is_dash};
+use super::{Sink, is_address};
 
-/// The columns that mean something, in their usual order; the first two are required, the last four belong to the assignment table.
-pub const COLUMNS: [&str; 8] = ["symbol", "address", "type", "comment", "number", "unit", "tag", "remark"];
-
-/// What other tools call the first four columns: the tag table of TIA, German and English spreadsheets.
-const ALIASES: [(&str, usize); 12] = [
-    ("name", 0),
-    ("symbolname", 0),
-    ("adresse", 1),
-    ("logical address", 1),
-    ("logische adresse", 1),
-    ("operand", 1),
-    ("data type", 2),
-    ("datatype", 2),
-    ("datentyp", 2),
-    ("typ", 2),
-    ("kommentar", 3),
-    ("description", 3),
-];
+pub use super::headings::COLUMNS;
 
 /// One row with the bytes it came from.
 pub(crate) struct Record {
@@ -65,9 +49,29 @@ pub(crate) fn records(text: &str, delimiter: u8, sink: &mut Sink) -> Vec<Record>
 pub(crate) fn read(text: &str, sink: &mut Sink) -> (Vec<String>, u8) {
     let header_line = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
     let delimiter = delimiter_of(header_line);
-    let mut rows = records(text, delimiter, sink).into_iter();
-    let (columns, start, end) = rows.next().map_or((Vec::new(), 0, 0), |record| (record.fields, record.start, record.end));
+    let mut rows = records(text, delimiter, sink).into_iter().peekable();
+    let (columns, start, end) = match rows.peek().filter(|first| is_numbered(&first.fields)) {
+        // The assignment table as it is printed, without its header.
+        Some(first) => {
+            let (start, end) = (first.start, first.end);
+            if !(OF_ASSIGNMENTS.len() - 1..=OF_ASSIGNMENTS.len()).contains(&first.fields.len()) {
+                let message = format!(
+                    "this table has no header, and its rows have {} fields; the first line names the columns: {}",
+                    first.fields.len(),
+                    COLUMNS.join(",")
+                );
+                sink.problem(Problem::P6104, start, end, message);
+                return (Vec::new(), delimiter);
+            }
+            let message = format!("this table has no header, and was read as one with the columns {}", OF_ASSIGNMENTS.join(", "));
+            sink.problem(Problem::P6133, start, end, message);
+            (OF_ASSIGNMENTS.map(str::to_owned).to_vec(), start, end)
+        }
+        None => rows.next().map_or((Vec::new(), 0, 0), |record| (record.fields, record.start, record.end)),
+    };
     let kinds = column_kinds(&columns);
+    // An assignment table lists also what has no symbol.
+    sink.unnamed = kinds.contains(&Some(NUMBER)) || kinds.contains(&Some(UNIT));
     let missing: Vec<&str> =
         COLUMNS[..2].iter().enumerate().filter(|(index, _)| !kinds.contains(&Some(*index))).map(|(_, name)| *name).collect();
     if !missing.is_empty() {
@@ -95,9 +99,12 @@ pub(crate) fn read(text: &str, sink: &mut Sink) -> (Vec<String>, u8) {
         let mut symbol = Symbol::default();
         let mut values = fields.into_iter();
         for (column, kind) in columns.iter().zip(&kinds) {
-            let value = values.next().unwrap_or_default();
+            let mut value = values.next().unwrap_or_default();
+            if kind.is_some_and(|kind| kind != ADDRESS) && is_dash(&value) {
+                value.clear();
+            }
             match kind {
-                Some(0) => symbol.name = value.trim().to_owned(),
+                Some(SYMBOL) => symbol.name = value.trim().to_owned(),
                 Some(index) => *known_field(&mut symbol, *index) = value,
                 None => symbol.extra.push((column.clone(), value)),
             }
@@ -107,37 +114,30 @@ pub(crate) fn read(text: &str, sink: &mut Sink) -> (Vec<String>, u8) {
     (columns, delimiter)
 }
 
-/// The first of comma, semicolon and tabulator that a header has.
+/// Comma, semicolon or tabulator: the one that a header has most often.
 fn delimiter_of(header: &str) -> u8 {
-    b",;\t".iter().copied().find(|&delimiter| header.as_bytes().contains(&delimiter)).unwrap_or(b',')
+    let count = |delimiter: u8| header.bytes().filter(|&byte| byte == delimiter).count();
+    // Of equally frequent ones the last counts.
+    b"\t;,".iter().copied().max_by_key(|&delimiter| count(delimiter)).unwrap_or(b',')
+}
+
+/// Whether a row begins with a running number and an address, as the rows of an assignment table do.
+fn is_numbered(fields: &[String]) -> bool {
+    let [number, address, _, ..] = fields else { return false };
+    let number = number.trim().trim_end_matches('.');
+    !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()) && is_address(address)
+}
+
+/// Whether a text begins with a row of an assignment table that has no header.
+pub(crate) fn begins_with_number(line: &str) -> bool {
+    let fields: Vec<String> = line.split(char::from(delimiter_of(line))).map(|cell| cell.trim().trim_matches('"').to_owned()).collect();
+    is_numbered(&fields)
 }
 
 /// Whether a line names at least the columns for symbol and address.
 pub(crate) fn begins_with_headings(line: &str) -> bool {
     let cells: Vec<String> = line.split(char::from(delimiter_of(line))).map(|cell| cell.trim().trim_matches('"').to_owned()).collect();
     are_headings(&cells)
-}
-
-/// Whether these cells are names of columns, symbol and address among them.
-pub(crate) fn are_headings(cells: &[String]) -> bool {
-    let kinds = column_kinds(cells);
-    kinds.contains(&Some(0)) && kinds.contains(&Some(1))
-}
-
-/// Which known column each header is; a second one of the same name counts as unknown. The names of other tools count where ours are missing.
-fn column_kinds(columns: &[String]) -> Vec<Option<usize>> {
-    let mut kinds: Vec<Option<usize>> = Vec::with_capacity(columns.len());
-    for column in columns {
-        let kind = COLUMNS.iter().position(|known| column.trim().eq_ignore_ascii_case(known));
-        kinds.push(kind.filter(|_| !kinds.contains(&kind)));
-    }
-    for (index, column) in columns.iter().enumerate() {
-        let alias = ALIASES.iter().find(|(name, _)| column.trim().eq_ignore_ascii_case(name)).map(|&(_, kind)| kind);
-        if kinds[index].is_none() && !kinds.contains(&alias) {
-            kinds[index] = alias;
-        }
-    }
-    kinds
 }
 
 fn known_field(symbol: &mut Symbol, index: usize) -> &mut String {

@@ -3,7 +3,7 @@
 use sieben_model::problems::Problem;
 use sieben_model::symbols::{Symbol, SymbolTable};
 
-use super::{Sink, csv, fixed_fields, report_lost_columns};
+use super::{Sink, fixed_fields, headings, report_lost_columns};
 
 /// Cells of a row: symbol, address, data type, comment.
 const CELLS: usize = 4;
@@ -170,7 +170,7 @@ fn finish(row: Option<Row>, sink: &mut Sink) {
         sink.problem(Problem::P6105, start, end, message);
         return;
     }
-    if broken || csv::are_headings(&cells) {
+    if broken || headings::are_headings(&cells) {
         return;
     }
     let mut cells = cells.into_iter();

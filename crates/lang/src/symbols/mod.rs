@@ -5,6 +5,7 @@ pub mod assignment;
 mod check;
 pub mod csv;
 pub mod dif;
+mod headings;
 pub mod sdf;
 pub mod seq;
 
@@ -127,6 +128,7 @@ pub fn by_content(text: &str) -> Option<Format> {
         () if line.starts_with("126,") => Some(Format::Asc),
         () if dif::is_dif(text) => Some(Format::Dif),
         () if csv::begins_with_headings(line) => Some(Format::Csv),
+        () if csv::begins_with_number(line) => Some(Format::Csv),
         () if line.starts_with('"') && line.matches('"').count() >= 8 => Some(Format::Sdf),
         () if seq::is_seq(text) => Some(Format::Seq),
         () => None,
@@ -135,7 +137,7 @@ pub fn by_content(text: &str) -> Option<Format> {
 
 /// Reads a table and checks its rows.
 pub fn read(file: FileId, text: &str, format: Format) -> Read {
-    let mut sink = Sink { file, rows: Vec::new(), diagnostics: Vec::new() };
+    let mut sink = Sink { file, rows: Vec::new(), diagnostics: Vec::new(), unnamed: false };
     let mut layout = Layout::new(format);
     layout.carriage_returns = text.contains("\r\n") || (layout.carriage_returns && !text.contains('\n'));
     let mut columns = Vec::new();
@@ -146,8 +148,8 @@ pub fn read(file: FileId, text: &str, format: Format) -> Read {
         Format::Dif => dif::read(text, &mut sink),
         Format::Seq => seq::read(text, &mut sink),
     }
-    let Sink { rows, mut diagnostics, .. } = sink;
-    check::rows(&rows, &mut diagnostics);
+    let Sink { rows, mut diagnostics, unnamed, .. } = sink;
+    check::rows(&rows, unnamed, &mut diagnostics);
     diagnostics.sort_by_key(|diagnostic| diagnostic.span.start);
     let mut table = SymbolTable::new(rows.into_iter().map(|(symbol, _)| symbol).collect());
     table.set_columns(columns);
@@ -157,6 +159,13 @@ pub fn read(file: FileId, text: &str, format: Format) -> Read {
 /// Writes a table.
 pub fn write(table: &SymbolTable, layout: Layout) -> Written {
     let mut losses = Vec::new();
+    let named;
+    let table = if layout.format == Format::Csv {
+        table
+    } else {
+        named = with_symbols(table, &mut losses);
+        &named
+    };
     let text = match layout.format {
         Format::Csv => csv::write(table, layout.delimiter),
         Format::Sdf => sdf::write(table, &mut losses),
@@ -168,11 +177,22 @@ pub fn write(table: &SymbolTable, layout: Layout) -> Written {
     Written { text, losses }
 }
 
+/// The rows of a table that have a symbol; the others are rows of an assignment table, which no other format has.
+fn with_symbols(table: &SymbolTable, losses: &mut Vec<String>) -> SymbolTable {
+    let (named, unnamed): (Vec<_>, Vec<_>) = table.symbols().iter().cloned().partition(|symbol| !symbol.name.is_empty());
+    losses.extend(unnamed.iter().map(|symbol| format!("`{}` has no symbol, and its row no place in this format", symbol.address.trim())));
+    let mut named = SymbolTable::new(named);
+    named.set_columns(table.columns().to_vec());
+    named
+}
+
 /// Where the readers put rows and what is wrong with lines.
 pub(crate) struct Sink {
     file: FileId,
     rows: Vec<(Symbol, Span)>,
     diagnostics: Vec<Diagnostic>,
+    /// Whether rows may have no symbol.
+    unnamed: bool,
 }
 
 impl Sink {

@@ -185,6 +185,8 @@ pub enum Direction {
     Assigned,
     /// `=>`: an output.
     Delivered,
+    /// `:=>`, a slip for one of them, which is reported: the place of the sign.
+    Unclear(Span),
 }
 
 /// The areas of direct addresses.

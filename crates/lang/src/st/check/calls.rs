@@ -18,7 +18,7 @@ use super::types::{Class, Implicit, Kind, implicit};
 use super::{Checker, literals};
 use crate::calling::pointers::any_type;
 use crate::library;
-use crate::scope::nearest;
+use crate::scope::nearest_parameter;
 use crate::st::ast::{self, Direction, Expression, ExpressionKind, MemberKind, Name, Quoting};
 use crate::st::declare::{initial, starting};
 use crate::st::dialect::Construct;
@@ -601,7 +601,7 @@ impl Checker<'_> {
                 Some(name) => match by_name.get(&name.text.to_ascii_lowercase()) {
                     Some(&formal) => formal,
                     None => {
-                        self.unknown_parameter(name, &all.formals, &callee);
+                        self.unknown_parameter(name, argument, call, &all.formals, &callee);
                         argument.value.iter().for_each(|value| drop(self.expression(value)));
                         sound = false;
                         continue;
@@ -662,13 +662,20 @@ impl Checker<'_> {
         }
     }
 
-    fn unknown_parameter(&mut self, name: &Name, formals: &[&Variable], callee: &Callee) {
+    fn unknown_parameter(&mut self, name: &Name, argument: &ast::Argument, call: &ast::Call, formals: &[&Variable], callee: &Callee) {
         if self.names.objects().lacks_base(callee.block()) {
             self.failed = true;
             return;
         }
         let block = self.callee_name(callee);
-        let nearest = nearest(&name.text, formals.iter().map(|formal| formal.name.as_str()));
+        // What takes a value out is no input, and what the call gives already is not meant.
+        let fits = |formal: &Variable| match argument.direction {
+            Direction::Delivered => formal.section != Section::Input,
+            _ => formal.section != Section::Output,
+        };
+        let given = |formal: &Variable| call.arguments.iter().any(|one| one.name.as_ref().is_some_and(|name| name.is(&formal.name)));
+        let candidates = formals.iter().filter(|formal| fits(formal) && !given(formal));
+        let nearest = nearest_parameter(&name.text, candidates.map(|formal| formal.name.as_str()));
         let known: Vec<String> = formals.iter().take(12).map(|formal| format!("`{}`", formal.name)).collect();
         let help = match known.as_slice() {
             [] => "It has no parameters.".to_owned(),
@@ -703,6 +710,18 @@ impl Checker<'_> {
         true
     }
 
+    /// `:=>` is `=>` for an output and `:=` for any other parameter: what was a guess of the parser is certain now.
+    fn settle(&mut self, formal: &Variable, section: Section, sign: Span) {
+        let (right, what) = match section {
+            Section::Output => ("=>", "an output"),
+            Section::InOut => (":=", "an in-out parameter"),
+            _ => (":=", "an input"),
+        };
+        let message = format!("`{}` is {what}, which is given with `{right}`", formal.name);
+        let diagnostic = self.report(Problem::P2007, sign, message);
+        *diagnostic = diagnostic.clone().fix(sign, right, format!("write `{right}`"));
+    }
+
     /// One actual parameter; whether it fits.
     fn argument(&mut self, formal: &Variable, argument: &ast::Argument, value: &Expression, all: &mut Arguments<'_>) -> bool {
         // The declaration of the parameter was wrong, which is reported there.
@@ -711,6 +730,7 @@ impl Checker<'_> {
             return false;
         }
         match (formal.section, argument.direction) {
+            (section, Direction::Unclear(sign)) => self.settle(formal, section, sign),
             (Section::Output, Direction::Assigned) if argument.name.is_some() && !self.judge(Construct::AssignedOutput, argument.span) => {
                 return false;
             }

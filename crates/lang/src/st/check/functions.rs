@@ -89,7 +89,7 @@ impl Checker<'_> {
             false => standard::resolve(&name.text, self.dialect, &given),
         };
         match resolved {
-            None if self.misplaced_word(name) => Typed::Poison,
+            None if self.misplaced_word(name) || self.is_declared_outside(name) => Typed::Poison,
             None => {
                 let message = format!("there is no function `{}`", name.text);
                 if standard::catalogue::page(&name.text).is_some() {

@@ -26,6 +26,7 @@ mod statements;
 mod testing;
 mod texts;
 mod timers;
+mod traps;
 mod typed;
 mod types;
 mod untyped;
@@ -115,6 +116,7 @@ pub fn check(block: &Block<'_>, names: &dyn Names) -> Checked {
         tree::Body { statements, locals: names.locals(), local_size, uses_ok, tells_lost, is_method, own_errors: checker.own_errors };
     if !checker.failed {
         checker.usage(&body);
+        checker.traps(&body);
     }
     let Checker { failed, diagnostics, called, words, writes, .. } = checker;
     Checked { body: (!failed).then_some(body), diagnostics, called, words, writes }
@@ -161,6 +163,7 @@ impl<'a> Checker<'a> {
             next_list: 0,
             noted: BTreeSet::new(),
             told: HashSet::new(),
+            outside: HashSet::new(),
             inside_actions: Vec::new(),
             words: BTreeMap::new(),
             writes: BTreeMap::new(),
@@ -219,6 +222,8 @@ struct Checker<'a> {
     noted: BTreeSet<u32>,
     /// What was said of names that mean nothing: once for a block is enough.
     told: HashSet<(Problem, String)>,
+    /// Names that are declared among the statements.
+    outside: HashSet<String>,
     /// The actions whose statements stand here.
     inside_actions: Vec<usize>,
     /// The words of tests, by the first byte of their place.

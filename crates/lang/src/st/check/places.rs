@@ -156,6 +156,9 @@ impl Checker<'_> {
     }
 
     fn unknown(&mut self, name: &Name) -> Reached {
+        if self.is_declared_outside(name) {
+            return POISON;
+        }
         let nearest = self.names.nearest(&name.text);
         let message = match name.quoting {
             Quoting::Local => format!("`{}` is not declared in this block", name.text),

@@ -9,6 +9,7 @@ use sieben_model::types::DataType;
 use super::typed::Typed;
 use super::types::Kind;
 use super::{Checker, operators};
+use crate::declarations::values::shortened_s5time;
 use crate::st::ast::{self, Direction, Expression, Name};
 use crate::st::dialect::Construct;
 use crate::st::standard::s5::S5Function;
@@ -158,6 +159,9 @@ impl Checker<'_> {
                 self.report(Problem::P4001, expression.span, message);
                 return None;
             };
+            if let Some(message) = u64::try_from(milliseconds).ok().and_then(|time| shortened_s5time(&format!("T#{time}ms"), time)) {
+                self.report(Problem::P5029, expression.span, message);
+            }
             return Some(Value { kind: ValueKind::Constant(u64::from(word)), scalar: Scalar::U16, span: expression.span });
         }
         self.coerce(typed, expression.span, wanted)

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 
 use sieben_model::address::Area;
+use sieben_model::block::BlockKind;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::{DataType, ReferenceKind};
@@ -10,7 +11,7 @@ use sieben_model::types::{DataType, ReferenceKind};
 use super::calls::Called;
 use super::expressions::same_type;
 use super::functions::{ends_with_block, stays};
-use super::names::Role;
+use super::names::{Entity, Role};
 use super::places::Reached;
 use super::ranges::same_place;
 use super::testing::and_hold;
@@ -21,6 +22,7 @@ use super::{Block, Checker, Label, operators, walk};
 use crate::st::ast::{self, AssignOperator, BinaryOperator, Expression, ExpressionKind, Name, StatementKind as Kinds};
 use crate::st::dialect::{Construct, IndexFault, Judgement};
 use crate::st::dtl;
+use crate::st::standard;
 use crate::st::tree::{Argument, Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind, room_of};
 
 impl Checker<'_> {
@@ -30,6 +32,7 @@ impl Checker<'_> {
         self.next_list += 1;
         let mut all = Vec::with_capacity(statements.len());
         let mut left: Option<&'static str> = None;
+        let mut label: Option<&Name> = None;
         for statement in statements {
             if let Some(word) = left
                 && !matches!(statement.kind, Kinds::Empty | Kinds::Missing | Kinds::Label(_))
@@ -40,6 +43,12 @@ impl Checker<'_> {
                 left = None;
             }
             self.locals.release();
+            if self.declared_outside(label.take(), statement) {
+                continue;
+            }
+            if let Kinds::Label(name) = &statement.kind {
+                label = Some(name);
+            }
             if let Some(kind) = self.statement(statement) {
                 all.push(Statement { kind, span: statement.span });
             }
@@ -106,6 +115,39 @@ impl Checker<'_> {
                 None
             }
         }
+    }
+
+    /// Whether a statement is the declaration of an instance, `delay : TON;`, which reads like a label and a name; that is said.
+    fn declared_outside(&mut self, label: Option<&Name>, statement: &ast::Statement) -> bool {
+        let Kinds::Expression(expression) = &statement.kind else { return false };
+        let ExpressionKind::Name(name) = &expression.kind else { return false };
+        let is_type = self.names.local(&name.text).is_none()
+            && match self.names.global(&name.text) {
+                Some(Entity::Block(block)) => {
+                    let of_system = block.kind == BlockKind::SystemFunctionBlock || self.names.is_of_library(block);
+                    of_system || label.is_some() && block.kind == BlockKind::FunctionBlock
+                }
+                Some(Entity::Type(DataType::Instance { .. })) => true,
+                Some(_) => false,
+                None => standard::library::block_type(&name.text, self.dialect).is_some(),
+            };
+        if !is_type {
+            return false;
+        }
+        let variable = label.map_or("x", |label| label.text.as_str());
+        let message = match label {
+            Some(label) => format!("`{} : {}` is a declaration, and it stands among the statements", label.text, name.text),
+            None => format!("`{}` is a type, and no variable is declared among the statements", name.text),
+        };
+        let span = label.map_or(statement.span, |label| label.span.to(statement.span));
+        self.report(Problem::P6216, span, message).help = Some(format!("Write `VAR {variable} : {}; END_VAR` before them.", name.text));
+        self.outside.extend(label.map(Name::key));
+        true
+    }
+
+    /// Whether a name is declared where no declaration can stand, which was said.
+    pub(super) fn is_declared_outside(&self, name: &Name) -> bool {
+        self.outside.contains(&name.key())
     }
 
     fn expression_statement(&mut self, expression: &Expression, span: Span) -> Option<StatementKind> {

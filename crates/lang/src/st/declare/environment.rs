@@ -20,8 +20,7 @@ use crate::declarations::data_block::DataLayout;
 use crate::declarations::types::{BlockInterface, State};
 use crate::library::LibraryBlock;
 use crate::library::link::Links;
-use crate::scope::LostResults;
-use crate::scope::{Scope, key};
+use crate::scope::{LostResults, Scope, is_nearer, key};
 use crate::st::check::names::{DataBlockView, Entity, Names, Role, Variable};
 use crate::st::dialect::Dialect;
 use crate::st::objects::Objects;
@@ -323,7 +322,13 @@ impl Names for BlockNames<'_, '_> {
         });
         let constants = self.declared.names.keys().map(String::as_str);
         let blocks = environment.items.names.values().map(String::as_str);
-        let near = environment.scope.nearest(name, own.chain(globals).chain(blocks));
+        // A variable of the block goes before a block or a global variable that is no nearer.
+        let near_own = environment.scope.nearest(name, own);
+        let near = environment.scope.nearest(name, near_own.iter().map(String::as_str).chain(globals).chain(blocks));
+        let near = match (near_own, near) {
+            (Some(own), Some(other)) if is_nearer(name, &other, &own) => Some(other),
+            (own, other) => own.or(other),
+        };
         near.or_else(|| environment.scope.nearest(name, constants.chain(environment.scope.names())))
     }
 

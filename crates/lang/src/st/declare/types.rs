@@ -26,6 +26,9 @@ use crate::st::standard::library::block_type;
 use crate::st::variants;
 use crate::st::{dtl, error_struct, points};
 
+/// Function blocks that every dialect has as types of instances.
+const BLOCKS_OF_ALL_DIALECTS: [&str; 6] = ["TP", "TON", "TOF", "CTU", "CTD", "CTUD"];
+
 /// Dimensions that an array may have.
 const DIMENSIONS_MAX: usize = 16;
 /// No place in particular: names mean what they mean outside any namespace.
@@ -398,9 +401,9 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 let nearest = scope.nearest(last, own.chain(blocks));
                 // A type that only other dialects have is not what was meant.
                 let words = DataType::all_words().chain(["ARRAY", "STRUCT"]);
-                let nearest = nearest.or_else(|| scope.nearest(last, words.filter(|word| !word.eq_ignore_ascii_case(last))));
-                let library = crate::st::standard::library::block_types(self.dialect);
-                let nearest = nearest.or_else(|| scope.nearest(last, library));
+                let words = words.filter(|word| !word.eq_ignore_ascii_case(last));
+                let library = crate::st::standard::library::block_types(self.dialect).chain(BLOCKS_OF_ALL_DIALECTS);
+                let nearest = nearest.or_else(|| scope.nearest(last, words.chain(library)));
                 let nearest = nearest.or_else(|| scope.nearest_symbol(last));
                 let message = format!("there is no type `{full_name}`{}", did_you_mean(nearest));
                 self.report(Problem::P3015, span, message);

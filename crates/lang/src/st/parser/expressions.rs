@@ -1,6 +1,7 @@
 //! Expressions: operators by rank, what follows an operand, calls, constants.
 
 use sieben_model::diagnostic::Diagnostic;
+use sieben_model::literal::written_milliseconds;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 
@@ -8,9 +9,10 @@ use super::super::ast::{Argument, BinaryOperator, Call, Direction, Expression, E
 use super::super::ast::{Quoting, UnaryOperator};
 use super::super::dialect::{Construct, PowerRank};
 use super::super::keywords::Keyword;
-use super::super::lexer::{Raw, quotes_names};
+use super::super::lexer::{Raw, quotes_names, straightened};
 use super::super::literals;
 use super::{EXPRESSION_HEIGHT_MAX, Parser, SyntaxKind, unquoted};
+use crate::declarations::values::shortened_s5time;
 
 /// An expression with its height.
 pub(super) type Tall = (Expression, u32);
@@ -462,7 +464,8 @@ impl<'t> Parser<'t> {
     /// A constant without a sign; the current token is one.
     pub(super) fn literal(&mut self) -> Option<Literal> {
         let token = self.token();
-        let text = self.current();
+        let straight = straightened(self.current());
+        let text = straight.as_ref();
         let mut kind = SyntaxKind::Constant;
         let decoded = match token.raw {
             Raw::Number => {
@@ -485,6 +488,11 @@ impl<'t> Parser<'t> {
             Ok((literal, note)) => {
                 if let Some(construct) = note {
                     self.judge(construct, token.start, token.end);
+                }
+                if let LiteralKind::S5Time(_) = literal.kind
+                    && let Some(message) = written_milliseconds(text).and_then(|time| shortened_s5time(text, time))
+                {
+                    self.error(Problem::P5029, token.start, token.end, message);
                 }
                 Some(literal)
             }
@@ -591,7 +599,7 @@ impl<'t> Parser<'t> {
         }
         let name = self.name(SyntaxKind::Name);
         let sign = self.token();
-        let direction = match sign.raw {
+        let mut direction = match sign.raw {
             Raw::Delivers => Direction::Delivered,
             _ => Direction::Assigned,
         };
@@ -608,6 +616,7 @@ impl<'t> Parser<'t> {
             let span = self.span(sign.start, sign.end + 1);
             let message = "`:=>` is neither `:=`, which gives an input, nor `=>`, which takes an output";
             self.push(Diagnostic::new(Problem::P2007, span, message).guess(span, ":=", "write `:=`"));
+            direction = Direction::Unclear(span);
             self.bump(SyntaxKind::Operator);
         }
         self.bump(SyntaxKind::Operator);

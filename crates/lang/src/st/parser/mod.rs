@@ -33,7 +33,7 @@ use sieben_model::source::{FileId, Span};
 use super::ast;
 use super::dialect::{Construct, Dialect, Judgement};
 use super::keywords::Keyword;
-use super::lexer::{Raw, Token, is_terminated, quotes_names, tokens};
+use super::lexer::{Raw, Token, is_terminated, quotes_names, straight_quote, straightened, tokens, typeset_sign};
 use super::syntax::{SyntaxKind, SyntaxNode};
 
 /// More diagnostics than this help nobody; one more says that there are others.
@@ -116,6 +116,7 @@ pub fn parse(file: FileId, text: &str, dialect: Dialect) -> Parsed {
     }
     ends_without_underline(file, text, &mut tokens, dialect, &mut diagnostics);
     else_if_in_one_word(file, text, &mut tokens, &mut diagnostics);
+    typeset(file, text, &tokens, &mut diagnostics);
     let mut parser = Parser {
         text,
         file,
@@ -562,7 +563,8 @@ impl<'t> Parser<'t> {
     /// A name without quotes; the current token is one.
     fn name(&mut self, kind: SyntaxKind) -> ast::Name {
         let token = self.token();
-        let text = self.slice(token);
+        let straight = straightened(self.slice(token));
+        let text = straight.as_ref();
         let (text, quoting) = match token.raw {
             Raw::Quoted => (unquoted(text, '"'), ast::Quoting::Global),
             Raw::Backquoted => (unquoted(text, '`'), ast::Quoting::Backquoted),
@@ -648,6 +650,29 @@ impl<'t> Parser<'t> {
             if open == 0 {
                 return;
             }
+        }
+    }
+}
+
+/// Reports the signs and quotes that a word processor puts in place of those of ST; the tokens are what they stand for.
+fn typeset(file: FileId, text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) {
+    for token in tokens.iter().filter(|token| !token.raw.is_trivia()) {
+        let (start, end) = (token.start as usize, token.end as usize);
+        let written = &text[start..end];
+        let Some(first) = written.chars().next().filter(|first| !first.is_ascii()) else { continue };
+        let (right, message) = match typeset_sign(first) {
+            Some((_, sign)) => (sign.to_owned(), format!("`{written}` is a sign of typesetting: ST writes `{sign}`")),
+            None if straight_quote(first).is_some() => {
+                let straight = straightened(written).into_owned();
+                let message = format!("`{first}` is a quote of typesetting: ST writes `{}`", &straight[..1]);
+                (straight, message)
+            }
+            None => continue,
+        };
+        let span = Span::new(file, token.start, token.end);
+        diagnostics.push(Diagnostic::new(Problem::P1005, span, message).fix(span, right.clone(), format!("write `{right}`")));
+        if diagnostics.len() > DIAGNOSTICS_MAX {
+            return;
         }
     }
 }

@@ -106,7 +106,9 @@ impl Parser<'_> {
         match operand {
             Operand::None => class.accepts(&Meant::None),
             Operand::Constant(Constant { value: Some(value), .. }) => class.accepts(&Meant::Constant(value.clone())),
-            Operand::AddressOf(_) | Operand::PointerTo { .. } => matches!(class, Class::Load | Class::PointerSource | Class::PointerSourceWithoutAr2),
+            Operand::AddressOf(_) | Operand::PointerTo { .. } => {
+                matches!(class, Class::Load | Class::PointerSource | Class::PointerSourceWithoutAr2)
+            }
             Operand::Absolute { letters, bit, .. } | Operand::InBlock { letters, bit, .. } => at_letters(letters, bit.is_some()),
             Operand::Indirect { letters, .. } => at_letters(letters, true),
             Operand::RegisterIndirect { letters, offset, .. } => {

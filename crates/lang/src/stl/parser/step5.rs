@@ -70,7 +70,9 @@ impl Parser<'_> {
             };
             Some(Operand::Absolute { letters: letters.to_owned(), number: number.parse().ok()?, bit })
         });
-        address.unwrap_or_else(|| Operand::Constant(Constant { value: literal::parse(right).ok(), extended: false, span: self.span(start, end) }))
+        address.unwrap_or_else(|| {
+            Operand::Constant(Constant { value: literal::parse(right).ok(), extended: false, span: self.span(start, end) })
+        })
     }
 
     /// `JC =skip`, `JU FB 5`: what a jump of STEP 5 has behind it; nothing is taken if it is something else.

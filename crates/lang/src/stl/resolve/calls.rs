@@ -101,8 +101,10 @@ impl Resolver<'_> {
                 continue;
             }
             if !formals.contains(&key(&argument.name.text)) {
-                let names = interface.parameters().map(|parameter| parameter.name.as_str());
-                let nearest = self.known.scope.nearest(&argument.name.text, names);
+                let given = |name: &str| call.arguments.iter().any(|one| key(&one.name.text) == key(name));
+                let names: Vec<&str> =
+                    interface.parameters().map(|parameter| parameter.name.as_str()).filter(|name| !given(name)).collect();
+                let nearest = self.known.scope.nearest_parameter(&argument.name.text, names.iter().copied());
                 let message = format!("`{callee}` has no parameter `{}`{}", argument.name.text, did_you_mean(nearest.clone()));
                 let valid: Vec<&str> = interface.parameters().map(|parameter| parameter.name.as_str()).collect();
                 let mut help = if valid.is_empty() {
