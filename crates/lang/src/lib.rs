@@ -5,6 +5,7 @@ pub mod access;
 pub mod awlsim_project;
 pub mod body;
 mod calling;
+pub mod codesys_files;
 pub mod compiled;
 pub mod coverage;
 pub mod database;
