@@ -160,7 +160,7 @@ impl Project {
         let nothing = self.findings.iter().any(|finding| finding.diagnostic.problem == Problem::P6005);
         let compiled = match nothing {
             true => Compiled::default(),
-            false => sieben_lang::compile(&self.texts.program, &self.symbols, &options),
+            false => sieben_lang::dialects::compile(&self.texts.program, &self.symbols, &options),
         };
         compiled.add_library_sources(&mut self.texts.program);
         let mut findings = self.findings.clone();

@@ -11,6 +11,7 @@ pub mod coverage;
 pub mod database;
 mod declarations;
 pub mod description;
+pub mod dialects;
 pub mod encoding;
 pub mod known_names;
 pub mod language;
