@@ -141,6 +141,11 @@ impl ProgramArguments {
         Project::load(paths, self.encoding.chosen())
     }
 
+    /// Reads them as files of which each is looked at by itself.
+    pub(crate) fn load_files(&self, paths: &[PathBuf]) -> Result<Project, Failure> {
+        Project::load_files(paths, self.encoding.chosen())
+    }
+
     /// The encoding that the user chose for its files.
     pub(crate) fn encoding(&self) -> Option<Encoding> {
         self.encoding.chosen()

@@ -21,6 +21,7 @@ mod output;
 mod panics;
 mod paths;
 mod places;
+mod programs;
 mod project;
 mod report;
 mod retain;
@@ -54,7 +55,7 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
     version,
     disable_help_subcommand = false,
     max_term_width = 110,
-    after_help = "Without a command Sieben starts the demo plant.\n\n\
+    after_help = "Without a command Sieben starts the demo plant; where no terminal shows it, it prints this help.\n\n\
 Examples:\n  \
   sieben                                      a dosing plant, live in the terminal\n  \
   sieben new pump                             a project that runs and checks at once\n  \
@@ -124,7 +125,8 @@ fn main() -> ExitCode {
 
 fn run(line: CommandLine) -> Exit {
     let result = match line.verb {
-        None => commands::demo::run(&commands::demo::Arguments::default()),
+        None if terminal::shows_results() => commands::demo::run(&commands::demo::Arguments::default()),
+        None => output::print(&CommandLine::command().render_help().to_string()).map(|()| Exit::Success),
         Some(Verb::Demo(arguments)) => commands::demo::run(&arguments),
         Some(Verb::Run(arguments)) => commands::run::run(&arguments),
         Some(Verb::Check(arguments)) => commands::check::run(&arguments),

@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use sieben_lang::language::{LANGUAGES, is_test_file};
+use sieben_lang::language::LANGUAGES;
+use sieben_lang::language::role::is_test_name;
 use sieben_model::problems::Problem;
 
 use crate::failure::Failure;
@@ -21,9 +22,9 @@ const FILES_MAX: usize = 20_000;
 /// Deepest folder that is searched.
 const DEPTH_MAX: usize = 16;
 
-/// Whether a file holds unit tests by its name.
+/// Whether a file holds unit tests by its name alone.
 pub(crate) fn is_test(path: &Path) -> bool {
-    path.file_name().and_then(|name| name.to_str()).is_some_and(is_test_file)
+    path.file_name().and_then(|name| name.to_str()).is_some_and(is_test_name)
 }
 
 /// Whether a file is a program by its name.
@@ -72,6 +73,11 @@ pub(crate) fn leaves_folder(pattern: &str) -> bool {
 /// A path inside a folder, without a `./` in front that nobody typed.
 pub(crate) fn join(folder: &Path, relative: &Path) -> PathBuf {
     if folder == Path::new(".") { relative.to_path_buf() } else { folder.join(relative) }
+}
+
+/// The folder that a file lies in.
+pub(crate) fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// A path with `/` on every system, as patterns have it.

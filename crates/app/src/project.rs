@@ -21,9 +21,8 @@ use sieben_model::symbols::SymbolTable;
 use crate::failure::Failure;
 use crate::files;
 use crate::glob::Pattern;
-use crate::paths::{
-    Listing, is_awlsim_project, is_scenario, is_source, is_symbol_table, is_symbols, is_test, join, leaves_folder, shown, slashed,
-};
+use crate::paths::{Listing, is_awlsim_project, is_scenario, is_source, is_symbols, is_test, join, leaves_folder, shown, slashed};
+use crate::programs::{self, Folder, Kind, is_symbols_by_default};
 use crate::report::{self, Finding, Texts};
 use crate::settings::{self, Placed, Settings};
 
@@ -89,6 +88,18 @@ pub(crate) struct Project {
     pub(crate) tests: Vec<PathBuf>,
     /// The encoding that the user chose for its files.
     pub(crate) encoding: Option<Encoding>,
+    /// What a folder with several programs is.
+    several: Several,
+}
+
+/// What a folder with several programs is to whoever reads it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Several {
+    /// A mistake: one program is wanted.
+    #[default]
+    Refused,
+    /// Files, each for itself.
+    Files,
 }
 
 /// A project with what the compiler made of it.
@@ -107,7 +118,16 @@ impl Project {
     /// Reads the files and folders that the command line names; none = the current folder. `encoding` is what the user chose for
     /// the files without a byte order mark; none = guessed from each.
     pub(crate) fn load(paths: &[PathBuf], encoding: Option<Encoding>) -> Result<Self, Failure> {
-        let mut project = Self { encoding, ..Self::default() };
+        Self { encoding, ..Self::default() }.read(paths)
+    }
+
+    /// The same for what is done with each source by itself: all programs of a folder may be among them.
+    pub(crate) fn load_files(paths: &[PathBuf], encoding: Option<Encoding>) -> Result<Self, Failure> {
+        Self { encoding, several: Several::Files, ..Self::default() }.read(paths)
+    }
+
+    fn read(mut self, paths: &[PathBuf]) -> Result<Self, Failure> {
+        let project = &mut self;
         let here = [PathBuf::from(".")];
         let paths = if paths.is_empty() { &here } else { paths };
         let mut seen = BTreeSet::new();
@@ -119,7 +139,7 @@ impl Project {
             } else if path.is_dir() {
                 project.folder(path, &mut seen)?;
             } else if is_awlsim_project(path) {
-                awlpro::load(&mut project, path, &mut seen)?;
+                awlpro::load(project, path, &mut seen)?;
             } else if is_symbols(path) {
                 project.symbol_table(path, &mut seen)?;
             } else {
@@ -127,7 +147,7 @@ impl Project {
             }
         }
         project.require_text(paths);
-        Ok(project)
+        Ok(self)
     }
 
     /// Compiles it for the CPU type of the command line, else of the project, else the default.
@@ -195,15 +215,32 @@ impl Project {
         if let ([other], false) = (others.as_slice(), project_file.is_file()) {
             return awlpro::load(self, &join(folder, other), seen);
         }
-        let default_symbols =
-            |path: &Path| is_symbol_table(path) || path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("symbols.csv"));
-        let mut symbols = self.chosen(&listing, settings.symbols.as_deref(), default_symbols);
+        if self.several == Several::Refused
+            && let Some(found) = Folder::of(folder, self.encoding)?
+        {
+            if found.has_several() {
+                return Err(found.too_many());
+            }
+            if let Some(program) = found.programs.first().filter(|program| program.kind == Kind::Project) {
+                return self.folder(&program.paths[0], seen);
+            }
+        }
+        let mut symbols = self.chosen(&listing, settings.symbols.as_deref(), is_symbols_by_default);
         let mut sources = self.chosen(&listing, settings.sources.as_deref(), is_source);
-        let tests = match &settings.tests {
+        let mut tests = match &settings.tests {
             Some(tests) => self.chosen(&listing, Some(tests), |_| false),
             None => listing.files.iter().filter(|file| is_test(file) || is_scenario(file)).cloned().collect(),
         };
-        sources.retain(|source| !tests.contains(source) && !is_test(source));
+        // Tests are known by their text, too.
+        let (by_text, others): (Vec<PathBuf>, Vec<PathBuf>) = sources
+            .into_iter()
+            .filter(|source| !tests.contains(source) && !is_test(source))
+            .partition(|source| programs::is_test(&join(folder, source), self.encoding));
+        sources = others;
+        if settings.tests.is_none() {
+            tests.extend(by_text);
+            tests.sort();
+        }
         self.tests.extend(tests.iter().map(|test| join(folder, test)));
         // `.asc` also ends the names of signatures: without a program there is nothing that they could name.
         if sources.is_empty() && settings.symbols.is_none() {
@@ -257,8 +294,7 @@ impl Project {
         let before = self.findings.len();
         for relative in listing.links_outside.iter().filter(|path| wanted(path)) {
             let path = shown(&join(listing.root, relative));
-            let message = format!("`{path}` is a link to a file outside the project folder");
-            self.findings.push(Finding::file(Problem::P6010, path, message));
+            self.findings.push(Finding::outside(&path));
         }
         self.findings.len() > before
     }

@@ -1,5 +1,8 @@
 //! Diagnostics for people and for programs: the edge where places become lines and columns.
 
+pub(crate) mod lines;
+pub(crate) mod several;
+
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -36,24 +39,40 @@ pub(crate) struct Finding {
     pub(crate) diagnostic: Diagnostic,
     /// What the span points into.
     pub(crate) origin: Origin,
+    /// The programs that have it, where there are several.
+    pub(crate) programs: Vec<String>,
+    /// In which of the programs that share the file, if not in all of them.
+    pub(crate) note: Option<String>,
 }
 
 impl Finding {
     /// A finding about a whole file.
     pub(crate) fn file(problem: Problem, path: impl Into<String>, message: impl Into<String>) -> Self {
-        Self { diagnostic: Diagnostic::new(problem, Span::default(), message), origin: Origin::File(path.into()) }
+        Self::of(Diagnostic::new(problem, Span::default(), message), Origin::File(path.into()))
     }
     /// A file with bytes that mean nothing in its encoding.
     pub(crate) fn lost_bytes(path: &str, encoding: Encoding) -> Self {
         Self::file(Problem::P1102, path, format!("`{path}` holds bytes that mean nothing in {}", encoding.name()))
     }
+    /// A link that leaves the folder, and is not followed.
+    pub(crate) fn outside(path: &str) -> Self {
+        Self::file(Problem::P6010, path, format!("`{path}` is a link to a file outside the project folder"))
+    }
     /// A finding in a file that is no program.
     pub(crate) fn document(diagnostic: Diagnostic) -> Self {
-        Self { diagnostic, origin: Origin::Document }
+        Self::of(diagnostic, Origin::Document)
     }
     /// A finding in a source of the program.
     pub(crate) fn program(diagnostic: Diagnostic) -> Self {
-        Self { diagnostic, origin: Origin::Program }
+        Self::of(diagnostic, Origin::Program)
+    }
+    fn of(diagnostic: Diagnostic, origin: Origin) -> Self {
+        Self { diagnostic, origin, programs: Vec::new(), note: None }
+    }
+    /// What is wrong, and in which programs if that is not clear from the file.
+    pub(crate) fn message(&self) -> String {
+        let message = &self.diagnostic.message;
+        self.note.as_ref().map_or_else(|| message.clone(), |note| format!("{message} ({note})"))
     }
     fn key(&self) -> (&Origin, FileId, u32, u32, Problem) {
         let span = self.diagnostic.span;
@@ -105,18 +124,31 @@ pub(crate) fn print(findings: &[Finding], texts: &Texts, json: bool) {
 
 /// Findings as people read them, with a count at the end; empty if there are none.
 pub(crate) fn render(findings: &[Finding], texts: &Texts, colour: bool) -> String {
-    let mut out = Vec::new();
-    let mut cache = TextCache { texts, sources: BTreeMap::new() };
-    for finding in findings.iter().take(SHOWN_MAX) {
-        render_one(finding, &mut cache, colour, &mut out);
-    }
-    // Ariadne pads its lines; blanks at the end of a line only disturb whoever copies it.
-    let mut text: String = String::from_utf8_lossy(&out).lines().flat_map(|line| [line.trim_end(), "\n"]).collect();
+    let mut text = pieces(findings, texts, colour).concat();
     if findings.len() > SHOWN_MAX {
         text.push_str(&format!("… and {} more; `--json` lists all of them.\n", findings.len() - SHOWN_MAX));
     }
     text.push_str(&count(findings));
     text
+}
+
+/// Findings as people read them, each for itself, and their count.
+pub(crate) fn parts(findings: &[Finding], texts: &Texts) -> Vec<String> {
+    let mut parts = pieces(findings, texts, false);
+    parts.push(count(findings));
+    parts
+}
+
+/// The first findings as people read them, each for itself.
+pub(crate) fn pieces(findings: &[Finding], texts: &Texts, colour: bool) -> Vec<String> {
+    let mut cache = TextCache { texts, sources: BTreeMap::new() };
+    let mut piece = |finding: &Finding| {
+        let mut out = Vec::new();
+        render_one(finding, &mut cache, colour, &mut out);
+        // Ariadne pads its lines; spaces at the end of a line only disturb whoever copies it.
+        String::from_utf8_lossy(&out).lines().flat_map(|line| [line.trim_end(), "\n"]).collect()
+    };
+    findings.iter().take(SHOWN_MAX).map(&mut piece).collect()
 }
 
 /// `2 errors, 1 warning. …`, with how to learn more; empty if there are no findings.
@@ -165,7 +197,7 @@ fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, out: &
     let mut report = Report::build(kind, place.clone())
         .with_config(config)
         .with_code(diagnostic.problem.code())
-        .with_message(&diagnostic.message)
+        .with_message(finding.message())
         .with_help(help);
     let title = diagnostic.fix.as_ref().map_or("here", |fix| fix.title.as_str());
     let mut labels = vec![(place, shade, title)];
@@ -202,7 +234,7 @@ fn render_plain(finding: &Finding, texts: &Texts, colour: bool, out: &mut Vec<u8
     };
     let code = diagnostic.problem.code();
     out.extend_from_slice(
-        format!("{shade}[{code}] {word}:{plain} {}{place}\n  Help: {}\n", diagnostic.message, help_of(diagnostic)).as_bytes(),
+        format!("{shade}[{code}] {word}:{plain} {}{place}\n  Help: {}\n", finding.message(), help_of(diagnostic)).as_bytes(),
     );
 }
 
@@ -245,11 +277,15 @@ fn one_to_json(finding: &Finding, texts: &Texts, lines: &mut Lines) -> Value {
         Origin::File(path) => path.clone(),
         origin => texts.of(origin).map_or_else(String::new, |sources| sources.file(diagnostic.span.file).name.clone()),
     };
-    json!({
+    let mut json = json!({
         "code": diagnostic.problem.code(), "severity": severity, "file": file,
         "line": line, "column": column, "end_line": end_line, "end_column": end_column,
         "message": diagnostic.message, "help": help_of(diagnostic), "fix": fix,
-    })
+    });
+    if !finding.programs.is_empty() {
+        json["programs"] = json!(finding.programs);
+    }
+    json
 }
 
 fn line_starts(text: &str) -> Vec<usize> {

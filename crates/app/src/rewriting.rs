@@ -46,7 +46,7 @@ impl Rewriting {
         paths: &[PathBuf],
         rewrite: impl Fn(&Project, &SourceFile) -> Result<String, Vec<Diagnostic>>,
     ) -> Result<Exit, Failure> {
-        let mut project = Project::load(paths, self.encoding)?;
+        let mut project = Project::load_files(paths, self.encoding)?;
         if project.sources.len() > 1 && matches!(self.destination, Destination::Print | Destination::File(_)) {
             let message = format!("{} sources cannot go into one place", project.sources.len());
             return Err(Failure::usage(Problem::P7001, message).help("give one file, or `--write` to replace each of them"));

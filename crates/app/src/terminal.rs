@@ -17,6 +17,11 @@ pub(crate) fn has_screen() -> bool {
     io::stdout().is_terminal() && io::stdin().is_terminal() && capable
 }
 
+/// Whether results go to a terminal, and not into a file or another program.
+pub(crate) fn shows_results() -> bool {
+    io::stdout().is_terminal()
+}
+
 /// Becomes true when someone presses Ctrl-C.
 pub(crate) fn interrupted() -> Arc<AtomicBool> {
     let interrupted = Arc::new(AtomicBool::new(false));

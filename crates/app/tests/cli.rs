@@ -856,3 +856,63 @@ END_ORGANIZATION_BLOCK
     assert_eq!(json.stderr.matches("P4024").count(), 2, "{}", json.stderr);
     folder.run(&["exec", "main.awl", "--scans", "2"]).code(0);
 }
+
+#[test]
+fn diagnostics_have_four_forms() {
+    let folder = Folder::with(&[("a,b.awl", "A I 0.0\nA I O.1\nL xyz\n"), ("ok.awl", "A I 0.0\n= Q 0.0\n")]);
+    let concise = folder.run(&["check", "a,b.awl", "--output-format", "concise"]).code(3);
+    let lines: Vec<&str> = concise.stdout.lines().collect();
+    assert!(lines.len() == 2 && lines[0].starts_with("a,b.awl:2:5: error[P1005]: "), "{}", concise.stdout);
+    let github = folder.run(&["check", "a,b.awl", "--output-format", "github"]).code(3);
+    assert!(
+        github.stdout.starts_with("::error file=a%2Cb.awl,line=2,col=5,title=P1005%3A a character that only looks like the right one::"),
+        "{}",
+        github.stdout
+    );
+    assert_eq!(github.stdout.lines().count(), 2);
+    let json = folder.run(&["check", "a,b.awl", "--output-format", "json"]).code(3);
+    assert_eq!(json.stdout, folder.run(&["check", "a,b.awl", "--json"]).code(3).stdout);
+    folder.run(&["check", "a,b.awl", "--output-format", "text"]).code(3).stderr("[P1005] Error: ");
+    for form in ["concise", "github"] {
+        let clean = folder.run(&["check", "ok.awl", "--output-format", form]).code(0).stderr("no errors, no warnings");
+        assert_eq!(clean.stdout, "");
+        let missing = folder.run(&["check", "nowhere.awl", "--output-format", form]).code(2).stdout("P6001");
+        assert_eq!(missing.stderr, "");
+        folder.run(&["check", "ok.awl", "--against", "ok.awl", "--output-format", form]).code(2).stdout("P7001");
+    }
+    folder.run(&["check", "ok.awl", "--json", "--output-format", "concise"]).code(2).stderr("cannot be used with");
+    folder.run(&["check", "ok.awl", "--fix", "--output-format", "json"]).code(2).stdout("P7001");
+    folder.run(&["check", "ok.awl", "--output-format", "xml"]).code(2).stderr("possible values: text, json, concise, github");
+}
+
+#[test]
+fn without_a_terminal_the_bare_binary_prints_its_help() {
+    let folder = Folder::new();
+    let bare = folder.run(&[]).code(0).stdout("Usage: sieben").stdout("Without a command Sieben starts the demo plant");
+    assert_eq!((bare.stderr.as_str(), &bare.stdout), ("", &folder.run(&["--help"]).stdout));
+}
+
+/// Where a new project says where something is, it is there.
+#[test]
+fn a_new_project_names_no_address() {
+    let folder = Folder::new();
+    let examples =
+        ["car-park", "conveyor", "decade-switches", "dosing", "elevator", "heater", "packing", "star-delta", "tank", "traffic-light"];
+    let languages = ["stl", "st", "scl"].map(|language| ("--language", language));
+    for (index, (option, value)) in examples.map(|example| ("--example", example)).into_iter().chain(languages).enumerate() {
+        let name = format!("project{index}");
+        folder.run(&["new", &name, option, value]).code(0);
+        let mut folders = vec![folder.path().join(&name)];
+        while let Some(inner) = folders.pop() {
+            for entry in fs::read_dir(inner).expect("a folder") {
+                let path = entry.expect("an entry").path();
+                if path.is_dir() {
+                    folders.push(path);
+                    continue;
+                }
+                let text = fs::read_to_string(&path).expect("text");
+                assert!(!text.contains("://"), "{}", path.display());
+            }
+        }
+    }
+}

@@ -439,3 +439,23 @@ fn an_input_that_a_test_writes_is_held_even_at_the_value_it_had() {
         folder.run(&["test", "--engine", engine]).code(0).stdout("3 passed, 0 failed");
     }
 }
+
+/// The second run, which looks for who wrote a value, gets the time that the first one left.
+#[test]
+fn a_timeout_holds_for_all_that_is_done_for_a_test() {
+    let slow = "VAR i : INT; x : DINT; END_VAR\nFOR i := 1 TO 20000 DO\n  x := x + 1;\nEND_FOR;\n";
+    let folder = Folder::with(&[
+        ("slow.st", slow),
+        ("slow.test.st", "TEST 'never'\nWHILE NOT %Q0.0 DO SCAN(1); END_WHILE;\nASSERT_TRUE(%Q0.0);\nEND_TEST\n"),
+        ("slow.scenario", "expect Q 0.0=1 within 9000s\n"),
+        ("never.awl", "L 1\n"),
+    ]);
+    let long = ["--timeout", "2s", "--scans", "1000000000000", "--limit", "10000h", "--json"];
+    for test in [&["slow.st", "slow.test.st"][..], &["slow.st", "slow.scenario"], &["never.awl"]] {
+        let arguments: Vec<&str> = ["test"].into_iter().chain(test.iter().copied()).chain(long).collect();
+        let json = folder.run(&arguments).code(1).json();
+        let took = json["tests"][0]["duration_s"].as_f64().expect("a number");
+        assert!((2.0..3.5).contains(&took), "{test:?}: {took} s");
+        assert!(!json["tests"][0]["more"].to_string().contains('─'), "{json:#}");
+    }
+}

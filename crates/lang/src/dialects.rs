@@ -5,7 +5,7 @@ use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
 
 use crate::compiled::Compiled;
-use crate::language::{Language, is_test_file};
+use crate::language::{Language, role};
 use crate::options::Options;
 use crate::project;
 use crate::st::dialect::Dialect;
@@ -27,7 +27,7 @@ pub fn compile(sources: &Sources, symbols: &SymbolTable, options: &Options) -> C
     let is_st = |diagnostic: &Diagnostic| judged.get(diagnostic.span.file.0 as usize).is_some_and(Option::is_some);
     let Some(first) = compiled.diagnostics.iter().position(|one| is_error(one) && is_st(one)) else { return compiled };
     // Test files are written in the dialect of what they test.
-    if sources.iter().any(|(_, source)| is_test_file(&source.name)) {
+    if sources.iter().any(|(_, source)| role::is_test(&source.name, &source.text)) {
         return compiled;
     }
     let others = [Dialect::Codesys, Dialect::Tia, Dialect::Scl, Dialect::Iec].into_iter();

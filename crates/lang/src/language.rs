@@ -1,13 +1,14 @@
 //! The table of languages, and which one a source is written in.
 
+mod content;
+pub mod role;
+
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
 
 use crate::codesys_files;
 use crate::st::dialect::Dialect;
 use crate::{st, stl};
-
-mod content;
 
 /// The language of a source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,15 +78,6 @@ fn found(ending: &str) -> Option<&'static Ending> {
     LANGUAGES.iter().flat_map(|row| row.endings).find(|known| known.ending.eq_ignore_ascii_case(ending))
 }
 
-/// The ending of test files, which are sources of ST.
-const TEST_ENDING: &str = ".test.st";
-
-/// Whether a file is a test file by the ending of its name.
-pub fn is_test_file(name: &str) -> bool {
-    let start = name.len().saturating_sub(TEST_ENDING.len());
-    name.get(start..).is_some_and(|ending| ending.eq_ignore_ascii_case(TEST_ENDING))
-}
-
 /// Lines that a source whose name says another language has to have of its own language, and none of the other one.
 const LINES_AGAINST_NAME: usize = 2;
 
@@ -108,7 +100,7 @@ fn by_name(name: &str) -> Option<Language> {
 
 /// Whether the content of a source is without doubt another language than its name says: it is read as what it is.
 pub fn contradiction(name: &str, text: &str) -> Option<Contradiction> {
-    if is_test_file(name) || codesys_files::kind(name, text).is_some() {
+    if role::is_test(name, text) || codesys_files::kind(name, text).is_some() {
         return None;
     }
     let lines = content::lines(text);
@@ -126,21 +118,23 @@ pub fn contradiction(name: &str, text: &str) -> Option<Contradiction> {
 impl Language {
     /// The language of a source by the ending of its name and by its content; `dialect` is what the user chose.
     pub fn of(name: &str, text: &str, dialect: Option<Dialect>) -> Self {
-        if !is_test_file(name) && codesys_files::kind(name, text).is_some() {
+        let st = |usual: Dialect| dialect.unwrap_or_else(|| content::shown(text, usual));
+        // Tests are written in ST, whatever their file is called.
+        if role::is_test(name, text) {
+            let usual = by_name(name).and_then(Self::dialect).unwrap_or_default();
+            return Self::St(st(usual).for_tests());
+        }
+        if codesys_files::kind(name, text).is_some() {
             return Self::St(dialect.unwrap_or(Dialect::Codesys));
         }
-        let st = |usual: Dialect| {
-            let dialect = dialect.unwrap_or_else(|| content::shown(text, usual));
-            Self::St(if is_test_file(name) { dialect.for_tests() } else { dialect })
-        };
         match (by_name(name), contradiction(name, text)) {
             (Some(Self::Stl), None) | (Some(Self::St(_)), Some(_)) => Self::Stl,
-            (Some(Self::St(usual)), None) => st(usual),
-            (Some(Self::Stl), Some(_)) => st(content::usual(text)),
+            (Some(Self::St(usual)), None) => Self::St(st(usual)),
+            (Some(Self::Stl), Some(_)) => Self::St(st(content::usual(text))),
             // The content of a file with another ending says what it is.
             (None, _) => {
                 let lines = content::lines(text);
-                if lines.st > lines.stl { st(content::usual(text)) } else { Self::Stl }
+                if lines.st > lines.stl { Self::St(st(content::usual(text))) } else { Self::Stl }
             }
         }
     }
@@ -150,6 +144,11 @@ impl Language {
         let is_of =
             |row: &&Row| row.endings.iter().any(|one| matches!((one.language, self), (Self::Stl, Self::Stl) | (Self::St(_), Self::St(_))));
         LANGUAGES.iter().find(is_of).expect("every language has a row")
+    }
+
+    /// Whether a source in it is a test file.
+    pub fn is_of_tests(self) -> bool {
+        self.dialect().is_some_and(Dialect::is_test)
     }
 
     /// The dialect of a source of ST.
@@ -211,6 +210,7 @@ mod tests {
             ("a.exp", "", None, st(Dialect::Codesys)),
             ("a.Test.ST", "", None, st(Dialect::IecTest)),
             ("a.test.st", "", Some(Dialect::Scl), st(Dialect::SclTest)),
+            ("a.txt", "TEST 'it runs'\nEND_TEST\n", None, st(Dialect::IecTest)),
             ("a.st", "'", None, st(Dialect::Iec)),
             ("a.st", "'ä", None, st(Dialect::Iec)),
         ] {

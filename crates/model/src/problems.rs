@@ -198,6 +198,9 @@ problems! {
     P6065 Error "a round bracket that is not closed" "Write `)` where the message points.";
     P6066 Error "a pragma without its end" "Write `}` on the line where the pragma begins or behind its last attribute.";
     P6071 Error "a label of CASE that is not understood" "Write a constant, constants with commas, or a range `1..5`, and `:` behind it.";
+    P6072 Error "a folder with several programs where one is wanted" "Name the files of one of them instead of the folder.";
+    P6073 Warning "a test file that belongs to no program" "Call it like the program that it tests: `ue1.test.st` for `ue1.awl`.";
+    P6075 Error "a folder with too much to read for all its programs" "Name its sub-folders one by one, or put what belongs together into projects with a `sieben.toml`.";
     P6076 Warning "a source in another language than its name says" "Rename the file: `.awl` or `.stl` for STL, `.st` or `.scl` for Structured Text; it was read as what it holds.";
     P6077 Error "a file of TwinCAT that is not XML" "Save the object in TwinCAT again; such a file has neither DTD nor entities of its own.";
     P6078 Error "a body that is a diagram" "Write the body in Structured Text; its declaration was read.";

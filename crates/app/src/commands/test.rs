@@ -15,6 +15,7 @@ use crate::duration::duration_argument;
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::testing::coverage::{Collector, Coverage};
+use crate::testing::discovery::Discovered;
 use crate::testing::rules::RuleArguments;
 use crate::testing::{self, Case, Conditions, Verdict, discovery, report, self_checking};
 use crate::{files, output, paths, watch};
@@ -29,26 +30,28 @@ use crate::{files, output, paths, watch};
   sieben test --coverage-html coverage   the same as pages for a browser\n  \
   sieben test timers.awl                 a program that checks itself\n  \
   sieben test checks                     every test and program in a folder\n  \
+  sieben test ue1.awl                    the tests in ue1.test.st beside it\n  \
   sieben test checks --filter shift      those with `shift` in their name\n  \
   sieben test src --tests checks/*.awl   tests of the blocks of a project\n  \
   sieben test new --tests old.scenario   does it what was recorded of another program?\n  \
   sieben test checks --junit result.xml  for a build server\n\n\
-A unit test stands in a file *.test.st: TEST 'the motor starts' … END_TEST, with\n\
-ASSERT_EQ(a, b), SCAN(n), ADVANCE_TIME(T#5s) and others.\n\
+A unit test stands in a file *.test.st, or any source that begins with TEST, SETUP or TEARDOWN:\n\
+TEST 'the motor starts' … END_TEST, with ASSERT_EQ(a, b), SCAN(n), ADVANCE_TIME(T#5s) and others.\n\
+In a folder with several programs ue1.test.st, ue1_test.st and test_ue1.st test ue1.awl.\n\
 A program has passed when it calls SFC 46, and failed when one of its assertions\n\
 (`__ASSERT== MW 10, 5`) is false, when the CPU goes to STOP, or when it does not end.\n\
 A program in a folder that has neither is no test.\n\
 A scenario (*.scenario) with an expectation is a test, too; one of `sieben record` holds the\n\
 program against every scan of the recording.\n\
 Time is virtual, and the extension words need no `--extended`.\n\n\
-Exit codes: 0 all passed, 1 one failed, 2 usage, 3 one does not compile.")]
+Exit codes: 0 all passed, 1 one failed or there is no test, 2 usage, 3 one does not compile.")]
 pub(crate) struct Arguments {
     /// Sources, projects of awlsim, symbol tables, or folders [default: this folder]
     #[arg(value_name = "PATH")]
     paths: Vec<PathBuf>,
     #[command(flatten)]
     program: ProgramArguments,
-    /// Test files: each is run with the program that PATH is, and its blocks take the place of those with the same number
+    /// Test files, whatever their names: each is run with the program that PATH is; blocks of one that checks itself take the place of those with the same number
     #[arg(long, value_name = "FILE", num_args = 1..)]
     tests: Vec<PathBuf>,
     #[command(flatten)]
@@ -139,7 +142,8 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
         svg: arguments.svg.clone(),
         rules: Rules::default(),
     };
-    let mut cases = discovery::cases(&arguments.paths, &arguments.tests, &conditions)?;
+    let Discovered { mut cases, folders } = discovery::cases(&arguments.paths, &arguments.tests, &conditions)?;
+    let all_programs: Vec<&str> = folders.iter().flat_map(|folder| &folder.programs).map(|program| program.name.as_str()).collect();
     let scenarios: Vec<PathBuf> = cases.iter().filter_map(|case| case.scenario.clone()).collect();
     conditions.rules = arguments.rules.rules(&scenarios)?;
     if let Some(filter) = &arguments.filter {
@@ -153,13 +157,16 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
         }
     }
     if cases.is_empty() {
-        return Err(Failure::usage(Problem::P7020, "there is no test here"));
+        return Err(discovery::nothing());
     }
     if arguments.list {
         // Programs that do not check themselves are no tests.
         cases.retain(|case| case.perhaps.as_ref().is_none_or(|program| self_checking::is_test(program, &conditions)));
         list(arguments, &cases)?;
         return Ok(Exit::Success);
+    }
+    if !arguments.json && !arguments.tap {
+        folders.iter().try_for_each(|folder| output::print(&format!("{}\n", folder.sentence())))?;
     }
     if let Some(seed) = arguments.seed {
         testing::shuffle(&mut cases, seed);
@@ -195,6 +202,9 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
         (true, _) => {
             let mut json = report::to_json(&finished, took);
             json["seed"] = arguments.seed.into();
+            if !folders.is_empty() {
+                json["programs"] = all_programs.clone().into();
+            }
             let of = |share: fn(&Coverage) -> usize| covered.as_ref().map(share).into();
             json["lines_covered"] = of(|coverage| coverage.lines().hit);
             json["lines"] = of(|coverage| coverage.lines().all);
@@ -207,6 +217,9 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
         _ if finished.is_empty() => output::print(&no_tests(programs))?,
         _ => {
             output::print(&report::text(&finished))?;
+            if !folders.is_empty() && arguments.filter.is_none() {
+                output::print(&report::programs(&finished, &all_programs))?;
+            }
             if let Some(seed) = arguments.seed {
                 output::print(&format!("order: --seed {seed}\n"))?;
             }
@@ -219,7 +232,7 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
         }
     }
     written?;
-    Ok(report::exit(&finished))
+    Ok(if finished.is_empty() { Exit::CheckFailed } else { report::exit(&finished) })
 }
 
 /// The names of the tests.
@@ -235,8 +248,8 @@ fn list(arguments: &Arguments, cases: &[Case]) -> Result<(), Failure> {
 fn no_tests(programs: usize) -> String {
     let looked = if programs == 1 { "The program has".to_owned() } else { format!("{programs} programs have") };
     format!(
-        "No tests found. {looked} neither an assertion (`__ASSERT== MW 10, 5`) nor an end (`CALL SFC 46`);\n\
-         name test files in `[project] tests` of sieben.toml or with `--tests`.\n"
+        "No tests found. {looked} neither an assertion (`__ASSERT== MW 10, 5`) nor an end (`CALL SFC 46`),\n\
+         and there is no test file: `*.test.st`, a source that begins with `TEST`, or one that `--tests` names.\n"
     )
 }
 

@@ -24,24 +24,6 @@ const HEADINGS: &str = "symbol;address;type;comment\n";
 /// The library that we have, too.
 const LIBRARY: &str = "IEC";
 
-/// The files that a project consists of beside itself; none if it cannot be read.
-pub(crate) fn parts(path: &Path) -> BTreeSet<PathBuf> {
-    let folder = folder_of(path);
-    let decoded = files::read(path).ok().and_then(|bytes| encoding::read_source(&bytes).ok());
-    let read = decoded.and_then(|decoded| awlsim_project::read(Default::default(), &decoded.text).0);
-    let sources = read.into_iter().flat_map(|project| project.sources);
-    sources
-        .filter_map(|source| match source.content {
-            Content::File(file) => Some(paths::join(folder, Path::new(&file))),
-            Content::Inline(_) => None,
-        })
-        .collect()
-}
-
-fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
-}
-
 /// Reads a project with everything that it names.
 pub(crate) fn load(into: &mut Project, path: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<(), Failure> {
     let shown = paths::shown(path);
@@ -84,7 +66,7 @@ pub(crate) fn load(into: &mut Project, path: &Path, seen: &mut BTreeSet<PathBuf>
 
 /// The path of a file that the project names; says so if it lies elsewhere or is not there.
 fn inside(into: &mut Project, path: &Path, file: &str, source: &Source) -> Option<PathBuf> {
-    let folder = folder_of(path);
+    let folder = paths::folder_of(path);
     let target = paths::join(folder, Path::new(file));
     let outside = || match (std::fs::canonicalize(&target), std::fs::canonicalize(folder)) {
         (Ok(target), Ok(folder)) => !target.starts_with(folder),

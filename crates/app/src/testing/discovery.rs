@@ -1,88 +1,151 @@
 //! From the paths of the command line to tests.
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::{Case, Conditions, scenario, self_checking, unit};
+use sieben_lang::encoding::Encoding;
+use sieben_model::problems::Problem;
+
+use super::{Case, Conditions, Outcome, Verdict, scenario, self_checking, unit};
 use crate::failure::Failure;
-use crate::paths::{self, is_scenario};
-use crate::project::{Project, awlpro};
+use crate::paths::{self, folder_of, is_scenario, is_source};
+use crate::programs::{self, Folder, Kind, Tested};
+use crate::project::Project;
 use crate::settings;
 
+/// The tests that were found.
+#[derive(Default)]
+pub(crate) struct Discovered {
+    /// The tests.
+    pub(crate) cases: Vec<Case>,
+    /// The folders among the paths that hold several programs.
+    pub(crate) folders: Vec<Folder>,
+}
+
 /// The tests that the paths mean; none = the current folder. Each of `tests` is a test of the program that the paths are.
-pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf], conditions: &Conditions) -> Result<Vec<Case>, Failure> {
+pub(crate) fn cases(paths: &[PathBuf], tests: &[PathBuf], conditions: &Conditions) -> Result<Discovered, Failure> {
+    let mut found = Discovered::default();
     if !tests.is_empty() {
         for test in tests {
             // A test that does not exist is a mistake of the command line, not of the program.
             exists(test)?;
         }
-        return Ok(tests.iter().flat_map(|test| cases_of(test, paths, conditions)).collect());
+        for test in tests {
+            found.cases.extend(named(test, paths, conditions)?);
+        }
+        return Ok(found);
     }
     let here = [PathBuf::from(".")];
     let paths = if paths.is_empty() { &here } else { paths };
     let is_file = |path: &PathBuf| !path.is_dir();
-    let (tables, paths): (Vec<_>, Vec<_>) = paths.iter().cloned().partition(|path| is_file(path) && paths::is_symbols(path));
-    let (units, paths): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| is_file(path) && (paths::is_test(path) || is_scenario(path)));
-    let mut cases = Vec::new();
+    let is_table = |path: &PathBuf| is_file(path) && paths::is_symbols(path);
+    let (tables, paths): (Vec<_>, Vec<_>) = paths.iter().cloned().partition(is_table);
+    let is_unit = |path: &PathBuf| is_file(path) && (is_scenario(path) || programs::is_test(path, conditions.encoding));
+    let (units, paths): (Vec<_>, Vec<_>) = paths.into_iter().partition(is_unit);
     for test in &units {
         exists(test)?;
         // Files beside a test file are the program that it tests; without any it is what lies around it.
-        let program = match paths.is_empty() {
-            true => tables.iter().cloned().chain([program_around(test)]).collect(),
-            false => tables.iter().chain(&paths).cloned().collect::<Vec<_>>(),
-        };
-        cases.extend(cases_of(test, &program, conditions));
+        if paths.is_empty() {
+            found.cases.extend(of_programs(test, &programs_around(test, &tables, conditions)?, true, conditions));
+        } else {
+            found.cases.extend(cases_of(test, &tables.iter().chain(&paths).cloned().collect::<Vec<_>>(), true, conditions));
+        }
     }
     if !units.is_empty() {
-        return Ok(cases);
+        return Ok(found);
     }
     for path in paths {
-        let with_tables = |path: PathBuf| tables.iter().cloned().chain([path]).collect::<Vec<_>>();
         if !path.is_dir() {
             crate::files::read(&path)?;
-            cases.push(case(paths::shown(&path), with_tables(path), None));
-        } else if path.join(settings::FILE_NAME).is_file() {
-            cases.extend(of_project(&path, conditions)?);
-        } else {
-            let Below { projects, files, tests } = below(&path)?;
-            for file in files {
-                cases.push(unnamed(paths::shown(&file), with_tables(file)));
-            }
-            for test in tests {
-                cases.extend(found(&test, &with_tables(program_around(&test)), conditions));
-            }
-            for project in projects {
-                cases.extend(of_project(&project, conditions)?);
+            found.cases.extend(of_file(&path, &tables, conditions)?);
+            continue;
+        }
+        match Folder::of(&path, conditions.encoding)? {
+            None => found.cases.extend(of_project(&path, conditions)?),
+            Some(folder) => {
+                found.cases.extend(of_folder(&folder, &tables, conditions)?);
+                if folder.has_several() {
+                    found.folders.push(folder);
+                }
             }
         }
     }
-    Ok(cases)
+    Ok(found)
 }
 
-/// The folder with the program that a test file is about: the nearest project around it, else the folder where it lies.
-fn program_around(test: &Path) -> PathBuf {
-    let folder = test.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let project = folder.ancestors().find(|folder| folder.join(settings::FILE_NAME).is_file());
-    let project = project.map(|project| if project.as_os_str().is_empty() { Path::new(".") } else { project });
-    project.unwrap_or(folder).to_path_buf()
+/// The project around a file, if there is one: the nearest folder with a `sieben.toml`.
+fn project_around(file: &Path) -> Option<PathBuf> {
+    let project = folder_of(file).ancestors().find(|folder| folder.join(settings::FILE_NAME).is_file())?;
+    Some(if project.as_os_str().is_empty() { PathBuf::from(".") } else { project.to_path_buf() })
 }
 
-/// The tests of a file for a program: unit tests, or a program that checks itself.
-fn cases_of(test: &Path, program: &[PathBuf], conditions: &Conditions) -> Vec<Case> {
-    let program_or_around = || if program.is_empty() { vec![program_around(test)] } else { program.to_vec() };
-    match paths::is_test(test) {
-        _ if is_scenario(test) => vec![scenario::case(program_or_around(), test.to_path_buf(), true)],
-        true => unit::cases(&program_or_around(), test, conditions),
-        false => vec![case(paths::shown(test), program.to_vec(), Some(test.to_path_buf()))],
+/// A program to test: what reports call it, if there are several, and its files.
+type ToTest = (Option<String>, Vec<PathBuf>);
+
+/// What lies around a test file that it tests: the project around it, the program of that name in its folder, or the whole folder.
+fn programs_around(test: &Path, tables: &[PathBuf], conditions: &Conditions) -> Result<Vec<ToTest>, Failure> {
+    let with = |paths: &[PathBuf]| tables.iter().chain(paths).cloned().collect::<Vec<_>>();
+    if let Some(project) = project_around(test) {
+        return Ok(vec![(None, with(&[project]))]);
+    }
+    let root = folder_of(test).to_path_buf();
+    match Folder::of(&root, conditions.encoding)?.filter(Folder::has_several) {
+        None => Ok(vec![(None, with(&[root]))]),
+        Some(folder) => tested(&folder, test, tables),
     }
 }
 
-/// A test file that lies in a folder: a scenario that expects nothing is no test.
-fn found(test: &Path, program: &[PathBuf], conditions: &Conditions) -> Vec<Case> {
-    match is_scenario(test) {
-        true if scenario::is_test(test) => vec![scenario::case(program.to_vec(), test.to_path_buf(), false)],
-        true => Vec::new(),
-        false => cases_of(test, program, conditions),
+/// What a test file tests in a folder with several programs.
+fn tested(folder: &Folder, test: &Path, tables: &[PathBuf]) -> Result<Vec<ToTest>, Failure> {
+    let with = |paths: &[PathBuf]| tables.iter().chain(paths).cloned().collect::<Vec<_>>();
+    // As the folder calls it, whatever the command line did.
+    let test = folder.as_found(test);
+    match folder.tested_by(&test) {
+        Tested::Programs(places) => {
+            let programs = places.into_iter().map(|place| &folder.programs[place]);
+            Ok(programs.map(|program| (Some(program.name.clone()), with(&program.paths))).collect())
+        }
+        Tested::Blocks(paths) => Ok(vec![(None, with(&paths))]),
+        Tested::Nothing => Err(folder.stray(&test)),
+    }
+}
+
+/// The tests of a file for each of these programs.
+fn of_programs(test: &Path, programs: &[ToTest], named: bool, conditions: &Conditions) -> Vec<Case> {
+    let mut all = Vec::new();
+    for (name, program) in programs {
+        let mut cases = cases_of(test, program, named, conditions);
+        for case in &mut cases {
+            case.program.clone_from(name);
+            if let Some(name) = name.as_ref().filter(|_| programs.len() > 1) {
+                case.name = format!("{} ({name})", case.name);
+            }
+        }
+        all.extend(cases);
+    }
+    all
+}
+
+/// A file that `--tests` names, for the program that the paths are.
+fn named(test: &Path, paths: &[PathBuf], conditions: &Conditions) -> Result<Vec<Case>, Failure> {
+    let unit = is_scenario(test) || programs::is_test(test, conditions.encoding);
+    match paths {
+        [] if unit => Ok(of_programs(test, &programs_around(test, &[], conditions)?, true, conditions)),
+        [folder] if unit && folder.is_dir() => match Folder::of(folder, conditions.encoding)?.filter(Folder::has_several) {
+            Some(folder) => Ok(of_programs(test, &tested(&folder, test, &[])?, true, conditions)),
+            None => Ok(cases_of(test, paths, true, conditions)),
+        },
+        _ => Ok(cases_of(test, paths, true, conditions)),
+    }
+}
+
+/// The tests of a file for a program: unit tests, a scenario, or a program that checks itself. A scenario that nobody `named` and that
+/// expects nothing is no test.
+fn cases_of(test: &Path, program: &[PathBuf], named: bool, conditions: &Conditions) -> Vec<Case> {
+    match () {
+        () if is_scenario(test) && !named && !scenario::is_test(test) => Vec::new(),
+        () if is_scenario(test) => vec![scenario::case(program.to_vec(), test.to_path_buf(), named)],
+        () if programs::is_test(test, conditions.encoding) => unit::cases(program, test, conditions),
+        () => vec![case(paths::shown(test), program.to_vec(), Some(test.to_path_buf()))],
     }
 }
 
@@ -92,63 +155,127 @@ fn exists(test: &Path) -> Result<(), Failure> {
 }
 
 fn case(name: String, program: Vec<PathBuf>, test: Option<PathBuf>) -> Case {
-    Case {
-        name,
-        file: None,
-        perhaps: None,
-        scenario: None,
-        run: Box::new(move |conditions| self_checking::run(&program, test.as_ref(), true, conditions)),
-    }
+    Case::new(name, Box::new(move |conditions| self_checking::run(&program, test.as_ref(), true, conditions)))
 }
 
-/// A program that was found in a folder: it is a test if it checks itself.
-fn unnamed(name: String, program: Vec<PathBuf>) -> Case {
+/// A program that was found: it is a test if it checks itself. One that is `tested` by others leaves it to them to say that it does not
+/// compile.
+fn unnamed(name: String, program: Vec<PathBuf>, tested: bool) -> Case {
     let perhaps = Some(program.clone());
-    Case {
-        name,
-        file: None,
-        perhaps,
-        scenario: None,
-        run: Box::new(move |conditions| self_checking::run(&program, None, false, conditions)),
+    let run = move |conditions: &Conditions| {
+        let outcome = self_checking::run(&program, None, false, conditions);
+        match outcome.verdict {
+            Verdict::DoesNotCompile(_) if tested => Outcome { verdict: Verdict::NoTest, ..outcome },
+            _ => outcome,
+        }
+    };
+    Case { perhaps, ..Case::new(name, Box::new(run)) }
+}
+
+/// A test that cannot be run, and why.
+fn broken(name: String, failure: Failure) -> Case {
+    let run = move |_: &Conditions| {
+        let verdict = Verdict::Unreadable(failure.clone());
+        Outcome { verdict, scans: 0, simulated: std::time::Duration::ZERO }
+    };
+    Case { file: Some(name.clone()), ..Case::new(name, Box::new(run)) }
+}
+
+/// The tests of a program that was named: those beside it that are called like it, else it is one itself.
+fn of_file(path: &Path, tables: &[PathBuf], conditions: &Conditions) -> Result<Vec<Case>, Failure> {
+    let beside = beside(path, conditions.encoding);
+    if beside.is_empty() {
+        return Ok(vec![case(paths::shown(path), tables.iter().cloned().chain([path.to_path_buf()]).collect(), None)]);
     }
+    let mut cases = Vec::new();
+    for test in &beside {
+        let mut programs = programs_around(test, tables, conditions)?;
+        // The tests may be those of another program with this name, too.
+        if programs.iter().any(|(_, files)| is_among(path, files)) {
+            programs.retain(|(_, files)| is_among(path, files));
+        }
+        if cases.is_empty() {
+            let program = programs.first().map(|(_, files)| files.clone()).unwrap_or_default();
+            cases.push(unnamed(paths::shown(path), program, true));
+        }
+        cases.extend(of_programs(test, &programs, false, conditions));
+    }
+    Ok(cases)
+}
+
+/// Whether a file is one of these.
+fn is_among(path: &Path, files: &[PathBuf]) -> bool {
+    files.iter().any(|file| file.file_name() == path.file_name() && std::fs::canonicalize(file).ok() == std::fs::canonicalize(path).ok())
+}
+
+/// The test files and scenarios in the folder of a source that are called like it.
+fn beside(path: &Path, encoding: Option<Encoding>) -> Vec<PathBuf> {
+    let Ok(entries) = std::fs::read_dir(folder_of(path)) else { return Vec::new() };
+    let is_called_alike = |file: &PathBuf| {
+        (is_scenario(file) || is_source(file)) && programs::is_called(path, &programs::tested(file)) && file.file_name() != path.file_name()
+    };
+    let files = entries.filter_map(|entry| Some(paths::join(folder_of(path), Path::new(&entry.ok()?.file_name()))));
+    let tests = files.filter(is_called_alike).filter(|file| file.is_file());
+    let mut tests: Vec<PathBuf> = tests.filter(|file| is_scenario(file) || programs::is_test(file, encoding)).collect();
+    tests.sort();
+    tests
 }
 
 /// The tests of a project: those that `sieben.toml` names, else its test files; without other tests a project may be one itself.
 fn of_project(folder: &Path, conditions: &Conditions) -> Result<Vec<Case>, Failure> {
     let program = vec![folder.to_path_buf()];
-    let project = Project::load(&program, None)?;
+    let project = Project::load(&program, conditions.encoding)?;
     let mut cases = Vec::new();
-    if project.tests.iter().all(|test| paths::is_test(test) || is_scenario(test)) {
+    let is_unit = |test: &PathBuf| is_scenario(test) || programs::is_test(test, conditions.encoding);
+    if project.tests.iter().all(is_unit) {
         let name = project.settings.name.unwrap_or_else(|| paths::shown(folder));
-        cases.push(unnamed(name, program.clone()));
+        cases.push(unnamed(name, program.clone(), !project.tests.is_empty()));
     }
-    cases.extend(project.tests.iter().flat_map(|test| found(test, &program, conditions)));
+    cases.extend(project.tests.iter().flat_map(|test| cases_of(test, &program, false, conditions)));
     Ok(cases)
 }
 
-/// What lies in a folder that is no project.
-struct Below {
-    projects: BTreeSet<PathBuf>,
-    /// Programs: every source by itself.
-    files: Vec<PathBuf>,
-    /// Test files.
-    tests: Vec<PathBuf>,
+/// The tests of a folder that is no project, program by program.
+fn of_folder(folder: &Folder, tables: &[PathBuf], conditions: &Conditions) -> Result<Vec<Case>, Failure> {
+    folder.limit()?;
+    let several = folder.has_several();
+    let mut cases = Vec::new();
+    let with = |paths: &[PathBuf]| tables.iter().chain(paths).cloned().collect::<Vec<_>>();
+    let several_of = |test: &Tested| matches!(test, Tested::Programs(places) if places.len() > 1);
+    for (place, program) in folder.programs.iter().enumerate() {
+        let first = cases.len();
+        if program.kind == Kind::Project {
+            cases.extend(of_project(&program.paths[0], conditions)?);
+        } else {
+            let tests = folder.tests.iter().filter(|test| matches!(&test.tests, Tested::Programs(places) if places.contains(&place)));
+            let at = cases.len();
+            for test in tests {
+                let mut of_test = cases_of(&test.path, &with(&program.paths), false, conditions);
+                if several_of(&test.tests) {
+                    of_test.iter_mut().for_each(|case| case.name = format!("{} ({})", case.name, program.name));
+                }
+                cases.extend(of_test);
+            }
+            cases.insert(at, unnamed(program.name.clone(), with(&program.paths), cases.len() > at));
+        }
+        if several {
+            cases[first..].iter_mut().for_each(|case| case.program = Some(program.name.clone()));
+        }
+    }
+    for test in &folder.tests {
+        match &test.tests {
+            Tested::Programs(_) => {}
+            Tested::Blocks(paths) => cases.extend(cases_of(&test.path, &with(paths), false, conditions)),
+            Tested::Nothing if is_scenario(&test.path) && !scenario::is_test(&test.path) => {}
+            Tested::Nothing if several => cases.push(broken(paths::shown(&test.path), folder.stray(&test.path))),
+            // Without a program a test file may still test itself.
+            Tested::Nothing => cases.extend(cases_of(&test.path, &with(&[]), false, conditions)),
+        }
+    }
+    Ok(cases)
 }
 
-/// The projects, programs and test files of a folder that is no project. What a project names belongs to that.
-fn below(folder: &Path) -> Result<Below, Failure> {
-    let all = paths::files_below(folder)?;
-    let mut projects = BTreeSet::new();
-    let mut outside = |file: &PathBuf| {
-        let inside = file.ancestors().skip(1).take_while(|parent| *parent != folder);
-        let project = inside.filter(|parent| parent.join(settings::FILE_NAME).is_file()).last();
-        projects.extend(project.map(Path::to_path_buf));
-        project.is_none()
-    };
-    let mut files: Vec<PathBuf> = all.iter().filter(|file| paths::is_program(file) && outside(file)).cloned().collect();
-    let tests = all.iter().filter(|file| (paths::is_test(file) || is_scenario(file)) && outside(file)).cloned().collect();
-    let parts: BTreeSet<PathBuf> =
-        files.iter().filter(|file| paths::is_awlsim_project(file)).flat_map(|file| awlpro::parts(file)).collect();
-    files.retain(|file| !parts.contains(file));
-    Ok(Below { projects, files, tests })
+/// The failure of a run in which no test was found.
+pub(crate) fn nothing() -> Failure {
+    Failure::usage(Problem::P7020, "there is no test here")
 }

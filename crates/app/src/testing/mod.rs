@@ -36,8 +36,20 @@ pub(crate) struct Case {
     pub(crate) perhaps: Option<Vec<PathBuf>>,
     /// The scenario that it is, if it is one.
     pub(crate) scenario: Option<PathBuf>,
+    /// The program that it tests, where a folder holds several.
+    pub(crate) program: Option<String>,
     /// Runs it.
-    pub(crate) run: Box<dyn Fn(&Conditions) -> Outcome + Send + Sync>,
+    pub(crate) run: Runner,
+}
+
+/// What runs a test.
+type Runner = Box<dyn Fn(&Conditions) -> Outcome + Send + Sync>;
+
+impl Case {
+    /// A test with this name.
+    fn new(name: String, run: Runner) -> Self {
+        Self { name, file: None, perhaps: None, scenario: None, program: None, run }
+    }
 }
 
 /// Under what conditions tests run.
@@ -85,8 +97,8 @@ pub(crate) enum Verdict {
     NoTest,
     /// It ran and found something wrong, or did not end.
     Failed(Box<Wrong>),
-    /// It does not compile; the diagnostics as text.
-    DoesNotCompile(String),
+    /// It does not compile; the diagnostics as text, each for itself, and their number.
+    DoesNotCompile(Vec<String>),
     /// Its files cannot be read, or do not belong to the program.
     Unreadable(Failure),
     /// Lines of its file are not understood.
@@ -130,6 +142,8 @@ pub(crate) struct Finished {
     pub(crate) name: String,
     /// The test file that it stands in, if it is a unit test.
     pub(crate) file: Option<String>,
+    /// The program that it tests, where a folder holds several.
+    pub(crate) program: Option<String>,
     /// What came of it.
     pub(crate) outcome: Outcome,
     /// How long it took, in real time.
@@ -148,7 +162,8 @@ pub(crate) fn run_all(cases: &[Case], conditions: &Conditions, threads: usize, p
                     let Some(case) = cases.get(index) else { return };
                     let begun = Instant::now();
                     let outcome = (case.run)(conditions);
-                    let finished = Finished { name: case.name.clone(), file: case.file.clone(), outcome, took: begun.elapsed() };
+                    let (name, file, program) = (case.name.clone(), case.file.clone(), case.program.clone());
+                    let finished = Finished { name, file, program, outcome, took: begun.elapsed() };
                     // A panic ends the process, so that no one finds the lock poisoned.
                     let mut done = done.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
                     done.push((index, finished));

@@ -1,5 +1,6 @@
 //! Results of tests: for people, as JSON, as JUnit XML and as TAP.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::time::Duration;
 
@@ -67,7 +68,9 @@ fn why(verdict: &Verdict) -> Option<(String, Vec<String>)> {
             lines.extend(wrong.lines.iter().cloned());
             Some((headline, lines))
         }
-        Verdict::DoesNotCompile(findings) => Some(("does not compile".to_owned(), findings.lines().map(str::to_owned).collect())),
+        Verdict::DoesNotCompile(findings) => {
+            Some(("does not compile".to_owned(), findings.iter().flat_map(|finding| finding.lines()).map(str::to_owned).collect()))
+        }
         Verdict::Unreadable(failure) => Some(misread(failure)),
         Verdict::Misread(failures) => {
             let mut told = failures.iter().map(misread);
@@ -91,9 +94,11 @@ fn plural(count: u64, word: &str) -> String {
 /// One line for each test, more for those that did not pass, and the count.
 pub(crate) fn text(finished: &[Finished]) -> String {
     let mut out = String::new();
+    // What is wrong with a file that several programs share is printed once.
+    let mut told = BTreeSet::new();
     // Writing to a text cannot fail.
     for test in finished {
-        let Some((headline, lines)) = why(&test.outcome.verdict) else {
+        let Some((headline, mut lines)) = why(&test.outcome.verdict) else {
             let scans = plural(test.outcome.scans, "scan");
             let time = duration::show(test.outcome.simulated);
             // A test that only calls blocks needs neither.
@@ -105,6 +110,9 @@ pub(crate) fn text(finished: &[Finished]) -> String {
             let _ = writeln!(out, "ok    {}  ({took})", test.name);
             continue;
         };
+        if let Verdict::DoesNotCompile(findings) = &test.outcome.verdict {
+            lines = untold(findings, &mut told);
+        }
         // A unit test has a name of its own beside the place.
         let (headline, first) = match &test.file {
             Some(file) if *file != test.name => (String::new(), Some(headline)),
@@ -120,6 +128,41 @@ pub(crate) fn text(finished: &[Finished]) -> String {
     }
     let _ = writeln!(out, "{}", count(finished));
     out
+}
+
+/// The lines of what is wrong with a program, without what was told before.
+fn untold<'a>(findings: &'a [String], told: &mut BTreeSet<&'a str>) -> Vec<String> {
+    let Some((count, findings)) = findings.split_last() else { return Vec::new() };
+    let new: Vec<&String> = findings.iter().filter(|finding| told.insert(finding)).collect();
+    let mut lines: Vec<String> = new.iter().flat_map(|finding| finding.lines()).map(str::to_owned).collect();
+    match findings.len() - new.len() {
+        0 => lines.extend(count.lines().map(str::to_owned)),
+        1 if new.is_empty() => lines.push("the same message as above".to_owned()),
+        all if new.is_empty() => lines.push(format!("the same {all} messages as above")),
+        some => lines.push(format!("and {} from above", plural(some as u64, "message"))),
+    }
+    lines
+}
+
+/// What came of the programs of folders that hold several: `programs: 28 passed, 1 failed (ue3.awl), 1 without a test (ue9.awl)`.
+pub(crate) fn programs(finished: &[Finished], programs: &[&str]) -> String {
+    let of = |program: &str| finished.iter().filter(|test| test.program.as_deref() == Some(program)).collect::<Vec<_>>();
+    let (mut passed, mut failed, mut none) = (0, Vec::new(), Vec::new());
+    for program in programs {
+        let tests = of(program);
+        match () {
+            () if tests.is_empty() => none.push(*program),
+            () if tests.iter().all(|test| matches!(test.outcome.verdict, Verdict::Passed)) => passed += 1,
+            () => failed.push(*program),
+        }
+    }
+    let mut parts = vec![format!("{passed} passed")];
+    for (word, names) in [("failed", failed), ("without a test", none)] {
+        if !names.is_empty() {
+            parts.push(format!("{} {word} ({})", names.len(), names.join(", ")));
+        }
+    }
+    format!("{} programs: {}\n", programs.len(), parts.join(", "))
 }
 
 /// `4 passed, 1 failed`.
@@ -152,10 +195,10 @@ fn one_to_json(test: &Finished, seconds: f64) -> Value {
     };
     let message = match &test.outcome.verdict {
         Verdict::Passed | Verdict::NoTest => None,
-        Verdict::Failed(wrong) => Some(wrong.message.as_str()),
-        Verdict::DoesNotCompile(findings) => Some(findings.as_str()),
-        Verdict::Unreadable(failure) => Some(failure.message.as_str()),
-        Verdict::Misread(failures) => failures.first().map(|failure| failure.message.as_str()),
+        Verdict::Failed(wrong) => Some(wrong.message.clone()),
+        Verdict::DoesNotCompile(findings) => Some(findings.concat()),
+        Verdict::Unreadable(failure) => Some(failure.message.clone()),
+        Verdict::Misread(failures) => failures.first().map(|failure| failure.message.clone()),
     };
     let problem = match &test.outcome.verdict {
         Verdict::Unreadable(failure) => Some(failure.problem.code()),
@@ -163,7 +206,7 @@ fn one_to_json(test: &Finished, seconds: f64) -> Value {
         _ => None,
     };
     json!({
-        "name": test.name, "test_file": test.file, "verdict": verdict, "message": message,
+        "name": test.name, "program": test.program, "test_file": test.file, "verdict": verdict, "message": message,
         "file": wrong.place.as_ref().map(|place| &place.0), "line": wrong.place.as_ref().map(|place| place.1),
         "statement": wrong.statement, "block": wrong.block,
         "left": wrong.values.as_ref().map(|values| &values.0), "right": wrong.values.as_ref().map(|values| &values.1),
@@ -252,6 +295,7 @@ mod tests {
         let test = |name: &str, verdict| Finished {
             name: name.to_owned(),
             file: None,
+            program: None,
             outcome: Outcome { verdict, scans: 1, simulated: Duration::ZERO },
             took: Duration::from_millis(2),
         };
@@ -268,7 +312,7 @@ mod tests {
                     ..Wrong::default()
                 })),
             ),
-            test("c.awl", Verdict::DoesNotCompile("one\ntwo\u{1}\n".to_owned())),
+            test("c.awl", Verdict::DoesNotCompile(vec!["one\ntwo\u{1}\n".to_owned()])),
         ]
     }
 
@@ -284,6 +328,34 @@ mod tests {
         assert_eq!(exit(&finished()), Exit::DoesNotCompile);
         assert_eq!(exit(&finished()[..2]), Exit::CheckFailed);
         assert_eq!(exit(&finished()[..1]), Exit::Success);
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_shared_file_is_told_once() {
+        let test = |name: &str, findings: &[&str]| Finished {
+            name: name.to_owned(),
+            file: None,
+            program: Some(name.to_owned()),
+            outcome: Outcome {
+                verdict: Verdict::DoesNotCompile(findings.iter().map(|&finding| finding.to_owned()).collect()),
+                scans: 0,
+                simulated: Duration::ZERO,
+            },
+            took: Duration::ZERO,
+        };
+        let all = [
+            test("a", &["shared\n", "1 error.\n"]),
+            test("b", &["own\n", "shared\n", "2 errors.\n"]),
+            test("c", &["shared\n", "1 error.\n"]),
+        ];
+        assert_eq!(
+            text(&all),
+            "FAIL  a: does not compile\n        shared\n        1 error.\n\
+             FAIL  b: does not compile\n        own\n        and 1 message from above\n\
+             FAIL  c: does not compile\n        the same message as above\n\
+             0 passed, 0 failed, 3 could not run\n"
+        );
+        assert_eq!(programs(&all, &["a", "b", "c", "d"]), "4 programs: 0 passed, 3 failed (a, b, c), 1 without a test (d)\n");
     }
 
     #[test]

@@ -45,7 +45,7 @@ const MISSING_MAX: usize = 10;
 pub(super) fn case(program: Vec<PathBuf>, file: PathBuf, named: bool) -> Case {
     let name = shown(&file);
     let scenario = Some(file.clone());
-    Case { name, file: None, perhaps: None, scenario, run: Box::new(move |conditions| run(&program, &file, named, conditions)) }
+    Case { scenario, ..Case::new(name, Box::new(move |conditions| run(&program, &file, named, conditions))) }
 }
 
 /// Whether a scenario expects anything; one that cannot be read says so when it is run.
@@ -58,6 +58,7 @@ fn nothing_ran(verdict: Verdict) -> Outcome {
 }
 
 fn run(program: &[PathBuf], file: &Path, named: bool, conditions: &Conditions) -> Outcome {
+    let begun = Instant::now();
     let scenario = match files::read(file) {
         Ok(scenario) => scenario,
         Err(Unusable::File(failure)) => return nothing_ran(Verdict::Unreadable(failure)),
@@ -74,13 +75,13 @@ fn run(program: &[PathBuf], file: &Path, named: bool, conditions: &Conditions) -
         Overrides { cpu: conditions.overrides.cpu.or(scenario.cpu), counted: conditions.coverage.is_some(), ..conditions.overrides };
     let build = project.compile(overrides, false);
     if report::has_errors(&build.findings) {
-        return nothing_ran(Verdict::DoesNotCompile(report::render(&build.findings, &build.project.texts, false)));
+        return nothing_ran(Verdict::DoesNotCompile(report::parts(&build.findings, &build.project.texts)));
     }
     if let Some(failure) = missing(&build, &scenario, file, conditions) {
         return nothing_ran(Verdict::Unreadable(failure));
     }
     let looking = looking(&build.compiled);
-    let test = Test { build: Arc::new(build), looking, scenario, file: file.to_path_buf(), conditions };
+    let test = Test { build: Arc::new(build), looking, scenario, file: file.to_path_buf(), begun, conditions };
     test.run()
 }
 
@@ -108,6 +109,8 @@ struct Test<'a> {
     looking: Looking,
     scenario: Scenario,
     file: PathBuf,
+    /// When its real time began, which all of its runs share.
+    begun: Instant,
     conditions: &'a Conditions,
 }
 
@@ -154,7 +157,7 @@ impl Test<'_> {
     fn run(&self) -> Outcome {
         let engine = if self.conditions.coverage.is_some() { EngineArgument::Interpreter } else { self.conditions.engine };
         let mut judge = Judge {
-            begun: Instant::now(),
+            begun: self.begun,
             timeout: self.conditions.timeout,
             late: false,
             scans: 0,
@@ -241,6 +244,10 @@ impl Test<'_> {
         let loaded = Loaded::new(self.build.cpu, code, Interpreter::load);
         let mut looking = Again::new(self, difference);
         self.go(&loaded, &mut looking);
+        // What a run that was given up did not see, it cannot tell.
+        if self.begun.elapsed() >= self.conditions.timeout {
+            return Vec::new();
+        }
         let mut lines = Vec::new();
         if let Some(Operand::Address(address) | Operand::InDataBlock { address, .. }) = difference.place.operand() {
             let name = difference.place.text().trim_matches('"');
@@ -300,7 +307,7 @@ impl<'a> Again<'a> {
             let address = sieben_model::address::Address { area, ..address };
             Some(Signal { name: difference.name.clone(), data_block, address, data_type: DataType::Bool })
         });
-        let (begun, timeout) = (Instant::now(), test.conditions.timeout);
+        let (begun, timeout) = (test.begun, test.conditions.timeout);
         Self { difference, names, rows: VecDeque::new(), scan: 0, writers: None, written: None, signal, begun, timeout }
     }
 

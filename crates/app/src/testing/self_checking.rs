@@ -27,6 +27,7 @@ const STOP_BY_PROGRAM: u16 = 0x457F;
 
 /// Runs a program until it ends; one that is not `named` as a test must have words to check itself. The blocks of `test`, if there is one, take the place of those of the program.
 pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, conditions: &Conditions) -> Outcome {
+    let begun = Instant::now();
     let nothing_ran = |verdict| Outcome { verdict, scans: 0, simulated: Duration::ZERO };
     let mut all: Vec<PathBuf> = test.into_iter().cloned().collect();
     all.extend(paths.iter().cloned());
@@ -38,7 +39,7 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
     let overrides = Overrides { extended: true, replacing: test.is_some(), counted: conditions.coverage.is_some(), ..conditions.overrides };
     let build = project.compile(overrides, false);
     if report::has_errors(&build.findings) {
-        return nothing_ran(Verdict::DoesNotCompile(report::render(&build.findings, &build.project.texts, false)));
+        return nothing_ran(Verdict::DoesNotCompile(report::parts(&build.findings, &build.project.texts)));
     }
     if !named && !checks_itself(&build) {
         return nothing_ran(Verdict::NoTest);
@@ -48,7 +49,6 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
     let mut cpu = controller::load(&build, engine, StatusBits::All, controller::settings(&build));
     let cycle = schedule::going_cycle(conditions.cycle, &build.project.settings);
     let limit = conditions.limit.unwrap_or(LIMIT);
-    let begun = Instant::now();
     let looking = looking(&build.compiled);
     let mut counting = conditions.coverage.is_some().then(|| Counting::new(&looking));
     cpu.restart_with(Restart::Warm, &mut || 0, tracer(&mut counting));

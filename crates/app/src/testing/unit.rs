@@ -59,7 +59,7 @@ pub(super) fn cases(program: &[PathBuf], file: &Path, conditions: &Conditions) -
                 let told = verdict.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
                 nothing_ran(told.unwrap_or(Verdict::NoTest))
             };
-            vec![Case { name: name.clone(), file: Some(name), perhaps: None, scenario: None, run: Box::new(run) }]
+            vec![Case { file: Some(name.clone()), ..Case::new(name, Box::new(run)) }]
         }
         Ok(ready) => {
             let ready = Arc::new(ready);
@@ -67,13 +67,8 @@ pub(super) fn cases(program: &[PathBuf], file: &Path, conditions: &Conditions) -
             let case = |test: Test| {
                 let ready = Arc::clone(&ready);
                 let full = format!("{name}: {}", test.name);
-                Case {
-                    name: full,
-                    file: Some(name.clone()),
-                    perhaps: None,
-                    scenario: None,
-                    run: Box::new(move |conditions| run(&ready, &test, conditions)),
-                }
+                let run = move |conditions: &Conditions| run(&ready, &test, conditions);
+                Case { file: Some(name.clone()), ..Case::new(full, Box::new(run)) }
             };
             tests.into_iter().map(case).collect()
         }
@@ -91,7 +86,7 @@ fn compile(program: &[PathBuf], file: &Path, conditions: &Conditions) -> Result<
     let overrides = Overrides { tests: true, counted: conditions.coverage.is_some(), ..conditions.overrides };
     let build = project.compile(overrides, false);
     if report::has_errors(&build.findings) {
-        return Err(Verdict::DoesNotCompile(report::render(&build.findings, &build.project.texts, false)));
+        return Err(Verdict::DoesNotCompile(report::parts(&build.findings, &build.project.texts)));
     }
     // A CPU type lives as long as the process; there are no more of them than test files.
     let cpu: &'static CpuType = Box::leak(Box::new(CpuType {
@@ -176,7 +171,11 @@ fn run(ready: &Ready, test: &Test, conditions: &Conditions) -> Outcome {
         None => Verdict::Passed,
         Some(wrong) => {
             let mut told = failed(build, test, &wrong, conditions);
-            told.lines.extend(again(ready, test, &wrong, limits, conditions));
+            // A test that has used up its time gets no second run.
+            let left = conditions.timeout.saturating_sub(watcher.begun.elapsed());
+            if !left.is_zero() {
+                told.lines.extend(again(ready, test, &wrong, limits, conditions, left));
+            }
             Verdict::Failed(Box::new(told))
         }
     };
@@ -188,7 +187,7 @@ fn run(ready: &Ready, test: &Test, conditions: &Conditions) -> Outcome {
 
 /// Runs a test that failed once more, in the interpreter, and says which statements wrote what its assertion reads; and draws the last
 /// scans.
-fn again(ready: &Ready, test: &Test, wrong: &runner::Wrong, limits: Limits, conditions: &Conditions) -> Vec<String> {
+fn again(ready: &Ready, test: &Test, wrong: &runner::Wrong, limits: Limits, conditions: &Conditions, timeout: Duration) -> Vec<String> {
     let signals = signals(ready, test, wrong);
     if signals.is_empty() {
         return Vec::new();
@@ -197,7 +196,7 @@ fn again(ready: &Ready, test: &Test, wrong: &runner::Wrong, limits: Limits, cond
     let code = Arc::new(build.compiled.program.clone());
     let loaded = Loaded::new(ready.cpu, code, Interpreter::load);
     let mut cpu = Cpu::new(loaded, controller::rack(&ready.build), ready.settings.clone());
-    let deadline = Deadline { begun: Instant::now(), timeout: conditions.timeout, counting: None };
+    let deadline = Deadline { begun: Instant::now(), timeout, counting: None };
     let names = signals.iter().map(name).collect();
     let trail = Recorder::new(names, Keep::Last(TRAIL), Origin::default(), Box::new(Memory::default())).ok();
     let mut watcher = Again { deadline, writers: Writers::new(&wrong.signals, &cpu), trail, scans: 0 };

@@ -26,7 +26,7 @@ use sieben_model::symbols::SymbolTable;
 use crate::compiled::Compiled;
 use crate::declarations::reuse::Layouts;
 use crate::declarations::system::{System, system};
-use crate::language::{Language, is_test_file};
+use crate::language::Language;
 use crate::library::Linked;
 use crate::options::Options;
 use crate::st;
@@ -161,7 +161,7 @@ impl Database {
             .zip(&self.files)
             .map(|((_, source), file)| match file.language {
                 // The text says which language it is, and it is the same.
-                Some(language) if !is_test_file(&source.name) => language,
+                Some(language) if !language.is_of_tests() => language,
                 _ => Language::of(&source.name, &source.text, self.options.dialect),
             })
             .collect();
@@ -169,11 +169,11 @@ impl Database {
         let mut first = None;
         for ((id, source), language) in self.sources.iter().zip(languages) {
             let language = match language {
-                Language::St(dialect) if is_test_file(&source.name) => Language::St(first.unwrap_or(dialect).for_tests()),
+                Language::St(dialect) if language.is_of_tests() => Language::St(first.unwrap_or(dialect).for_tests()),
                 other => other,
             };
             if let Language::St(dialect) = language
-                && (self.options.tests || !is_test_file(&source.name))
+                && (self.options.tests || !language.is_of_tests())
             {
                 first.get_or_insert(dialect);
             }

@@ -10,7 +10,7 @@ use sieben_model::source::{FileId, SourceFile, Span};
 
 use crate::codesys_files;
 use crate::declarations::reuse::Stamp;
-use crate::language::{Contradiction, Language, contradiction, is_test_file};
+use crate::language::{Contradiction, Language, contradiction};
 use crate::library::link::Mention;
 use crate::options::Options;
 use crate::st;
@@ -104,7 +104,7 @@ impl Syntax {
                 let parsed = stl::parser::parse(id, &source.text, options.mnemonics);
                 Self::of_stl(id, &source.text, parsed, before, stamps)
             }
-            Language::St(_) if is_test_file(&source.name) && !options.tests => {
+            Language::St(_) if language.is_of_tests() && !options.tests => {
                 let message = format!("`{}` is a test file, and tests are no part of a program", source.name);
                 let diagnostics = vec![Diagnostic::new(Problem::P6240, Span::new(id, 0, 0), message)];
                 Self { tree: Tree::Test, diagnostics, errors: Vec::new(), rest: 0 }

@@ -106,7 +106,7 @@ fn is_codesys(code: &str) -> bool {
     }
     // An argument follows a bracket or a comma: `RESET := TRUE;` is an assignment.
     let given = |names: &[&str]| words.windows(3).any(|part| matches!(part[0], "(" | ",") && names.contains(&part[1]) && part[2] == ":=");
-    if words.iter().any(|word| counter(word)) && given(&["RESET", "LOAD"]) && !given(&["R", "LD"]) {
+    if words.iter().any(counter) && given(&["RESET", "LOAD"]) && !given(&["R", "LD"]) {
         return true;
     }
     // `a, b : WORD` declares; what is given to `CV` and to shifts has to have such a type in all blocks of the file.

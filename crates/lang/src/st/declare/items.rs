@@ -158,6 +158,16 @@ fn numbered_anywhere(text: &str) -> Option<BlockId> {
 /// The input of an organization block that is TRUE in its first call after a restart.
 pub(super) const INITIAL_CALL: &str = "Initial_Call";
 
+/// The number of an organization block by its name alone: `OB1`, or a usual name such as `Main`.
+pub(crate) fn usual_organization_block(name: &str) -> Option<u16> {
+    let numbered = numbered_anywhere(name).filter(|id| id.kind == BlockKind::OrganizationBlock);
+    numbered.map(|id| id.number).or_else(|| usual_name(name))
+}
+
+fn usual_name(name: &str) -> Option<u16> {
+    NAMED_ORGANIZATION_BLOCKS.iter().find(|(usual, _)| usual.eq_ignore_ascii_case(name)).map(|&(_, number)| number)
+}
+
 /// Organization blocks that have a usual name and no number in their source.
 const NAMED_ORGANIZATION_BLOCKS: &[(&str, u16)] = &[
     ("Main", 1),
@@ -605,10 +615,8 @@ impl<'a> Collector<'a, '_> {
             return None;
         }
         let by_table = || self.scope.own_block(&name.text);
-        let fixed = numbered.or_else(by_table).or_else(|| {
-            let usual = NAMED_ORGANIZATION_BLOCKS.iter().find(|(usual, _)| usual.eq_ignore_ascii_case(&name.text));
-            usual.filter(|_| kind == BlockKind::OrganizationBlock).map(|&(_, number)| BlockId::ob(number))
-        });
+        let fixed =
+            numbered.or_else(by_table).or_else(|| usual_name(&name.text).filter(|_| kind == BlockKind::OrganizationBlock).map(BlockId::ob));
         let shown = if numbered.is_some() { String::new() } else { full };
         match fixed {
             Some(id) if id.kind != kind => {

@@ -44,7 +44,7 @@ use crate::declarations::types::{self as shared, BlockInterface, Declares, State
 pub(crate) use bodies::{Bodies, CheckedStatements, Told};
 pub(crate) use data::{fill, layouts};
 pub(crate) use environment::{Environment, Globals, Questions, environment, starting};
-pub(crate) use items::{Code, Items, collect};
+pub(crate) use items::{Code, Items, collect, usual_organization_block};
 pub(crate) use members::expand;
 pub(crate) use needed::{Demand, Needed, file as library_file};
 use programs::organization_blocks;
