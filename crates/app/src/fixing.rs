@@ -1,5 +1,6 @@
 //! Applies the fixes that diagnostics carry to the sources on the disk.
 
+use sieben_lang::codesys_files;
 use sieben_model::diagnostic::{Certainty, Fix};
 use sieben_model::source::{FileId, Sources};
 
@@ -12,7 +13,11 @@ use crate::rewriting;
 pub(crate) fn apply(build: &Build) -> Result<Vec<String>, Failure> {
     let mut done = Vec::new();
     for source in &build.project.sources {
-        let fixes = fixes(&build.findings, source.id);
+        let mut fixes = fixes(&build.findings, source.id);
+        // In a file that holds more than Structured Text a fix changes only that.
+        if let Some(read) = codesys_files::read(source.id, &source.path.to_string_lossy(), &source.decoded.text) {
+            fixes.retain(|fix| is_inside(&read.text, &source.decoded.text, fix));
+        }
         if fixes.is_empty() {
             continue;
         }
@@ -21,6 +26,13 @@ pub(crate) fn apply(build: &Build) -> Result<Vec<String>, Failure> {
         done.extend(fixes.iter().map(|fix| line(&build.project.texts.program, fix)));
     }
     Ok(done)
+}
+
+/// Whether what a fix replaces is Structured Text of the file, and it leaves the end of a CDATA section where it is.
+fn is_inside(read: &str, whole: &str, fix: &Fix) -> bool {
+    let (start, end) = (fix.span.start as usize, fix.span.end as usize);
+    let replaced = read.get(start..end);
+    replaced.is_some_and(|text| !text.trim().is_empty()) && replaced == whole.get(start..end) && !fix.replacement.contains("]]>")
 }
 
 /// The certain fixes of a file, in the order of the text, none inside another.

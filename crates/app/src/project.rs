@@ -190,7 +190,7 @@ impl Project {
         let nothing = !may_be_empty && self.findings.iter().any(empty);
         let compiled = match nothing {
             true => Compiled::default(),
-            false => sieben_lang::compile(&self.texts.program, &self.symbols, &options),
+            false => sieben_lang::dialects::compile(&self.texts.program, &self.symbols, &options),
         };
         compiled.add_library_sources(&mut self.texts.program);
         let mut findings = self.findings.clone();

@@ -3,10 +3,11 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use sieben_lang::codesys_files;
 use sieben_lang::encoding::{self, Encoding};
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
-use sieben_model::source::FileId;
+use sieben_model::source::{FileId, Span};
 
 use crate::failure::{Exit, Failure};
 use crate::project::{Project, SourceFile};
@@ -53,6 +54,11 @@ impl Rewriting {
         let mut findings = std::mem::take(&mut project.findings);
         let mut differing = false;
         for source in &project.sources {
+            if codesys_files::kind(&source.path.to_string_lossy(), &source.decoded.text).is_some() {
+                let message = "this file of CODESYS or TwinCAT holds more than the text of a source; it is left alone";
+                findings.push(Finding::program(Diagnostic::new(Problem::P6080, Span::new(source.id, 0, 0), message)));
+                continue;
+            }
             match rewrite(&project, source) {
                 Ok(text) => differing |= self.finish(source, &text)?,
                 Err(diagnostics) => {

@@ -768,6 +768,42 @@ fn check_fix_mends_what_can_mean_only_one_thing() {
 }
 
 #[test]
+fn files_of_twincat_are_checked_run_and_fixed_where_they_lie() {
+    let pou = |name: &str, declaration: &str, body: &str, members: &str| {
+        format!(
+            "<?xml version=\"1.0\" encoding=\"utf-8\"?>\r\n<TcPlcObject Version=\"1.1.0.1\">\r\n  <POU Name=\"{name}\">\r\n    <Declaration><![CDATA[{declaration}]]></Declaration>\r\n    \
+             <Implementation>\r\n      <ST><![CDATA[{body}]]></ST>\r\n    </Implementation>\r\n{members}  </POU>\r\n</TcPlcObject>\r\n"
+        )
+    };
+    let method = "    <Method Name=\"Twice\">\r\n      <Declaration><![CDATA[METHOD Twice : INT]]></Declaration>\r\n      <Implementation>\r\n        \
+        <ST><![CDATA[Twice := 2 * n;]]></ST>\r\n      </Implementation>\r\n    </Method>\r\n    <Action Name=\"Clear\">\r\n      <Implementation>\r\n        \
+        <ST><![CDATA[n := 0;]]></ST>\r\n      </Implementation>\r\n    </Action>\r\n";
+    let folder = Folder::with(&[]);
+    folder.write("FB_Pump.TcPOU", pou("FB_Pump", "FUNCTION_BLOCK FB_Pump\r\nVAR n : INT; END_VAR", "n := n + 1;", method).as_bytes());
+    let main = |sign: &str| pou("MAIN", "PROGRAM MAIN\r\nVAR p : FB_Pump; t : INT; END_VAR", &format!("p();\r\nt {sign} p.Twice();"), "");
+    folder.write("MAIN.TcPOU", main("=:").as_bytes());
+    folder.run(&["check", "."]).code(3).stderr("MAIN.TcPOU:8:3");
+    folder.run(&["check", "--fix", "."]).code(0).stdout("MAIN.TcPOU:8:3: wrote `:=` for `=:`");
+    assert_eq!(folder.read("MAIN.TcPOU"), main(":=").as_bytes());
+    folder.run(&["exec", ".", "--scans", "3", "--show", "MAIN.t"]).code(0).stdout("= 6");
+    folder.run(&["fmt", "--write", "."]).code(3).stderr("P6080");
+    assert_eq!(folder.read("MAIN.TcPOU"), main(":=").as_bytes());
+}
+
+#[test]
+fn an_error_in_a_judged_dialect_names_the_one_that_takes_the_program() {
+    let folder = Folder::with(&[]);
+    let source = "PROGRAM Main\nVAR n : INT; END_VAR\nIF n = 3 THEN\n  n := 4;\nEND_IF\nEND_PROGRAM\n";
+    folder.write("main.st", source.as_bytes());
+    folder.run(&["check", "main.st"]).code(3).stderr("P6053").stderr("`--dialect codesys` takes it.");
+    let chosen = folder.run(&["check", "main.st", "--dialect", "iec"]).code(3);
+    assert!(!chosen.stderr.contains("takes it"), "{}", chosen.stderr);
+    folder.write("main.st", source.replace("n := 4", "n := m").as_bytes());
+    let wrong = folder.run(&["check", "main.st"]).code(3);
+    assert!(!wrong.stderr.contains("takes it"), "{}", wrong.stderr);
+}
+
+#[test]
 fn exec_check_temp_names_what_was_read_without_a_value() {
     let program = "\
 FUNCTION FC 1 : VOID

@@ -1,10 +1,12 @@
 //! The table of languages, and which one a source is written in.
 
+mod content;
 pub mod role;
 
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
 
+use crate::codesys_files;
 use crate::st::dialect::Dialect;
 use crate::{st, stl};
 
@@ -59,6 +61,12 @@ pub const LANGUAGES: &[Row] = &[
             ending("iecst", Language::St(Dialect::Iec), true),
             ending("scl", Language::St(Dialect::Scl), true),
             ending("exp", Language::St(Dialect::Codesys), false),
+            ending("tcpou", Language::St(Dialect::Codesys), true),
+            ending("tcdut", Language::St(Dialect::Codesys), true),
+            ending("tcgvl", Language::St(Dialect::Codesys), true),
+            ending("tcio", Language::St(Dialect::Codesys), true),
+            ending("udt", Language::St(Dialect::Scl), false),
+            ending("db", Language::St(Dialect::Scl), false),
         ],
         format: |text, language, _| st::format(text, language.dialect().unwrap_or_default()),
         convert: |text, _, _| Ok(text.to_owned()),
@@ -70,42 +78,64 @@ fn found(ending: &str) -> Option<&'static Ending> {
     LANGUAGES.iter().flat_map(|row| row.endings).find(|known| known.ending.eq_ignore_ascii_case(ending))
 }
 
-/// Words that only one dialect writes, in upper case, each with the dialect that it shows for a file of another one.
-const MARKS: &[(&str, Dialect, Dialect)] = &[
-    ("S7_OPTIMIZED_ACCESS", Dialect::Scl, Dialect::Tia),
-    ("END_REGION", Dialect::Scl, Dialect::Tia),
-    ("INSTRUCTIONNAME", Dialect::Scl, Dialect::Tia),
-    ("VAR CONSTANT", Dialect::Scl, Dialect::Tia),
-    ("VAR RETAIN", Dialect::Scl, Dialect::Tia),
-    ("END_UNION", Dialect::Iec, Dialect::Codesys),
-    ("POINTER TO", Dialect::Iec, Dialect::Codesys),
-    ("REFERENCE TO", Dialect::Iec, Dialect::Codesys),
-    ("VAR_STAT", Dialect::Iec, Dialect::Codesys),
-    ("END_PROPERTY", Dialect::Iec, Dialect::Codesys),
-    ("{ATTRIBUTE", Dialect::Iec, Dialect::Codesys),
-    ("AND_THEN", Dialect::Iec, Dialect::Codesys),
-    ("OR_ELSE", Dialect::Iec, Dialect::Codesys),
-    ("PERSISTENT", Dialect::Iec, Dialect::Codesys),
-    ("__NEW", Dialect::Iec, Dialect::Codesys),
-    ("__TRY", Dialect::Iec, Dialect::Codesys),
-];
+/// Lines that a source whose name says another language has to have of its own language, and none of the other one.
+const LINES_AGAINST_NAME: usize = 2;
 
-/// Bytes of a source that are looked at to find its dialect.
-const LOOKED_AT: usize = 1 << 20;
+/// What is told of a source whose content is not what its name says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Contradiction {
+    /// The first bytes that show it, from and to.
+    pub place: (usize, usize),
+    /// What it is.
+    pub is: &'static str,
+    /// What its name says.
+    pub named: &'static str,
+}
+
+/// What a source is by its name alone; `None` if its ending is unknown.
+fn by_name(name: &str) -> Option<Language> {
+    let ending = name.rsplit(['/', '\\']).next().and_then(|file| file.rsplit_once('.')).map_or("", |(_, ending)| ending);
+    found(ending).map(|known| known.language)
+}
+
+/// Whether the content of a source is without doubt another language than its name says: it is read as what it is.
+pub fn contradiction(name: &str, text: &str) -> Option<Contradiction> {
+    if role::is_test(name, text) || codesys_files::kind(name, text).is_some() {
+        return None;
+    }
+    let lines = content::lines(text);
+    match by_name(name)? {
+        Language::Stl if lines.st >= LINES_AGAINST_NAME && lines.stl == 0 => {
+            Some(Contradiction { place: lines.first_st?, is: "Structured Text", named: "STL" })
+        }
+        Language::St(_) if lines.stl >= LINES_AGAINST_NAME && lines.st == 0 => {
+            Some(Contradiction { place: lines.first_stl?, is: "STL", named: "Structured Text" })
+        }
+        _ => None,
+    }
+}
 
 impl Language {
-    /// The language of a source by the ending of its name and what its text shows; `dialect` is what the user chose.
+    /// The language of a source by the ending of its name and by its content; `dialect` is what the user chose.
     pub fn of(name: &str, text: &str, dialect: Option<Dialect>) -> Self {
-        let ending = name.rsplit(['/', '\\']).next().and_then(|file| file.rsplit_once('.')).map_or("", |(_, ending)| ending);
-        let of_ending = found(ending).map_or(Self::Stl, |known| known.language);
-        match of_ending {
-            // Tests are written in ST, whatever their file is called.
-            _ if role::is_test(name, text) => {
-                let usual = of_ending.dialect().unwrap_or_default();
-                Self::St(dialect.unwrap_or_else(|| shown(text, usual)).for_tests())
+        let st = |usual: Dialect| dialect.unwrap_or_else(|| content::shown(text, usual));
+        // Tests are written in ST, whatever their file is called.
+        if role::is_test(name, text) {
+            let usual = by_name(name).and_then(Self::dialect).unwrap_or_default();
+            return Self::St(st(usual).for_tests());
+        }
+        if codesys_files::kind(name, text).is_some() {
+            return Self::St(dialect.unwrap_or(Dialect::Codesys));
+        }
+        match (by_name(name), contradiction(name, text)) {
+            (Some(Self::Stl), None) | (Some(Self::St(_)), Some(_)) => Self::Stl,
+            (Some(Self::St(usual)), None) => Self::St(st(usual)),
+            (Some(Self::Stl), Some(_)) => Self::St(st(content::usual(text))),
+            // The content of a file with another ending says what it is.
+            (None, _) => {
+                let lines = content::lines(text);
+                if lines.st > lines.stl { Self::St(st(content::usual(text))) } else { Self::Stl }
             }
-            Self::Stl => Self::Stl,
-            Self::St(usual) => Self::St(dialect.unwrap_or_else(|| shown(text, usual))),
         }
     }
 
@@ -130,52 +160,6 @@ impl Language {
     }
 }
 
-/// The dialect that a text shows, if it shows another one than the usual.
-fn shown(text: &str, usual: Dialect) -> Dialect {
-    let end = (0..=text.len().min(LOOKED_AT)).rev().find(|&end| text.is_char_boundary(end)).unwrap_or(0);
-    // Words are words however far apart they stand: a layout shows nothing.
-    let words: Vec<String> = without_comments(&text[..end]).split_whitespace().map(str::to_ascii_uppercase).collect();
-    let code = words.join(" ");
-    if usual == Dialect::Scl && quotes_locals(&code) {
-        return Dialect::Tia;
-    }
-    MARKS.iter().find(|&&(mark, of, _)| of == usual && code.contains(mark)).map_or(usual, |&(_, _, dialect)| dialect)
-}
-
-/// Whether `#name` stands there, or a block whose name is quoted: TIA writes them.
-fn quotes_locals(code: &str) -> bool {
-    let local = code.match_indices('#').any(|(at, _)| {
-        let before = code[..at].chars().next_back();
-        let behind = code[at + 1..].chars().next();
-        !before.is_some_and(|c| c.is_alphanumeric() || c == '_') && behind.is_some_and(|c| c.is_alphabetic() || c == '_' || c == '"')
-    });
-    let quoted = ["FUNCTION_BLOCK \"", "FUNCTION \"", "ORGANIZATION_BLOCK \"", "DATA_BLOCK \"", "TYPE \""].iter();
-    local || quoted.into_iter().any(|header| code.contains(header))
-}
-
-/// The text without comments and without what stands between apostrophes.
-fn without_comments(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some(c) = rest.chars().next() {
-        let skipped = if rest.starts_with("(*") {
-            rest.find("*)").map_or(rest.len(), |end| end + 2)
-        } else if rest.starts_with("//") {
-            rest.find('\n').unwrap_or(rest.len())
-        } else if c == '\'' {
-            let line = rest.find('\n').unwrap_or(rest.len());
-            rest[1..line.max(1)].find('\'').map_or(line.max(1), |end| end + 2)
-        } else {
-            out.push(c);
-            rest = &rest[c.len_utf8()..];
-            continue;
-        };
-        out.push(' ');
-        rest = &rest[skipped.min(rest.len())..];
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -185,7 +169,36 @@ mod tests {
         let st = Language::St;
         for (name, text, dialect, expected) in [
             ("a.awl", "x := 1;", None, Language::Stl),
-            ("noending", "x := 1;", Some(Dialect::Scl), Language::Stl),
+            ("noending", "U E 0.0\n= A 4.0", Some(Dialect::Scl), Language::Stl),
+            ("noending", "x := 1;", Some(Dialect::Scl), st(Dialect::Scl)),
+            ("a.txt", "FUNCTION F : INT\nF := 1;\nEND_FUNCTION", None, st(Dialect::Iec)),
+            ("a.txt", "FUNCTION FC1 : INT\nBEGIN\nFC1 := 1;\nEND_FUNCTION", None, st(Dialect::Scl)),
+            ("a.txt", "FUNCTION \"F\" : Int\nBEGIN\n#F := 1;\nEND_FUNCTION", None, st(Dialect::Tia)),
+            (
+                "a.txt",
+                "FUNCTION FC 1 : VOID\nVAR_INPUT\nx : INT;\nEND_VAR\nBEGIN\nCALL FC 2 (\na := 1);\nM1: L #x;\nEND_FUNCTION",
+                None,
+                Language::Stl,
+            ),
+            ("a.udt", "TYPE \"T\"\nVERSION : 0.1\nSTRUCT\na : Int;\nEND_STRUCT;\nEND_TYPE", None, st(Dialect::Tia)),
+            ("a.awl", "FUNCTION FC1 : INT\nBEGIN\nIF x THEN\nFC1 := 1;\nEND_IF;\nEND_FUNCTION", None, st(Dialect::Scl)),
+            ("a.st", "FUNCTION FC 1 : VOID\nBEGIN\nU E 0.0;\n= A 4.0;\nEND_FUNCTION", None, Language::Stl),
+            ("a.st", "FUNCTION_BLOCK F\nCU(a);\nCD(b);\nEND_FUNCTION_BLOCK", None, st(Dialect::Iec)),
+            ("a.st", "FUNCTION FC 1 : VOID\nBEGIN\nU(;\nO E 0.1;\n);\n= A 4.0;\nEND_FUNCTION", None, Language::Stl),
+            ("a.scl", "(* U E 0.0\n= A 4.0 *) x := 1;", None, st(Dialect::Scl)),
+            ("a.st", "PROGRAM PLC_PRG\nEND_PROGRAM", None, st(Dialect::Codesys)),
+            ("a.st", "VAR c : CTU; END_VAR c(CU := x, RESET:=y);", None, st(Dialect::Codesys)),
+            ("a.st", "VAR c : CTU; reset : BOOL; END_VAR reset := TRUE; c(CU := x, R := reset);", None, st(Dialect::Iec)),
+            ("a.st", "VAR n : INT; END_VAR VAR n : DWORD; END_VAR n := SHR(n, 3);", None, st(Dialect::Iec)),
+            ("a.st", "VAR c : CTU; n, m : WORD; END_VAR c(CU := x, CV => n);", None, st(Dialect::Codesys)),
+            ("a.st", "VAR c : CTU; n, m : INT; END_VAR c(CU := x, CV => n);", None, st(Dialect::Iec)),
+            ("a.st", "VAR n : DINT; END_VAR n := SHR(n, 3);", None, st(Dialect::Codesys)),
+            ("a.st", "VAR n : DWORD; END_VAR n := SHR(n, 3);", None, st(Dialect::Iec)),
+            ("a.st", "FUNCTION_BLOCK \"Motor\"", None, st(Dialect::Tia)),
+            ("a.st", "#n := INT#3;", None, st(Dialect::Tia)),
+            ("a.st", "c := Color#Red; d := 16#FF;", None, st(Dialect::Iec)),
+            ("a.TcPOU", "<TcPlcObject/>", None, st(Dialect::Codesys)),
+            ("a.txt", "(* @NESTEDCOMMENTS := 'Yes' *)", None, st(Dialect::Codesys)),
             ("dir.st/a.stl", "", None, Language::Stl),
             ("a.ST", "x := 1;", None, st(Dialect::Iec)),
             ("a.st", "VAR p : POINTER TO INT; END_VAR", None, st(Dialect::Codesys)),

@@ -49,12 +49,14 @@ pub struct Diagnostic {
     pub fix: Option<Fix>,
     /// Other places that belong to it, with a word each.
     pub related: Vec<(Span, String)>,
+    /// Whether another file may define what is missing here: one file alone does not tell.
+    pub may_be_elsewhere: bool,
 }
 
 impl Diagnostic {
     /// A diagnostic without help, fix or related places.
     pub fn new(problem: Problem, span: Span, message: impl Into<String>) -> Self {
-        Self { problem, message: message.into(), span, help: None, fix: None, related: Vec::new() }
+        Self { problem, message: message.into(), span, help: None, fix: None, related: Vec::new(), may_be_elsewhere: false }
     }
     /// Adds what to do.
     #[must_use]
@@ -78,6 +80,12 @@ impl Diagnostic {
     #[must_use]
     pub fn related(mut self, span: Span, word: impl Into<String>) -> Self {
         self.related.push((span, word.into()));
+        self
+    }
+    /// Says that another file may define what is missing.
+    #[must_use]
+    pub fn elsewhere(mut self) -> Self {
+        self.may_be_elsewhere = true;
         self
     }
     /// Error or warning.

@@ -231,6 +231,12 @@ problems! {
     P6072 Error "a folder with several programs where one is wanted" "Name the files of one of them instead of the folder.";
     P6073 Warning "a test file that belongs to no program" "Call it like the program that it tests: `ue1.test.st` for `ue1.awl`.";
     P6075 Error "a folder with too much to read for all its programs" "Name its sub-folders one by one, or put what belongs together into projects with a `sieben.toml`.";
+    P6076 Warning "a source in another language than its name says" "Rename the file: `.awl` or `.stl` for STL, `.st` or `.scl` for Structured Text; it was read as what it holds.";
+    P6077 Error "a file of TwinCAT that is not XML" "Save the object in TwinCAT again; such a file has neither DTD nor entities of its own.";
+    P6078 Error "a body that is a diagram" "Write the body in Structured Text; its declaration was read.";
+    P6079 Error "a file of TwinCAT that holds nothing to read" "Name files with a POU, an interface, a type or a list of global variables.";
+    P6080 Error "a file that holds more than the text of a source" "Lay it out or convert it in the tool that wrote it; `sieben check --fix` changes such files in place.";
+
     P6101 Error "a symbol that stands twice in the table" "Rename or delete one of the two rows; case does not distinguish symbols.";
     P6102 Warning "an address with two symbols" "Keep the symbol that the program uses.";
     P6103 Error "an address in the symbol table that is not understood" "Write it as in a program, in either mnemonic language: `I 0.0`, `QW 4`, `T 1`, `DB 5`.";

@@ -44,6 +44,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "cpu-retain", fuzz: retain, corpus: "retain", fences: &[], words: no_words },
     Target { name: "cpu-system", fuzz: sieben_cpu::system::fuzz, corpus: "system", fences: &[], words: no_words },
     Target { name: "lang-awlsim-project", fuzz: sieben_lang::awlsim_project::fuzz, corpus: "awlpro", fences: &[], words: project_words },
+    Target { name: "lang-codesys-files", fuzz: sieben_lang::codesys_files::fuzz, corpus: "codesys", fences: &[], words: twincat_words },
     Target { name: "lang-encoding", fuzz: encoding, corpus: "encoding", fences: &[], words: no_words },
     Target { name: "lang-st", fuzz: sieben_lang::st::fuzz, corpus: "st", fences: &["st"], words: st_words },
     Target { name: "lang-stl", fuzz: sieben_lang::stl::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
@@ -276,6 +277,38 @@ fn scenario_words() -> Vec<&'static str> {
         "known-gap \"why\"",
         "ACCU1=",
         "DB1.DBD4=1.5",
+    ]
+}
+
+fn twincat_words() -> Vec<&'static str> {
+    vec![
+        "<TcPlcObject>",
+        "</TcPlcObject>",
+        "<POU Name=\"A\">",
+        "</POU>",
+        "<Declaration>",
+        "</Declaration>",
+        "<Implementation>",
+        "</Implementation>",
+        "<ST>",
+        "</ST>",
+        "<NWL/>",
+        "<![CDATA[",
+        "]]>",
+        "<Method Name=\"M\">",
+        "</Method>",
+        "<Property Name=\"P\">",
+        "</Property>",
+        "<Get>",
+        "</Get>",
+        "<Action Name=\"A\">",
+        "</Action>",
+        "FUNCTION_BLOCK A",
+        "(* @NESTEDCOMMENTS := 'Yes' *)",
+        "_FBD_BODY",
+        "LIBRARY",
+        "END_LIBRARY",
+        "END_PROGRAM",
     ]
 }
 

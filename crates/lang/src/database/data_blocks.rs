@@ -52,7 +52,7 @@ pub(super) fn missing_instances(
         data.insert(number, DataLayout { structure: instance.clone(), based_on: Some(callee) });
         generated.push(number);
         let message = format!("`DB {number}` has no source; it is made as an instance of `{callee}`");
-        diagnostics.push(Diagnostic::new(Problem::P3014, span, message));
+        diagnostics.push(Diagnostic::new(Problem::P3014, span, message).elsewhere());
     }
     generated.sort_unstable();
     generated

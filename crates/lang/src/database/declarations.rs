@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
+use sieben_model::address::Operand;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::{Diagnostic, Severity};
@@ -30,6 +31,9 @@ use crate::stl::declare::Blocks;
 use crate::stl::declare::data_block::layout;
 use crate::stl::declare::path::FieldNames;
 use crate::stl::extension;
+
+/// The greatest number of an organization block.
+const LAST_ORGANIZATION_BLOCK: u16 = 122;
 
 /// What all declarations are made of.
 pub(super) struct Parts<'a> {
@@ -73,14 +77,17 @@ impl<'a> Names<'a> {
         let mut scope = Scope::new(parts.symbols, &options.system_blocks);
         scope.tells_lost = options.tells_lost;
         scope.extended = options.extended;
-        let blocks = stl.flat_map(|(file, syntax)| Found::all(file, syntax));
-        let found = find_blocks(blocks, &scope, &cpu, options.replacing, diagnostics);
+        let blocks: Vec<Found<'_>> = stl.flat_map(|(file, syntax)| Found::all(file, syntax)).collect();
+        if options.syntax_only {
+            number_named(&blocks, &mut scope, &cpu);
+        }
+        let found = find_blocks(blocks.into_iter(), &scope, &cpu, options.replacing, diagnostics);
         let mut taken: HashMap<BlockId, Span> = found.iter().map(|found| (found.id, found.block.name.span())).collect();
         let items = collect(parts.st, &mut scope, &cpu, options.replacing, &mut taken, diagnostics);
         let defined: HashSet<BlockId> = taken.keys().copied().collect();
-        // One file alone does not tell whether another one defines the block.
-        let selection = Selection { enabled: options.library.enabled && !options.syntax_only, ..options.library.clone() };
-        let mentions = found.iter().flat_map(|found| found.mentions);
+        // One file alone does not tell whether another one defines a block that STL names; what a dialect of ST brings along is always there.
+        let selection = Selection { enabled: options.library.enabled || options.syntax_only, ..options.library.clone() };
+        let mentions = found.iter().filter(|_| !options.syntax_only).flat_map(|found| found.mentions);
         let links = link(mentions, &parts.needed.blocks, &defined, &mut scope, &selection, &cpu);
         let mut names = Self { scope, cpu, items, links, found, blocks: HashMap::new(), system: parts.system, surroundings: 0 };
         names.surroundings = names.hash(parts);
@@ -198,6 +205,40 @@ pub(super) struct Declared {
 impl Declared {
     fn is_wrong(&self) -> bool {
         self.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error)
+    }
+}
+
+/// Gives the blocks a number whose symbols stand in a table that one file alone does not have: they are looked at like any other.
+fn number_named(blocks: &[Found<'_>], scope: &mut Scope, cpu: &CpuType) {
+    let of_blocks = blocks.iter().filter_map(|found| match &found.block.name {
+        ast::BlockName::Absolute { kind, number, .. } => Some(BlockId::new(*kind, u16::try_from(*number).ok()?)),
+        ast::BlockName::Symbol(_) => None,
+    });
+    let of_scope = scope.operands().filter_map(|operand| match operand {
+        Operand::Block(id) => Some(id),
+        _ => None,
+    });
+    let taken: HashSet<BlockId> = of_blocks.chain(of_scope).collect();
+    let free = |kind: BlockKind| -> Vec<BlockId> {
+        let last = match kind {
+            BlockKind::OrganizationBlock => LAST_ORGANIZATION_BLOCK,
+            BlockKind::DataBlock => cpu.db_number_max,
+            _ => cpu.fc_number_max,
+        };
+        let can_be = |id: &BlockId| !taken.contains(id) && (kind != BlockKind::OrganizationBlock || cpu.has_organization_block(id.number));
+        // The lowest ones are handed out last.
+        (1..=last).map(|number| BlockId::new(kind, number)).filter(can_be).collect()
+    };
+    let mut numbers: HashMap<BlockKind, Vec<BlockId>> = HashMap::new();
+    for found in blocks {
+        let ast::BlockName::Symbol(word) = &found.block.name else { continue };
+        if word.text.is_empty() || scope.global(&word.text).is_some() {
+            continue;
+        }
+        let kind = found.block.kind;
+        if let Some(id) = numbers.entry(kind).or_insert_with(|| free(kind)).pop() {
+            scope.define_block(&word.text, &word.text, id);
+        }
     }
 }
 

@@ -69,7 +69,8 @@ pub(super) fn find_blocks<'a>(
                     ast::BlockName::Symbol(_) => Problem::P3003,
                     ast::BlockName::Absolute { .. } => Problem::P5003,
                 };
-                diagnostics.push(Diagnostic::new(problem, span, message));
+                let diagnostic = Diagnostic::new(problem, span, message);
+                diagnostics.push(if problem == Problem::P3003 { diagnostic.elsewhere() } else { diagnostic });
                 continue;
             }
         };

@@ -8,8 +8,9 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, SourceFile, Span};
 
+use crate::codesys_files;
 use crate::declarations::reuse::Stamp;
-use crate::language::Language;
+use crate::language::{Contradiction, Language, contradiction};
 use crate::library::link::Mention;
 use crate::options::Options;
 use crate::st;
@@ -80,6 +81,24 @@ impl Syntax {
         before: Option<&Self>,
         stamps: &mut Stamps,
     ) -> Self {
+        let mut syntax = Self::of_language(id, source, language, options, before, stamps);
+        if let Some(Contradiction { place: (start, end), is, named }) = contradiction(&source.name, &source.text) {
+            let name = source.name.rsplit(['/', '\\']).next().unwrap_or_default();
+            let message =
+                format!("`{name}` is read as {is}, though its name says {named}: this is a line of {is}, and no line is one of {named}");
+            syntax.diagnostics.push(Diagnostic::new(Problem::P6076, Span::new(id, start as u32, end as u32), message));
+        }
+        syntax
+    }
+
+    fn of_language(
+        id: FileId,
+        source: &SourceFile,
+        language: Language,
+        options: &Options,
+        before: Option<&Self>,
+        stamps: &mut Stamps,
+    ) -> Self {
         match language {
             Language::Stl => {
                 let parsed = stl::parser::parse(id, &source.text, options.mnemonics);
@@ -91,13 +110,17 @@ impl Syntax {
                 Self { tree: Tree::Test, diagnostics, errors: Vec::new(), rest: 0 }
             }
             Language::St(dialect) => {
-                let mut parsed = st::parser::parse(id, &source.text, dialect);
-                let untold = Untold::of(id, &parsed, &source.text);
+                let read = codesys_files::read(id, &source.name, &source.text);
+                let text = read.as_ref().map_or(&source.text, |read| &read.text);
+                let mut parsed = st::parser::parse(id, text, dialect);
+                let untold = Untold::of(id, &parsed, text);
                 if dialect == Dialect::Codesys {
                     st::declare::name_lists(&mut parsed.file, &source.name);
                 }
                 let file = StFile { dialect, file: Arc::new(st::declare::expand(parsed.file)), library: None, stamps: Arc::from([]) };
-                Self::of_st(&source.text, file, untold, parsed.diagnostics, before, stamps)
+                let mut diagnostics = parsed.diagnostics;
+                diagnostics.extend(read.iter().flat_map(|read| read.diagnostics.iter().cloned()));
+                Self::of_st(text, file, untold, diagnostics, before, stamps)
             }
         }
     }

@@ -97,7 +97,7 @@ impl Revision<'_> {
             }
         }
         if self.options.syntax_only {
-            diagnostics.retain(|diagnostic| !needs_other_files(diagnostic.problem));
+            diagnostics.retain(|diagnostic| !diagnostic.may_be_elsewhere);
         }
         diagnostics.retain(|diagnostic| self.untold.lets_through(diagnostic, self.sources));
         settle(&mut diagnostics);
@@ -134,7 +134,7 @@ impl Revision<'_> {
         }
         let stl = names.found.iter().find(|found| !compiled.is_of_library(found.id)).map(|found| found.block.name.span());
         let place = stl.or_else(|| names.items.code.values().next().map(|code| code.block.name.span)).unwrap_or_default();
-        Some(Diagnostic::new(Problem::P3013, place, "there is no OB 1, so nothing runs in the cycle"))
+        Some(Diagnostic::new(Problem::P3013, place, "there is no OB 1, so nothing runs in the cycle").elsewhere())
     }
 }
 
@@ -194,21 +194,6 @@ fn settle(diagnostics: &mut Vec<Diagnostic>) {
     let of_signs = diagnostics.iter().filter(|one| one.problem == Problem::P2007);
     let settled: HashSet<_> = of_signs.filter(|one| certainty(one) == Some(Certainty::Certain)).map(|one| one.span).collect();
     diagnostics.retain(|one| one.problem != Problem::P2007 || certainty(one) != Some(Certainty::Guess) || !settled.contains(&one.span));
-}
-
-/// Problems that may come of files that were not given.
-fn needs_other_files(problem: Problem) -> bool {
-    matches!(
-        problem,
-        Problem::P3003
-            | Problem::P3008
-            | Problem::P3013
-            | Problem::P3014
-            | Problem::P3015
-            | Problem::P3018
-            | Problem::P3020
-            | Problem::P3021
-    )
 }
 
 /// Names of blocks for display: their symbols, else the NAME of their header.

@@ -97,8 +97,9 @@ impl<'a, K: Knows> Types<'a, K> {
                 return structure;
             }
         }
-        self.report(Problem::P3015, span, format!("`{id}` does not exist")).help =
-            Some(format!("Add its source: `TYPE {id} STRUCT … END_STRUCT; END_TYPE`."));
+        let diagnostic = self.report(Problem::P3015, span, format!("`{id}` does not exist"));
+        diagnostic.may_be_elsewhere = true;
+        diagnostic.help = Some(format!("Add its source: `TYPE {id} STRUCT … END_STRUCT; END_TYPE`."));
         None
     }
 
@@ -224,7 +225,7 @@ impl<'a, K: Knows> Types<'a, K> {
             BlockKind::UserDefinedType => self.udt(block.number, span).map(DataType::Struct),
             BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock => {
                 if !self.exists(block) {
-                    self.report(Problem::P3008, span, format!("`{block}` does not exist"));
+                    self.report(Problem::P3008, span, format!("`{block}` does not exist")).may_be_elsewhere = true;
                     return None;
                 }
                 let structure = self.interface(block, span)?.instance;

@@ -4,6 +4,7 @@ use sieben_model::block::BlockKind;
 use sieben_model::source::FileId;
 
 use super::Language;
+use crate::codesys_files;
 use crate::st::ast::{self, Item};
 use crate::st::{declare::usual_organization_block, dialect::Dialect};
 use crate::stl::ast::BlockName;
@@ -110,7 +111,10 @@ impl Role {
     pub fn of(name: &str, text: &str, dialect: Option<Dialect>) -> Self {
         match Language::of(name, text, dialect) {
             Language::Stl => Self::of_stl(text),
-            Language::St(dialect) => Self::of_st(text, dialect),
+            Language::St(dialect) => match codesys_files::read(FileId(0), name, text) {
+                Some(read) => Self::of_st(&read.text, dialect),
+                None => Self::of_st(text, dialect),
+            },
         }
     }
 

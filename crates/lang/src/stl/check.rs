@@ -376,7 +376,7 @@ fn calls(known: &Known<'_>, statement: &Statement, diagnostics: &mut Vec<Diagnos
             BlockKind::DataBlock => format!("`{id}` does not exist; the statement fails unless the program creates it"),
             _ => format!("`{id}` does not exist; the call fails at run time"),
         };
-        diagnostics.push(Diagnostic::new(Problem::P3018, statement.span(), message));
+        diagnostics.push(Diagnostic::new(Problem::P3018, statement.span(), message).elsewhere());
         return;
     }
     if kind == BlockKind::DataBlock {

@@ -359,7 +359,7 @@ impl Checker<'_> {
         let Some(Entity::Block(data)) =
             self.names.global(&name.text).filter(|found| matches!(found, Entity::Block(block) if block.kind == BlockKind::DataBlock))
         else {
-            self.report(Problem::P3008, name.span, format!("`{}` is not a data block of the project", name.text));
+            self.report(Problem::P3008, name.span, format!("`{}` is not a data block of the project", name.text)).may_be_elsewhere = true;
             return Called::Nothing;
         };
         let Some(target) = self.data_block(data, name.span) else { return Called::Nothing };
@@ -478,7 +478,8 @@ impl Checker<'_> {
                 self.called.insert(block);
             }
             None => {
-                self.report(Problem::P3008, span, format!("the block `{}` does not exist", self.names.block_name(block)));
+                self.report(Problem::P3008, span, format!("the block `{}` does not exist", self.names.block_name(block)))
+                    .may_be_elsewhere = true;
             }
         }
         found
@@ -571,6 +572,7 @@ impl Checker<'_> {
             return None;
         }
         let function = callee.is_function();
+        let told = self.diagnostics.len();
         let mut all = Arguments::new(interface, self.written_out(&callee, &call.callee));
         if self.names.is_of_library(callee.block()) {
             all.formals.retain(|formal| !formal.name.ends_with(OF_ANOTHER));
@@ -631,6 +633,12 @@ impl Checker<'_> {
             sound &= self.argument(formal, argument, value, &mut all);
         }
         sound &= self.omitted(&callee, call, &mut all, span);
+        // A block of the S7 library is no word of the dialect: another file may have a function of that name.
+        let is_word = |linked: &crate::library::LibraryBlock| crate::st::standard::catalogue::page(linked.name).is_some();
+        let elsewhere = self.names.linked(callee.block()).is_some_and(|linked| !is_word(linked));
+        if function && elsewhere && !self.dialect.switches().numbered_blocks {
+            self.diagnostics.iter_mut().skip(told).for_each(|diagnostic| diagnostic.may_be_elsewhere = true);
+        }
         let result = interface
             .variables
             .iter()

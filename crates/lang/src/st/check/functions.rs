@@ -94,7 +94,9 @@ impl Checker<'_> {
                 let message = format!("there is no function `{}`", name.text);
                 if standard::catalogue::page(&name.text).is_some() {
                     let title = self.dialect.title();
-                    self.report(Problem::P3008, name.span, message).help = Some(format!(
+                    let diagnostic = self.report(Problem::P3008, name.span, message);
+                    diagnostic.may_be_elsewhere = true;
+                    diagnostic.help = Some(format!(
                         "{title} does not have it; `sieben explain {}` says which dialects have it and what the others take.",
                         name.text.to_ascii_uppercase()
                     ));
@@ -102,6 +104,7 @@ impl Checker<'_> {
                 }
                 let nearest = self.nearest_function(&name.text);
                 let diagnostic = self.report(Problem::P3008, name.span, message);
+                diagnostic.may_be_elsewhere = true;
                 diagnostic.help = Some(
                     "Correct the name, or add the source of the function; `sieben explain functions` lists those that need none."
                         .to_owned(),

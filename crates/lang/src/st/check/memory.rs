@@ -205,7 +205,7 @@ impl Checker<'_> {
         if let (None, ValueKind::Constant(number)) = (known, &db_value.kind)
             && self.names.data_block(*number as u16).is_none()
         {
-            self.report(Problem::P3008, db.span, format!("the data block DB {number} does not exist"));
+            self.report(Problem::P3008, db.span, format!("the data block DB {number} does not exist")).may_be_elsewhere = true;
             return None;
         }
         Some(Somewhere::Known(place(base(known))))

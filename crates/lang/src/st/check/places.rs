@@ -166,6 +166,7 @@ impl Checker<'_> {
             Quoting::Bare | Quoting::Backquoted => format!("`{}` is not declared", name.text),
         };
         let diagnostic = self.report(Problem::P3001, name.span, message);
+        diagnostic.may_be_elsewhere = name.quoting != Quoting::Local;
         if let Some(nearest) = nearest {
             let written = match name.quoting {
                 Quoting::Local => format!("#{nearest}"),
@@ -258,11 +259,12 @@ impl Checker<'_> {
             [single] => self.names.local(single).filter(|found| matches!(found, Entity::Type(_))).or_else(|| self.names.global(single)),
             _ => self.names.qualified(&names),
         };
+        let unknown = found.is_none();
         match found {
             Some(Entity::Type(data_type)) => self.value_in(&data_type, value),
             _ => {
                 let message = format!("`{}` is not the name of an enumeration", names.join("."));
-                self.report(Problem::P3015, of.span, message);
+                self.report(Problem::P3015, of.span, message).may_be_elsewhere = unknown;
                 POISON
             }
         }
@@ -317,7 +319,7 @@ impl Checker<'_> {
                     Some(entity) => self.entity(entity, &Name { span, ..name.clone() }),
                     None => {
                         let message = format!("`{}` has nothing of the name `{}`", path[..path.len() - 1].join("."), name.text);
-                        self.report(Problem::P3001, name.span, message);
+                        self.report(Problem::P3001, name.span, message).may_be_elsewhere = true;
                         POISON
                     }
                 }
@@ -355,7 +357,7 @@ impl Checker<'_> {
                 true => format!("the data block {number} does not exist"),
                 false => format!("the data block `{name}` does not exist, or its declaration has a mistake"),
             };
-            self.report(Problem::P3008, span, message);
+            self.report(Problem::P3008, span, message).may_be_elsewhere = true;
             return None;
         };
         let place = Place { base: Base::DataBlock(block.number), offset: 0, indexes: Vec::new(), span };
@@ -439,7 +441,12 @@ impl Checker<'_> {
             return self.slice_of(target, &slice, span);
         }
         let message = format!("`{}` is {} and has no field `{}`", target.name, self.words(&target.data_type), name.text);
-        self.report(Problem::P4010, name.span, message);
+        // A constant of another file may be the number of a bit.
+        let elsewhere = bits
+            && self.dialect.judge(Construct::BitByNumber) != crate::st::dialect::Judgement::Reject
+            && self.names.local(&name.text).is_none()
+            && self.names.global(&name.text).is_none();
+        self.report(Problem::P4010, name.span, message).may_be_elsewhere = elsewhere;
         POISON
     }
 

@@ -117,7 +117,7 @@ pub(super) fn rootless(types: &mut Types<'_>, items: &Items<'_>) {
     for entry in entries(items) {
         if root(items, &entry.path).is_none() {
             let message = format!("`{}` begins with no instance of a PROGRAM", entry.shown());
-            types.report(Problem::P6311, entry.span(), message);
+            types.report(Problem::P6311, entry.span(), message).may_be_elsewhere = true;
         }
     }
 }
@@ -132,8 +132,9 @@ impl Resolver<'_, '_> {
         }
         if !std::mem::replace(&mut self.types.known.unlinked, true) {
             let message = "no VAR_CONFIG tells this address: the variable is memory of its own";
-            self.report(Problem::P6330, span, message).help =
-                Some("Write the address, as in `AT %IX0.0`; other variables of the program are not listed.".to_owned());
+            let diagnostic = self.report(Problem::P6330, span, message);
+            diagnostic.may_be_elsewhere = true;
+            diagnostic.help = Some("Write the address, as in `AT %IX0.0`; other variables of the program are not listed.".to_owned());
         }
         None
     }
@@ -161,7 +162,9 @@ pub(super) fn configured<'a>(types: &mut Types<'a>, items: &'a Items<'a>, number
                 open.example(),
                 describe(&open.data_type)
             );
-            types.report(Problem::P6310, span, message).help = Some(help);
+            let diagnostic = types.report(Problem::P6310, span, message);
+            diagnostic.may_be_elsewhere = true;
+            diagnostic.help = Some(help);
         }
     }
     data

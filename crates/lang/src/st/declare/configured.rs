@@ -72,7 +72,7 @@ impl<'a> Environment<'a> {
                     let wanted = key(&joined(&instance.program));
                     if !self.items.programs.iter().any(|program| key(&program.of) == wanted) {
                         let message = format!("there is no PROGRAM `{}`", joined(&instance.program));
-                        bodies.diagnostics.push(Diagnostic::new(Problem::P3008, instance.program.span, message));
+                        bodies.diagnostics.push(Diagnostic::new(Problem::P3008, instance.program.span, message).elsewhere());
                         continue;
                     }
                     let program = name(&instance.name.text, instance.name.span);

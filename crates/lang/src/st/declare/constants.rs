@@ -13,6 +13,9 @@ use crate::st::check::names::{Constant, Entity};
 /// Nanoseconds of a millisecond, in which durations without `L` count.
 const MILLISECOND: i64 = 1_000_000;
 
+/// What is said of an expression that is not constant.
+const NOT_CONSTANT: &str = "this must be known when the program is compiled: a constant, or an expression of constants";
+
 impl Resolver<'_, '_> {
     /// The value of a constant expression; `None` if it has none, which is reported.
     pub(super) fn constant(&mut self, expression: &Expression) -> Option<Constant> {
@@ -52,7 +55,7 @@ impl Resolver<'_, '_> {
     }
 
     fn not_constant<T>(&mut self, span: Span) -> Option<T> {
-        self.report(Problem::P6122, span, "this must be known when the program is compiled: a constant, or an expression of constants");
+        self.report(Problem::P6122, span, NOT_CONSTANT);
         None
     }
 
@@ -93,7 +96,7 @@ impl Resolver<'_, '_> {
         }
         let nearest = self.types.scope.nearest(&name.text, self.constant_names().into_iter());
         let message = format!("there is no constant `{}`{}", name.text, did_you_mean(nearest));
-        self.report(Problem::P6122, name.span, message);
+        self.report(Problem::P6122, name.span, message).may_be_elsewhere = true;
         None
     }
 
@@ -109,7 +112,8 @@ impl Resolver<'_, '_> {
         if items.globals.contains_key(&full) {
             return self.global_constant(&full, span);
         }
-        self.not_constant(span)
+        self.report(Problem::P6122, span, NOT_CONSTANT).may_be_elsewhere = true;
+        None
     }
 
     /// A value of an enumeration.
@@ -316,6 +320,8 @@ impl Resolver<'_, '_> {
                 let value = LiteralKind::Integer { value: *value, radix: 10 };
                 return Some(Some(Constant { value, data_type: Some(data_type.clone()) }));
             }
+            // What its declaration is, nobody knows; that was told there.
+            Some(Entity::Variable(variable)) if variable.data_type == DataType::Void => return Some(None),
             Some(_) => return Some(self.not_constant(span)),
             None => {}
         }

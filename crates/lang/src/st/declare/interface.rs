@@ -698,7 +698,7 @@ impl<'a> Sections<'_, 'a> {
                 let items = self.resolver.items;
                 let Some(&(list, global)) = items.globals.get(&key(&name.text)) else {
                     let message = format!("there is no global variable `{}`", name.text);
-                    self.resolver.report(Problem::P3001, name.span, message);
+                    self.resolver.report(Problem::P3001, name.span, message).may_be_elsewhere = true;
                     self.resolver.names.insert(key(&name.text), unknown(name));
                     continue;
                 };
@@ -726,7 +726,8 @@ impl<'a> Sections<'_, 'a> {
         let Some(written) = &code.block.result else { return };
         let Some((data_type, initial)) = self.resolver.type_and_initial(written) else {
             self.partial = true;
-            self.resolver.names.insert(key(&code.block.name.text), unknown(&code.block.name));
+            let name = code.block.member.as_ref().map_or(&code.block.name, |member| &member.name);
+            self.resolver.names.insert(key(&name.text), unknown(name));
             return;
         };
         if data_type == DataType::Void {

@@ -258,7 +258,8 @@ pub(crate) fn collect<'a>(
     for path in usings {
         if !items.namespaces.contains(&key(&joined(path))) {
             let message = format!("there is no namespace `{}`", joined(path));
-            found.push(Diagnostic::new(Problem::P3001, path.span, message).help("Write the full name of a NAMESPACE of the project."));
+            let diagnostic = Diagnostic::new(Problem::P3001, path.span, message).elsewhere();
+            found.push(diagnostic.help("Write the full name of a NAMESPACE of the project."));
         }
     }
     let wanted: Vec<&Wanted> = pending.iter().map(|(wanted, _)| wanted).collect();
@@ -626,7 +627,7 @@ impl<'a> Collector<'a, '_> {
             None if kind == BlockKind::OrganizationBlock => {
                 let message = format!("`{}` does not say which organization block it is", name.text);
                 let help = "Give the name in the symbol table the address of an OB, or write `ORGANIZATION_BLOCK OB1`.";
-                self.diagnostics.push(Diagnostic::new(Problem::P6120, span, message).help(help));
+                self.diagnostics.push(Diagnostic::new(Problem::P6120, span, message).help(help).elsewhere());
                 None
             }
             fixed => Some(Wanted { name: shown, kind, fixed, span, library: self.library }),

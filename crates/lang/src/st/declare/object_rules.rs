@@ -36,7 +36,9 @@ impl Environment<'_> {
         }
         let objects = &self.items.objects;
         let mut missing: Vec<&Member> = Vec::new();
-        for upper in objects.above(id).into_iter().chain([id]).filter_map(|upper| objects.get(upper)) {
+        // What a base that is not there has, nobody knows.
+        let above = if objects.lacks_base(id) { Vec::new() } else { objects.above(id) };
+        for upper in above.into_iter().chain([id]).filter_map(|upper| objects.get(upper)) {
             for wanted in upper.members.values().filter(|member| member.is_abstract) {
                 let has = objects.member(id, &wanted.name, wanted.kind).is_some_and(|found| !found.is_abstract);
                 let told = missing.iter().any(|known| key(&known.name) == key(&wanted.name) && known.kind == wanted.kind);
@@ -85,7 +87,7 @@ impl Environment<'_> {
         let inherited: Vec<&&Member> = overridden.iter().filter(|other| !self.items.objects.is_interface(other.of)).collect();
         if object.kind != BlockKind::Interface {
             match inherited.first() {
-                None if member.is_override => report(
+                None if member.is_override && !self.items.objects.lacks_base(id) => report(
                     Problem::P6283,
                     format!("{} overrides nothing: no block that `{}` extends has it", shown(member), object.name),
                     None,

@@ -80,9 +80,6 @@ fn object(
         namespace: items.spaces.get(code.space).map(|space| space.prefix.clone()).unwrap_or_default(),
         members: BTreeMap::new(),
     };
-    let mut report = |span, message: String, help: &str| {
-        diagnostics.push(Diagnostic::new(Problem::P6280, span, message).help(help.to_owned()));
-    };
     // `__SYSTEM.IQueryInterface` of codesys has what every interface has here.
     let of_system = |path: &ast::Path| joined(path).eq_ignore_ascii_case("__SYSTEM.IQueryInterface");
     let of_system = |path: &ast::Path| interface && of_system(path) && code.dialect.judge(Construct::PointerTo) != Judgement::Reject;
@@ -98,7 +95,7 @@ fn object(
                 found
             }
             None if path.names.is_empty() || items.is_twice(code.space, &joined(path)) => None,
-            None => upper(items, scope, code, path, &mut report),
+            None => upper(items, scope, code, path, diagnostics),
         };
         let Some(found) = found else {
             object.lacks_base = true;
@@ -110,19 +107,40 @@ fn object(
         match of.map(|of| of.kind) {
             Some(ast::BlockKind::Interface) if interface => object.interfaces.push(found),
             Some(ast::BlockKind::Interface) => {
-                report(path.span, format!("`{name}` is an interface, and a block implements it"), &format!("Write `IMPLEMENTS {name}`."));
+                wrong(
+                    diagnostics,
+                    path.span,
+                    format!("`{name}` is an interface, and a block implements it"),
+                    &format!("Write `IMPLEMENTS {name}`."),
+                );
             }
             Some(_) if interface => {
-                report(path.span, format!("`{name}` is no interface, and an interface extends only interfaces"), "Name an INTERFACE.");
+                wrong(
+                    diagnostics,
+                    path.span,
+                    format!("`{name}` is no interface, and an interface extends only interfaces"),
+                    "Name an INTERFACE.",
+                );
             }
             Some(_) if index > 0 => {
-                report(path.span, format!("`{}` extends one block already", object.name), "Implement interfaces for what else it can do.");
+                wrong(
+                    diagnostics,
+                    path.span,
+                    format!("`{}` extends one block already", object.name),
+                    "Implement interfaces for what else it can do.",
+                );
             }
             Some(ast::BlockKind::Program | ast::BlockKind::Implicit) | None => {
-                report(path.span, format!("`{name}` is no function block that can be extended"), "Name a FUNCTION_BLOCK or a CLASS.");
+                wrong(
+                    diagnostics,
+                    path.span,
+                    format!("`{name}` is no function block that can be extended"),
+                    "Name a FUNCTION_BLOCK or a CLASS.",
+                );
             }
             Some(_) if of.is_some_and(|of| of.modifiers.is_final) => {
-                report(
+                wrong(
+                    diagnostics,
                     path.span,
                     format!("`{name}` is FINAL, and nothing extends it"),
                     "Declare an instance of it, or remove FINAL there.",
@@ -136,12 +154,13 @@ fn object(
     object.lacks_base |= block.implements.iter().any(|path| path.names.is_empty());
     let written = |path: &&ast::Path| !path.names.is_empty() && !items.is_twice(code.space, &joined(path));
     for path in block.implements.iter().filter(written) {
-        let Some(found) = upper(items, scope, code, path, &mut report) else { continue };
+        let Some(found) = upper(items, scope, code, path, diagnostics) else { continue };
         let name = joined(path);
         if items.code.get(&found).is_some_and(|of| of.block.kind == ast::BlockKind::Interface) {
             object.interfaces.push(found);
         } else {
-            report(
+            wrong(
+                diagnostics,
                 path.span,
                 format!("`{name}` is no interface, and only interfaces are implemented"),
                 &format!("Write `EXTENDS {name}`."),
@@ -163,30 +182,32 @@ fn of_library(items: &Items<'_>, code: Code<'_>, path: &ast::Path) -> Option<(De
     Some((Demand::Source(source), found))
 }
 
+/// Says what is wrong with a path behind EXTENDS or IMPLEMENTS.
+fn wrong<'d>(diagnostics: &'d mut Vec<Diagnostic>, span: Span, message: String, help: &str) -> &'d mut Diagnostic {
+    diagnostics.push(Diagnostic::new(Problem::P6280, span, message).help(help));
+    diagnostics.last_mut().expect("one was pushed")
+}
+
 /// The block that a path behind EXTENDS or IMPLEMENTS names.
-fn upper(
-    items: &Items<'_>,
-    scope: &Scope,
-    code: Code<'_>,
-    path: &ast::Path,
-    report: &mut dyn FnMut(Span, String, &str),
-) -> Option<BlockId> {
+fn upper(items: &Items<'_>, scope: &Scope, code: Code<'_>, path: &ast::Path, diagnostics: &mut Vec<Diagnostic>) -> Option<BlockId> {
     let name = joined(path);
     match items.block_in(code.space, &name) {
         Some(id) if items.code.contains_key(&id) && id.kind == BlockKind::FunctionBlock => Some(id),
         Some(_) => {
-            report(path.span, format!("`{name}` is no function block"), "Name a FUNCTION_BLOCK, a CLASS or an INTERFACE.");
+            wrong(diagnostics, path.span, format!("`{name}` is no function block"), "Name a FUNCTION_BLOCK, a CLASS or an INTERFACE.");
             None
         }
         None => {
             let blocks = items.names.iter().filter(|(id, _)| id.kind == BlockKind::FunctionBlock && items.code.contains_key(id));
             let near = did_you_mean(scope.nearest(&name, blocks.map(|(_, name)| name.as_str())));
             let message = format!("there is no block `{name}` in the sources of this project{near}");
-            report(
+            wrong(
+                diagnostics,
                 path.span,
                 message,
                 "Name a FUNCTION_BLOCK, a CLASS or an INTERFACE of the project, or a function block that the dialect brings along, such as TON.",
-            );
+            )
+            .may_be_elsewhere = true;
             None
         }
     }

@@ -406,7 +406,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 let nearest = nearest.or_else(|| scope.nearest(last, words.chain(library)));
                 let nearest = nearest.or_else(|| scope.nearest_symbol(last));
                 let message = format!("there is no type `{full_name}`{}", did_you_mean(nearest));
-                self.report(Problem::P3015, span, message);
+                self.report(Problem::P3015, span, message).may_be_elsewhere = true;
                 None
             }
         }

@@ -40,7 +40,8 @@ pub(crate) fn layout<K: Knows>(types: &mut Types<'_, K>, number: u16, block: &as
             let based_on = match based_on {
                 Ok(based_on) => based_on,
                 Err(message) => {
-                    types.report(Problem::P2210, name.span, message);
+                    let elsewhere = matches!(&name.kind, ast::TypeKind::Symbol(symbol) if types.scope.global(symbol).is_none());
+                    types.report(Problem::P2210, name.span, message).may_be_elsewhere = elsewhere;
                     return None;
                 }
             };
@@ -48,7 +49,9 @@ pub(crate) fn layout<K: Knows>(types: &mut Types<'_, K>, number: u16, block: &as
                 BlockKind::UserDefinedType => types.udt(based_on.number, name.span)?,
                 BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock => {
                     if !types.exists(based_on) {
-                        types.report(Problem::P3008, name.span, format!("`{based_on}`, of which `{id}` is an instance, does not exist"));
+                        types
+                            .report(Problem::P3008, name.span, format!("`{based_on}`, of which `{id}` is an instance, does not exist"))
+                            .may_be_elsewhere = true;
                         return None;
                     }
                     types.interface(based_on, name.span)?.instance

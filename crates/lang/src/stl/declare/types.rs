@@ -137,7 +137,9 @@ impl<K: Knows> Types<'_, K> {
             self.scope.nearest(symbol, DataType::words().chain(["ARRAY", "STRUCT"])).or_else(|| self.scope.nearest_symbol(symbol));
         let elsewhere = ELSEWHERE.iter().find(|(word, _)| symbol.eq_ignore_ascii_case(word));
         let message = format!("there is no type `{symbol}`{}", did_you_mean(nearest));
-        self.report(Problem::P3015, span, message).help = elsewhere.map(|(_, own)| format!("An S7-300/400 has {own} instead."));
+        let diagnostic = self.report(Problem::P3015, span, message);
+        diagnostic.may_be_elsewhere = elsewhere.is_none();
+        diagnostic.help = elsewhere.map(|(_, own)| format!("An S7-300/400 has {own} instead."));
         None
     }
 

@@ -129,7 +129,7 @@ impl Resolver<'_> {
                 None => {
                     if !self.known.blocks.exists(BlockId::db(*db)) {
                         let message = format!("`DB {db}` does not exist; the statement fails unless the program creates it");
-                        self.report(Problem::P3018, span, message);
+                        self.report(Problem::P3018, span, message).may_be_elsewhere = true;
                     }
                     return;
                 }
@@ -158,7 +158,7 @@ impl Resolver<'_> {
                 None
             }
             Err(message) => {
-                self.report(Problem::P3020, name.span(), message);
+                self.report(Problem::P3020, name.span(), message).may_be_elsewhere = true;
                 None
             }
         }
@@ -185,7 +185,7 @@ impl Resolver<'_> {
         let Some(layout) = self.known.blocks.data(db) else {
             // A data block whose declaration is wrong is reported there.
             if !self.known.blocks.exists(BlockId::db(db)) {
-                self.report(Problem::P3008, span, format!("`DB {db}` does not exist, so it has no fields"));
+                self.report(Problem::P3008, span, format!("`DB {db}` does not exist, so it has no fields")).may_be_elsewhere = true;
             }
             return None;
         };

@@ -27,7 +27,7 @@ impl Resolver<'_> {
         }
         let Some(BlockInterface { interface, .. }) = self.known.blocks.interface(callee) else {
             if !self.known.blocks.exists(callee) {
-                self.report(Problem::P3008, call.callee_span, format!("`{callee}` does not exist"));
+                self.report(Problem::P3008, call.callee_span, format!("`{callee}` does not exist")).may_be_elsewhere = true;
             }
             return None;
         };

@@ -45,7 +45,9 @@ impl Resolver<'_> {
         let names = self.interface.variables.iter().map(|variable| variable.name.as_str());
         let nearest = self.known.scope.nearest(&word.text, names).or_else(|| self.known.scope.nearest_symbol(&word.text));
         let message = format!("`{}` is not declared in `{}`{}", word.text, self.id, did_you_mean(nearest.clone()));
-        self.report(Problem::P3001, word.span, message);
+        // Only `#` says that it is none of the symbols.
+        let elsewhere = !self.known.sources.slice(word.span).starts_with('#');
+        self.report(Problem::P3001, word.span, message).may_be_elsewhere = elsewhere;
         self.offer(word.span, nearest);
     }
 
@@ -126,7 +128,9 @@ impl Resolver<'_> {
     pub(super) fn unlinked(&mut self, word: &ast::Word) -> bool {
         let Some(help) = library::by_name(&word.text).map(|block| self.why_not_linked(block)) else { return false };
         let message = format!("`{}` is not declared in `{}`", word.text, self.id);
-        self.report(Problem::P3001, word.span, message).help = Some(help);
+        let diagnostic = self.report(Problem::P3001, word.span, message);
+        diagnostic.may_be_elsewhere = true;
+        diagnostic.help = Some(help);
         true
     }
 
@@ -143,7 +147,9 @@ impl Resolver<'_> {
         let nearest = nearest.filter(|_| of_library.is_none());
         let message = format!("`\"{}\"` is not in the symbol table{}", name.text, did_you_mean(nearest.clone()));
         let help = of_library.map(|block| self.why_not_linked(block));
-        self.report(Problem::P3020, name.span, message).help = help;
+        let diagnostic = self.report(Problem::P3020, name.span, message);
+        diagnostic.may_be_elsewhere = true;
+        diagnostic.help = help;
         self.offer(name.span, nearest);
     }
 
@@ -161,7 +167,7 @@ impl Resolver<'_> {
         let meaning = match &global.operand {
             None => {
                 let message = format!("`\"{}\"` has the address `{}`, which is not one", name.text, global.address);
-                self.report(Problem::P3021, name.span, message);
+                self.report(Problem::P3021, name.span, message).may_be_elsewhere = true;
                 return None;
             }
             Some(address::Operand::Block(BlockId { kind: BlockKind::DataBlock, number })) if !path.is_empty() => {
