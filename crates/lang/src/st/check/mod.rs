@@ -1,5 +1,6 @@
 //! Statements → typed tree: names, types, conversions, calls, and what is wrong with them.
 
+mod arguments;
 mod as_bytes;
 mod calls;
 pub mod construct;
