@@ -83,6 +83,7 @@ pub fn parse(file: FileId, text: &str, mnemonics: Option<Mnemonics>) -> Parsed {
         trials: 0,
         block_start: 0,
         labels: None,
+        jumps: None,
         headed: None,
     };
     parser.advance(0);
@@ -150,6 +151,8 @@ struct Parser<'t> {
     block_start: usize,
     /// The labels of a block, once they were needed.
     labels: Option<slips::Labels>,
+    /// The words behind the jumps of the source, once they were needed.
+    jumps: Option<HashSet<String>>,
     /// The end that a block still needs which began with a heading.
     headed: Option<printed::Headed>,
 }

@@ -166,9 +166,12 @@ impl Parser<'_> {
         self.bump_to(SyntaxKind::Unexpected, end);
     }
 
-    /// How lines end in this source.
+    /// How the first line of this source ends.
     pub(super) fn line_break(&self) -> &'static str {
-        if self.text.contains("\r\n") { "\r\n" } else { "\n" }
+        match self.text.find('\n') {
+            Some(at) if self.text[..at].ends_with('\r') => "\r\n",
+            _ => "\n",
+        }
     }
 
     /// Whether the heading of a block stands at the current token.

@@ -12,9 +12,9 @@ use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 
-use super::Parser;
 use super::blocks::Keyword;
 use super::statements::LABEL_MAX;
+use super::{DIAGNOSTICS_MAX, Parser};
 use crate::stl::ast::{Constant, Operand, Word};
 use crate::stl::instructions::Instruction;
 use crate::stl::lexer::{Raw, in_word, token};
@@ -28,13 +28,12 @@ const MNEMONIC_MAX: usize = 5;
 /// Trials inside each other: a line that lost its end may hold a word glued to its operand, and nothing deeper.
 const TRIALS_MAX: usize = 2;
 
-/// The labels of a block and the words that its jumps name.
+/// The labels of a block.
 #[derive(Default)]
 pub(super) struct Labels {
     /// Where the block begins.
     of: usize,
     defined: HashSet<String>,
-    named: HashSet<String>,
 }
 
 /// One way to read a word that is glued to its operand.
@@ -143,29 +142,66 @@ impl Parser<'_> {
         self.labels.get_or_insert_default()
     }
 
-    fn find_labels(&self) -> Labels {
+    fn find_labels(&mut self) -> Labels {
         let mut labels = Labels { of: self.block_start, ..Labels::default() };
         let mut at = self.block_start;
-        let mut jump = false;
+        // A heading begins a line: `FUNCTION FC 1 : VOID` is none.
+        let mut first = false;
         loop {
             let (raw, end) = token(self.text, at);
             let word = &self.text[at..end];
             match raw {
                 Raw::End => return labels,
-                Raw::Blank => {}
+                Raw::Word if first && self.ends_labels(word, end) => return labels,
                 Raw::Word if token(self.text, self.behind_blanks(end)).0 == Raw::Colon => {
                     labels.defined.insert(word.to_owned());
                 }
+                _ => {}
+            }
+            first = raw == Raw::Newline || raw == Raw::Semicolon || (first && raw == Raw::Blank);
+            at = end;
+        }
+    }
+
+    /// Whether another block begins or this one ends at a word: with a keyword, or with a heading, which no jump names.
+    fn ends_labels(&mut self, word: &str, end: usize) -> bool {
+        if matches!(super::blocks::keyword_of(word), Some(Keyword::BlockStart(_) | Keyword::BlockEnd(_))) {
+            return true;
+        }
+        let letters = word.trim_end_matches(|c: char| c.is_ascii_digit());
+        if BlockKind::from_abbreviation(letters).is_none() {
+            return false;
+        }
+        let (next, behind) = token(self.text, self.behind_blanks(end));
+        match letters.len() < word.len() {
+            true => next == Raw::Colon && !self.is_jumped_to(word),
+            false => next == Raw::Number && token(self.text, self.behind_blanks(behind)).0 == Raw::Colon,
+        }
+    }
+
+    /// Whether a jump of the source names the word.
+    pub(super) fn is_jumped_to(&mut self, word: &str) -> bool {
+        if self.jumps.is_none() {
+            self.jumps = Some(self.find_jumps());
+        }
+        self.jumps.as_ref().is_some_and(|jumps| jumps.contains(word))
+    }
+
+    /// The words that stand behind the jumps of the source.
+    fn find_jumps(&self) -> HashSet<String> {
+        let mut jumps = HashSet::new();
+        let (mut at, mut jump) = (0, false);
+        loop {
+            let (raw, end) = token(self.text, at);
+            let word = &self.text[at..end];
+            match raw {
+                Raw::End => return jumps,
+                Raw::Blank => {}
                 Raw::Word if jump => {
-                    labels.named.insert(word.to_owned());
+                    jumps.insert(word.to_owned());
                     jump = false;
                 }
                 Raw::Word => {
-                    if at > self.block_start
-                        && matches!(super::blocks::keyword_of(word), Some(Keyword::BlockStart(_) | Keyword::BlockEnd(_)))
-                    {
-                        return labels;
-                    }
                     jump = [Mnemonics::English, Mnemonics::German]
                         .into_iter()
                         .any(|mnemonics| Instruction::candidates(word, mnemonics).any(|row| row.operand() == OperandClass::Label));
@@ -174,11 +210,6 @@ impl Parser<'_> {
             }
             at = end;
         }
-    }
-
-    /// Whether a jump of the block names the word.
-    pub(super) fn is_jumped_to(&mut self, word: &str) -> bool {
-        self.labels().named.contains(word)
     }
 
     /// Whether the block has a label with this name.
@@ -265,6 +296,11 @@ impl Parser<'_> {
             },
             _ => return false,
         };
+        if self.diagnostics.len() > DIAGNOSTICS_MAX {
+            // Nothing of it would be shown; to look for the beginning of a very long line each time takes long.
+            self.blanks();
+            return true;
+        }
         let line = self.text[..before].rfind(['\n', '\r']).map_or(0, |at| at + 1);
         let indentation: String = self.text[line..].chars().take_while(|character| matches!(character, ' ' | '\t')).collect();
         let line_end = self.line_break();
@@ -434,5 +470,15 @@ mod tests {
     fn a_line_with_two_readings_is_left_to_its_author() {
         assert_eq!(fixed("JCNext\nNext: NOP 0", Mnemonics::English), Some("JC Next".to_owned()));
         assert_eq!(fixed("JCNext\nNext: NOP 0\next: NOP 0", Mnemonics::English), None);
+    }
+
+    /// Hostile lines: what is tried for each of them must not grow with the source. Quadratic, these take minutes.
+    #[test]
+    fn many_slips_take_no_longer_each() {
+        let count = 20_000;
+        for line in ["A I 0.0 ", "A I 0.0A I 0.0", "FC 1:\nJUx\nx: NOP 0\n", "FC1:\n", "LMW10\n", "L a b c\n"] {
+            let parsed = parse(FileId::default(), &line.repeat(count), Some(Mnemonics::English));
+            assert!(parsed.diagnostics.len() > DIAGNOSTICS_MAX, "{line}");
+        }
     }
 }
