@@ -468,7 +468,12 @@ impl<'t, 'a> Resolver<'t, 'a> {
         let span = declaration.data_type.span;
         let (mut data_type, mut initial) = match (&declaration.data_type.kind, &declaration.extends) {
             (TypeKind::Struct { fields, .. }, Some(base)) => {
-                let base = match &self.named(base)?.data_type {
+                let Some(extended) = self.named(base) else {
+                    // The fields of its own may have their own mistakes.
+                    drop(self.structure(fields, name, None, FieldLayout::Sequence, span));
+                    return None;
+                };
+                let base = match &extended.data_type {
                     DataType::Struct(structure) => Arc::clone(structure),
                     _ => {
                         self.report(Problem::P3015, base.span, "a structure extends a structure");
