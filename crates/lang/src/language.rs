@@ -165,6 +165,16 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_text_of_nothing_but_signs_is_judged_at_once() {
+        for part in ["SHL(a,", "CV => a,", "a, ", "a : ", "(* ", "#", "'", "U(\n", "x := 1;\n", "CTU(RESET", "\"TYPE ", "TYPE \""] {
+            let text = part.repeat((1 << 18) / part.len());
+            for name in ["a.st", "a.txt"] {
+                let _ = Language::of(name, &text, None);
+            }
+        }
+    }
+
+    #[test]
     fn the_ending_and_the_text_tell_the_dialect() {
         let st = Language::St;
         for (name, text, dialect, expected) in [

@@ -1,5 +1,7 @@
 //! What a source is by its content: STL or Structured Text, and which dialect its words show.
 
+use std::collections::{BTreeSet, HashMap};
+
 use sieben_model::mnemonics::Mnemonics;
 
 use crate::codesys_files::ends_in_comment;
@@ -111,21 +113,31 @@ fn is_codesys(code: &str) -> bool {
     if words.iter().any(counter) && given(&["RESET", "LOAD"]) && !given(&["R", "LD"]) {
         return true;
     }
-    // `a, b : WORD` declares; what is given to `CV` and to shifts has to have such a type in all blocks of the file.
-    let declared = |name: &str, types: &[&str]| {
-        let mut of_name = words.iter().enumerate().filter(|(_, word)| **word == name).filter_map(|(at, _)| {
-            let after = words[at + 1..].iter().position(|word| *word == ":")?;
-            let list = &words[at + 1..at + 1 + after];
-            let is_list = list.iter().enumerate().all(|(index, word)| (*word == ",") == (index % 2 == 0));
-            words.get(at + 2 + after).copied().filter(|_| is_list)
-        });
-        of_name.next().is_some_and(|first| types.contains(&first)) && of_name.all(|other| types.contains(&other))
-    };
+    let types = declared(&words);
+    // What is given to `CV` and to shifts has to have such a type in all blocks of the file.
+    let is_one_of = |name: &str, wanted: &[&str]| types.get(name).is_some_and(|found| found.iter().all(|one| wanted.contains(one)));
     words.windows(4).any(|part| match part {
-        ["CV", "=>", name, _] => declared(name, &["WORD"]),
-        ["SHL" | "SHR" | "ROL" | "ROR", "(", name, ","] => declared(name, &INTEGERS),
+        ["CV", "=>", name, _] => is_one_of(name, &["WORD"]),
+        ["SHL" | "SHR" | "ROL" | "ROR", "(", name, ","] => is_one_of(name, &INTEGERS),
         _ => false,
     })
+}
+
+/// The types that names are declared with, `a, b : WORD`.
+fn declared<'w>(words: &[&'w str]) -> HashMap<&'w str, BTreeSet<&'w str>> {
+    let mut types: HashMap<&str, BTreeSet<&str>> = HashMap::new();
+    for (at, pair) in words.windows(2).enumerate().filter(|(_, pair)| pair[0] == ":") {
+        // From the colon backwards names and commas take turns.
+        let mut name = at;
+        while name > 0 {
+            types.entry(words[name - 1]).or_default().insert(pair[1]);
+            if name < 2 || words[name - 2] != "," {
+                break;
+            }
+            name -= 2;
+        }
+    }
+    types
 }
 
 /// The text without comments and without what stands between apostrophes.
@@ -138,8 +150,9 @@ fn without_comments(text: &str) -> String {
         } else if rest.starts_with("//") {
             rest.find('\n').unwrap_or(rest.len())
         } else if c == '\'' {
-            let line = rest.find('\n').unwrap_or(rest.len());
-            rest[1..line.max(1)].find('\'').map_or(line.max(1), |end| end + 2)
+            // To the next apostrophe, or to the end of the line where there is none.
+            let end = rest[1..].find(['\'', '\n']).map_or(rest.len(), |end| end + 1);
+            end + usize::from(rest[end..].starts_with('\''))
         } else {
             out.push(c);
             rest = &rest[c.len_utf8()..];

@@ -89,8 +89,9 @@ impl<'a> Words<'a> {
                 c.len_utf8()
             } else if c == '\'' || c == '"' {
                 self.line_begins = false;
-                let line = self.rest.find('\n').unwrap_or(self.rest.len());
-                self.rest.get(1..line).and_then(|inside| inside.find(c)).map_or(line.max(1), |end| end + 2)
+                // To the next such quote, or to the end of the line where there is none.
+                let end = self.rest[1..].find([c, '\n']).map_or(self.rest.len(), |end| end + 1);
+                end + usize::from(self.rest[end..].starts_with(c))
             } else if self.line_begins {
                 self.line_begins = false;
                 let end = self.rest.find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(self.rest.len());
