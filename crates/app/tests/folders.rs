@@ -177,8 +177,8 @@ fn tests_belong_to_the_program_that_they_are_called_like() {
         .run(&["test", "."])
         .code(0)
         .stdout("2 programs: `lamp.awl` and `motor.awl`; `blocks.awl` belongs to all of them.\n")
-        .stdout("ok    lamp.test.st: the lamp  (1 scan, ")
-        .stdout("ok    motor_test.st: the motor  (1 scan, ")
+        .stdout("ok    lamp.test.st: the lamp  (1 scan)")
+        .stdout("ok    motor_test.st: the motor  (1 scan)")
         .stdout("2 passed, 0 failed\n2 programs: 2 passed\n");
     for one in ["motor.awl", "./motor.awl", "motor_test.st"] {
         let run = folder.run(&["test", one]).code(0).stdout("motor_test.st: the motor").stdout("1 passed, 0 failed");

@@ -294,7 +294,7 @@ fn a_test_that_does_not_end_is_given_up() {
 fn what_is_wrong_in_a_test_file_is_told_once() {
     for (tests, code, wanted) in [
         ("TEST 'a'\n  ASSERT_EQ(cuont, 5);\nEND_TEST\nVAR\n  count : INT;\nEND_VAR\n", "P3001", "`cuont` is not declared"),
-        ("TEST 'a'\n  ASSERT_EG(1, 1);\nEND_TEST\n", "P3008", "write `ASSERT_EQ`"),
+        ("TEST 'a'\n  ASSERT_EG(1, 1);\nEND_TEST\n", "P3008", "write `ASSERT_GE`"),
         ("TEST 'a'\n  ASSERT_EQ(1, 'abc');\nEND_TEST\n", "P6200", "a text is wanted"),
         ("TEST 'a'\n  ASSERT_TRUE(1);\n", "P2011", "TEST has no `END_TEST`"),
         ("TEST 'a'\n  ASSERT_TRUE(TRUE);\nTEST 'b'\n  ASSERT_TRUE(TRUE);\nEND_TEST\n", "P2011", "TEST has no `END_TEST`"),

@@ -140,6 +140,7 @@ const SLIPS: &[(&str, &str, &str, &str, &str, usize)] = &[
     ("iec", "a, b : INT;", "a := b × 2;", "P1005", "!*", 1),
     ("iec", "s : STRING;", "s := ‘on’;", "P1005", "!'on'", 1),
     ("iec", "t1 : TON; b : BOOL;", "b := t2.Q;", "P3001", "t1", 1),
+    ("iec", "t1 : TP; b : BOOL;", "t2(IN := b, PT := T#1s);", "P3008", "t1", 1),
 ];
 
 #[test]
@@ -167,6 +168,9 @@ fn a_type_that_is_misspelled_is_suggested_by_its_letters() {
         let said: Vec<&str> = all.iter().map(|one| one.message.as_str()).collect();
         assert!(said.iter().any(|message| message.contains(&format!("did you mean `{meant}`"))), "{declared}: {said:?}");
     }
+    // The letters count before a name of the project that is as near.
+    let all = found("row.st", "PROGRAM p\nVAR\n  x : PT;\nEND_VAR\nEND_PROGRAM\n", Some(Dialect::Iec));
+    assert!(all[0].message.contains("did you mean `TP`"), "{all:?}");
 }
 
 #[test]

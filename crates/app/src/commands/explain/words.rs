@@ -49,7 +49,7 @@ const WORDS: &[Word] = &[
     word(&["ANY"], "ANY, a data type of 10 bytes", &[
         "16#10, the code of a type, how many of it (2 bytes), the number of a data block (2 bytes), then a pointer with its area.",
         "Written as `P#M 10.0 BYTE 8` or `P#DB5.DBX 0.0 WORD 4`; a variable or a data block stands for itself.",
-        "Codes: BOOL 01, BYTE 02, CHAR 03, WORD 04, INT 05, DWORD 06, DINT 07, REAL 08, DATE 09, TIME_OF_DAY 0A, TIME 0B, S5TIME 0C, DATE_AND_TIME 0E, STRING 13, COUNTER 1C, TIMER 1D.",
+        "Codes: BOOL 01, BYTE 02, CHAR 03, WORD 04, INT 05, DWORD 06, DINT 07, REAL 08, DATE 09, TIME_OF_DAY 0A, TIME 0B, S5TIME 0C, DATE_AND_TIME 0E, STRING 13, FB 17, FC 18, DB 19, SDB 1A, COUNTER 1C, TIMER 1D.",
     ]),
     word(&["EN"], "EN, the enable input of a box", &[
         "In LAD and FBD a box is executed only if EN is 1; in ST a call with `EN := 0` is skipped. In STL a jump over the call does it: `JNB`.",

@@ -16,7 +16,7 @@ use super::places::Reached;
 use super::typed::{Target, Typed};
 use super::types::{Class, Kind};
 use super::{Checker, literals, operators};
-use crate::scope::nearest;
+use crate::scope::{is_nearer, nearest};
 use crate::st::ast::{self, Direction, Expression, ExpressionKind, Name};
 use crate::st::dialect::{Construct, Judgement, LostResults};
 use crate::st::open_arrays::End;
@@ -273,8 +273,11 @@ impl Checker<'_> {
         let words = Word::ALL.iter().map(|word| word.text()).filter(|_| self.dialect.is_test());
         let word = nearest(&name.to_uppercase(), words);
         word.or_else(|| {
-            let (own, standard) = (self.names.nearest(name), self.nearest_standard(name));
-            nearest(name, own.iter().chain(&standard).map(String::as_str))
+            // What the program declares goes before a function that is no nearer.
+            match (self.names.nearest(name), self.nearest_standard(name)) {
+                (Some(own), Some(standard)) if is_nearer(name, &standard, &own) => Some(standard),
+                (own, standard) => own.or(standard),
+            }
         })
     }
 

@@ -398,12 +398,12 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 let blocks = items.names.iter().filter(|(id, _)| id.kind == BlockKind::FunctionBlock).map(|(_, name)| name.as_str());
                 let own = items.types.values().map(|found| found.declaration.name.text.as_str());
                 let scope = self.types.scope;
-                let nearest = scope.nearest(last, own.chain(blocks));
+                let own = scope.nearest(last, own.chain(blocks));
                 // A type that only other dialects have is not what was meant.
                 let words = DataType::all_words().chain(["ARRAY", "STRUCT"]);
                 let words = words.filter(|word| !word.eq_ignore_ascii_case(last));
                 let library = crate::st::standard::library::block_types(self.dialect).chain(BLOCKS_OF_ALL_DIALECTS);
-                let nearest = nearest.or_else(|| scope.nearest(last, words.chain(library)));
+                let nearest = scope.nearest(last, own.iter().map(String::as_str).chain(words).chain(library));
                 let nearest = nearest.or_else(|| scope.nearest_symbol(last));
                 let message = format!("there is no type `{full_name}`{}", did_you_mean(nearest));
                 self.report(Problem::P3015, span, message).may_be_elsewhere = true;
