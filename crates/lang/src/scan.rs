@@ -13,6 +13,31 @@ pub(crate) fn is_blank(character: char) -> bool {
     matches!(character, ' ' | '\t' | '\u{feff}' | '\u{a0}' | '\u{1a}')
 }
 
+/// The signs that a sign of typesetting stands for.
+pub(crate) fn typeset_sign(sign: char) -> Option<&'static str> {
+    Some(match sign {
+        '≥' | '⩾' | '≧' => ">=",
+        '≤' | '⩽' | '≦' => "<=",
+        '≠' => "<>",
+        '≔' => ":=",
+        '⇒' | '→' => "=>",
+        '×' | '·' | '⋅' | '∗' => "*",
+        '÷' | '∕' | '⁄' => "/",
+        '−' | '–' | '—' | '‐' | '‑' => "-",
+        '＝' => "=",
+        _ => return None,
+    })
+}
+
+/// The straight quote that a quote of typesetting stands for.
+pub(crate) fn straight_quote(quote: char) -> Option<char> {
+    match quote {
+        '‘' | '’' | '‚' | '‛' | '′' | '´' => Some('\''),
+        '“' | '”' | '„' | '‟' | '″' | '«' | '»' => Some('"'),
+        _ => None,
+    }
+}
+
 /// The byte behind the characters that belong together, from byte `start` on.
 pub(crate) fn while_in(text: &str, start: usize, belongs: impl Fn(char) -> bool) -> usize {
     let rest = &text[start..];

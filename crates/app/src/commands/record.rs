@@ -213,7 +213,8 @@ fn record(
         return Err(Failure::usage(Problem::P6291, format!("after {}: {trouble}", in_scans(scans))));
     }
     let place = path.map(shown).unwrap_or_default();
-    for error in &failures {
+    // The JSON object has them.
+    for error in failures.iter().filter(|_| !arguments.json) {
         let message = format!("{place}:{}: {}", error.line, error.message);
         output::styled(&Failure::usage(Problem::P6261, message).render(output::colour()));
     }

@@ -501,7 +501,8 @@ fn print_json(trace: &Trace, range: &RangeInclusive<u64>, outcome: &Outcome) -> 
 
 /// Says what went wrong, and finds the exit code.
 fn told(arguments: &Arguments, build: &Build, outcome: &Outcome) -> Result<Exit, Failure> {
-    for (error, _) in &outcome.failures {
+    // The JSON object has them.
+    for (error, _) in outcome.failures.iter().filter(|_| !arguments.json) {
         let message = format!("{}:{}: {}", outcome.scenario.display(), error.line, error.message);
         output::styled(&Failure::usage(Problem::P6261, message).render(output::colour()));
     }

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::dialect::{Construct, Dialect, Judgement};
 use super::keywords::Keyword;
 pub(super) use crate::scan::in_word;
-use crate::scan::{ends_in_escape, is_blank, pointer, while_in};
+use crate::scan::{self, ends_in_escape, is_blank, pointer, straight_quote, while_in};
 
 /// What a token looks like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -253,26 +253,20 @@ fn pragma(text: &str, start: usize) -> usize {
 
 /// The token that a sign of typesetting stands for, and how ST writes it.
 pub(super) fn typeset_sign(sign: char) -> Option<(Raw, &'static str)> {
-    Some(match sign {
-        '≥' | '⩾' | '≧' => (Raw::GreaterEqual, ">="),
-        '≤' | '⩽' | '≦' => (Raw::LessEqual, "<="),
-        '≠' => (Raw::NotEqual, "<>"),
-        '≔' => (Raw::Becomes, ":="),
-        '⇒' | '→' => (Raw::Delivers, "=>"),
-        '×' | '·' | '⋅' | '∗' => (Raw::Star, "*"),
-        '÷' | '∕' | '⁄' => (Raw::Slash, "/"),
-        '−' | '–' | '—' | '‐' | '‑' => (Raw::Minus, "-"),
+    let signs = scan::typeset_sign(sign)?;
+    let raw = match signs {
+        ">=" => Raw::GreaterEqual,
+        "<=" => Raw::LessEqual,
+        "<>" => Raw::NotEqual,
+        ":=" => Raw::Becomes,
+        "=>" => Raw::Delivers,
+        "*" => Raw::Star,
+        "/" => Raw::Slash,
+        "-" => Raw::Minus,
+        "=" => Raw::Equal,
         _ => return None,
-    })
-}
-
-/// The straight quote that a curly one stands for.
-pub(super) fn straight_quote(quote: char) -> Option<char> {
-    match quote {
-        '‘' | '’' | '‚' | '‛' | '′' | '´' => Some('\''),
-        '“' | '”' | '„' | '‟' | '″' => Some('"'),
-        _ => None,
-    }
+    };
+    Some((raw, signs))
 }
 
 /// A quoted text with straight quotes; the same text if its own are straight.

@@ -3,9 +3,9 @@
 //! The parser asks for the token at a byte and may take less of it (`I0` is letters and a number)
 //! or several at once (`=`, `=` and `I` are one instruction).
 
-use super::look_alikes::{latin, straight_quote};
+use super::look_alikes::latin;
 pub(super) use crate::scan::in_word;
-use crate::scan::{self, ends_in_escape, is_blank, while_in};
+use crate::scan::{self, ends_in_escape, is_blank, straight_quote, while_in};
 
 /// What a token looks like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

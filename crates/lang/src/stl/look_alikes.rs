@@ -1,5 +1,6 @@
 //! Characters that look like those of STL: letters of other alphabets, signs of typesetting, letters for digits.
 
+use crate::scan::{self, straight_quote};
 use std::borrow::Cow;
 
 use sieben_model::literal;
@@ -43,15 +44,6 @@ pub fn latin(text: &str) -> Option<String> {
         .collect()
 }
 
-/// The straight quote that a quote of typesetting stands for.
-pub(super) fn straight_quote(quote: char) -> Option<char> {
-    match quote {
-        '‘' | '’' | '‚' | '‛' | '′' | '´' => Some('\''),
-        '“' | '”' | '„' | '‟' | '″' | '«' | '»' => Some('"'),
-        _ => None,
-    }
-}
-
 /// Characters or a symbol with straight quotes; `None` if its own are straight.
 pub(super) fn straightened(text: &str) -> Option<String> {
     let (first, last) = (text.chars().next()?, text.chars().next_back()?);
@@ -66,18 +58,9 @@ pub(super) fn straightened(text: &str) -> Option<String> {
     Some(if closed { format!("{quote}{inner}{quote}") } else { format!("{quote}{inner}") })
 }
 
-/// The signs of STL that a sign of typesetting stands for.
+/// The signs of STL that a sign of typesetting stands for; STL has no `=>`.
 pub(super) fn typeset_sign(sign: char) -> Option<&'static str> {
-    Some(match sign {
-        '≥' | '⩾' | '≧' => ">=",
-        '≤' | '⩽' | '≦' => "<=",
-        '≠' => "<>",
-        '×' | '∗' => "*",
-        '÷' | '∕' => "/",
-        '−' | '–' | '—' | '‐' | '‑' => "-",
-        '＝' => "=",
-        _ => return None,
-    })
+    scan::typeset_sign(sign).filter(|signs| *signs != "=>")
 }
 
 /// A constant as it was meant, with Latin letters and with digits for the letters O and l, and why it is not read.

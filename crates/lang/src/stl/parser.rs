@@ -30,7 +30,7 @@ use super::look_alikes::{self, OTHER_ALPHABET, latin};
 use super::mnemonics::judge;
 use super::syntax::{SyntaxKind, SyntaxNode};
 use crate::declarations::values::shortened_s5time;
-use crate::scan::is_blank;
+use crate::scan::{is_blank, straight_quote};
 
 /// More diagnostics than this help nobody; one more says that there are others.
 pub const DIAGNOSTICS_MAX: usize = 200;
@@ -592,8 +592,8 @@ fn comment_text(comment: &str) -> &str {
 /// A name without quotes and `#`.
 fn unquoted(text: &str) -> &str {
     let text = text.strip_prefix('#').unwrap_or(text);
-    if text.starts_with(|first| first == '"' || look_alikes::straight_quote(first).is_some()) && look_alikes::straightened(text).is_some() {
-        let quote = |c: char| c == '"' || look_alikes::straight_quote(c) == Some('"');
+    if text.starts_with(|first| first == '"' || straight_quote(first).is_some()) && look_alikes::straightened(text).is_some() {
+        let quote = |c: char| c == '"' || straight_quote(c) == Some('"');
         return text.strip_prefix(quote).map_or(text, |inner| inner.strip_suffix(quote).unwrap_or(inner));
     }
     match text.strip_prefix('"') {

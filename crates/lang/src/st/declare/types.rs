@@ -403,7 +403,7 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 let words = DataType::all_words().chain(["ARRAY", "STRUCT"]);
                 let words = words.filter(|word| !word.eq_ignore_ascii_case(last));
                 let library = crate::st::standard::library::block_types(self.dialect).chain(BLOCKS_OF_ALL_DIALECTS);
-                let nearest = scope.nearest(last, own.iter().map(String::as_str).chain(words).chain(library));
+                let nearest = scope.nearest(last, own.as_deref().into_iter().chain(words.chain(library).map(|word| word as &str)));
                 let nearest = nearest.or_else(|| scope.nearest_symbol(last));
                 let message = format!("there is no type `{full_name}`{}", did_you_mean(nearest));
                 self.report(Problem::P3015, span, message).may_be_elsewhere = true;

@@ -33,8 +33,9 @@ use sieben_model::source::{FileId, Span};
 use super::ast;
 use super::dialect::{Construct, Dialect, Judgement};
 use super::keywords::Keyword;
-use super::lexer::{Raw, Token, is_terminated, quotes_names, straight_quote, straightened, tokens, typeset_sign};
+use super::lexer::{Raw, Token, is_terminated, quotes_names, straightened, tokens, typeset_sign};
 use super::syntax::{SyntaxKind, SyntaxNode};
+use crate::scan::straight_quote;
 
 /// More diagnostics than this help nobody; one more says that there are others.
 pub const DIAGNOSTICS_MAX: usize = 200;
