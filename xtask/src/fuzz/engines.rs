@@ -808,10 +808,11 @@ mod tests {
 
     #[test]
     fn small_blocks_take_local_data_as_any() {
-        for bytes in [10, 200, 250, 260, 1000, 4000, 8000] {
+        // The last ones need more than a priority class has, or nest deeper than a CPU lets them, though no block is too large.
+        for (bytes, blocks) in [(10, 4), (200, 4), (250, 4), (260, 4), (1000, 4), (2000, 4), (2000, 12), (2000, 20)] {
             let mut text = format!("{ERROR_BLOCK}{DATA}");
-            for number in 1..5 {
-                let next = if number == 4 { "T DBW 300; T LW 2;".to_owned() } else { format!("CALL FC {} (p := LW 4);", number + 1) };
+            for number in 1..=blocks {
+                let next = if number == blocks { "T DBW 300; T LW 2;".to_owned() } else { format!("CALL FC {} (p := LW 4);", number + 1) };
                 text.push_str(&format!(
                     "FUNCTION FC {number} : VOID\nVAR_IN_OUT\n p : WORD;\nEND_VAR\nVAR_TEMP\n t : ARRAY [1..{bytes}] OF BYTE;\nEND_VAR\nBEGIN\n L #p; INC 1; T #p; T LW 4; {next} L LW 4; T #p;\nEND_FUNCTION\n"
                 ));
