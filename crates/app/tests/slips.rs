@@ -42,6 +42,43 @@ const fn program(
 }
 
 const SLIPS: &[Slip] = &[
+    // Names and words that only look like slips.
+    line(
+        "a long label that is called like a heading",
+        "A I 0.0\nJC Network\nNetwork: = Q 0.0\n",
+        &["the label `Network`"],
+        "A I 0.0\nJC Netw\nNetw: = Q 0.0\n",
+    ),
+    open(
+        "a jump that is glued to a long label",
+        "JUlanglabel1\nlanglabel1: NOP 0\n",
+        &["did you mean `JU langlabel1`?", "the label `langlabel1`"],
+    ),
+    line(
+        "a long label that is called like a variable",
+        "FUNCTION FC 1 : VOID\nVAR_TEMP\n counter : INT;\nEND_VAR\nBEGIN\nL 5\nT counter\nJU counter\nL counter\ncounter: NOP 0\nEND_FUNCTION\n",
+        &["the label `counter`"],
+        "FUNCTION FC 1 : VOID\nVAR_TEMP\n counter : INT;\nEND_VAR\nBEGIN\nL 5\nT counter\nJU coun\nL counter\ncoun: NOP 0\nEND_FUNCTION\n",
+    ),
+    open(
+        "a name without a type that ends like one",
+        "FUNCTION FC 1 : VOID\nVAR_TEMP\n point;\nEND_VAR\nBEGIN\nNOP 0\nEND_FUNCTION\n",
+        &["`po : int`"],
+    ),
+    open("a name of two words that only a comment joins", "// level_max in a comment\nL level max\nT MW 0\n", &["`level max` has spaces"]),
+    open(
+        "a word after a statement that may be a comment",
+        "A I 0.0\nS Q 0.0 set\n",
+        &["`set` begins another statement", "or `//` before a comment"],
+    ),
+    program(
+        "characters of STEP 5 in a German listing",
+        "U E 0.0\n= A 0.0\nL KC 12\nT MW 2\n",
+        &["`KC 12` is an operand"],
+        "U E 0.0\n= A 0.0\nL '12'\nT MW 2\n",
+        &["--show", "MW2"],
+        &["MW2 = 16#3132"],
+    ),
     // Words that are glued to their operands.
     program(
         "a pointer constant, a number and a loop without spaces: a data block is cleared",

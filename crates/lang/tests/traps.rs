@@ -39,6 +39,8 @@ const TRAPS: &[(&str, &[&str])] = &[
     ("A I 0.0\nS Q 0.0\nA I 0.1\nR Q 0.0", &[]),
     // Timers.
     ("A I 0.0\nL S5T#2S\nSD T 1\nA I 0.1\nL S5T#5S\nSE T 1", &["6 P5022"]),
+    ("A M 0.0\nJCN m1\nA I 0.0\nL S5T#1S\nSD T 1\nm1: A M 0.0\nJC m2\nA I 0.0\nL S5T#5S\nSD T 1\nm2: NOP 0", &[]),
+    ("FUNCTION_BLOCK FB 1 VAR_INPUT a : INT; END_VAR BEGIN\nLAR1 AR2;\nLAR2 P#2.0;\nL W [AR2,P#0.0];\nTAR1 AR2;\nL #a;\nT MW 0;\nEND_FUNCTION_BLOCK", &[]),
     ("A I 0.0\nJCN two\nA I 0.1\nL S5T#2S\nSD T 1\nJU end\ntwo: A I 0.2\nL S5T#2S\nSD T 1\nend: NOP 0", &[]),
     ("A I 0.0\nL S5T#2S\nSD T 1\nA I 0.1\nR T 1\nA T 1\n= Q 0.0", &[]),
     // The master control relay.
@@ -91,6 +93,7 @@ const TRAPS_OF_ST: &[(&str, &str, &str, &[&str])] = &[
     ("iec", "t : TON; a, b, q : BOOL;", "IF q THEN t(IN := a, PT := T#1s); ELSE t(IN := b, PT := T#2s, Q => q); END_IF;", &[]),
     ("iec", "t : TON; a, b : BOOL; i : INT;", "CASE i OF 1: t(IN := a, PT := T#1s); 2: t(IN := b, PT := T#2s); END_CASE;", &[]),
     ("iec", "t : TON; a, b, q : BOOL;", "IF q THEN t(IN := a, PT := T#1s); END_IF; t(IN := b, PT := T#2s, Q => q);", &["P5022"]),
+    ("iec", "t : TON; a, b, q : BOOL;", "IF q THEN t(IN := a, PT := T#1s); END_IF; IF NOT q THEN t(IN := b, PT := T#2s); END_IF;", &[]),
     ("iec", "t : TON; a, b, q : BOOL;", "IF q THEN t(IN := a, PT := T#1s); RETURN; END_IF; t(IN := b, PT := T#2s, Q => q);", &[]),
     ("iec", "t, u : TON; a, b : BOOL;", "t(IN := a, PT := T#1s); u(IN := b, PT := T#2s);", &[]),
     ("iec", "c : CTUD; a, b : BOOL;", "c(CU := a, PV := 3); c(CD := b);", &[]),

@@ -15,7 +15,8 @@ mod statements;
 mod step5;
 mod types;
 
-use std::collections::HashSet;
+use std::cell::OnceCell;
+use std::collections::{HashMap, HashSet};
 
 use rowan::{Checkpoint, GreenNode, GreenNodeBuilder};
 use sieben_model::diagnostic::Diagnostic;
@@ -23,6 +24,7 @@ use sieben_model::literal;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
+use sieben_model::visible::visible;
 
 use super::ast;
 use super::lexer::{Raw, in_word, is_terminated, token};
@@ -84,6 +86,7 @@ pub fn parse(file: FileId, text: &str, mnemonics: Option<Mnemonics>) -> Parsed {
         block_start: 0,
         labels: None,
         jumps: None,
+        names: OnceCell::new(),
         headed: None,
     };
     parser.advance(0);
@@ -153,6 +156,8 @@ struct Parser<'t> {
     labels: Option<slips::Labels>,
     /// The words behind the jumps of the source, once they were needed.
     jumps: Option<HashSet<String>>,
+    /// How often each name stands in the source, once it was asked.
+    names: OnceCell<HashMap<String, usize>>,
     /// The end that a block still needs which began with a heading.
     headed: Option<printed::Headed>,
 }
@@ -198,7 +203,7 @@ impl<'t> Parser<'t> {
             _ => {
                 let text = self.current();
                 let short: String = text.chars().take(40).collect();
-                format!("`{}`", short.escape_debug())
+                format!("`{}`", visible(&short))
             }
         }
     }

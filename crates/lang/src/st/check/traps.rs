@@ -43,12 +43,13 @@ impl Checker<'_> {
                 StatementKind::Return | StatementKind::Exit { .. } | StatementKind::Continue { .. } => return false,
                 _ => {}
             }
-            // Of several arms one runs: what each of them drives comes before what follows, and before no other arm.
-            let (known, mut after) = (before.len(), Vec::new());
+            // What an arm drives comes before what follows, but before no other arm: their conditions may exclude each other.
+            let certain: Vec<Driven<'t>> = before.iter().filter(|one| !one.in_arm).cloned().collect();
+            let mut after = Vec::new();
             for body in statement.kind.bodies() {
-                let mut inside = before[..known].to_vec();
+                let mut inside = certain.clone();
                 if self.driven(body, &mut inside) {
-                    after.extend(inside.drain(known..));
+                    after.extend(inside.drain(certain.len()..).map(|one| Driven { in_arm: true, ..one }));
                 }
             }
             before.extend(after);
@@ -70,7 +71,7 @@ impl Checker<'_> {
                     let message = "this instance is called twice on this path: each time it sees the edges that the other call makes";
                     self.report(Problem::P5022, call.span, message).related.push((first, "the first time".to_owned()));
                 }
-                None => before.push(Driven { what, trigger: Some(trigger), span: call.span }),
+                None => before.push(Driven { what, trigger: Some(trigger), span: call.span, in_arm: false }),
             }
         }
     }
@@ -84,7 +85,7 @@ impl Checker<'_> {
                 let message = format!("`T{number}` is started twice on this path: each time it sees the edges that the other start makes");
                 self.report(Problem::P5022, span, message).related.push((first, "the first time".to_owned()));
             }
-            None => before.push(Driven { what, trigger: None, span }),
+            None => before.push(Driven { what, trigger: None, span, in_arm: false }),
         }
     }
 
@@ -128,6 +129,8 @@ struct Driven<'t> {
     what: What<'t>,
     trigger: Option<&'t Value>,
     span: Span,
+    /// It was driven in an arm of an IF or CASE, or in a loop.
+    in_arm: bool,
 }
 
 /// A timer, or an input of an instance.

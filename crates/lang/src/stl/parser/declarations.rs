@@ -3,6 +3,7 @@
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::interface::Section;
 use sieben_model::problems::Problem;
+use sieben_model::types::DataType;
 
 use super::Parser;
 use super::blocks::Keyword;
@@ -183,7 +184,8 @@ impl Parser<'_> {
         let diagnostic = Diagnostic::new(Problem::P2020, span, message);
         let right = format!("{name} : {word}");
         self.report(match ways.as_slice() {
-            [_] => diagnostic.fix(span, right.clone(), format!("write `{right}`")),
+            [_] if self.is_glued(&written, name) => diagnostic.fix(span, right.clone(), format!("write `{right}`")),
+            [_] => diagnostic.guess(span, right.clone(), format!("write `{right}`")),
             ways => {
                 let ways: Vec<String> = ways.iter().map(|(name, word)| format!("`{name} : {word}`")).collect();
                 diagnostic.help(format!("write {}", ways.join(" or ")))
@@ -192,6 +194,17 @@ impl Parser<'_> {
         declaration.data_type = TypeName { kind: TypeKind::Word(word.to_ascii_uppercase()), span };
         declaration.names = vec![Word { text: name.to_owned(), span }];
         true
+    }
+
+    /// Whether a declared word can only be a name and its type: the type stands out by its capitals, no type of another dialect ends
+    /// the word, and the word is no name that the source uses.
+    fn is_glued(&self, written: &str, name: &str) -> bool {
+        let word = &written[name.len()..];
+        let stands_out = word.chars().all(|c| c.is_ascii_uppercase() || c == '_') && !name.ends_with(|c: char| c.is_ascii_uppercase());
+        let longer = DataType::all_words().any(|other| {
+            other.len() > word.len() && written.len() > other.len() && written.to_ascii_uppercase().ends_with(&other.to_ascii_uppercase())
+        });
+        stands_out && !longer && self.times_mentioned(written) < 2
     }
 
     /// Constants with commas; a comma may end a line.

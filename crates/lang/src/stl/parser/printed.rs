@@ -1,5 +1,7 @@
 //! What a printed listing has and a source has not: fences, ellipses, headings of blocks and networks, names with spaces.
 
+use std::collections::HashMap;
+
 use sieben_model::block::BlockKind;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
@@ -8,7 +10,7 @@ use super::blocks::{BLOCKS, Keyword, new_block};
 use super::statements::LABEL_MAX;
 use super::{DIAGNOSTICS_MAX, Parser};
 use crate::stl::ast::{Block, BlockName, Operand, Word};
-use crate::stl::lexer::{Raw, in_word, token, trim_blanks};
+use crate::stl::lexer::{Raw, token, trim_blanks};
 use crate::stl::syntax::SyntaxKind;
 
 /// What a network is called in the languages of printed programs, in lower case.
@@ -90,12 +92,19 @@ impl Parser<'_> {
         if !NETWORK_WORDS.contains(&word.to_lowercase().as_str()) {
             return false;
         }
-        if !numbered && (self.raw_behind_blanks() != Raw::Colon || word.chars().count() <= LABEL_MAX) {
+        if !numbered && (self.raw_behind_blanks() != Raw::Colon || word.chars().count() <= LABEL_MAX || self.is_long_label(word)) {
             return false;
         }
         self.network(block);
         self.numbered_network(start, block);
         true
+    }
+
+    /// Whether the word before a colon is a label: a jump names it, or a statement follows on its line.
+    fn is_long_label(&mut self, word: &str) -> bool {
+        let colon = self.behind_blanks(self.end);
+        let at = self.behind_blanks(colon + 1);
+        self.is_jumped_to(word) || self.statement_at(at).is_some()
     }
 
     /// A fence or an ellipsis on a line of its own; it is taken.
@@ -357,18 +366,33 @@ impl Parser<'_> {
         self.statement_at(at).is_some()
     }
 
-    /// Whether a name stands somewhere in the source, without regard to case.
+    /// Whether a name stands somewhere in the source outside of comments, without regard to case.
     pub(super) fn mentions(&self, name: &str) -> bool {
+        self.times_mentioned(name) > 0
+    }
+
+    /// How often a name stands in the source outside of comments, without regard to case.
+    pub(super) fn times_mentioned(&self, name: &str) -> usize {
         if self.diagnostics.len() >= DIAGNOSTICS_MAX {
-            return false;
+            return 0;
         }
-        let (text, name) = (self.text.as_bytes(), name.as_bytes());
-        let mut places = text.windows(name.len()).enumerate().filter(|(_, window)| window.eq_ignore_ascii_case(name));
-        places.any(|(at, _)| {
-            let before = self.text.get(..at).and_then(|text| text.chars().next_back());
-            let behind = self.text.get(at + name.len()..).and_then(|text| text.chars().next());
-            !before.is_some_and(in_word) && !behind.is_some_and(in_word)
-        })
+        let names = self.names.get_or_init(|| {
+            let mut names = HashMap::new();
+            let mut at = 0;
+            loop {
+                let (raw, end) = token(self.text, at);
+                match raw {
+                    Raw::End => return names,
+                    Raw::Word | Raw::Local | Raw::Symbol => {
+                        let name = self.text[at..end].trim_matches(['"', '#']).to_ascii_uppercase();
+                        *names.entry(name).or_insert(0) += 1;
+                    }
+                    _ => {}
+                }
+                at = end;
+            }
+        });
+        names.get(&name.to_ascii_uppercase()).copied().unwrap_or(0)
     }
 }
 

@@ -309,7 +309,13 @@ impl Parser<'_> {
         let diagnostic = Diagnostic::new(Problem::P2004, self.span(at, end), message);
         let span = self.span(before, end);
         let replacement = format!("{line_end}{indentation}{word}");
-        self.report(diagnostic.fix(span, replacement, format!("write `{word}` on a line of its own")));
+        let title = format!("write `{word}` on a line of its own");
+        // A word at the end of the line that takes nothing may be a comment that lost its `//`.
+        let last = matches!(token(self.text, self.behind_blanks(end)).0, Raw::Newline | Raw::LineComment | Raw::End);
+        self.report(match last && !label {
+            true => diagnostic.guess(span, replacement, title).help("write it on a line of its own, or `//` before a comment"),
+            false => diagnostic.fix(span, replacement, title),
+        });
         self.blanks();
         true
     }

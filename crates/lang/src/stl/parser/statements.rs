@@ -5,6 +5,7 @@ use std::collections::{HashMap, HashSet};
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
+use sieben_model::source::Span;
 
 use super::blocks::Keyword;
 use super::{DIAGNOSTICS_MAX, OTHER_ALPHABET, Parser, latin};
@@ -670,15 +671,25 @@ impl Parser<'_> {
             wrong.push((label.span, label.text.clone(), name.clone()));
         }
         for statement in &block.statements {
+            let mut rows = Instruction::candidates(&statement.mnemonic.text, self.mnemonics);
             if let Operand::Name { word, .. } = &statement.operand
+                && rows.any(|row| row.operand() == OperandClass::Label)
                 && let Some(name) = short.get(&word.text)
             {
                 wrong.push((word.span, word.text.clone(), name.clone()));
             }
         }
+        // Another fix at one of its places would keep a label from being renamed there, and only there.
+        let taken = |span: Span| {
+            let fixes = self.diagnostics.iter().filter_map(|one| one.fix.as_ref());
+            fixes.into_iter().any(|fix| fix.span.start < span.end && span.start < fix.span.end)
+        };
+        let kept: HashSet<String> = wrong.iter().filter(|(span, ..)| taken(*span)).map(|(_, text, _)| text.clone()).collect();
         for (span, text, name) in wrong {
             let message = format!("the label `{text}` has more than {LABEL_MAX} characters");
-            self.report(Diagnostic::new(Problem::P2006, span, message).fix(span, name.clone(), format!("write `{name}`")));
+            let diagnostic = Diagnostic::new(Problem::P2006, span, message);
+            let title = format!("write `{name}`");
+            self.report(if kept.contains(&text) { diagnostic.guess(span, name, title) } else { diagnostic.fix(span, name, title) });
         }
     }
 }

@@ -40,7 +40,7 @@ impl Parser<'_> {
         let rest = &self.text[at..];
         let value = &rest[..rest.find(|c: char| !(in_word(c) || matches!(c, '.' | ',' | '+' | '-' | '\'' | ' '))).unwrap_or(rest.len())];
         let value = value.trim_end();
-        let meant = step5(&letters, value)?;
+        let meant = step5(&letters, value, self.mnemonics)?;
         let end = at + value.len();
         let span = self.span(start, end);
         let written = self.slice(start, end);
@@ -148,7 +148,7 @@ impl Parser<'_> {
 }
 
 /// What an operand of STEP 5 is in STL.
-fn step5(letters: &str, value: &str) -> Option<Step5> {
+fn step5(letters: &str, value: &str, mnemonics: Mnemonics) -> Option<Step5> {
     let whole = || value.parse::<u64>().ok().filter(|_| value.bytes().all(|byte| byte.is_ascii_digit()));
     let is = |right: String| literal::parse(&right).is_ok().then_some(Step5::Is(right));
     if let Some((_, memory)) = FLAGS.iter().find(|(flag, _)| *flag == letters) {
@@ -180,7 +180,8 @@ fn step5(letters: &str, value: &str) -> Option<Step5> {
         "KH" => is(format!("W#16#{}", value.replace(' ', ""))),
         "KM" => is(format!("2#{}", value.split_whitespace().collect::<Vec<_>>().join("_"))),
         "KZ" => is(format!("C#{}", whole()?)),
-        "KC" if whole().is_some() => is(format!("C#{value}")),
+        // The letters of a counter in English are those of characters in German.
+        "KC" if mnemonics == Mnemonics::English && whole().is_some() => is(format!("C#{value}")),
         "KC" | "KS" => is(format!("'{}'", value.trim_matches('\''))),
         "KY" => is(format!("B#({})", value.replace(' ', ""))),
         "KT" => {

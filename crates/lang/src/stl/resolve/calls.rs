@@ -95,15 +95,15 @@ impl Resolver<'_> {
     /// The values that a call gives, by the names of the parameters; those without a value are left out.
     fn arguments<'c>(&mut self, call: &'c ast::Call, callee: BlockId, interface: &Interface) -> HashMap<String, &'c ast::Argument> {
         let formals: HashSet<String> = interface.parameters().map(|parameter| key(&parameter.name)).collect();
+        let given: HashSet<String> = call.arguments.iter().map(|argument| key(&argument.name.text)).collect();
         let mut arguments: HashMap<String, &ast::Argument> = HashMap::with_capacity(call.arguments.len());
         for argument in &call.arguments {
             if is_type_hint(argument, &formals) {
                 continue;
             }
             if !formals.contains(&key(&argument.name.text)) {
-                let given = |name: &str| call.arguments.iter().any(|one| key(&one.name.text) == key(name));
-                let names: Vec<&str> =
-                    interface.parameters().map(|parameter| parameter.name.as_str()).filter(|name| !given(name)).collect();
+                let names = interface.parameters().map(|parameter| parameter.name.as_str());
+                let names: Vec<&str> = names.filter(|name| !given.contains(&key(name))).collect();
                 let nearest = self.known.scope.nearest_parameter(&argument.name.text, names.iter().copied());
                 let message = format!("`{callee}` has no parameter `{}`{}", argument.name.text, did_you_mean(nearest.clone()));
                 let valid: Vec<&str> = interface.parameters().map(|parameter| parameter.name.as_str()).collect();

@@ -1,5 +1,7 @@
 //! A condition before `L` or `T` that does not guard them: both run whatever the RLO is.
 
+use std::collections::HashSet;
+
 use sieben_engine::machine::Register;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
@@ -14,6 +16,7 @@ use crate::stl::operands::OperandClass;
 pub(super) fn check(block: &ResolvedBlock, diagnostics: &mut Vec<Diagnostic>) {
     let statements = &block.statements;
     let Some(used_after) = used_after(statements) else { return };
+    let targets = jumped_to(statements);
     let mut index = 0;
     while index < statements.len() {
         // The condition ends where the first value is loaded or stored.
@@ -23,7 +26,6 @@ pub(super) fn check(block: &ResolvedBlock, diagnostics: &mut Vec<Diagnostic>) {
             continue;
         }
         let end = (guarded..statements.len()).find(|&at| !keeps_rlo(statements[at].instruction)).unwrap_or(statements.len());
-        let targets: Vec<usize> = jumped_to(statements);
         let straight = !(guarded..=end).any(|at| targets.contains(&at));
         let stores = statements[guarded..end].iter().any(|one| one.instruction == I::Transfer);
         let continued = straight && stores && statements.get(end).is_some_and(|one| begins_condition(one.instruction));
@@ -70,7 +72,7 @@ fn begins_condition(instruction: I) -> bool {
 }
 
 /// Where jumps lead.
-fn jumped_to(statements: &[Statement]) -> Vec<usize> {
+fn jumped_to(statements: &[Statement]) -> HashSet<usize> {
     let label = |one: &Statement| match one.operand {
         crate::stl::operands::Operand::Label(target) => Some(target as usize),
         _ => None,

@@ -25,7 +25,9 @@ pub(super) fn check(block: &ResolvedBlock, diagnostics: &mut Vec<Diagnostic>) {
     }
     let statements = &block.statements;
     let saves = Saves {
-        ar2: statements.iter().any(|one| matches!(one.instruction, I::TransferAr2 | I::TransferAr2To | I::SwapAr)),
+        ar2: statements.iter().any(|one| {
+            matches!(one.instruction, I::TransferAr2 | I::TransferAr2To | I::SwapAr) || one.operand == Operand::AddressRegister2
+        }),
         di: statements
             .iter()
             .any(|one| one.operand == Operand::DataBlockInfo(DataBlockInfo::InstanceNumber) || one.instruction == I::SwapDataBlocks),
@@ -68,7 +70,7 @@ fn after(index: usize, statement: &Statement, before: Changed, saves: Saves) -> 
         (I::LoadAr2From, Operand::Constant(Value::Pointer(pointer))) => changed.ar2 = here.filter(|_| pointer & 0x00FF_FFFF != 0),
         // A register that was saved may be put back with this.
         (I::LoadAr2 | I::LoadAr2From | I::AddAr2, _) => changed.ar2 = here.filter(|_| !saves.ar2),
-        (I::SwapAr, _) => changed.ar2 = None,
+        (I::SwapAr, _) | (I::TransferAr1To, Operand::AddressRegister2) => changed.ar2 = None,
         (I::OpenBlock, Operand::Block(BlockOperand { instance: true, number, .. })) => {
             changed.di = here.filter(|_| matches!(number, NumberOperand::Fixed(_)) || !saves.di);
         }

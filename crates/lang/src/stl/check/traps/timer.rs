@@ -20,7 +20,7 @@ enum Driven {
     MultiInstance(u32),
 }
 
-/// The statement that drove each on some path to here.
+/// The statement that drove each on every path to here: of two conditions that choose between two starts only one holds.
 type Before = BTreeMap<Driven, usize>;
 
 /// Reports the second statement of a path that drives the same timer.
@@ -43,9 +43,7 @@ pub(super) fn check(block: &ResolvedBlock, diagnostics: &mut Vec<Diagnostic>) {
     };
     let join = |known: &mut Before, more: &Before| {
         let size = known.len();
-        more.iter().for_each(|(&one, &at)| {
-            known.entry(one).or_insert(at);
-        });
+        known.retain(|one, _| more.contains_key(one));
         known.len() != size
     };
     let states = flow::states(statements, Before::new(), step, join);

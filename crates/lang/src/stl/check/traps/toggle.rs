@@ -18,9 +18,11 @@ pub(super) fn check(block: &ResolvedBlock, diagnostics: &mut Vec<Diagnostic>) {
             I::Set | I::Reset => half(&statements[begin..index], statement),
             _ => None,
         };
-        let jumped_to = statements.iter().any(|one| matches!(one.operand, Operand::Label(target) if target as usize == begin));
-        if let (Some(first), Some(second)) = (previous.as_ref().filter(|_| !jumped_to), half.as_ref())
+        let jumped_to =
+            |begin: usize| statements.iter().any(|one| matches!(one.operand, Operand::Label(target) if target as usize == begin));
+        if let (Some(first), Some(second)) = (previous.as_ref(), half.as_ref())
             && first.undone_by(second)
+            && !jumped_to(begin)
         {
             let done = if second.sets { "sets" } else { "resets" };
             let undone = if second.sets { "reset" } else { "set" };
