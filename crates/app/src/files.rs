@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use sieben_lang::encoding::MAX_SOURCE_BYTES;
 use sieben_model::problems::Problem;
+use sieben_model::visible;
 
 use crate::failure::Failure;
 
@@ -57,7 +58,7 @@ pub(crate) fn open(path: &Path) -> Result<File, Failure> {
 
 /// A message about a file that cannot be read.
 pub(crate) fn unreadable(path: &Path, error: &io::Error) -> Failure {
-    let shown = path.display();
+    let shown = visible::name(&path.display().to_string());
     match error.kind() {
         io::ErrorKind::NotFound => {
             Failure::usage(Problem::P6001, format!("there is no file or folder `{shown}`")).help(similar(path).map_or_else(

@@ -171,7 +171,10 @@ fn wants_json() -> bool {
 /// A command line that is not understood, as JSON: on standard output where the list is the result, else where messages go.
 fn wrong_command_line(error: &clap::Error) {
     let text = error.to_string();
-    let message = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+    // What is missing, or what would be possible, stands on the lines below the first.
+    let paragraph: Vec<&str> =
+        text.lines().take_while(|line| !line.starts_with("Usage:")).map(str::trim).filter(|line| !line.is_empty()).collect();
+    let message = paragraph.join(" ").trim_start_matches("error: ").to_owned();
     let mut failure = Failure::usage(Problem::P7001, message);
     failure.help = hint(error).map(|hint| hint.trim().to_owned());
     let list = report::failure_to_json(&failure);

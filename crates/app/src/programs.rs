@@ -1,6 +1,6 @@
 //! A folder of files as people have it: one program, or several that share blocks and symbols.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,6 +12,7 @@ use sieben_model::address::Operand;
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_model::source::Sources;
+use sieben_model::visible;
 
 use crate::failure::Failure;
 use crate::paths::{self, Listing, is_awlsim_project, is_scenario, is_source, join, shown};
@@ -237,7 +238,12 @@ impl Folder {
                 None => Tested::Nothing,
             };
         }
-        let index = |path: &PathBuf| self.programs.iter().position(|program| program.kind == Kind::File(path.clone()));
+        let of_file = |(at, program): (usize, &'_ Program)| match &program.kind {
+            Kind::File(path) => Some((path.clone(), at)),
+            _ => None,
+        };
+        let places: HashMap<PathBuf, usize> = self.programs.iter().enumerate().filter_map(of_file).collect();
+        let index = |path: &PathBuf| places.get(path).copied();
         let main: Vec<&PathBuf> = self.sources.iter().filter(|path| index(path).is_some()).collect();
         let blocks: Vec<&PathBuf> = self.sources.iter().filter(|path| index(path).is_none()).collect();
         let name = tested(test);
@@ -307,7 +313,7 @@ impl Folder {
         let shared: Vec<String> = self.shared.iter().map(|path| format!("`{}`", shown(path))).collect();
         let shared = match shared.as_slice() {
             [] => String::new(),
-            [one] => format!("; {one} belongs to {}", self.all()),
+            [one] => format!("; {} belongs to {}", visible::name(one), self.all()),
             several => format!("; {} belong to {}", listed(several), self.all()),
         };
         format!("{} programs: {}{shared}.", self.programs.len(), self.names())
@@ -416,13 +422,14 @@ impl Chosen {
 
 /// A path as a shell takes it.
 fn quoted(path: &Path) -> String {
-    let plain = shown(path);
+    let plain = visible::name(&shown(path));
     if plain.contains([' ', '\t', '(', ')', '&', ';', '\'']) { format!("\"{plain}\"") } else { plain }
 }
 
 /// A list in words, cut where it becomes long.
 fn listed(names: &[String]) -> String {
-    match names {
+    let names: Vec<String> = names.iter().map(|name| visible::name(name)).collect();
+    match names.as_slice() {
         [] => String::new(),
         [one] => one.clone(),
         [all @ .., last] if names.len() <= NAMED_MAX => format!("{} and {last}", all.join(", ")),

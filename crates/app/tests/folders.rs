@@ -247,6 +247,17 @@ fn a_test_file_needs_no_certain_name() {
 }
 
 #[test]
+fn a_name_of_several_lines_begins_no_line() {
+    let folder = two();
+    std::fs::write(folder.path().join("x\n::error::y.awl"), "A I 0.0\n= Q 4.0\n").expect("it can be written");
+    for arguments in [&["check", ".", "--output-format", "github"][..], &["check", "."], &["test", "."], &["run", "."]] {
+        let run = folder.run(arguments);
+        assert!(run.stdout.contains("x␊::error::y.awl") || run.stderr.contains("x␊::error::y.awl"), "{}{}", run.stdout, run.stderr);
+        assert!(!run.stdout.contains("\n::error::y") && !run.stderr.contains("\n::error::y"), "{}{}", run.stdout, run.stderr);
+    }
+}
+
+#[test]
 fn a_run_without_a_test_fails() {
     let folder = two();
     for test in ["lamp.test.st", "motor_test.st"] {

@@ -72,6 +72,7 @@ const KINDS: &[Kind] = &[
     ("fields.awl", |n| {
         many(n, "DATA_BLOCK DB 1\nSTRUCT\n", "f{n} : BOOL ;", "END_STRUCT\nBEGIN\n") + &many(n, "", "f{n} := TRUE;", "END_DATA_BLOCK\n")
     }),
+    ("conditions.awl", |n| many(n, "", "A I 0.0;\nL MW 0;\nT MW 2;\n= Q 0.0;", "")),
     ("functions.awl", |n| many(n, "", "FUNCTION FC {n} : VOID\nBEGIN\nNOP 0;\nEND_FUNCTION", "")),
     ("networks.awl", |n| many(n, "FUNCTION FC 1 : VOID\nBEGIN\n", "NETWORK\nTITLE = x\nA I 0.0;\n= Q 4.0;", "END_FUNCTION\n")),
     ("jumps.awl", |n| many(n, "FUNCTION FC 1 : VOID\nBEGIN\n", "JU m{n};\nm{n}: NOP 0;", "END_FUNCTION\n")),

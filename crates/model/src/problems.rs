@@ -88,7 +88,7 @@ problems! {
     P2042 Warning "an extension word that asks for a CPU with both two and four accumulators" "Ask for one number of accumulators in the whole program, or choose the CPU type with --cpu.";
     P2043 Error "a mark of a printed listing where statements stand" "Remove the fence; write the statements that the page leaves out, or `NOP 0`.";
     P2044 Error "an operand or instruction of STEP 5" "Write what the message names; STL calls bit memory M, counts the bytes of a data block, and writes constants as W#16#, 2#, C# and S5T#.";
-    P2045 Error "the heading of a printed block or network" "Begin a block with its keyword, such as `FUNCTION FC 30 : VOID`, and a network with `NETWORK`; what it is called stands behind `TITLE =`.";
+    P2045 Error "the heading of a printed block or network" "Begin a block with its keyword, such as `FUNCTION FC 30 : VOID`, and a network with `NETWORK`; what it is called stands after `TITLE =`.";
     P2046 Error "a name with spaces and without quotes" "Write the symbol in quotes, or the name with underscores.";
     P2199 Error "more problems than are shown" "Mend the problems that are shown first.";
     P2200 Error "a block header that does not fit its block" "Name a block of the kind that the keyword says: FUNCTION with an FC, FUNCTION_BLOCK with an FB, DATA_BLOCK with a DB, ORGANIZATION_BLOCK with an OB, TYPE with a UDT.";

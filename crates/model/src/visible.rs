@@ -46,6 +46,22 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
+/// A name with its hidden characters shown, line ends and tabs among them: it stands in a sentence, and begins no line.
+///
+/// ```
+/// assert_eq!(sieben_model::visible::name("a\n::error::b"), "a␊::error::b");
+/// ```
+pub fn name(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for character in text.chars() {
+        match is_hidden(character) || matches!(character, '\n' | '\t') {
+            true => push(&mut out, character),
+            false => out.push(character),
+        }
+    }
+    out
+}
+
 /// The hidden characters of a text and where they stand.
 pub fn hidden(text: &str) -> impl Iterator<Item = (usize, char)> {
     let of_line_end = |at: usize| text[at + 1..].starts_with('\n');

@@ -187,8 +187,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             Ok(Exit::Success)
         }
         _ => {
-            if let Some(cause) = bench.cpu.stop_cause() {
-                output::message(&controller::stop_text(&build, cause));
+            match bench.cpu.stop_cause() {
+                Some(cause) if arguments.json => {
+                    output::print_json(&json!({ "mode": "STOP", "stop": controller::stop_json(cause) }), false)?;
+                }
+                Some(cause) => output::message(&controller::stop_text(&build, cause)),
+                None => {}
             }
             Ok(Exit::Stopped)
         }

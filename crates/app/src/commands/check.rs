@@ -8,6 +8,7 @@ use serde_json::json;
 use sieben_cpu::OnlineChange;
 use sieben_lang::TemporaryReads;
 use sieben_model::problems::Problem;
+use sieben_model::visible;
 
 use crate::arguments::{ProgramArguments, StrictArgument};
 use crate::failure::{Exit, Failure};
@@ -243,7 +244,7 @@ fn check_several(arguments: &Arguments, chosen: &Chosen, overrides: Overrides) -
     } else if !findings.is_empty() {
         print(format, &findings, &texts)?;
         let wrong: Vec<&str> = programs.iter().filter(|program| program.errors > 0).map(|program| program.name.as_str()).collect();
-        let names: Vec<String> = wrong.iter().take(NAMED_MAX).map(|name| format!("`{name}`")).collect();
+        let names: Vec<String> = wrong.iter().take(NAMED_MAX).map(|name| format!("`{}`", visible::name(name))).collect();
         let more = if wrong.len() > names.len() { format!(" and {} more", wrong.len() - names.len()) } else { String::new() };
         output::message(&match wrong.len() {
             0 => format!("None of {} programs has errors.\n", programs.len()),

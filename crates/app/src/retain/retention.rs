@@ -62,7 +62,8 @@ impl Retention {
         let path = &choice.file;
         if let Some((path, foreign)) = foreign(path) {
             let message = format!("retentive data is not kept in `{}`: {foreign}", path.display());
-            return Err(Failure::usage(Problem::P8033, message));
+            let failure = Failure::usage(Problem::P8033, message);
+            return Err(if choice.named { failure.help("name a plain file with `--retain`") } else { failure });
         }
         let disk = match RealDisk::locked(path) {
             Ok(disk) => disk,

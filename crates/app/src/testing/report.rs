@@ -43,8 +43,8 @@ impl Tally {
 pub(crate) fn exit(finished: &[Finished]) -> Exit {
     let any = |wanted: fn(&Verdict) -> bool| finished.iter().any(|test| wanted(&test.outcome.verdict));
     match () {
-        () if any(|verdict| matches!(verdict, Verdict::Unreadable(_) | Verdict::Misread(_))) => Exit::Usage,
         () if any(|verdict| matches!(verdict, Verdict::DoesNotCompile(_))) => Exit::DoesNotCompile,
+        () if any(|verdict| matches!(verdict, Verdict::Unreadable(_) | Verdict::Misread(_))) => Exit::Usage,
         () if any(|verdict| matches!(verdict, Verdict::Failed(_))) => Exit::CheckFailed,
         () => Exit::Success,
     }

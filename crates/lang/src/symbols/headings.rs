@@ -165,6 +165,8 @@ const OTHERS: [&[&str]; 8] = [
         "technologicaldesignation",
         "designation",
         "technologischername",
+        "bezeichnung",
+        "betriebsmittel",
         "technologischebezeichnung",
         "techbezeichnung",
         "bmk",
