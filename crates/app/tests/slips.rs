@@ -49,10 +49,11 @@ const SLIPS: &[Slip] = &[
         &["the label `Network`"],
         "A I 0.0\nJC Netw\nNetw: = Q 0.0\n",
     ),
-    open(
+    line(
         "a jump that is glued to a long label",
         "JUlanglabel1\nlanglabel1: NOP 0\n",
         &["did you mean `JU langlabel1`?", "the label `langlabel1`"],
+        "JU lang\nlang: NOP 0\n",
     ),
     line(
         "a long label that is called like a variable",

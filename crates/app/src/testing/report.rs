@@ -183,7 +183,8 @@ pub(crate) fn programs(finished: &[Finished], programs: &[&str]) -> String {
     let mut parts = vec![format!("{passed} passed")];
     for (word, names) in [("failed", failed), ("without a test", none)] {
         if !names.is_empty() {
-            parts.push(format!("{} {word} ({})", names.len(), names.join(", ")));
+            let shown: Vec<String> = names.iter().map(|name| visible::name(name)).collect();
+            parts.push(format!("{} {word} ({})", names.len(), shown.join(", ")));
         }
     }
     format!("{} programs: {}\n", programs.len(), parts.join(", "))

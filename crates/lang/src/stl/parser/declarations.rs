@@ -201,9 +201,7 @@ impl Parser<'_> {
     fn is_glued(&self, written: &str, name: &str) -> bool {
         let word = &written[name.len()..];
         let stands_out = word.chars().all(|c| c.is_ascii_uppercase() || c == '_') && !name.ends_with(|c: char| c.is_ascii_uppercase());
-        let longer = DataType::all_words().any(|other| {
-            other.len() > word.len() && written.len() > other.len() && written.to_ascii_uppercase().ends_with(&other.to_ascii_uppercase())
-        });
+        let longer = DataType::all_words().any(|other| other.len() > word.len() && written.len() > other.len() && written.ends_with(other));
         stands_out && !longer && self.times_mentioned(written) < 2
     }
 
