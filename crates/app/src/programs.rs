@@ -238,14 +238,14 @@ impl Folder {
                 None => Tested::Nothing,
             };
         }
-        let of_file = |(at, program): (usize, &'_ Program)| match &program.kind {
-            Kind::File(path) => Some((path.clone(), at)),
-            _ => None,
-        };
-        let places: HashMap<PathBuf, usize> = self.programs.iter().enumerate().filter_map(of_file).collect();
-        let index = |path: &PathBuf| places.get(path).copied();
-        let main: Vec<&PathBuf> = self.sources.iter().filter(|path| index(path).is_some()).collect();
-        let blocks: Vec<&PathBuf> = self.sources.iter().filter(|path| index(path).is_none()).collect();
+        let mut places: HashMap<&Path, usize> = HashMap::new();
+        for (at, program) in self.programs.iter().enumerate() {
+            if let Kind::File(path) = &program.kind {
+                places.insert(path, at);
+            }
+        }
+        let index = |path: &PathBuf| places.get(path.as_path()).copied();
+        let (main, blocks): (Vec<&PathBuf>, Vec<&PathBuf>) = self.sources.iter().partition(|path| index(path).is_some());
         let name = tested(test);
         let around = self.around(test, &main);
         let beside = |path: &&&PathBuf| path.parent() == test.parent();

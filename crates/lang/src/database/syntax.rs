@@ -81,25 +81,7 @@ impl Syntax {
         before: Option<&Self>,
         stamps: &mut Stamps,
     ) -> Self {
-        let mut syntax = Self::of_language(id, source, language, options, before, stamps);
-        if let Some(Contradiction { place: (start, end), is, named }) = contradiction(&source.name, &source.text) {
-            let name = source.name.rsplit(['/', '\\']).next().unwrap_or_default();
-            let message =
-                format!("`{name}` is read as {is}, though its name says {named}: this is a line of {is}, and no line is one of {named}");
-            syntax.diagnostics.push(Diagnostic::new(Problem::P6076, Span::new(id, start as u32, end as u32), message));
-        }
-        syntax
-    }
-
-    fn of_language(
-        id: FileId,
-        source: &SourceFile,
-        language: Language,
-        options: &Options,
-        before: Option<&Self>,
-        stamps: &mut Stamps,
-    ) -> Self {
-        match language {
+        let mut syntax = match language {
             Language::Stl => {
                 let parsed = stl::parser::parse(id, &source.text, options.mnemonics);
                 Self::of_stl(id, &source.text, parsed, before, stamps)
@@ -122,7 +104,14 @@ impl Syntax {
                 diagnostics.extend(read.iter().flat_map(|read| read.diagnostics.iter().cloned()));
                 Self::of_st(text, file, untold, diagnostics, before, stamps)
             }
+        };
+        if let Some(Contradiction { place: (start, end), is, named }) = contradiction(&source.name, &source.text) {
+            let name = source.name.rsplit(['/', '\\']).next().unwrap_or_default();
+            let message =
+                format!("`{name}` is read as {is}, though its name says {named}: this is a line of {is}, and no line is one of {named}");
+            syntax.diagnostics.push(Diagnostic::new(Problem::P6076, Span::new(id, start as u32, end as u32), message));
         }
+        syntax
     }
 
     /// A source of STL that is parsed.

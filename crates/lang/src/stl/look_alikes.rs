@@ -1,9 +1,10 @@
 //! Characters that look like those of STL: letters of other alphabets, signs of typesetting, letters for digits.
 
-use crate::scan::{self, straight_quote};
 use std::borrow::Cow;
 
 use sieben_model::literal;
+
+use crate::scan::{self, straight_quote};
 
 /// Why a word with letters of other alphabets is a slip.
 pub(super) const OTHER_ALPHABET: &str = "has letters of another alphabet that only look like Latin ones";
