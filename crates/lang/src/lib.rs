@@ -16,6 +16,7 @@ pub mod encoding;
 pub mod known_names;
 pub mod language;
 pub mod library;
+pub mod network;
 pub mod options;
 pub mod project;
 pub mod reason;

@@ -1,0 +1,7 @@
+//! Diagrams: what ladder (LAD) and function block diagrams (FBD) both draw, as data, as text, and from and to plain statements.
+//!
+//! Nothing here knows a language: operands are kept as written, and what they mean is asked of the block that the network stands in.
+
+pub mod boxes;
+pub mod model;
+pub mod operand;
