@@ -3,5 +3,10 @@
 //! Nothing here knows a language: operands are kept as written, and what they mean is asked of the block that the network stands in.
 
 pub mod boxes;
+pub mod form_a;
+pub mod mistake;
 pub mod model;
+pub mod notation;
 pub mod operand;
+pub mod rules;
+pub mod words;

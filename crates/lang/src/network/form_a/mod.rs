@@ -1,0 +1,16 @@
+//! Form A: a diagram as text with one element on each line, the form in which diagrams are stored.
+
+mod boxes;
+mod layout;
+mod line;
+mod parse;
+mod print;
+
+pub use boxes::actual;
+pub use layout::format;
+pub use line::Mark;
+pub use parse::{ELEMENTS_MAX, NESTING_MAX, Parsed, parse};
+pub use print::print;
+
+#[cfg(test)]
+mod tests;
