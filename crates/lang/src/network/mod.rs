@@ -8,5 +8,5 @@ pub mod mistake;
 pub mod model;
 pub mod notation;
 pub mod operand;
-pub mod rules;
+pub mod rules_mine;
 pub mod words;

@@ -52,7 +52,7 @@ pub(crate) fn block(
     let mut statements = Vec::with_capacity(source.statements.len() + 1);
     let mut types = Vec::with_capacity(source.statements.len() + 1);
     let mut networks = source.networks.iter().peekable();
-    let mut network = 0;
+    let mut network = 0u32;
     for (index, statement) in source.statements.iter().enumerate() {
         while networks.next_if(|next| next.first_statement <= index).is_some() {
             network += 1;
@@ -78,7 +78,7 @@ pub(crate) fn block(
         }
         // The place of a statement that is wrong stays taken, so that labels keep their numbers.
         let (instruction, operand) = chosen.unwrap_or((Instruction::Nop0, Operand::Constant(Value::Int(0))));
-        let origin = Origin::Text { span: statement.span, network: network.max(1) };
+        let origin = origin(source, index, network, statements.last());
         statements.push(Statement { instruction, operand, origin });
         types.push(resolver.declared.take());
     }
@@ -106,6 +106,18 @@ pub(crate) fn block(
         traps::check(&block, known.extended, &mut diagnostics);
     }
     Checked { block, diagnostics, whole }
+}
+
+/// Where a statement comes from; `before` is the one before it.
+fn origin(source: &ast::Block, index: usize, network: u32, before: Option<&Statement>) -> Origin {
+    let span = source.statements[index].span;
+    let own = network.checked_sub(1).and_then(|at| source.networks.get(at as usize)).filter(|own| own.drawing.is_some());
+    let Some(own) = own else { return Origin::Text { span, network: network.max(1) } };
+    let element = match before.map(|before| before.origin) {
+        Some(Origin::Element { span: last, element, .. }) if own.first_statement < index => element + u32::from(last != span),
+        _ => 1,
+    };
+    Origin::Element { span, network, element }
 }
 
 /// A block whose statements were looked at.

@@ -9,8 +9,9 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
 
 use super::convert::stops_rewriting;
-use super::parser::parse;
+use super::parser::{diagram_layout, parse_as};
 use super::syntax::{SyntaxKind, SyntaxToken};
+use crate::network::notation::Drawing;
 
 /// Blanks per level.
 const INDENT: usize = 2;
@@ -21,7 +22,12 @@ const COMMENT_COLUMN: usize = 40;
 
 /// The source in standard layout; errors of syntax are returned instead. A misprint with a known meaning is none of them.
 pub fn format(text: &str, mnemonics: Option<Mnemonics>) -> Result<String, Vec<Diagnostic>> {
-    let parsed = parse(FileId::default(), text, mnemonics);
+    format_as(text, mnemonics, None)
+}
+
+/// The same for a source whose networks are drawn, unless they say something else.
+pub fn format_as(text: &str, mnemonics: Option<Mnemonics>, drawing: Option<Drawing>) -> Result<String, Vec<Diagnostic>> {
+    let parsed = parse_as(FileId::default(), text, mnemonics, drawing);
     let errors: Vec<Diagnostic> = parsed.diagnostics.iter().filter(|diagnostic| stops_rewriting(diagnostic)).cloned().collect();
     if !errors.is_empty() {
         return Err(errors);
@@ -127,6 +133,7 @@ impl Formatter {
                 self.blank = true;
                 return;
             }
+            SyntaxKind::Diagram => return self.diagram(text),
             SyntaxKind::Newline => {
                 match self.line.used {
                     true => self.end_line(),
@@ -150,6 +157,20 @@ impl Formatter {
         if kind == SyntaxKind::Keyword && text.eq_ignore_ascii_case("BEGIN") {
             self.code = true;
         }
+    }
+
+    /// The lines of a diagram.
+    fn diagram(&mut self, text: &str) {
+        self.end_line();
+        if self.empty > 0 && !self.out.trim_start_matches('\u{feff}').is_empty() {
+            self.out.push_str(self.newline);
+        }
+        self.empty = 0;
+        for line in diagram_layout(text).lines() {
+            self.out.push_str(line);
+            self.out.push_str(self.newline);
+        }
+        self.fresh_network = false;
     }
 
     /// Puts a token into its column.
