@@ -3,5 +3,9 @@
 //! Nothing here knows a language: operands are kept as written, and what they mean is asked of the block that the network stands in.
 
 pub mod boxes;
+pub mod flavour;
 pub mod model;
 pub mod operand;
+pub mod rules;
+pub mod statement;
+pub mod write;

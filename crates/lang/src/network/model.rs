@@ -400,6 +400,35 @@ impl Kind {
         matches!(self, Self::Edge { .. } | Self::Not | Self::Midline { .. }) || self.is_box()
     }
 
+    /// It has a circle, or is a normally closed contact.
+    pub fn is_negated(&self) -> bool {
+        match self {
+            Self::Contact { negated, .. }
+            | Self::Compare { negated, .. }
+            | Self::Parallel { negated, .. }
+            | Self::Xor { negated, .. }
+            | Self::Group { negated, .. }
+            | Self::Tap { negated } => *negated,
+            _ => false,
+        }
+    }
+
+    /// Negates it once more; says whether it can be negated by itself.
+    pub fn negate(&mut self) -> bool {
+        match self {
+            Self::Contact { negated, .. }
+            | Self::Compare { negated, .. }
+            | Self::Parallel { negated, .. }
+            | Self::Xor { negated, .. }
+            | Self::Group { negated, .. }
+            | Self::Tap { negated } => {
+                *negated = !*negated;
+                true
+            }
+            _ => false,
+        }
+    }
+
     /// It, or something in it, is an edge.
     pub fn holds_edge(&self) -> bool {
         let in_line = |line: &Line| line.iter().any(|one| one.kind.holds_edge());
