@@ -4,6 +4,7 @@
 
 pub mod boxes;
 pub mod flavour;
+pub mod form_b;
 pub mod model;
 pub mod operand;
 pub mod rules;
