@@ -7,7 +7,7 @@ use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
 
 use crate::codesys_files;
-use crate::network::notation::Drawing;
+use crate::network::flavour::Drawing;
 use crate::st::dialect::Dialect;
 use crate::{st, stl};
 

@@ -3,10 +3,13 @@
 //! Nothing here knows a language: operands are kept as written, and what they mean is asked of the block that the network stands in.
 
 pub mod boxes;
+pub mod flavour;
 pub mod form_a;
+pub mod form_b;
 pub mod mistake;
 pub mod model;
-pub mod notation;
 pub mod operand;
-pub mod rules_mine;
+pub mod rules;
+pub mod statement;
 pub mod words;
+pub mod write;

@@ -351,6 +351,19 @@ pub enum Actual {
     Output(Operand),
 }
 
+impl Actual {
+    /// What an operand alone is at a pin: the address of a bit is a contact, everything else is handed on as it is.
+    pub fn of_operand(operand: Operand, contact: Line) -> Self {
+        if operand.is_bit_address() { Self::Logic(contact) } else { Self::Direct(operand) }
+    }
+
+    /// Logic that is one contact of a variable, which, written alone, would be handed on as it is.
+    pub fn is_name_of_bit(&self) -> bool {
+        let Self::Logic(line) = self else { return false };
+        matches!(line.as_slice(), [Element { kind: Kind::Contact { operand, negated: false }, .. }] if !operand.is_bit_address())
+    }
+}
+
 /// A box of IEC 61131-3: a function, an operator or a function block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedBox {
@@ -398,6 +411,35 @@ impl Kind {
     /// It acts on all that stands to its left.
     pub fn acts_on_line(&self) -> bool {
         matches!(self, Self::Edge { .. } | Self::Not | Self::Midline { .. }) || self.is_box()
+    }
+
+    /// It has a circle, or is a normally closed contact.
+    pub fn is_negated(&self) -> bool {
+        match self {
+            Self::Contact { negated, .. }
+            | Self::Compare { negated, .. }
+            | Self::Parallel { negated, .. }
+            | Self::Xor { negated, .. }
+            | Self::Group { negated, .. }
+            | Self::Tap { negated } => *negated,
+            _ => false,
+        }
+    }
+
+    /// Negates it once more; says whether it can be negated by itself.
+    pub fn negate(&mut self) -> bool {
+        match self {
+            Self::Contact { negated, .. }
+            | Self::Compare { negated, .. }
+            | Self::Parallel { negated, .. }
+            | Self::Xor { negated, .. }
+            | Self::Group { negated, .. }
+            | Self::Tap { negated } => {
+                *negated = !*negated;
+                true
+            }
+            _ => false,
+        }
     }
 
     /// It, or something in it, is an edge.

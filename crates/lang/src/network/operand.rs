@@ -28,9 +28,9 @@ impl Operand {
 pub const STATUS_BITS: [&str; 10] = ["OV", "OS", "UO", "BR", "==0", "<>0", ">0", "<0", ">=0", "<=0"];
 
 impl PartialEq for Operand {
-    /// Where an operand stands makes no difference.
+    /// Where an operand stands makes no difference, nor a space in an address: `I0.0` is `I 0.0`.
     fn eq(&self, other: &Self) -> bool {
-        self.text == other.text
+        self.text == other.text || (self.text.len() != other.text.len() && compact(&self.text) == compact(&other.text))
     }
 }
 

@@ -1,7 +1,7 @@
 //! The words that begin a line of form A.
 
 use super::boxes::{BoxRow, CounterKind, TimerKind};
-use super::notation::Flavour;
+use super::flavour::Flavour;
 
 /// Elements of a line other than boxes, as form A writes them.
 pub const ELEMENTS: [&str; 12] = ["NO", "NC", "P", "N", "POS", "NEG", "NOT", "MID", "CMP", "OR", "AND", "XOR"];

@@ -7,7 +7,7 @@ use sieben_model::interface::Section;
 use sieben_model::literal::Value;
 use sieben_model::source::Span;
 
-use crate::network::notation::Drawing;
+use crate::network::flavour::Drawing;
 
 /// A text with its place.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -11,7 +11,7 @@ use sieben_model::source::FileId;
 use super::convert::stops_rewriting;
 use super::parser::{diagram_layout, parse_as};
 use super::syntax::{SyntaxKind, SyntaxToken};
-use crate::network::notation::Drawing;
+use crate::network::flavour::Drawing;
 
 /// Blanks per level.
 const INDENT: usize = 2;

@@ -33,7 +33,7 @@ use super::look_alikes::{self, OTHER_ALPHABET, latin};
 use super::mnemonics::judge;
 use super::syntax::{SyntaxKind, SyntaxNode};
 use crate::declarations::values::shortened_s5time;
-use crate::network::notation::Drawing;
+use crate::network::flavour::Drawing;
 use crate::scan::{is_blank, straight_quote};
 
 /// More diagnostics than this help nobody; one more says that there are others.

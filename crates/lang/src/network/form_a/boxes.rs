@@ -3,9 +3,9 @@
 use super::line::{Argument, Input, Mark, TextLine, arguments, is_name, operand, split};
 use super::parse::Parser;
 use crate::network::boxes::{BoxRow, CounterKind, TimerKind};
+use crate::network::flavour::Flavour;
 use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Actual, Counter, Element, Kind, Line, NamedBox, NamedInput, Pin, Place, Timer};
-use crate::network::notation::Flavour;
 use crate::network::operand::Operand;
 
 /// The first line of a box.
@@ -367,13 +367,15 @@ impl<'t> Parser<'_, 't> {
     }
 }
 
-/// What is wired to a pin of a called block: the address of a bit is a contact, everything else is handed on as it is.
-pub fn actual(operand: Operand, mark: Mark, place: Place) -> Actual {
+/// What is wired to a pin of a called block.
+fn actual(operand: Operand, mark: Mark, place: Place) -> Actual {
     match mark {
         Mark::Direct => Actual::Direct(operand),
         Mark::Negated => Actual::Logic(vec![Kind::contact(operand, true).at(place)]),
-        Mark::Plain if operand.is_bit_address() => Actual::Logic(vec![Kind::contact(operand, false).at(place)]),
-        Mark::Plain => Actual::Direct(operand),
+        Mark::Plain => {
+            let contact = vec![Kind::contact(operand.clone(), false).at(place)];
+            Actual::of_operand(operand, contact)
+        }
     }
 }
 

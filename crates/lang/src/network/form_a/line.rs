@@ -103,7 +103,7 @@ pub(super) struct Input {
 
 /// A sign before an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mark {
+pub(super) enum Mark {
     /// None.
     Plain,
     /// `/`: negated.

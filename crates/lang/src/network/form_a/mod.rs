@@ -6,9 +6,7 @@ mod line;
 mod parse;
 mod print;
 
-pub use boxes::actual;
 pub use layout::format;
-pub use line::Mark;
 pub use parse::{ELEMENTS_MAX, NESTING_MAX, Parsed, parse};
 pub use print::print;
 

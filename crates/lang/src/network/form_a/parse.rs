@@ -3,11 +3,11 @@
 use super::boxes::Boxes;
 use super::line::{TextLine, arguments, first_word, lines, operand, split};
 use crate::network::boxes::COMPARISONS;
+use crate::network::flavour::Flavour;
 use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Alone, Branch, Content, End, Kind, Line, Network, Output, OutputKind, Place, Rung, XorInput};
-use crate::network::notation::Flavour;
 use crate::network::operand::Operand;
-use crate::network::words;
+use crate::network::{rules, words};
 
 /// How deep branches and pins may lie inside each other; STL takes seven levels of brackets.
 pub const NESTING_MAX: usize = 64;
@@ -179,7 +179,7 @@ impl<'t> Parser<'_, 't> {
             if let Some(output) = self.output(line, word, rest) {
                 match &mut rung.end {
                     End::Outputs(outputs) => outputs.extend(output),
-                    end => *end = End::Outputs(output.into_iter().collect()),
+                    end => *end = End::Outputs(output),
                 }
                 continue;
             }
@@ -193,6 +193,9 @@ impl<'t> Parser<'_, 't> {
                 "BRANCH" => rung.end = End::Branches(self.branches(line)),
                 _ => self.element(&mut rung.line, line, word, rest),
             }
+        }
+        if let End::Outputs(outputs) = rung.end {
+            rung.end = rules::outputs(outputs);
         }
         rung
     }

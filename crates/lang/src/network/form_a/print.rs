@@ -1,8 +1,8 @@
 //! A diagram → form A.
 
 use super::layout::{FormLine, layout};
+use crate::network::flavour::Drawing;
 use crate::network::model::{Actual, Alone, Content, Counter, Element, End, Kind, Network, Output, OutputKind, Place, Rung};
-use crate::network::notation::Drawing;
 use crate::network::operand::Operand;
 
 /// Boxes whose pins fit into so many columns are written on one line.

@@ -1,7 +1,7 @@
 //! Form A: what is printed is parsed to the same, what is formatted stays, what is wrong is said.
 
 use super::{format, parse, print};
-use crate::network::notation::{Drawing, Flavour};
+use crate::network::flavour::{Drawing, Flavour};
 
 /// Networks of STEP 7 in the usual layout.
 const NETWORKS: &[&str] = &[

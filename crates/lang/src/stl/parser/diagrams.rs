@@ -11,11 +11,11 @@ use sieben_model::source::Span;
 
 use super::Parser;
 use super::blocks::{Keyword, keyword_of};
+use crate::network::flavour::{Drawing, Flavour};
 use crate::network::form_a;
 use crate::network::form_b;
 use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Content, Network};
-use crate::network::notation::{Drawing, Flavour};
 use crate::network::operand::{Operand as Written, STATUS_BITS};
 use crate::network::statement::Statement;
 use crate::network::{rules, words, write};
@@ -80,7 +80,7 @@ impl Parser<'_> {
         if is_form_a(self.slice(from, to)) {
             let parsed = form_a::parse(self.text, from, to, Flavour::S7);
             parsed.mistakes.into_iter().for_each(|mistake| self.mistake(mistake, drawing, block));
-            self.network_of(block, &parsed.network, drawing, self.text);
+            self.network_of(block, &parsed.network, drawing);
             return;
         }
         // On one line: each line is a network, unless the networks are told apart by their keyword.
@@ -94,7 +94,7 @@ impl Parser<'_> {
             }
             first = false;
             match form_b::parse(&line, line_start, Flavour::S7) {
-                Ok(network) => self.network_of(block, &network, drawing, self.text),
+                Ok(network) => self.network_of(block, &network, drawing),
                 Err(wrong) => {
                     let end = (wrong.at + self.text[wrong.at..].chars().next().map_or(0, char::len_utf8)).min(self.text.len());
                     self.mistake(Mistake::new(MistakeKind::Word, wrong.at, end, wrong.message), drawing, block);
@@ -141,8 +141,8 @@ impl Parser<'_> {
     }
 
     /// The statements of a network.
-    fn network_of(&mut self, block: &mut Block, network: &Network, drawing: Drawing, text: &str) {
-        rules::mistakes(network, drawing, Flavour::S7, text).into_iter().for_each(|mistake| self.mistake(mistake, drawing, block));
+    fn network_of(&mut self, block: &mut Block, network: &Network, drawing: Drawing) {
+        rules::mistakes(network, Flavour::S7, Some(drawing)).into_iter().for_each(|mistake| self.mistake(mistake, drawing, block));
         if network.content == Content::Empty && network.label.is_none() {
             return;
         }

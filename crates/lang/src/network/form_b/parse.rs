@@ -1,0 +1,514 @@
+//! A line of form B → a diagram.
+
+use super::boxes::is_box_with_operand;
+use super::scan::Scanner;
+use crate::network::boxes::{BoxRow, COMPARISONS, TimerKind};
+use crate::network::flavour::Flavour;
+use crate::network::model::{Alone, Branch, Content, Element, End, Kind, Line, Network, Output, OutputKind, Rung, XorInput};
+use crate::network::operand::{Operand, STATUS_BITS};
+use crate::network::rules;
+
+/// What is wrong, and at which byte of the text that the line is part of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Wrong {
+    /// The byte.
+    pub at: usize,
+    /// What is expected there.
+    pub message: String,
+}
+
+pub(super) type Parsed<T> = Result<T, Wrong>;
+
+/// Parses a line that begins at byte `offset` of its text.
+///
+/// # Errors
+///
+/// The first thing that is no diagram, with its place.
+pub fn parse(text: &str, offset: usize, flavour: Flavour) -> Parsed<Network> {
+    let mut parser = Parser { scan: Scanner::new(text, offset, flavour) };
+    let network = parser.network()?;
+    if !parser.scan.ended() {
+        return parser.scan.wrong("the network ends before this");
+    }
+    match rules::mistakes(&network, flavour, None).into_iter().next() {
+        Some(mistake) => {
+            let help = mistake.help.map(|help| format!("; {help}")).unwrap_or_default();
+            Err(Wrong { at: mistake.start.max(offset), message: mistake.message + &help })
+        }
+        None => Ok(network),
+    }
+}
+
+/// Whether the line goes on from something to its left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Left {
+    /// Nothing stands there.
+    Nothing,
+    /// The tapped line, or an element.
+    Line,
+}
+
+pub(super) struct Parser<'t> {
+    pub(super) scan: Scanner<'t>,
+}
+
+impl Parser<'_> {
+    fn network(&mut self) -> Parsed<Network> {
+        let label = if self.scan.eat_word("LABEL") {
+            let name = self.label()?;
+            self.scan.want(":", "`:` is missing after the name of the label")?;
+            Some(name)
+        } else {
+            None
+        };
+        let content = self.content()?;
+        Ok(Network { label, content })
+    }
+
+    fn content(&mut self) -> Parsed<Content> {
+        if self.scan.ended() || (self.scan.eat_word("empty") && self.scan.eat_word("network")) {
+            return Ok(Content::Empty);
+        }
+        let from = self.scan.at;
+        if self.scan.eat("|-")
+            && let Some(alone) = self.alone()?
+        {
+            return Ok(Content::Alone(alone, self.scan.since(from)));
+        }
+        Ok(Content::Rung(self.rung(Left::Nothing)?))
+    }
+
+    fn alone(&mut self) -> Parsed<Option<Alone>> {
+        let s7 = self.scan.flavour == Flavour::S7;
+        let from = self.scan.at;
+        if self.scan.eat("->") {
+            match self.scan.word() {
+                "JMP" => {}
+                "CALL" if s7 => {
+                    self.scan.eat_word("CALL");
+                    return Ok(Some(Alone::Call(self.scan.operand()?)));
+                }
+                "RET" | "RETURN" if !s7 => {}
+                _ => {
+                    self.scan.at = from;
+                    return Ok(None);
+                }
+            }
+        }
+        Ok(Some(match self.scan.word() {
+            "JMP" => {
+                self.scan.eat_word("JMP");
+                Alone::Jump(self.label()?)
+            }
+            "OPN" if s7 => {
+                self.scan.eat_word("OPN");
+                Alone::Open(self.scan.operand()?)
+            }
+            word @ "MCRA" if s7 && self.scan.eat_word(word) => Alone::McrActivate,
+            word @ "MCRD" if s7 && self.scan.eat_word(word) => Alone::McrDeactivate,
+            "MCR" if s7 && self.scan.eat("MCR>") => Alone::McrEnd,
+            word @ ("RET" | "RETURN") if !s7 && self.scan.eat_word(word) => Alone::Return,
+            _ => return Ok(None),
+        }))
+    }
+
+    fn label(&mut self) -> Parsed<Operand> {
+        let name = self.scan.word();
+        if name.is_empty() {
+            return self.scan.wrong("the name of a label is missing here");
+        }
+        let place = self.scan.since(self.scan.at);
+        self.scan.at += name.len();
+        Ok(Operand { text: name.to_owned(), start: Some(place.first) })
+    }
+
+    fn rung(&mut self, left: Left) -> Parsed<Rung> {
+        self.scan.enter()?;
+        let rung = self.rung_inside(left);
+        self.scan.leave();
+        rung
+    }
+
+    fn rung_inside(&mut self, left: Left) -> Parsed<Rung> {
+        let mut line = Line::new();
+        loop {
+            if self.scan.ended() || self.scan.see(";") || self.scan.see("}") {
+                return Ok(Rung { line, end: End::Open });
+            }
+            if self.scan.eat("->") {
+                if self.at_output() {
+                    break;
+                }
+                if line.is_empty() && left == Left::Nothing {
+                    return self
+                        .scan
+                        .wrong("nothing leads to this `->`; an output such as `= Q 4.0`, or `|-` for a box on the rail, is expected");
+                }
+                self.part(&mut line, left)?;
+                continue;
+            }
+            if self.scan.eat("{") {
+                let mut rungs = Vec::new();
+                loop {
+                    rungs.push(self.rung(Left::Line)?);
+                    if self.scan.eat("}") {
+                        return Ok(Rung { line, end: End::Branches(rungs) });
+                    }
+                    self.scan.want(";", "`;` or `}` is expected after a branch")?;
+                }
+            }
+            self.part(&mut line, left)?;
+        }
+        let mut outputs = Vec::new();
+        loop {
+            outputs.push(self.output()?);
+            if !self.scan.eat(",") {
+                return Ok(Rung { line, end: rules::outputs(outputs) });
+            }
+        }
+    }
+
+    /// Whether a coil comes, and no element of FBD.
+    fn at_output(&mut self) -> bool {
+        if (self.scan.see("=") && !self.scan.see("==")) || self.scan.see("MCR<") {
+            return true;
+        }
+        let s7 = self.scan.flavour == Flavour::S7;
+        if !s7 && self.scan.see("/") {
+            return true;
+        }
+        let word = self.scan.word();
+        let after = self.scan.rest().get(word.len()..).unwrap_or_default();
+        let operand = !after.starts_with(['(', '[']);
+        match word {
+            "S" | "R" | "JMP" | "JMPN" => operand,
+            "SC" | "CU" | "CD" | "CALL" if s7 => operand,
+            "P" | "N" if !s7 => operand,
+            "RETURN" if !s7 => operand,
+            "SAVE" if s7 => operand,
+            "RET" => operand,
+            other => s7 && TimerKind::of(other).is_some(),
+        }
+    }
+
+    fn output(&mut self) -> Parsed<Output> {
+        self.scan.space();
+        let from = self.scan.at;
+        let s7 = self.scan.flavour == Flavour::S7;
+        let kind = if s7 && self.scan.eat("MCR<") {
+            OutputKind::McrStart
+        } else if self.scan.eat("=") {
+            OutputKind::Assign(self.scan.operand()?)
+        } else if !s7 && self.scan.eat("/") {
+            OutputKind::AssignNegated(self.scan.operand()?)
+        } else {
+            let word = self.scan.word();
+            self.scan.at += word.len();
+            match word {
+                "S" => OutputKind::Set(self.scan.operand()?),
+                "R" => OutputKind::Reset(self.scan.operand()?),
+                "RET" => OutputKind::Return,
+                "RETURN" if !s7 => OutputKind::Return,
+                "JMP" => OutputKind::Jump(self.label()?),
+                "JMPN" => OutputKind::JumpNot(self.label()?),
+                "P" | "N" if !s7 => OutputKind::AssignEdge { falling: word == "N", operand: self.scan.operand()? },
+                "SAVE" if s7 => OutputKind::Save,
+                "CALL" if s7 => OutputKind::Call(self.scan.operand()?),
+                "SC" if s7 => OutputKind::SetCounter { counter: self.scan.operand()?, value: self.scan.operand()? },
+                "CU" if s7 => OutputKind::CountUp(self.scan.operand()?),
+                "CD" if s7 => OutputKind::CountDown(self.scan.operand()?),
+                other => match TimerKind::of(other).filter(|_| s7) {
+                    Some(kind) => OutputKind::Timer { kind, timer: self.scan.operand()?, value: self.scan.operand()? },
+                    None => {
+                        return self.scan.wrong_at(
+                            from,
+                            match s7 {
+                                true => "an output is expected here, such as `= Q 4.0`, `S M 0.0` or `SD T 5 S5T#2S`",
+                                false => "an output is expected here, such as `= Motor`, `/ Motor`, `S Motor` or `R Motor`",
+                            },
+                        );
+                    }
+                },
+            }
+        };
+        Ok(kind.at(self.scan.since(from)))
+    }
+
+    /// The next part of a line; what acts on a part only stays a group of its own.
+    fn part(&mut self, line: &mut Line, left: Left) -> Parsed<()> {
+        let had = left == Left::Line || !line.is_empty();
+        let left = if had { Left::Line } else { Left::Nothing };
+        self.scan.space();
+        let from = self.scan.at;
+        let bracket = self.scan.see("(");
+        let part = self.elements(left)?;
+        if bracket && had && part.iter().any(|one| one.kind.acts_on_line()) {
+            line.push(Kind::Group { line: part, negated: false }.at(self.scan.since(from)));
+        } else {
+            line.extend(part);
+        }
+        Ok(())
+    }
+
+    /// One element, or the several that a box of FBD stands for.
+    pub(super) fn elements(&mut self, left: Left) -> Parsed<Line> {
+        self.scan.enter()?;
+        let line = self.elements_inside(left);
+        self.scan.leave();
+        line
+    }
+
+    fn elements_inside(&mut self, left: Left) -> Parsed<Line> {
+        self.scan.space();
+        let from = self.scan.at;
+        let s7 = self.scan.flavour == Flavour::S7;
+        if self.scan.eat("!") {
+            // `!` at a group is its circle; alone it is the NOT of what stands to its left.
+            if !self.at_group() {
+                return self.one(Kind::Not, from);
+            }
+            let line = self.elements(Left::Nothing)?;
+            return Ok(self.circle(line, from));
+        }
+        if self.scan.eat("/") {
+            if self.scan.see("#(") {
+                self.scan.eat("#");
+                let operand = self.bracketed()?;
+                return self.one(Kind::Midline { operand, negated: true }, from);
+            }
+            let line = self.elements(Left::Nothing)?;
+            return Ok(self.circle(line, from));
+        }
+        if self.scan.eat("(") {
+            return self.parallel(from);
+        }
+        if self.scan.eat("[") {
+            return self.condition(from);
+        }
+        if self.scan.see("#(") {
+            self.scan.eat("#");
+            let operand = self.bracketed()?;
+            return self.one(Kind::Midline { operand, negated: false }, from);
+        }
+        if self.scan.see(".") {
+            self.scan.eat(".");
+            return self.one(Kind::Tap { negated: false }, from);
+        }
+        let word = self.scan.word();
+        let next = self.scan.rest().get(word.len()..).and_then(|after| after.chars().next());
+        match (word, next) {
+            ("and" | "or" | "xor", Some('(')) => {
+                self.scan.at += word.len() + 1;
+                self.group(word, from, left)
+            }
+            ("POS" | "NEG", Some('(')) => {
+                self.scan.at += word.len() + 1;
+                let operand = self.scan.operand()?;
+                let memory = if s7 {
+                    self.scan.want(",", "`,` and the edge memory bit are missing after the operand")?;
+                    Some(self.scan.operand()?)
+                } else {
+                    None
+                };
+                self.scan.want(")", "`)` is missing after the operand")?;
+                self.one(Kind::EdgeBox { falling: word == "NEG", operand, memory }, from)
+            }
+            ("P" | "N", Some('(')) if s7 => {
+                self.scan.at += 2;
+                self.edge(word == "N", from, left)
+            }
+            ("P" | "N", Some('(')) => {
+                self.scan.wrong_at(from, format!("an edge of a variable is written `{}(…)`", if word == "P" { "POS" } else { "NEG" }))
+            }
+            ("CALL", next) if s7 && next != Some('(') => {
+                self.scan.at += word.len();
+                self.call(from)
+            }
+            (name, Some('[')) if s7 && is_box_with_operand(name) => {
+                self.scan.at += name.len() + 1;
+                let operand = self.scan.operand()?;
+                self.scan.want("]", "`]` is missing after the operand of the box")?;
+                self.box_with_operand(name, operand, from, left)
+            }
+            (name, Some('(')) if s7 && !name.is_empty() => match BoxRow::of_name(name) {
+                Some(row) => {
+                    self.scan.at += name.len() + 1;
+                    self.plain_box(row, from)
+                }
+                None if is_box_with_operand(name) => {
+                    self.scan.wrong_at(from, format!("`{name}` needs its operand in square brackets, such as `{name}[…](…)`"))
+                }
+                None => self.scan.wrong_at(from, format!("there is no box `{name}`")),
+            },
+            (name, Some('(' | '[')) if !s7 && !name.is_empty() && self.names_a_box(name) => self.named_box(name, from),
+            _ => {
+                let operand = self.scan.operand()?;
+                self.one(Kind::contact(operand, false), from)
+            }
+        }
+    }
+
+    pub(super) fn one(&self, kind: Kind, from: usize) -> Parsed<Line> {
+        Ok(vec![kind.at(self.scan.since(from))])
+    }
+
+    /// A bracket, or a group of FBD, follows without a space.
+    fn at_group(&self) -> bool {
+        let rest = self.scan.rest();
+        rest.starts_with('(') || ["and(", "or(", "xor("].iter().any(|name| rest.starts_with(name))
+    }
+
+    /// `name(` or `name[instance](`.
+    fn names_a_box(&self, name: &str) -> bool {
+        let after = self.scan.rest().get(name.len()..).unwrap_or_default();
+        after.starts_with('(')
+            || after.strip_prefix('[').and_then(|instance| instance.split_once(']')).is_some_and(|(_, after)| after.starts_with('('))
+    }
+
+    fn parallel(&mut self, from: usize) -> Parsed<Line> {
+        let mut branches = Vec::new();
+        loop {
+            branches.push(Branch { line: self.branch()?, bracketed: false });
+            if self.scan.eat(")") {
+                break;
+            }
+            self.scan.want("|", "`|` or `)` is expected after a branch")?;
+        }
+        if let [_] = branches.as_slice() {
+            return Ok(branches.pop().map(|branch| branch.line).unwrap_or_default());
+        }
+        self.one(Kind::Parallel { branches, negated: false }, from)
+    }
+
+    fn bracketed(&mut self) -> Parsed<Operand> {
+        self.scan.want("(", "`(` is missing before the operand")?;
+        let operand = self.scan.operand()?;
+        self.scan.want(")", "`)` is missing after the operand")?;
+        Ok(operand)
+    }
+
+    /// Elements up to a sign that ends a branch, an input or a pin.
+    pub(super) fn branch(&mut self) -> Parsed<Line> {
+        let mut line = Line::new();
+        loop {
+            self.part(&mut line, Left::Nothing)?;
+            if self.scan.ended() || ["|", ")", ",", "=>", ";", "}"].iter().any(|sign| self.scan.see(sign)) {
+                return Ok(line);
+            }
+            self.scan.eat("->");
+        }
+    }
+
+    fn edge(&mut self, falling: bool, from: usize, left: Left) -> Parsed<Line> {
+        let mark = self.scan.at;
+        // One operand is the edge memory; two are a box of FBD with its input.
+        if let Ok(memory) = self.scan.operand()
+            && self.scan.eat(")")
+        {
+            return self.one(Kind::Edge { falling, memory }, from);
+        }
+        self.scan.at = mark;
+        let mut line = self.branch()?;
+        self.scan.want(",", "`,` and the edge memory bit are missing after the input")?;
+        let memory = self.scan.operand()?;
+        self.scan.want(")", "`)` is missing after the edge memory bit")?;
+        if left == Left::Line && !strip_tap(&mut line) {
+            return self.scan.wrong_at(mark, "the line from the left is not used; write `.` for it: `P(and(., I 0.0), M 1.0)`");
+        }
+        line.push(Kind::Edge { falling, memory }.at(self.scan.since(from)));
+        Ok(line)
+    }
+
+    fn condition(&mut self, from: usize) -> Parsed<Line> {
+        if self.scan.flavour == Flavour::Iec {
+            return self.scan.wrong_at(from, "a comparison is a box: `GT(a, b)`");
+        }
+        self.scan.space();
+        let at = self.scan.at;
+        let rest = self.scan.rest();
+        let status = STATUS_BITS.iter().find(|bit| rest.strip_prefix(**bit).is_some_and(|after| after.trim_start().starts_with(']')));
+        if let Some(bit) = status {
+            let place = self.scan.since(at);
+            self.scan.at += bit.len();
+            self.scan.want("]", "`]` is missing after the status bit")?;
+            return self.one(Kind::contact(Operand { text: (*bit).to_owned(), start: Some(place.first) }, false), from);
+        }
+        let left = self.scan.operand()?;
+        self.scan.space();
+        let rest = self.scan.rest();
+        let Some(operation) = COMPARISONS.iter().find(|name| rest.starts_with(**name)) else {
+            return self.scan.wrong("a comparison is expected here, such as `>I`, `==D` or `<=R`");
+        };
+        self.scan.at += operation.len();
+        let right = self.scan.operand()?;
+        self.scan.want("]", "`]` is missing after the comparison")?;
+        self.one(Kind::Compare { operation, left, right, negated: false }, from)
+    }
+
+    /// `and(…)`, `or(…)`, `xor(…)`.
+    fn group(&mut self, word: &str, from: usize, left: Left) -> Parsed<Line> {
+        let mut inputs = Vec::new();
+        loop {
+            self.scan.space();
+            let at = self.scan.at;
+            let line = self.branch()?;
+            inputs.push((line, self.scan.since(at)));
+            if self.scan.eat(")") {
+                break;
+            }
+            self.scan.want(",", "`,` or `)` is expected after an input")?;
+        }
+        let line = |(line, _)| line;
+        match word {
+            "and" => {
+                let mut whole = Line::new();
+                for (index, (input, place)) in inputs.into_iter().enumerate() {
+                    if index == 0 && left == Left::Line && is_tap(&input) {
+                        continue;
+                    }
+                    let had = left == Left::Line || !whole.is_empty();
+                    if had && input.iter().any(|one| one.kind.acts_on_line()) {
+                        whole.push(Kind::Group { line: input, negated: false }.at(place));
+                    } else {
+                        whole.extend(input);
+                    }
+                }
+                Ok(whole)
+            }
+            "or" => {
+                let branches = inputs.into_iter().map(line).map(|line| Branch { line, bracketed: false }).collect();
+                self.one(Kind::Parallel { branches, negated: false }, from)
+            }
+            _ => {
+                let inputs = inputs.into_iter().map(line).map(|line| XorInput { line, negated: false }).collect();
+                self.one(Kind::Xor { inputs, negated: false }, from)
+            }
+        }
+    }
+
+    /// The circle of a contact, a bracket or a group.
+    fn circle(&self, mut line: Line, from: usize) -> Line {
+        if let [only] = line.as_mut_slice()
+            && !only.kind.is_negated()
+            && only.kind.negate()
+        {
+            only.place = self.scan.since(from);
+            return line;
+        }
+        vec![Kind::Group { line, negated: true }.at(self.scan.since(from))]
+    }
+}
+
+/// Takes away the line from the left that a line begins with; says whether it was there.
+pub(super) fn strip_tap(line: &mut Line) -> bool {
+    let found = line.get(..1).is_some_and(is_tap);
+    if found {
+        line.remove(0);
+    }
+    found
+}
+
+/// The line from the left and nothing else.
+pub(super) fn is_tap(line: &[Element]) -> bool {
+    matches!(line, [Element { kind: Kind::Tap { negated: false }, .. }])
+}
