@@ -204,10 +204,12 @@ impl<'t> Parser<'_, 't> {
     fn closes(&self, opener: Option<Opener>, line: TextLine<'_>, word: &str) -> bool {
         match opener {
             None => word == "END",
-            Some(Opener { indent, word: "" }) => line.indent <= indent || word == "END" && line.indent <= indent,
+            Some(Opener { indent, word: "" }) => line.indent <= indent || word == "END",
+            // A branch may be closed with any indentation that is not that of a line around it.
             Some(opener) => {
                 line.indent < opener.indent
-                    || (line.indent == opener.indent && (word == "END" || word.trim_start_matches('/') == opener.word))
+                    || word == "END"
+                    || (line.indent == opener.indent && word.trim_start_matches('/') == opener.word)
             }
         }
     }
@@ -247,7 +249,7 @@ impl<'t> Parser<'_, 't> {
             self.level -= 1;
             branches.push((rung, line, negated));
             match self.peek() {
-                Some(next) if next.indent == opener.indent && first_word(next.content).0 == "END" => {
+                Some(next) if next.indent >= opener.indent && first_word(next.content).0 == "END" => {
                     self.take(0);
                     break;
                 }
@@ -256,7 +258,7 @@ impl<'t> Parser<'_, 't> {
                     line = next;
                 }
                 _ => {
-                    self.mistake(MistakeKind::Open, first, format!("`{word}` has no `END` with the same indentation"));
+                    self.mistake(MistakeKind::Open, first, format!("`{word}` has no `END`"));
                     break;
                 }
             }

@@ -21,18 +21,8 @@ use crate::network::statement::Statement;
 use crate::network::{rules, words, write};
 use crate::stl::ast::{self, Argument, Block, Call, Constant, Operand, Word};
 use crate::stl::lexer::Raw;
-use crate::stl::mnemonics::{translate_instruction, translate_status};
+use crate::stl::mnemonics::{NOTATIONS, translate_instruction, translate_status};
 use crate::stl::syntax::SyntaxKind;
-
-/// The words after NETWORK that say how it is written.
-const NOTATIONS: [(&str, Option<Drawing>); 6] = [
-    ("LAD", Some(Drawing::Lad)),
-    ("KOP", Some(Drawing::Lad)),
-    ("FBD", Some(Drawing::Fbd)),
-    ("FUP", Some(Drawing::Fbd)),
-    ("STL", None),
-    ("AWL", None),
-];
 
 /// Operands of a diagram that were read, by their first byte.
 type Read = HashMap<u32, (Operand, Span)>;
