@@ -4,6 +4,10 @@
 mod generator;
 #[path = "drawings/invariants.rs"]
 mod invariants;
+#[path = "drawings/markup.rs"]
+mod markup;
+#[path = "drawings/status.rs"]
+mod status;
 
 use proptest::prelude::*;
 use sieben_ide::drawing::text::{Characters, text};

@@ -128,7 +128,7 @@ impl Figure {
     /// Columns of a box between the borders of its cell.
     pub(super) fn width_of_box(boxed: &BoxFigure) -> usize {
         let (left, inner, right) = boxed.widths();
-        let above = boxed.above.iter().map(|line| width(line)).max().unwrap_or(0);
+        let above = boxed.lines_above().iter().map(|(line, value)| width(line) + width(value)).max().unwrap_or(0);
         (left + inner + 2 + right).max(above + 2)
     }
 
@@ -150,13 +150,13 @@ impl Figure {
             Self::Gap => wire(layout, spot.after, spot.line, spot.left, spot.right),
             Self::StubOut(number) => {
                 let text = format!("»{number}");
-                wire(layout, spot.before, spot.line, spot.left, spot.left + 2);
+                wire(layout, spot.before, spot.line, spot.left, spot.left + 1);
                 spot.symbol(layout, STUB, Outline::None, vec![label(spot.left + 2, spot.line, text, Role::Stub)], None);
             }
             Self::StubIn(number) => {
                 let text = format!("{number}»");
                 let end = spot.left + 1 + width(&text);
-                wire(layout, spot.after, spot.line, end - 1, spot.right);
+                wire(layout, spot.after, spot.line, end, spot.right);
                 spot.symbol(layout, STUB, Outline::None, vec![label(spot.left + 1, spot.line, text, Role::Stub)], None);
             }
             Self::Operand(lines, value) => {
@@ -257,21 +257,40 @@ impl BoxFigure {
         let left = most(&self.left, &|pin| pin.outside());
         let right = most(&self.right, &|pin| pin.outside());
         let inner = (most(&self.left, &name) + most(&self.right, &name) + 1).max(width(&self.title) + 2).max(3);
-        ((left + 1).max(2), inner, if right == 0 { 2 } else { right + 2 })
+        ((left + 1 + self.circle_room()).max(2), inner, if right == 0 { 2 } else { right + 2 })
+    }
+
+    /// Lines above it; the last one has the value of the operand after it.
+    fn lines_above(&self) -> Vec<(&str, String)> {
+        let mut lines: Vec<(&str, String)> = self.above.iter().map(|line| (line.as_str(), String::new())).collect();
+        if let (Some((_, last)), Some(value)) = (lines.last_mut(), &self.value) {
+            *last = format!(" = {value}");
+        }
+        lines
+    }
+
+    /// A column between operands and the box, where a circle stands between them.
+    fn circle_room(&self) -> usize {
+        usize::from(self.left.iter().any(|pin| pin.negated && !pin.actual.is_empty()))
     }
 
     fn draw(&self, spot: &Spot, layout: &mut Layout) {
         let (before, inner, after) = self.widths();
+        let circle_room = self.circle_room();
         // What is wider than the box, such as a long name above it, leaves room at both sides.
         let from = spot.left + 1 + before + spot.room().saturating_sub(before + inner + 2 + after) / 2;
         let to = from + inner + 1;
         let (top, bottom) = (spot.line.saturating_sub(1), spot.line + self.height);
         let mut labels = vec![label(from + 1 + (inner - width(&self.title)) / 2, top, self.title.clone(), Role::Title)];
         let names = top.saturating_sub(self.above.len());
-        for (index, text) in self.above.iter().enumerate() {
-            let middle = (from + (inner + 2) / 2).saturating_sub(width(text) / 2);
-            let column = middle.min(spot.right.saturating_sub(width(text))).max(spot.left + 1);
-            labels.push(label(column, names + index, text.clone(), Role::Name));
+        for (index, (text, value)) in self.lines_above().into_iter().enumerate() {
+            let own = width(text) + width(&value);
+            let middle = (from + (inner + 2) / 2).saturating_sub(own / 2);
+            let column = middle.min(spot.right.saturating_sub(own)).max(spot.left + 1);
+            labels.push(label(column, names + index, text.to_owned(), Role::Name));
+            if !value.is_empty() {
+                labels.push(label(column + width(text), names + index, value, Role::Value));
+            }
         }
         wire(layout, spot.after, spot.line, to, spot.right);
         let mut elements = Vec::new();
@@ -285,7 +304,7 @@ impl BoxFigure {
             let value = pin.shown_value();
             let mut written = Vec::new();
             for (index, text) in pin.actual.iter().enumerate() {
-                let room = if index + 1 == pin.actual.len() { width(&value) } else { 0 };
+                let room = circle_room + if index + 1 == pin.actual.len() { width(&value) } else { 0 };
                 written.push(label(
                     from - room - width(text),
                     line + index,
@@ -294,7 +313,7 @@ impl BoxFigure {
                 ));
             }
             if !value.is_empty() {
-                written.push(label(from - width(&value), line + pin.actual.len().saturating_sub(1), value, Role::Value));
+                written.push(label(from - circle_room - width(&value), line + pin.actual.len().saturating_sub(1), value, Role::Value));
             }
             match pin.element {
                 Some((kind, place, net)) => elements.push((kind, place, net, written, pin.value.clone())),

@@ -1,7 +1,7 @@
 //! Pictures of diagrams: where everything stands on a grid of characters, as data, and that as text, as SVG and as a page of HTML.
 //!
 //! A [`Network`](sieben_lang::network::model::Network) is laid out once, as ladder ([`ladder`]) or as function block diagram ([`function_plan`]).
-//! [`text`](text::text) draws the same [`Layout`]; [`flow::flows`] says what its lines carry at one moment.
+//! [`text`](text::text) and [`svg`](svg::svg) draw the same [`Layout`], [`page`] puts the networks of a block together; [`flow::flows`] says what its lines carry at one moment.
 
 mod faces;
 mod figures;
@@ -13,6 +13,9 @@ mod ladder;
 mod layout;
 mod names;
 mod nesting;
+pub mod page;
+pub mod style;
+pub mod svg;
 pub mod text;
 
 use sieben_lang::network::model::Place;
