@@ -4,9 +4,12 @@
 
 pub mod boxes;
 pub mod flavour;
+pub mod form_a;
 pub mod form_b;
+pub mod mistake;
 pub mod model;
 pub mod operand;
 pub mod rules;
 pub mod statement;
+pub mod words;
 pub mod write;

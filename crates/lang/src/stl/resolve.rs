@@ -8,6 +8,7 @@ mod parameters;
 
 use std::collections::HashMap;
 
+use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
@@ -196,6 +197,12 @@ impl<'a> Resolver<'a> {
             ast::Operand::Register { name, number } => {
                 let operand = super::extension::operand(&name.text, *number)?;
                 self.extended(span).then_some(Meaning::Operand(operand))
+            }
+            ast::Operand::Scratch { bit } => {
+                let position = self.interface.local_size.saturating_mul(8).saturating_add(*bit);
+                let location = Location::Fixed { area: Area::Local, position };
+                self.check_area(&location, Width::Bit, span);
+                Some(Meaning::Variable { location, data_type: DataType::Bool, declared: false })
             }
             ast::Operand::List(_) => {
                 self.report(Problem::P4002, span, "only an extension word takes several operands");

@@ -1,7 +1,8 @@
 //! Diagrams on one line.
 
 use sieben_lang::network::flavour::{Drawing, Flavour};
-use sieben_lang::network::form_b::{Wrong, parse, print};
+use sieben_lang::network::form_b::{parse, print};
+use sieben_lang::network::mistake::Mistake;
 use sieben_lang::network::statement::Statement;
 use sieben_lang::network::write::write;
 
@@ -114,7 +115,7 @@ const WRONG: &[(&str, usize, &str)] = &[
 fn what_is_no_diagram_is_said_with_its_place() {
     for (line, at, message) in WRONG {
         let Err(wrong) = parse(line, 100, Flavour::S7) else { panic!("{line} is read") };
-        assert_eq!(wrong.at, at + 100, "{line}: {wrong:?}");
+        assert_eq!(wrong.start, at + 100, "{line}: {wrong:?}");
         assert!(wrong.message.starts_with(message), "{line}: {wrong:?}");
     }
 }
@@ -122,13 +123,13 @@ fn what_is_no_diagram_is_said_with_its_place() {
 #[test]
 fn deep_and_long_lines_are_answered() {
     let deep = "(".repeat(100_000);
-    let Err(Wrong { at, message }) = parse(&deep, 0, Flavour::S7) else { panic!("100,000 brackets are read") };
+    let Err(Mistake { start: at, message, .. }) = parse(&deep, 0, Flavour::S7) else { panic!("100,000 brackets are read") };
     assert!(at < 100 && message.contains("brackets nest deeper"), "{at}: {message}");
     for open in ["{", "/", "!(", "and(", "x SR[M 0.0](R := ", "I 0.0 {"] {
         assert!(parse(&open.repeat(10_000), 0, Flavour::S7).is_err(), "{open}");
     }
     let long = "I 0.0 ".repeat(10_000) + "-> = Q 4.0";
-    assert!(parse(&long, 0, Flavour::S7).is_ok());
+    assert!(parse(&long, 0, Flavour::S7).is_err_and(|mistake| mistake.message.contains("at most")));
     let boxes = "I 0.0 ".to_owned() + &"MOVE(1 => MW 0) ".repeat(10_000);
     let Err(wrong) = parse(&boxes, 0, Flavour::S7) else { panic!("10,000 boxes in a row need 10,000 brackets") };
     assert!(wrong.message.contains("more than 7 brackets"), "{wrong:?}");
