@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
 use sieben_lang::network::flavour::Drawing;
 use sieben_lang::network::read::Mode;
-use sieben_lang::stl::redraw::{self, AnswerKind, Form, RedrawnNetwork, Redrawing};
+use sieben_lang::stl::redraw::{self, AnswerKind, Form, Redrawing, RedrawnNetwork};
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
@@ -162,10 +162,19 @@ fn networks(arguments: &Arguments, rewriting: &Rewriting, to: NetworkTarget) -> 
         output::print_json(&Value::Array(all), true)?;
     } else if !findings.is_empty() {
         output::message(&report::pieces(&findings, &build.project.texts, output::colour()).concat());
-        let (count, verb) = if findings.len() == 1 { ("1 network".to_owned(), "stays") } else { (format!("{} networks", findings.len()), "stay") };
+        let (count, verb) =
+            if findings.len() == 1 { ("1 network".to_owned(), "stays") } else { (format!("{} networks", findings.len()), "stay") };
         output::message(&format!("{count} {verb} as written.\n"));
     }
     Ok(Exit::Success)
+}
+
+/// The number of the problem code of a network whose diagram gives other statements.
+const DIFFERENT_STATEMENTS: u16 = 9020;
+
+/// The problem with a number.
+fn problem(number: u16) -> Problem {
+    Problem::from_code(&format!("P{number}")).expect("every reason has a problem code")
 }
 
 /// Why a network stays as it is.
@@ -176,7 +185,7 @@ fn told(network: &RedrawnNetwork, rewriting: bool) -> Diagnostic {
     let diagnostic = match &network.refusal {
         Some(refusal) => {
             let message = format!("{block}, network {number} stays STL, {}: {}", refusal.reason, refusal.message());
-            let diagnostic = Diagnostic::new(reasons::problem(refusal.reason), network.span, message);
+            let diagnostic = Diagnostic::new(problem(refusal.reason.problem()), network.span, message);
             match (rewrite, refusal.reason.fix()) {
                 (Some(rewrite), "") => return diagnostic.help(rewrite),
                 (Some(rewrite), fix) => return diagnostic.help(format!("{fix}; {rewrite}")),
@@ -186,7 +195,7 @@ fn told(network: &RedrawnNetwork, rewriting: bool) -> Diagnostic {
         }
         None => {
             let message = format!("{block}, network {number} stays as written: drawn it would mean the same, but give other statements");
-            Diagnostic::new(Problem::P9020, network.span, message).help(rewrite.unwrap_or_default())
+            Diagnostic::new(problem(DIFFERENT_STATEMENTS), network.span, message).help(rewrite.unwrap_or_default())
         }
     };
     diagnostic
