@@ -7,6 +7,7 @@ use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
 
 use crate::codesys_files;
+use crate::network::flavour::Drawing;
 use crate::st::dialect::Dialect;
 use crate::{st, stl};
 
@@ -15,6 +16,8 @@ use crate::{st, stl};
 pub enum Language {
     /// Statement list.
     Stl,
+    /// Statement list whose networks are diagrams unless they say something else.
+    Diagram(Drawing),
     /// Structured text or SCL.
     St(Dialect),
 }
@@ -31,7 +34,7 @@ pub struct Row {
     /// The text of a source in the usual layout.
     pub format: fn(&str, Language, Option<Mnemonics>) -> Rewritten,
     /// The text of a source in the other mnemonic language: from one, if it is known, to another. What has no mnemonics stays as it is.
-    pub convert: fn(&str, Option<Mnemonics>, Mnemonics) -> Rewritten,
+    pub convert: fn(&str, Language, Option<Mnemonics>, Mnemonics) -> Rewritten,
 }
 
 /// An ending of files.
@@ -53,7 +56,12 @@ pub const LANGUAGES: &[Row] = &[
     Row {
         endings: &[ending("awl", Language::Stl, true), ending("stl", Language::Stl, true)],
         format: |text, _, mnemonics| stl::format(text, mnemonics),
-        convert: stl::convert::convert,
+        convert: |text, language, from, to| stl::convert::convert_as(text, from, to, language.drawing()),
+    },
+    Row {
+        endings: &[ending("lad", Language::Diagram(Drawing::Lad), true), ending("fbd", Language::Diagram(Drawing::Fbd), true)],
+        format: |text, language, mnemonics| stl::format::format_as(text, mnemonics, language.drawing()),
+        convert: |text, language, from, to| stl::convert::convert_as(text, from, to, language.drawing()),
     },
     Row {
         endings: &[
@@ -69,7 +77,7 @@ pub const LANGUAGES: &[Row] = &[
             ending("db", Language::St(Dialect::Scl), false),
         ],
         format: |text, language, _| st::format(text, language.dialect().unwrap_or_default()),
-        convert: |text, _, _| Ok(text.to_owned()),
+        convert: |text, _, _, _| Ok(text.to_owned()),
     },
 ];
 
@@ -128,6 +136,7 @@ impl Language {
             return Self::St(dialect.unwrap_or(Dialect::Codesys));
         }
         match (by_name(name), contradiction(name, text)) {
+            (Some(Self::Diagram(drawing)), _) => Self::Diagram(drawing),
             (Some(Self::Stl), None) | (Some(Self::St(_)), Some(_)) => Self::Stl,
             (Some(Self::St(usual)), None) => Self::St(st(usual)),
             (Some(Self::Stl), Some(_)) => Self::St(st(content::usual(text))),
@@ -141,8 +150,11 @@ impl Language {
 
     /// Its row in the table.
     pub fn row(self) -> &'static Row {
-        let is_of =
-            |row: &&Row| row.endings.iter().any(|one| matches!((one.language, self), (Self::Stl, Self::Stl) | (Self::St(_), Self::St(_))));
+        let is_of = |row: &&Row| {
+            row.endings
+                .iter()
+                .any(|one| one.language.drawing() == self.drawing() && one.language.dialect().is_some() == self.dialect().is_some())
+        };
         LANGUAGES.iter().find(is_of).expect("every language has a row")
     }
 
@@ -154,8 +166,16 @@ impl Language {
     /// The dialect of a source of ST.
     pub fn dialect(self) -> Option<Dialect> {
         match self {
-            Self::Stl => None,
+            Self::Stl | Self::Diagram(_) => None,
             Self::St(dialect) => Some(dialect),
+        }
+    }
+
+    /// How the networks of a source are drawn that do not say it themselves.
+    pub fn drawing(self) -> Option<Drawing> {
+        match self {
+            Self::Diagram(drawing) => Some(drawing),
+            Self::Stl | Self::St(_) => None,
         }
     }
 }

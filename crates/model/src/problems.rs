@@ -114,6 +114,15 @@ problems! {
     P2306 Error "something that cannot be mocked" "Mock an instance of a function block, or a function of the program.";
 
     // 3xxx names
+    P2401 Error "a word that is no element of a diagram" "Begin each line with an element (NO, NC, COIL, OR, BRANCH …) or with the name of a box; `sieben explain NO` tells what an element does.";
+    P2402 Error "an element of a diagram without its operand, or with one too many" "Write the operand after the element: `NO I 0.0`, `CMP >I MW 10, 100`.";
+    P2403 Error "a pin that the box does not have, has twice, or that nothing is wired to" "Name the pins of the box, each once: `IN1 := MW 10`, `OUT => MW 12`.";
+    P2404 Error "a wire of a diagram that leads nowhere" "End the rung with a coil or a box, and each OR and BRANCH with END.";
+    P2405 Error "a short circuit in a diagram" "Put an element into each branch.";
+    P2406 Error "an element of a diagram at a place where it cannot stand" "Coils stand at the right end of a rung; an edge, NOT and a midline output need logic before them.";
+    P2407 Error "an element that only FBD has, in a network of LAD" "Begin the network with `NETWORK FBD`, or draw it with contacts and NOT.";
+    P2408 Error "a diagram that is too large, or nested too deep" "Divide the network into several.";
+    P2409 Error "a diagram on one line that is not understood" "A space is AND, `|` in brackets OR, `/` a normally closed contact, and the coils stand after `->`: `(I 0.0 | Q 0.0) /I 0.1 -> = Q 0.0`.";
     P3001 Error "a name that is not declared" "Declare it in the symbol table or in the VAR sections of the block.";
     P3002 Error "two blocks with one number" "Give one of them another number, or name only the files that belong together.";
     P3003 Error "a block named by a symbol that is not in the symbol table" "Add the symbol with the number of the block as its address, for example `FC 1`.";

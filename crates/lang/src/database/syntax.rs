@@ -82,8 +82,8 @@ impl Syntax {
         stamps: &mut Stamps,
     ) -> Self {
         let mut syntax = match language {
-            Language::Stl => {
-                let parsed = stl::parser::parse(id, &source.text, options.mnemonics);
+            Language::Stl | Language::Diagram(_) => {
+                let parsed = stl::parser::parse_as(id, &source.text, options.mnemonics, language.drawing());
                 Self::of_stl(id, &source.text, parsed, before, stamps)
             }
             Language::St(_) if language.is_of_tests() && !options.tests => {

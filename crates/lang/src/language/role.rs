@@ -111,7 +111,7 @@ impl Role {
     /// The role of a source; `dialect` is what the user chose for ST.
     pub fn of(name: &str, text: &str, dialect: Option<Dialect>) -> Self {
         match Language::of(name, text, dialect) {
-            Language::Stl => Self::of_stl(text),
+            language @ (Language::Stl | Language::Diagram(_)) => Self::of_stl(text, language),
             Language::St(dialect) => match codesys_files::read(FileId(0), name, text) {
                 Some(read) => Self::of_st(&read.text, dialect),
                 None => Self::of_st(text, dialect),
@@ -119,9 +119,9 @@ impl Role {
         }
     }
 
-    fn of_stl(text: &str) -> Self {
+    fn of_stl(text: &str, language: Language) -> Self {
         let mut role = Self::default();
-        let blocks = stl::parser::parse(FileId(0), text, None).file.blocks;
+        let blocks = stl::parser::parse_as(FileId(0), text, None, language.drawing()).file.blocks;
         for block in &blocks {
             match &block.name {
                 _ if block.kind != BlockKind::OrganizationBlock => {}

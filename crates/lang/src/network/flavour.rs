@@ -10,10 +10,20 @@ pub enum Flavour {
 }
 
 /// Which of the two drawings of a network.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Drawing {
     /// Ladder: contacts and coils.
     Lad,
     /// Function block diagram: boxes with inputs.
     Fbd,
+}
+
+impl Drawing {
+    /// Its abbreviation: `LAD`, `FBD`.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Lad => "LAD",
+            Self::Fbd => "FBD",
+        }
+    }
 }

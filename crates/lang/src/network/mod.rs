@@ -4,7 +4,9 @@
 
 pub mod boxes;
 pub mod flavour;
+pub mod form_a;
 pub mod form_b;
+pub mod mistake;
 pub mod model;
 pub mod operand;
 pub mod read;
@@ -12,4 +14,5 @@ pub mod reasons;
 pub mod rules;
 pub mod statement;
 pub mod to_lad;
+pub mod words;
 pub mod write;

@@ -351,6 +351,19 @@ pub enum Actual {
     Output(Operand),
 }
 
+impl Actual {
+    /// What an operand alone is at a pin: the address of a bit is a contact, everything else is handed on as it is.
+    pub fn of_operand(operand: Operand, contact: Line) -> Self {
+        if operand.is_bit_address() { Self::Logic(contact) } else { Self::Direct(operand) }
+    }
+
+    /// Logic that is one contact of a variable, which, written alone, would be handed on as it is.
+    pub fn is_name_of_bit(&self) -> bool {
+        let Self::Logic(line) = self else { return false };
+        matches!(line.as_slice(), [Element { kind: Kind::Contact { operand, negated: false }, .. }] if !operand.is_bit_address())
+    }
+}
+
 /// A box of IEC 61131-3: a function, an operator or a function block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedBox {

@@ -18,50 +18,19 @@ impl Operand {
         Self { text: text.into(), start: u32::try_from(start).ok() }
     }
 
-    /// As it is written it may be a bit: a bit of an area, a timer, a counter or a name, but no constant and nothing that is wider.
-    pub fn may_be_bit(&self) -> bool {
-        let text = self.text.as_str();
-        if text.starts_with('#') {
-            return true;
-        }
-        if let Some((_, member)) = text.rsplit_once('"') {
-            // `"Data".DBW 0`
-            return !member.starts_with('.') || !is_wide(member);
-        }
-        let constant = text.contains(['#', '\'']) || text.starts_with(|sign: char| sign.is_ascii_digit() || matches!(sign, '+' | '-'));
-        !constant && !["TRUE", "FALSE"].iter().any(|constant| text.eq_ignore_ascii_case(constant)) && !is_wide(text)
-    }
-
     /// It is a status bit, which a contact may read.
     pub fn is_status(&self) -> bool {
         STATUS_BITS.contains(&self.text.as_str())
     }
 }
 
-/// Areas and blocks whose operands are wider than a bit, in both languages.
-const WIDE: [&str; 46] = [
-    "IB", "IW", "ID", "QB", "QW", "QD", "MB", "MW", "MD", "LB", "LW", "LD", "EB", "EW", "ED", "AB", "AW", "AD", "PIB", "PIW", "PID", "PQB",
-    "PQW", "PQD", "PEB", "PEW", "PED", "PAB", "PAW", "PAD", "DBB", "DBW", "DBD", "DIB", "DIW", "DID", "DB", "DI", "FB", "FC", "SFB", "SFC",
-    "OB", "UDT", "VAT", "SDB",
-];
-
-/// Letters of [`WIDE`] with a number after them, at the end.
-fn is_wide(text: &str) -> bool {
-    let area = text.trim_end_matches(|sign: char| sign.is_ascii_digit());
-    let number = area.len() < text.len();
-    let area = area.trim_end();
-    let letters = area.len() - area.trim_end_matches(|sign: char| sign.is_ascii_alphabetic()).len();
-    let area = area.get(area.len() - letters..).unwrap_or_default();
-    number && WIDE.iter().any(|wide| area.eq_ignore_ascii_case(wide))
-}
-
 /// The status bits that a contact may read.
 pub const STATUS_BITS: [&str; 10] = ["OV", "OS", "UO", "BR", "==0", "<>0", ">0", "<0", ">=0", "<=0"];
 
 impl PartialEq for Operand {
-    /// Where an operand stands makes no difference.
+    /// Where an operand stands makes no difference, nor a space in an address: `I0.0` is `I 0.0`.
     fn eq(&self, other: &Self) -> bool {
-        self.text == other.text
+        self.text == other.text || (self.text.len() != other.text.len() && compact(&self.text) == compact(&other.text))
     }
 }
 
@@ -100,4 +69,85 @@ impl fmt::Display for Operand {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.pad(&self.text)
     }
+}
+
+impl Operand {
+    /// An operand in its usual notation: an address without spaces, everything else as it is written.
+    pub fn read(text: &str, start: usize) -> Self {
+        Self::at(compact(text), start)
+    }
+
+    /// As people read it: `I 0.0`, `MW 10`, `DB10.DBX 0.0`.
+    pub fn spaced(&self) -> String {
+        let text = self.text.as_str();
+        let (block, address) =
+            text.rsplit_once('.').filter(|(block, _)| block.starts_with("DB") || block.starts_with('"')).unwrap_or(("", text));
+        // `DB10.DBX0.0`: the last dot is that of the bit.
+        let (block, address) = match block.rsplit_once('.') {
+            Some((before, letters)) if letters.starts_with("DB") => (before, &text[before.len() + 1..]),
+            _ => (block, address),
+        };
+        let letters = address.find(|sign: char| sign.is_ascii_digit()).unwrap_or(0);
+        let (word, number) = address.split_at(letters);
+        let is_number = !number.is_empty() && number.bytes().all(|sign| sign.is_ascii_digit() || sign == b'.');
+        if !is_number || !ADDRESS_LETTERS.contains(&word.to_ascii_uppercase().as_str()) {
+            return text.to_owned();
+        }
+        let dot = if block.is_empty() { "" } else { "." };
+        format!("{block}{dot}{word} {number}")
+    }
+
+    /// It is the address of a bit of I, Q, M, L or a data block.
+    pub fn is_bit_address(&self) -> bool {
+        let text = compact(&self.text);
+        let address = match text.split_once(".DBX") {
+            Some((block, _)) if block.starts_with("DB") || block.starts_with('"') => &text[block.len() + 1..],
+            _ => text.as_str(),
+        };
+        let letters = address.find(|sign: char| sign.is_ascii_digit()).unwrap_or(0);
+        let (word, number) = address.split_at(letters);
+        let numbers = number.split_once('.').is_some_and(|(byte, bit)| {
+            let digits = |text: &str| !text.is_empty() && text.bytes().all(|sign| sign.is_ascii_digit());
+            digits(byte) && digits(bit)
+        });
+        numbers && BIT_LETTERS.contains(&word.to_ascii_uppercase().as_str())
+    }
+}
+
+/// The letters of addresses, in both mnemonic languages.
+const ADDRESS_LETTERS: [&str; 50] = [
+    "I", "IB", "IW", "ID", "E", "EB", "EW", "ED", "Q", "QB", "QW", "QD", "A", "AB", "AW", "AD", "M", "MB", "MW", "MD", "L", "LB", "LW",
+    "LD", "T", "C", "Z", "DBX", "DBB", "DBW", "DBD", "DIX", "DIB", "DIW", "DID", "PIB", "PIW", "PID", "PQB", "PQW", "PQD", "PEB", "PEW",
+    "PED", "PAB", "PAW", "PAD", "FC", "FB", "DB",
+];
+
+/// The letters of bits.
+const BIT_LETTERS: [&str; 8] = ["I", "E", "Q", "A", "M", "L", "DBX", "DIX"];
+
+/// A text without the spaces between the letters of an address and its number; quotes, `#` names, constants and pointers keep theirs.
+fn compact(text: &str) -> String {
+    let text = text.trim();
+    if text.contains(['#', '\'']) || !text.contains([' ', '\t']) {
+        return text.to_owned();
+    }
+    let mut out = String::with_capacity(text.len());
+    let mut quoted = false;
+    let mut rest = text.chars().peekable();
+    while let Some(sign) = rest.next() {
+        quoted ^= sign == '"';
+        let blank = sign == ' ' || sign == '\t';
+        if blank && !quoted && out.ends_with(|before: char| before.is_ascii_alphabetic()) {
+            let mut next = rest.clone();
+            while next.next_if(|sign| *sign == ' ' || *sign == '\t').is_some() {}
+            let letters = out.rfind(|before: char| !before.is_ascii_alphabetic()).map_or(0, |at| at + 1);
+            let is_address = ADDRESS_LETTERS.contains(&out[letters..].to_ascii_uppercase().as_str())
+                || ["SFC", "SFB", "DI", "OB"].contains(&out[letters..].to_ascii_uppercase().as_str());
+            if is_address && next.peek().is_some_and(|sign| sign.is_ascii_digit()) {
+                rest = next;
+                continue;
+            }
+        }
+        out.push(sign);
+    }
+    out
 }

@@ -7,6 +7,8 @@ use sieben_model::interface::Section;
 use sieben_model::literal::Value;
 use sieben_model::source::Span;
 
+use crate::network::flavour::Drawing;
+
 /// A text with its place.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Word {
@@ -221,6 +223,8 @@ pub struct Network {
     pub title: String,
     /// The comment under the title.
     pub comment: String,
+    /// It is written as a diagram.
+    pub drawing: Option<Drawing>,
     /// The place of the keyword.
     pub span: Span,
 }
@@ -334,6 +338,11 @@ pub enum Operand {
         name: Word,
         /// The number behind it, or that of the status bit; 0 for a constant.
         number: u32,
+    },
+    /// A bit of local data that a diagram needs: which one of its network, counted from 0.
+    Scratch {
+        /// Bits after those that are declared.
+        bit: u32,
     },
     /// The operands of an extension word, with their places.
     List(Vec<(Operand, Span)>),

@@ -9,8 +9,9 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
 
 use super::convert::stops_rewriting;
-use super::parser::parse;
+use super::parser::{diagram_layout, parse_as};
 use super::syntax::{SyntaxKind, SyntaxToken};
+use crate::network::flavour::Drawing;
 
 /// Blanks per level.
 const INDENT: usize = 2;
@@ -21,7 +22,12 @@ const COMMENT_COLUMN: usize = 40;
 
 /// The source in standard layout; errors of syntax are returned instead. A misprint with a known meaning is none of them.
 pub fn format(text: &str, mnemonics: Option<Mnemonics>) -> Result<String, Vec<Diagnostic>> {
-    let parsed = parse(FileId::default(), text, mnemonics);
+    format_as(text, mnemonics, None)
+}
+
+/// The same for a source whose networks are drawn, unless they say something else.
+pub fn format_as(text: &str, mnemonics: Option<Mnemonics>, drawing: Option<Drawing>) -> Result<String, Vec<Diagnostic>> {
+    let parsed = parse_as(FileId::default(), text, mnemonics, drawing);
     let errors: Vec<Diagnostic> = parsed.diagnostics.iter().filter(|diagnostic| stops_rewriting(diagnostic)).cloned().collect();
     if !errors.is_empty() {
         return Err(errors);
@@ -70,6 +76,8 @@ struct Formatter {
     code: bool,
     /// Behind NETWORK or its TITLE, before the first statement.
     fresh_network: bool,
+    /// Before the end of the last line of a diagram, which is written already.
+    after_diagram: bool,
 }
 
 impl Formatter {
@@ -93,6 +101,7 @@ impl Formatter {
             fresh_node: false,
             code: false,
             fresh_network: false,
+            after_diagram: false,
         }
     }
 
@@ -127,8 +136,10 @@ impl Formatter {
                 self.blank = true;
                 return;
             }
+            SyntaxKind::Diagram => return self.diagram(text),
             SyntaxKind::Newline => {
                 match self.line.used {
+                    _ if std::mem::take(&mut self.after_diagram) => {}
                     true => self.end_line(),
                     false => self.empty += 1,
                 }
@@ -150,6 +161,21 @@ impl Formatter {
         if kind == SyntaxKind::Keyword && text.eq_ignore_ascii_case("BEGIN") {
             self.code = true;
         }
+    }
+
+    /// The lines of a diagram.
+    fn diagram(&mut self, text: &str) {
+        self.end_line();
+        if self.empty > 0 && !self.out.trim_start_matches('\u{feff}').is_empty() {
+            self.out.push_str(self.newline);
+        }
+        self.empty = 0;
+        for line in diagram_layout(text).lines() {
+            self.out.push_str(line);
+            self.out.push_str(self.newline);
+        }
+        self.fresh_network = false;
+        self.after_diagram = true;
     }
 
     /// Puts a token into its column.

@@ -5,6 +5,7 @@
 
 mod blocks;
 mod declarations;
+mod diagrams;
 mod extension;
 mod header;
 mod operands;
@@ -29,9 +30,10 @@ use sieben_model::visible::visible;
 use super::ast;
 use super::lexer::{Raw, in_word, is_terminated, token};
 use super::look_alikes::{self, OTHER_ALPHABET, latin};
-use super::mnemonics::judge;
+use super::mnemonics::{Drawn, judge};
 use super::syntax::{SyntaxKind, SyntaxNode};
 use crate::declarations::values::shortened_s5time;
+use crate::network::flavour::Drawing;
 use crate::scan::{is_blank, straight_quote};
 
 /// More diagnostics than this help nobody; one more says that there are others.
@@ -62,9 +64,14 @@ impl Parsed {
 
 /// Parses a source; without `mnemonics` its language is judged over the whole text.
 pub fn parse(file: FileId, text: &str, mnemonics: Option<Mnemonics>) -> Parsed {
+    parse_as(file, text, mnemonics, None)
+}
+
+/// Parses a source whose networks are drawn, unless they say something else.
+pub fn parse_as(file: FileId, text: &str, mnemonics: Option<Mnemonics>, drawing: Option<Drawing>) -> Parsed {
     let mut ambiguous = None;
     let mnemonics = mnemonics.unwrap_or_else(|| {
-        let judgement = judge(text);
+        let judgement = judge(text, if drawing.is_some() { Drawn::Yes } else { Drawn::No });
         ambiguous = judgement.ambiguous.filter(|_| judgement.is_open());
         judgement.mnemonics()
     });
@@ -88,6 +95,8 @@ pub fn parse(file: FileId, text: &str, mnemonics: Option<Mnemonics>) -> Parsed {
         jumps: None,
         names: OnceCell::new(),
         headed: None,
+        drawing,
+        generated_labels: 0,
     };
     parser.advance(0);
     if let Some((start, end)) = ambiguous {
@@ -108,6 +117,9 @@ pub fn parse(file: FileId, text: &str, mnemonics: Option<Mnemonics>) -> Parsed {
     diagnostics.sort_by_key(|diagnostic| (diagnostic.problem == Problem::P2199, diagnostic.span.start));
     Parsed { file, mnemonics, diagnostics, tree: parser.builder.finish() }
 }
+
+/// The text of a diagram in the usual layout.
+pub(super) use diagrams::layout as diagram_layout;
 
 /// Survives any bytes: parses, formats and converts them, and checks what must always hold.
 pub fn fuzz(data: &[u8]) {
@@ -160,6 +172,10 @@ struct Parser<'t> {
     names: OnceCell<HashMap<String, usize>>,
     /// The end that a block still needs which began with a heading.
     headed: Option<printed::Headed>,
+    /// How networks are written that do not say it.
+    drawing: Option<Drawing>,
+    /// Labels that the boxes of diagrams needed in the current block.
+    generated_labels: u32,
 }
 
 impl<'t> Parser<'t> {

@@ -8,6 +8,7 @@ mod parameters;
 
 use std::collections::HashMap;
 
+use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
@@ -26,6 +27,7 @@ use crate::scope::{Scope, did_you_mean, key};
 use crate::stl::ast;
 use crate::stl::check::TemporaryReads;
 use crate::stl::declare::path::FieldNames;
+use crate::stl::diagrams::first_scratch_bit;
 use crate::stl::operands::{Access, Location, Operand};
 pub(crate) use calls::{plain_callee, plain_data_block};
 
@@ -196,6 +198,12 @@ impl<'a> Resolver<'a> {
             ast::Operand::Register { name, number } => {
                 let operand = super::extension::operand(&name.text, *number)?;
                 self.extended(span).then_some(Meaning::Operand(operand))
+            }
+            ast::Operand::Scratch { bit } => {
+                let position = first_scratch_bit(self.interface, self.id.kind).saturating_add(*bit);
+                let location = Location::Fixed { area: Area::Local, position };
+                self.check_area(&location, Width::Bit, span);
+                Some(Meaning::Variable { location, data_type: DataType::Bool, declared: false })
             }
             ast::Operand::List(_) => {
                 self.report(Problem::P4002, span, "only an extension word takes several operands");

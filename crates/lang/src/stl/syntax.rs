@@ -53,6 +53,8 @@ kinds! {
     Semicolon,
     /// `:`, `:=`, `,`, brackets and the like.
     Punctuation,
+    /// A network that is written as a diagram.
+    Diagram,
     /// Something that does not belong here.
     Unexpected,
     /// A whole source.

@@ -241,7 +241,7 @@ impl Maker {
 
 fn made(seed: u64, drawing: Drawing) -> Option<Network> {
     let network = Maker { random: Random(seed | 1), drawing }.network();
-    rules::broken(&network, Flavour::S7).is_empty().then_some(network)
+    rules::mistakes(&network, Flavour::S7, None).is_empty().then_some(network)
 }
 
 proptest! {
@@ -468,7 +468,8 @@ fn long_networks_are_read_and_written_in_linear_time() {
         let statements = crate::statements::statements(&text);
         if let Answer::Exact(network) = draw(&statements, &Plain, 160, Mode::Rewriting) {
             let line = print(&network, Drawing::Lad);
-            assert!(parse(&line, 0, Flavour::S7).is_ok());
+            // More elements than a network may have are read all the same, to be refused for that.
+            assert!(parse(&line, 0, Flavour::S7).is_ok_and(|again| again == network) || line.len() > 50_000);
         }
     }
     let taps: String = (0..5_000).map(|bit| format!("= L{}.{}; A L{}.{}; ", bit / 8, bit % 8, bit / 8, bit % 8)).collect();

@@ -209,10 +209,7 @@ impl Parser<'_> {
                 };
                 let actual = match (pin.input, pin.output) {
                     (Some(RawInput::Direct(operand)), None) => Actual::Direct(operand),
-                    (Some(RawInput::Operand(operand, line)), None) => match operand.may_be_bit() {
-                        true => Actual::Logic(line),
-                        false => Actual::Direct(operand),
-                    },
+                    (Some(RawInput::Operand(operand, line)), None) => Actual::of_operand(operand, line),
                     (Some(RawInput::Logic(line)), None) => Actual::Logic(line),
                     (None, Some(output)) => Actual::Output(output),
                     _ => return self.scan.wrong_at(pin.from, "a pin is either an input (`:=`) or an output (`=>`)"),

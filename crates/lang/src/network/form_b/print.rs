@@ -198,8 +198,10 @@ impl Printer {
         let one = |pin: &Pin| {
             let name = pin_name(&pin.name);
             match &pin.actual {
-                Actual::Direct(actual) if actual.may_be_bit() => format!("{name} := ={actual}"),
+                Actual::Direct(actual) if actual.is_bit_address() => format!("{name} := ={actual}"),
                 Actual::Direct(actual) => format!("{name} := {actual}"),
+                // A name alone would be handed on as it is.
+                Actual::Logic(line) if pin.actual.is_name_of_bit() => format!("{name} := ({})", self.inside(line)),
                 Actual::Logic(line) => format!("{name} := {}", self.inside(line)),
                 Actual::Output(output) => format!("{name} => {output}"),
             }

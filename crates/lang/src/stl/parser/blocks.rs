@@ -110,13 +110,13 @@ impl Parser<'_> {
         let mut implicit: Option<(usize, Block)> = None;
         loop {
             self.trivia();
-            if self.at_heading() {
+            if self.drawing.is_none() && self.at_heading() {
                 if let Some(block) = self.headed_block() {
                     file.blocks.push(block);
                 }
                 continue;
             }
-            if self.raw != Raw::End && self.printed_line() {
+            if self.drawing.is_none() && self.raw != Raw::End && self.printed_line() {
                 continue;
             }
             match self.keyword() {
@@ -162,6 +162,7 @@ impl Parser<'_> {
         self.start(SyntaxKind::Block);
         self.declared.clear();
         self.comments.clear();
+        self.generated_labels = 0;
         let keyword_place = self.bump(SyntaxKind::Keyword);
         self.blanks();
         let name = self.block_name(keyword, kind);
@@ -294,7 +295,13 @@ impl Parser<'_> {
         self.start(SyntaxKind::Network);
         self.comments.clear();
         let (start, end) = self.bump(SyntaxKind::Keyword);
-        block.networks.push(Network { first_statement: block.statements.len(), span: self.span(start, end), ..Network::default() });
+        let drawing = self.notation();
+        block.networks.push(Network {
+            first_statement: block.statements.len(),
+            span: self.span(start, end),
+            drawing,
+            ..Network::default()
+        });
         self.finish();
         self.numbered_network(start, block);
     }

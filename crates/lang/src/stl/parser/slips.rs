@@ -130,7 +130,12 @@ impl Parser<'_> {
                 "==0" | "<>0" | ">0" | "<0" | ">=0" | "<=0" | "UO" | "OV" | "OS" | "BR" | "BIE" => class == Class::ScanBit,
                 name => self.declared.contains(name) && (bits || values || pointers || timers || counters || blocks),
             },
-            Operand::Error | Operand::Constant(_) | Operand::Register { .. } | Operand::List(_) | Operand::Call(_) => false,
+            Operand::Error
+            | Operand::Constant(_)
+            | Operand::Register { .. }
+            | Operand::Scratch { .. }
+            | Operand::List(_)
+            | Operand::Call(_) => false,
         }
     }
 

@@ -79,6 +79,10 @@ impl Parser<'_> {
         loop {
             self.trivia();
             self.network_comment(block);
+            if let Some(drawing) = self.drawing_here(block).filter(|_| self.at_diagram()) {
+                self.diagram(block, drawing);
+                continue;
+            }
             if self.at_heading() {
                 return;
             }

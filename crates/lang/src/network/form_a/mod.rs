@@ -1,0 +1,14 @@
+//! Form A: a diagram as text with one element on each line, the form in which diagrams are stored.
+
+mod boxes;
+mod layout;
+mod line;
+mod parse;
+mod print;
+
+pub use layout::format;
+pub use parse::{NESTING_MAX, Parsed, parse};
+pub use print::print;
+
+#[cfg(test)]
+mod tests;

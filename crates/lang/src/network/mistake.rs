@@ -1,0 +1,52 @@
+//! What is wrong with a diagram: which kind of mistake, where, and a sentence.
+
+/// A mistake in a diagram.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mistake {
+    /// Which kind.
+    pub kind: MistakeKind,
+    /// Its first byte in the text.
+    pub start: usize,
+    /// The byte after its last one.
+    pub end: usize,
+    /// What is wrong, in a sentence that begins in lower case.
+    pub message: String,
+    /// What to do, if it is known.
+    pub help: Option<String>,
+}
+
+impl Mistake {
+    /// A mistake without help.
+    pub fn new(kind: MistakeKind, start: usize, end: usize, message: impl Into<String>) -> Self {
+        Self { kind, start, end, message: message.into(), help: None }
+    }
+
+    /// With what to do.
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+}
+
+/// Kinds of mistakes; each is a problem code of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MistakeKind {
+    /// A word that names no element.
+    Word,
+    /// An operand that is missing, or one too many.
+    Operand,
+    /// A pin that the box does not have, has twice, or that nothing is wired to.
+    Pin,
+    /// A wire that leads nowhere: logic without a coil, a branch without its end.
+    Open,
+    /// A branch without an element: a short circuit.
+    Short,
+    /// An element that may not stand where it stands.
+    Position,
+    /// An element that only FBD has, in LAD.
+    OnlyFbd,
+    /// A diagram on one line that is not understood.
+    Line,
+    /// Too many elements, or nested too deep.
+    Size,
+}

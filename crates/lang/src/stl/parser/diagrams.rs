@@ -1,0 +1,316 @@
+//! Networks that are written as diagrams: `NETWORK LAD`, `NETWORK FBD`, and files of diagrams alone.
+//!
+//! A diagram becomes the statements that STEP 7 makes of it. Each has the place of its element, and its operands are read where they are written.
+
+use std::collections::HashMap;
+
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+
+use super::Parser;
+use super::blocks::{Keyword, keyword_of};
+use crate::network::flavour::{Drawing, Flavour};
+use crate::network::form_a;
+use crate::network::form_b;
+use crate::network::mistake::{Mistake, MistakeKind};
+use crate::network::model::{Content, Network};
+use crate::network::operand::{Operand as Written, STATUS_BITS};
+use crate::network::statement::Statement;
+use crate::network::{rules, words, write};
+use crate::stl::ast::{self, Argument, Block, Call, Constant, Operand, Word};
+use crate::stl::lexer::Raw;
+use crate::stl::mnemonics::{NOTATIONS, translate_instruction, translate_status};
+use crate::stl::syntax::SyntaxKind;
+
+/// Operands of a diagram that were read, by their first byte.
+type Read = HashMap<u32, (Operand, Span)>;
+
+impl Parser<'_> {
+    /// The word after NETWORK that says how the network is written; without one it is as the file's name says.
+    pub(super) fn notation(&mut self) -> Option<Drawing> {
+        let at = self.behind_blanks(self.position);
+        let (raw, end) = crate::stl::lexer::token(self.text, at);
+        let known = NOTATIONS.iter().find(|(word, _)| raw == Raw::Word && self.slice(at, end).eq_ignore_ascii_case(word));
+        match known {
+            Some(&(_, drawing)) => {
+                self.blanks();
+                self.bump(SyntaxKind::Keyword);
+                drawing
+            }
+            None => self.drawing,
+        }
+    }
+
+    /// How the network at the current token is written.
+    pub(super) fn drawing_here(&self, block: &Block) -> Option<Drawing> {
+        match block.networks.last() {
+            Some(network) => network.drawing,
+            None => self.drawing,
+        }
+    }
+
+    /// Something that is no keyword of a source stands at the current token.
+    pub(super) fn at_diagram(&self) -> bool {
+        self.raw != Raw::End && self.keyword().is_none()
+    }
+
+    /// The diagram from the current token up to the next network or the end of the block.
+    pub(super) fn diagram(&mut self, block: &mut Block, drawing: Drawing) {
+        let from = self.text[..self.position].rfind(['\n', '\r']).map_or(0, |at| at + 1);
+        let from = if self.text[from..self.position].trim().is_empty() { from } else { self.position };
+        let to = self.diagram_end();
+        if to <= self.position {
+            return;
+        }
+        let start = self.position;
+        self.bump_to(SyntaxKind::Diagram, to);
+        let under_network = !block.networks.is_empty();
+        if is_form_a(self.slice(from, to)) {
+            let parsed = form_a::parse(self.text, from, to, Flavour::S7);
+            parsed.mistakes.into_iter().for_each(|mistake| self.mistake(mistake, drawing, block));
+            self.network_of(block, &parsed.network, drawing);
+            return;
+        }
+        // On one line: each line is a network, unless the networks are told apart by their keyword.
+        let mut first = true;
+        for (line_start, line) in one_line_networks(self.text, start, to, under_network) {
+            if !first || !under_network {
+                let span = self.span(line_start, line_start);
+                let network =
+                    ast::Network { first_statement: block.statements.len(), drawing: Some(drawing), span, ..ast::Network::default() };
+                block.networks.push(network);
+            }
+            first = false;
+            match form_b::parse(&line, line_start, Flavour::S7) {
+                Ok(network) => self.network_of(block, &network, drawing),
+                Err(mistake) => self.mistake(mistake, drawing, block),
+            }
+        }
+    }
+
+    /// Where the lines of a diagram end: before the line that begins another network or ends the block, without the empty lines and comments before it.
+    fn diagram_end(&self) -> usize {
+        let mut at = self.position;
+        let mut end = at;
+        for line in self.text[self.position..].split_inclusive('\n') {
+            let content = line.trim();
+            let word = content.split(|sign: char| !(sign.is_alphanumeric() || sign == '_')).next().unwrap_or_default();
+            if matches!(keyword_of(word), Some(Keyword::BlockStart(_) | Keyword::BlockEnd(_) | Keyword::Network | Keyword::Title)) {
+                break;
+            }
+            if !content.is_empty() {
+                end = at + line.trim_end().len();
+            }
+            at += line.len();
+        }
+        end
+    }
+
+    fn mistake(&mut self, mistake: Mistake, drawing: Drawing, block: &Block) {
+        let problem = match mistake.kind {
+            MistakeKind::Word => Problem::P2401,
+            MistakeKind::Operand => Problem::P2402,
+            MistakeKind::Pin => Problem::P2403,
+            MistakeKind::Open => Problem::P2404,
+            MistakeKind::Short => Problem::P2405,
+            MistakeKind::Position => Problem::P2406,
+            MistakeKind::OnlyFbd => Problem::P2407,
+            MistakeKind::Size => Problem::P2408,
+            MistakeKind::Line => Problem::P2409,
+        };
+        let message = format!("{} network {}: {}", drawing.word(), block.networks.len().max(1), mistake.message);
+        let diagnostic = Diagnostic::new(problem, self.span(mistake.start, mistake.end), message);
+        self.report(match mistake.help {
+            Some(help) => diagnostic.help(help),
+            None => diagnostic,
+        });
+    }
+
+    /// The statements of a network.
+    fn network_of(&mut self, block: &mut Block, network: &Network, drawing: Drawing) {
+        rules::mistakes(network, Flavour::S7, Some(drawing)).into_iter().for_each(|mistake| self.mistake(mistake, drawing, block));
+        if network.content == Content::Empty && network.label.is_none() {
+            return;
+        }
+        let written = write::write(network, 0, &mut self.generated_labels);
+        let mut read = Read::new();
+        for statement in written.statements {
+            let statement = self.statement_of(&statement, &mut read);
+            block.statements.push(statement);
+        }
+    }
+
+    fn statement_of(&mut self, statement: &Statement, read: &mut Read) -> ast::Statement {
+        let span = self.span(statement.place.first as usize, statement.place.last as usize);
+        let label = statement.label.as_ref().map(|label| self.label_word(label, span));
+        let word = match self.mnemonics {
+            Mnemonics::English => statement.mnemonic,
+            Mnemonics::German => translate_instruction(statement.mnemonic, Mnemonics::English).unwrap_or(statement.mnemonic),
+        };
+        let mnemonic = Word { text: word.to_owned(), span };
+        let (operand, operand_span) = match statement.mnemonic {
+            "CALL" => (self.call_of(statement, span, read), span),
+            "JU" | "JC" | "JCN" | "JNB" => {
+                let word = self.label_word(&statement.operand, span);
+                let span = word.span;
+                (Operand::Name { word, path: Vec::new() }, span)
+            }
+            _ => self.written_operand(&statement.operand, span, read),
+        };
+        ast::Statement { label, mnemonic, operand, operand_span, span }
+    }
+
+    /// A label that is written, or one of those that boxes need, which nothing that is written can name.
+    fn label_word(&self, label: &Written, span: Span) -> Word {
+        match label.start {
+            Some(start) => Word { text: label.text.clone(), span: self.span(start as usize, start as usize + label.text.len()) },
+            None => Word { text: label.text.replacen('_', "·", 1), span },
+        }
+    }
+
+    /// An operand, read where it is written.
+    fn written_operand(&mut self, operand: &Written, span: Span, read: &mut Read) -> (Operand, Span) {
+        let Some(start) = operand.start else { return (self.made_up(operand, span), span) };
+        if let Some(known) = read.get(&start) {
+            return known.clone();
+        }
+        let begin = start as usize;
+        let (value, end, diagnostics) = self.try_at(begin, |parser| parser.operand(false));
+        diagnostics.into_iter().for_each(|diagnostic| self.report(diagnostic));
+        // A status bit may be written in brackets of form B; it is read like any other operand.
+        let expected = end_of(&self.text[begin..], &operand.text) + begin;
+        let value = if end < expected {
+            let message =
+                format!("`{}` does not belong to the operand `{}`", self.slice(end, expected).trim(), self.slice(begin, end).trim());
+            self.error(Problem::P2402, end, expected, message);
+            Operand::Error
+        } else {
+            value
+        };
+        let known = (value, self.span(begin, end));
+        read.insert(start, known.clone());
+        known
+    }
+
+    /// An operand that is written nowhere: a scratch bit, a status bit, a number.
+    fn made_up(&self, operand: &Written, span: Span) -> Operand {
+        let text = operand.text.as_str();
+        if text.is_empty() {
+            return Operand::None;
+        }
+        if let Some(bit) = scratch_number(text) {
+            return Operand::Scratch { bit };
+        }
+        if let Ok(number) = text.parse::<i16>() {
+            return Operand::Constant(Constant { value: Some(sieben_model::literal::Value::Int(number)), extended: false, span });
+        }
+        let text = match self.mnemonics {
+            Mnemonics::German if STATUS_BITS.contains(&text) => translate_status(text, Mnemonics::English).unwrap_or(text),
+            _ => text,
+        };
+        Operand::Name { word: Word { text: text.to_owned(), span }, path: Vec::new() }
+    }
+
+    fn call_of(&mut self, statement: &Statement, span: Span, read: &mut Read) -> Operand {
+        let (callee, callee_span) = self.written_operand(&statement.operand, span, read);
+        let instance = statement.instance.as_ref().map(|instance| self.written_operand(instance, span, read));
+        let arguments = statement
+            .parameters
+            .iter()
+            .map(|parameter| {
+                let name = &parameter.name;
+                let start = name.start.map_or(span.start as usize, |start| start as usize);
+                let text = super::unquoted(&name.text).to_owned();
+                let name = Word { text, span: self.span(start, start + name.text.len()) };
+                let (value, span) = self.written_operand(&parameter.actual, name.span, read);
+                Argument { name, value, span }
+            })
+            .collect();
+        Operand::Call(Box::new(Call { callee, callee_span, instance, arguments }))
+    }
+}
+
+/// The text of a diagram that was parsed without mistakes in the usual layout: one element on each line, four spaces for each level.
+pub(in crate::stl) fn layout(text: &str) -> String {
+    if is_form_a(text) {
+        // The first line has lost its indentation; it is one of those that are indented least.
+        let rest = text.split_once('\n').map_or("", |(_, rest)| rest);
+        let least = rest.lines().filter(|line| !line.trim().is_empty()).map(|line| line.len() - line.trim_start().len()).min();
+        let text = &format!(
+            "{}{text}",
+            rest.lines()
+                .find(|line| !line.trim().is_empty() && Some(line.len() - line.trim_start().len()) == least)
+                .map_or("", |line| &line[..least.unwrap_or(0)])
+        );
+        return form_a::format(text, 0, text.len(), &form_a::parse(text, 0, text.len(), Flavour::S7));
+    }
+    text.lines().map(|line| format!("{}\n", line.trim())).collect()
+}
+
+/// The number of a scratch bit in its network.
+fn scratch_number(text: &str) -> Option<u32> {
+    let (byte, bit) = text.strip_prefix('L')?.trim_start().split_once('.')?;
+    Some(byte.parse::<u32>().ok()? * 8 + bit.parse::<u32>().ok()?)
+}
+
+/// Where an operand ends in the text that it was read from: it may have more spaces there.
+fn end_of(text: &str, operand: &str) -> usize {
+    let mut wanted = operand.chars().filter(|sign| !sign.is_whitespace()).peekable();
+    let mut end = 0;
+    for (at, sign) in text.char_indices() {
+        if wanted.peek().is_none() {
+            break;
+        }
+        if !sign.is_whitespace() {
+            wanted.next();
+            end = at + sign.len_utf8();
+        }
+    }
+    end
+}
+
+/// Whether a diagram has one element on each line.
+fn is_form_a(text: &str) -> bool {
+    let Some(line) = text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with("//")) else { return true };
+    let signs = line.find(|sign: char| !(sign.is_alphanumeric() || matches!(sign, '_' | '<' | '>' | '/'))).unwrap_or(line.len());
+    let (word, rest) = line.split_at(signs);
+    if line.starts_with("|-") || line.contains("->") || rest.starts_with('(') && !word.is_empty() {
+        return false;
+    }
+    if word == "LABEL" {
+        return rest.trim_end().ends_with(':') && !rest.trim().trim_end_matches(':').contains(':');
+    }
+    words::begins_line(word)
+        || !word.is_empty() && rest.is_empty()
+        || text.lines().any(|line| {
+            let word = line.trim_start().split_whitespace().next().unwrap_or_default();
+            words::begins_line(word) && !matches!(word, "S" | "R" | "P" | "N")
+        })
+}
+
+/// The networks of a diagram on one line, each with its first byte: every line is one, or all of them together are.
+fn one_line_networks(text: &str, from: usize, to: usize, together: bool) -> Vec<(usize, String)> {
+    let mut networks: Vec<(usize, String)> = Vec::new();
+    let mut at = from;
+    for line in text[from..to].split_inclusive('\n') {
+        let content = line.trim_end();
+        let blank = content.len() - content.trim_start().len();
+        let is_comment = content.trim_start().starts_with("//");
+        match networks.last_mut() {
+            // The lines keep their lengths, so that places stay right.
+            Some((start, all)) if together => {
+                let missing = (at - *start) - all.len();
+                all.extend(std::iter::repeat_n(' ', missing));
+                if !is_comment {
+                    all.push_str(content);
+                }
+            }
+            _ if content.trim().is_empty() || is_comment => {}
+            _ => networks.push((at + blank, content[blank..].to_owned())),
+        }
+        at += line.len();
+    }
+    networks
+}
